@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/source.hpp"
+
+namespace analogon {
+
+enum class Severity { Error, Warning, Note };
+
+/// Where a message points. Owns its text, so a diagnostic outlives the source it speaks of.
+struct Place {
+    std::string file;      // name of the model or data file; empty: no file
+    int line{};            // 1-based; 0: the file as a whole
+    int column{};          // 1-based; 0: the line as a whole
+    int length{};          // characters to underline
+    std::string lineText;  // the line itself, for the caret
+};
+
+Place placeOf(const Span& span);
+
+/// A message for the engineer: what is wrong, where, and what to try.
+struct Diagnostic {
+    Severity severity{Severity::Error};
+    std::string message;
+    Place place;
+    std::string hint;  // what to try; may be empty
+};
+
+using Diagnostics = std::vector<Diagnostic>;
+
+Diagnostic error(std::string message, const Span& span = {}, std::string hint = {});
+Diagnostic warning(std::string message, const Span& span = {}, std::string hint = {});
+/// An error in a file that is not parsed text (a table, an archive); line 0: the file as a whole.
+Diagnostic fileError(std::string message, std::string file, int line = 0, int column = 0, std::string hint = {});
+
+bool hasError(const Diagnostics& diagnostics);
+
+/// "file:line:column: error: message", the line with a caret under the place, and the hint.
+std::string format(const Diagnostic& diagnostic);
+std::string format(const Diagnostics& diagnostics);
+
+/// Of all the names, the one most like the misspelt one (edit distance at most a third of it); else empty.
+std::string suggestion(std::string_view misspelt, const std::vector<std::string>& names);
+
+}  // namespace analogon

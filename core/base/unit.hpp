@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/outcome.hpp"
+
+namespace analogon {
+
+/// target = factor * source + offset
+struct UnitConversion {
+    double factor{1};
+    double offset{0};
+
+    double operator()(double x) const { return factor * x + offset; }
+};
+
+/// Converts values from one unit to another (UDUNITS-2 behind a table of the field's aliases: degC, °C, rpm,
+/// 1/min, %, Ohm, N.m, Nm, km/h, W/(m2.K), l/min …). Modelica unit strings are accepted on both sides.
+/// An empty unit converts to itself alone; "1" is dimensionless. The message of a fault names both units;
+/// it has no place (the caller knows where the unit stood).
+Outcome<UnitConversion> convertUnit(std::string_view from, std::string_view to);
+
+/// Whether the text names a unit that is known here.
+bool isKnownUnit(std::string_view unit);
+
+/// Whether both measure the same quantity (convertible).
+bool areConvertible(std::string_view a, std::string_view b);
+
+}  // namespace analogon

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/effect/finding.hpp"
+#include "core/library/library.hpp"
+
+/// The effects known to a library: classes with the vendor annotation
+///
+///   annotation(__Analogon(effect(
+///     kind = "friction.coulomb",        // contract, section 3
+///     way = "attach",                   // attach | insert | specialise
+///     ports = {"flange"},               // attach: its connector; insert: the two sides {"flange_a","flange_b"},
+///                                       // for signals {"u","y"}; specialise: absent
+///     at = "output",                    // signals only: insert at a top-level "output" or "input"
+///     strength = "tau_c",               // 0 = off
+///     oneSided = true,                  // the physical sign: strength >= 0
+///     linear = {"tau_s"},               // further parameters in which the model is linear at 0
+///     fixed(w_eps = "0.002*maxabs(w)"), // set before screening and kept
+///     shape(w_s = {"0.05*maxabs(w)", "0.3*maxabs(w)"}),  // tried in turn, freed in the refit
+///     secant = {"2*sample", "8*sample"},// strengths of the screening where the slope at 0 misleads
+///     quantity = "T")))                 // signals only: restrict to this unit ("K"); absent: any
+///
+/// Texts are Modelica expressions over sample, duration (of the recording, s) and range(v), maxabs(v), rms(v),
+/// mean(v), start(v) of the variables v of the effect's own instance, as simulated with the effect off.
+namespace analogon {
+
+struct EffectClass {
+    std::string className;
+    std::string description;
+    std::string kind;
+    Way way{Way::Attach};
+    std::vector<std::string> ports;
+    std::string signalSide;                       // "input", "output" or empty
+    std::string strength;
+    bool oneSided{};
+    std::vector<std::string> linear;
+    std::map<std::string, std::string> fixed;     // parameter -> expression
+    std::map<std::string, std::vector<std::string>> shape;
+    std::vector<std::string> secant;
+    std::string quantity;
+    std::string base;                             // specialise: qualified name of the class it extends
+    std::map<std::string, std::string> units;     // of its parameters
+};
+
+/// All effects of a library, in library order. A malformed annotation is a warning that names class and place.
+Outcome<std::vector<EffectClass>> effectCatalogue(const Library& library);
+
+}  // namespace analogon

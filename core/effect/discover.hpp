@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/base/progress.hpp"
+#include "core/effect/finding.hpp"
+
+namespace analogon {
+
+struct DiscoverOptions {
+    FitOptions fit;
+    int maxRounds{4};
+    int refitted{6};          // candidates of a round that are refitted
+    int threads{0};           // 0: as many as the machine has
+    std::vector<std::string> kinds;  // empty: all
+};
+
+/// Fits the model as it stands.
+Outcome<ModelState> fitModel(const EstimationTask& task, const FitOptions& options, const Progress& progress = {});
+
+/// The model as it stands, no fit.
+Outcome<ModelState> simulateModel(const EstimationTask& task, const SimulationOptions& options,
+                                  const Progress& progress = {});
+
+/// The closed loop: fit, find what is left, add the effect that explains it, refit, until what is left is noise.
+/// Validation recordings are simulated for the report and used for nothing else.
+Outcome<Finding> discover(const EstimationTask& task, const DiscoverOptions& options = {},
+                          const Progress& progress = {});
+
+}  // namespace analogon

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/fit/estimation_task.hpp"
+#include "core/residual/noise.hpp"
+
+/// What a fit or a discovery found: plain values, from which the report, the study and the screen are made.
+/// Names and meaning follow the report format (contract, section 6).
+namespace analogon {
+
+struct OutputState {
+    std::string name;
+    std::string unit;
+    ErrorFigures figures;
+    Eigen::VectorXd measured;   // NaN: not measured
+    Eigen::VectorXd simulated;
+};
+
+struct ExperimentState {
+    std::string name;
+    Role role{Role::Fit};
+    double errorPercent{};      // root mean square over its outputs
+    std::vector<double> time;
+    std::vector<OutputState> outputs;
+    SimulationFailure failure;
+};
+
+/// A model with its values, held against every experiment.
+struct ModelState {
+    std::string modelText;                        // with fitted values written in
+    std::vector<FitEstimate> parameters;
+    std::vector<ExperimentState> experiments;
+    std::map<std::string, ResidualSummary> residual;  // per output, over the fitted experiments
+    FitStatus status{FitStatus::Failed};
+    std::string message;
+    std::vector<std::string> remarks;
+    int simulations{};
+    double seconds{};
+};
+
+enum class Way { Attach, Insert, Specialise };
+const char* name(Way way);  // "attach" …
+
+struct EffectValue {
+    std::string name;
+    double value{};
+    double standardError{};
+    std::string unit;
+};
+
+/// Where an effect was put and how it did, compared with the chosen one.
+struct Alternative {
+    std::string kind, at;
+    double deltaBic{};
+    bool equivalent{};
+};
+
+struct Evidence {
+    double score{};      // z² of the screening or F-like statistic, in units of the noise
+    double pValue{};
+    double deltaBic{};   // negative: better
+    double heldOut{};    // H of the blocks left out in turn, -1 … 1
+    double errorPercentBefore{}, errorPercentAfter{};
+};
+
+struct AddedEffect {
+    std::string kind, className, at;
+    Way way{Way::Attach};
+    std::string instance;                 // the component's name in the model
+    std::string description;              // of the class
+    std::vector<EffectValue> parameters;
+    Evidence evidence;
+    std::vector<Alternative> alternatives;
+};
+
+enum class Verdict { Chosen, Equivalent, Weaker, NotSignificant, Absorbed, WrongSign, FailsHeldOut, Failed };
+const char* name(Verdict verdict);  // "chosen", "not significant" …
+
+struct CandidateResult {
+    std::string kind, at, className;
+    double score{};
+    double strength{};                    // estimate from the screening
+    std::optional<double> deltaBic;       // when it was refitted
+    Verdict verdict{Verdict::NotSignificant};
+    std::vector<std::string> absorbedBy;  // parameters
+    int round{};
+};
+
+struct Correlate {
+    std::string variable;
+    double correlation{};
+};
+
+struct Remainder {
+    std::string output, node;
+    double evidence{};
+    double from{}, to{};                  // [s]
+    std::string experiment;
+    std::vector<Correlate> movesWith;
+    std::string proposedEquation;
+};
+
+enum class FindingKind { Adequate, Effect, Partial, Unexplained };
+const char* name(FindingKind kind);  // "adequate" …
+
+struct Finding {
+    FindingKind kind{FindingKind::Adequate};
+    ModelState baseline;
+    ModelState final;
+    std::vector<AddedEffect> effects;
+    std::vector<CandidateResult> candidates;
+    std::vector<Remainder> remainders;
+    std::string nextExperiment;
+    std::vector<std::string> warnings;
+    bool interrupted{};
+    double seconds{};
+};
+
+}  // namespace analogon

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/outcome.hpp"
+#include "core/structure/structure.hpp"
+
+namespace analogon {
+
+/// A named quantity of the compiled system.
+struct SignalInfo {
+    std::string name;
+    std::string unit;
+    double nominal{1};          // magnitude for tolerances; 1 when not given
+    std::optional<double> min, max;
+    double value{};             // parameters: the model's own value; states: start value for the model's own parameters
+};
+
+/// A `delay(z, T)` of the model. The value of z is taken at t - T from what was simulated before; a delay
+/// never feeds a state unless z is a top-level input.
+struct DelayInfo {
+    int input{-1};  // z is this input; -1: z is tap number `tap`
+    int tap{-1};
+};
+
+/// Values and tangents of one evaluation thread. Made by System::workspace for a number K of directions.
+/// Tangent blocks are row-major: quantity i, direction k at [i * K + k].
+class Workspace {
+public:
+    Workspace();
+    Workspace(Workspace&&) noexcept;
+    Workspace& operator=(Workspace&&) noexcept;
+    ~Workspace();
+    int directions() const { return directions_; }
+
+private:
+    friend class System;
+    struct Data;
+    std::unique_ptr<Data> data_;
+    int directions_{};
+};
+
+/// The executable model x' = f(t, x, u, p), y = g(t, x, u, p), const and shared between threads.
+///
+/// Inputs u come in this order: the sampled inputs; then for each sampled input its time derivative when the
+/// model needs it (`needsInputDerivative`); then the delayed values. Use `slots()` for the total.
+///
+/// Every method returns false when an evaluation failed: a value is not finite or an algebraic block did not
+/// converge; `Workspace` then remembers which variable (failure()).
+class System {
+public:
+    /// Lowers a structure to a program.
+    static Outcome<std::shared_ptr<const System>> build(const Structure& structure);
+
+    int stateCount() const;
+    int inputCount() const;      // sampled inputs
+    int slotCount() const;       // length of u
+    int outputCount() const;
+    int parameterCount() const;
+    int tapCount() const;        // signals that are delayed somewhere
+    int rootCount() const;       // relations outside noEvent
+    const std::vector<SignalInfo>& states() const;
+    const std::vector<SignalInfo>& inputs() const;
+    const std::vector<SignalInfo>& outputs() const;
+    const std::vector<SignalInfo>& parameters() const;
+    const std::vector<DelayInfo>& delays() const;
+    bool needsInputDerivative() const;
+    int parameterIndex(std::string_view name) const;  // -1 when unknown
+    int inputIndex(std::string_view name) const;
+    int outputIndex(std::string_view name) const;
+
+    /// K tangent directions; 0: values only.
+    Workspace workspace(int directions) const;
+
+    /// Takes the parameters (and, with K > 0, their directions: parameterCount x K) and evaluates all that
+    /// depends on nothing else. Must be called first, and again when p changes.
+    bool setParameters(Workspace& w, std::span<const double> p, std::span<const double> dp = {}) const;
+
+    /// Consistent start: x0 (and its tangents) from u(t0) and the model's start values and initial equations.
+    bool initialise(Workspace& w, double t0, std::span<const double> u, std::span<double> x,
+                    std::span<double> dx = {}, std::span<const double> du = {}) const;
+
+    bool derivatives(Workspace& w, double t, std::span<const double> x, std::span<const double> u,
+                     std::span<double> xdot) const;
+    /// With directions: dx is stateCount x K, du slotCount x K (empty: zero), dxdot stateCount x K.
+    bool derivatives(Workspace& w, double t, std::span<const double> x, std::span<const double> dx,
+                     std::span<const double> u, std::span<const double> du, std::span<double> xdot,
+                     std::span<double> dxdot) const;
+
+    /// y has outputCount values; taps (may be empty) tapCount values.
+    bool outputs(Workspace& w, double t, std::span<const double> x, std::span<const double> u, std::span<double> y,
+                 std::span<double> taps = {}) const;
+    bool outputs(Workspace& w, double t, std::span<const double> x, std::span<const double> dx,
+                 std::span<const double> u, std::span<const double> du, std::span<double> y, std::span<double> dy,
+                 std::span<double> taps = {}, std::span<double> dtaps = {}) const;
+
+    /// Delay times in force (one per delay), with tangents delays x K.
+    void delayTimes(const Workspace& w, std::span<double> times, std::span<double> dtimes = {}) const;
+
+    /// Values of the root functions (event indicators), rootCount.
+    bool roots(Workspace& w, double t, std::span<const double> x, std::span<const double> u,
+               std::span<double> values) const;
+
+    /// Values of any variables of the flat model at a point, for plots and for shapes of effects: names in,
+    /// values out (NaN for names that are not known). Slow path (interpreted on the graph or the program).
+    std::vector<int> observe(std::span<const std::string> names) const;  // handle per name, -1 unknown
+    bool observed(Workspace& w, double t, std::span<const double> x, std::span<const double> u,
+                  std::span<const int> handles, std::span<double> values) const;
+
+    /// The variable at which the last evaluation in this workspace failed.
+    std::string failure(const Workspace& w) const;
+
+    /// x' linear in x and u, with constant coefficients for fixed p, and free of time: the exact recurrence applies.
+    bool isLinearTimeInvariant() const;
+
+    /// The program, one instruction a line.
+    std::string print() const;
+
+    ~System();
+
+private:
+    struct Impl;
+    explicit System(std::unique_ptr<Impl> impl);
+    std::unique_ptr<const Impl> impl_;
+};
+
+using SystemPtr = std::shared_ptr<const System>;
+
+/// Text to system in one call: flatten, analyse, build.
+Outcome<SystemPtr> compile(const Library& library, std::string_view className, const StructureOptions& options = {});
+
+}  // namespace analogon

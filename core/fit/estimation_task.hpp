@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/fit/fit.hpp"
+#include "core/library/library.hpp"
+
+/// A composed model together with the recordings it must explain: what a fit, and the search for effects,
+/// work on. All values are in the model's units; file formats are behind us.
+namespace analogon {
+
+enum class Role { Fit, Validate };
+
+/// A start value of one experiment: a number, or fitted from that number.
+struct StartValue {
+    std::string parameter;  // "element.T_start"
+    double value{};
+    bool isFitted{};
+};
+
+/// A recorded channel that the model does not use (yet).
+struct SpareChannel {
+    std::string name;
+    std::string unit;
+    std::vector<double> values;
+};
+
+struct Recording {
+    std::string name;
+    Role role{Role::Fit};
+    std::vector<double> time;                   // [s]
+    std::vector<std::string> inputNames;        // model's top-level inputs
+    Eigen::MatrixXd inputs;                     // rows: inputNames, columns: samples
+    std::vector<std::string> outputNames;       // model's top-level outputs that were measured
+    Eigen::MatrixXd outputs;                    // rows: outputNames; NaN: not measured there
+    Eigen::VectorXd weights;                    // per output, from the study (1: by the noise alone)
+    std::vector<StartValue> starts;
+    std::vector<SpareChannel> spares;
+};
+
+struct EstimationTask {
+    Library library;                        // with the model's own text in it
+    SourcePtr model;                        // text of the composed model
+    std::string className;
+    std::vector<FitParameter> parameters;   // fitted for all experiments
+    std::vector<Recording> recordings;
+};
+
+/// A task made ready to simulate: one system for all experiments, the problem for the experiments with a role.
+struct PreparedTask {
+    SystemPtr system;
+    FitProblem problem;              // experiments with Role::Fit, in order
+    std::vector<int> fitRecordings;  // index of the recording of each experiment of `problem`
+};
+
+/// Compiles the model with the fitted parameters and start values kept symbolic, orders channels as the system
+/// does, weights by `noise` (per recording and output of the system: standard deviation; empty: 1 / range of
+/// the channel). Faults: a fitted name that is no parameter of the model, an input without a channel, an
+/// output that does not exist.
+Outcome<PreparedTask> prepare(const EstimationTask& task, const std::vector<Eigen::VectorXd>& noise = {},
+                              Role role = Role::Fit, const std::vector<std::string>& alsoKeep = {});
+
+}  // namespace analogon

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.hpp"
+#include "core/fit/problem.hpp"
+
+namespace analogon {
+
+enum class FitMethod { LeastSquares, NelderMead };
+enum class RobustLoss { None, Huber, Cauchy };
+
+struct FitOptions {
+    FitMethod method{FitMethod::LeastSquares};
+    RobustLoss loss{RobustLoss::None};
+    int maxIterations{100};         // least squares
+    int maxSimulations{20000};      // Nelder-Mead
+    double costTolerance{1e-10};    // relative fall of the cost at which the fit has converged
+    int starts{1};                  // > 1: further starts from a Latin hypercube within the bounds, best one kept
+    std::uint64_t seed{1};
+    int threads{1};
+    SimulationOptions simulation;
+};
+
+enum class FitStatus { Converged, IterationLimit, Cancelled, Failed };
+
+/// What one parameter came to.
+struct FitEstimate {
+    std::string name;
+    std::string unit;
+    double value{};
+    double standardError{};  // NaN when the data do not determine it
+    bool atBound{};
+    int experiment{-1};
+};
+
+struct FitResult {
+    FitStatus status{FitStatus::Failed};
+    std::string message;          // why it stopped, for people
+    std::vector<FitEstimate> estimates;
+    Eigen::VectorXd values;
+    Eigen::MatrixXd covariance;   // of the values; NaN rows where not determined
+    Eigen::MatrixXd correlation;
+    double cost{};                // 1/2 sum of squares
+    double startCost{};
+    int iterations{};
+    int simulations{};
+    int failedSimulations{};
+    Linearisation optimum;        // residuals, Jacobian, trajectories at the optimum
+    std::vector<GridPlan> plans;
+    std::vector<std::string> remarks;  // "R and k only appear as k/R here: fix one"
+};
+
+/// Checks the problem before it starts: bounds in order, start inside, no empty data.
+Diagnostics validate(const FitProblem& problem);
+
+/// Levenberg-Marquardt (Ceres) in bounded and logarithmic coordinates, or the paper's Nelder-Mead (NLopt).
+/// Never throws and never aborts: a failed simulation costs one step.
+FitResult fit(const FitProblem& problem, const FitOptions& options = {}, const Progress& progress = {});
+
+/// Error figures of one output (contract, section 6). NaN samples are left out.
+struct ErrorFigures {
+    double rmse{};
+    double errorPercent{};        // 100 RMSE / (max - min of the measured channel)
+    double relativeRmsPercent{};  // 100 |y - m| / |m|
+    double fitPercent{};          // 100 (1 - |y - m| / |m - mean m|)
+    double maxAbs{};
+};
+ErrorFigures errorFigures(const Eigen::Ref<const Eigen::RowVectorXd>& simulated,
+                          const Eigen::Ref<const Eigen::RowVectorXd>& measured);
+
+}  // namespace analogon

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "core/simulate/simulate.hpp"
+
+namespace analogon {
+
+enum class ParameterScale { Automatic, Linear, Logarithmic };
+
+/// One unknown of a fit. Its value enters the system parameter of the same name in every experiment, or, when
+/// `experiment` >= 0, in that one alone (a fitted start value).
+struct FitParameter {
+    std::string name;
+    std::string unit;
+    double start{};
+    double min{-1e300};
+    double max{1e300};
+    ParameterScale scale{ParameterScale::Automatic};  // automatic: logarithmic where min > 0 and max/min > 10
+    int experiment{-1};
+};
+
+/// One recording against which the system is simulated.
+struct FitExperiment {
+    std::string name;
+    SystemPtr system;
+    SampledInputs inputs;
+    Eigen::MatrixXd measured;           // rows: system outputs, columns: samples; NaN: not measured there
+    Eigen::VectorXd weights;            // per output: 1/sigma (0: output is not fitted)
+    std::vector<double> parameters;     // the system's parameters; fitted ones are overwritten
+};
+
+/// minimise 1/2 sum ((y - measured) * weight)^2 over all experiments, outputs and samples
+/// (mean square error, eqs. 11 to 13 of the 2014 paper, with one weight per channel).
+struct FitProblem {
+    std::vector<FitExperiment> experiments;
+    std::vector<FitParameter> parameters;
+
+    int residualCount() const;  // measured values that are not NaN, with weight > 0
+};
+
+/// All residuals and, when asked, their Jacobian with respect to the parameters in their own units (not
+/// transformed) at a point. Rows in the order experiment, output, sample; unmeasured values are left out.
+struct Linearisation {
+    bool ok{};
+    Eigen::VectorXd residuals;  // weight * (simulated - measured)
+    Eigen::MatrixXd jacobian;   // rows: residuals, columns: parameters
+    std::vector<Trajectory> trajectories;  // one per experiment
+    std::string failure;        // which experiment, when, which variable
+};
+
+/// `plans`: one per experiment, from planGrid; empty: made here.
+Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values, bool withJacobian,
+                        const std::vector<GridPlan>& plans, const SimulationOptions& options = {},
+                        const Progress& progress = {});
+
+}  // namespace analogon

@@ -1,0 +1,124 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+/// Expressions of the flat model: a hash-consed directed acyclic graph. Equal subexpressions are the same
+/// node, so common subexpressions are shared by construction and a derivative is symbolic on the same graph.
+namespace analogon {
+
+/// Index of a flat variable (FlatModel::variables).
+struct VariableId {
+    std::uint32_t value{0xffffffffu};
+    bool valid() const { return value != 0xffffffffu; }
+    friend bool operator==(VariableId, VariableId) = default;
+    friend auto operator<=>(VariableId, VariableId) = default;
+};
+
+/// Index of a node in an ExpressionPool.
+struct ExpressionId {
+    std::uint32_t value{0xffffffffu};
+    bool valid() const { return value != 0xffffffffu; }
+    friend bool operator==(ExpressionId, ExpressionId) = default;
+    friend auto operator<=>(ExpressionId, ExpressionId) = default;
+};
+
+enum class Operation : std::uint8_t {
+    Constant,    // value
+    Variable,    // variable
+    Derivative,  // der(variable)
+    Time,
+    Negate, Add, Subtract, Multiply, Divide, Power,
+    Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual,  // 0 or 1
+    And, Or, Not,
+    If,          // a: condition, b: then, c: else
+    Abs, Sign, Sqrt, Exp, Log, Log10,
+    Sin, Cos, Tan, Asin, Acos, Atan, Atan2, Sinh, Cosh, Tanh,
+    Min, Max, Floor, Ceil, Mod, Rem, Div,
+    NoEvent,     // a; relations below raise no event
+    Smooth,      // a; order in value
+    Table,       // table look-up: value is the index of the table, a: the abscissa
+    TableDerivative,  // derivative of the look-up
+    Delay        // a: the signal, b: the delay time (parameter expression)
+};
+
+struct ExpressionNode {
+    Operation operation{Operation::Constant};
+    double value{};         // Constant, Table (index), Smooth (order)
+    VariableId variable{};  // Variable, Derivative
+    ExpressionId a{}, b{}, c{};
+};
+
+/// A one-dimensional look-up table; x strictly increasing.
+struct LookupTable {
+    enum class Interpolation { Linear, MonotoneCubic };
+    std::vector<double> x, y;
+    Interpolation interpolation{Interpolation::Linear};
+
+    double value(double at) const;       // extrapolates with the slope of the first or last piece
+    double derivative(double at) const;
+};
+
+class ExpressionPool {
+public:
+    const ExpressionNode& operator[](ExpressionId id) const { return nodes_[id.value]; }
+    std::size_t size() const { return nodes_.size(); }
+
+    // Constructors fold constants and apply the identities that hold for every real value
+    // (x+0, x*1, x*0, --x, x-x …), and nothing that changes where the expression is defined.
+    ExpressionId constant(double value);
+    ExpressionId variable(VariableId variable);
+    ExpressionId derivativeOf(VariableId variable);  // der(x)
+    ExpressionId time();
+    ExpressionId unary(Operation operation, ExpressionId a);
+    ExpressionId binary(Operation operation, ExpressionId a, ExpressionId b);
+    ExpressionId ifThenElse(ExpressionId condition, ExpressionId then, ExpressionId otherwise);
+    ExpressionId smooth(int order, ExpressionId a);
+    ExpressionId table(const LookupTable& table, ExpressionId x);
+    ExpressionId tableDerivative(std::size_t table, ExpressionId x);
+    ExpressionId delay(ExpressionId signal, ExpressionId delayTime);
+
+    ExpressionId add(ExpressionId a, ExpressionId b) { return binary(Operation::Add, a, b); }
+    ExpressionId subtract(ExpressionId a, ExpressionId b) { return binary(Operation::Subtract, a, b); }
+    ExpressionId multiply(ExpressionId a, ExpressionId b) { return binary(Operation::Multiply, a, b); }
+    ExpressionId divide(ExpressionId a, ExpressionId b) { return binary(Operation::Divide, a, b); }
+    ExpressionId power(ExpressionId a, ExpressionId b) { return binary(Operation::Power, a, b); }
+    ExpressionId negate(ExpressionId a) { return unary(Operation::Negate, a); }
+
+    const std::vector<LookupTable>& tables() const { return tables_; }
+
+    bool isConstant(ExpressionId id) const { return nodes_[id.value].operation == Operation::Constant; }
+    bool isConstant(ExpressionId id, double value) const { return isConstant(id) && nodes_[id.value].value == value; }
+
+    /// Partial derivative with respect to one node of kind Variable or Derivative (all others held).
+    ExpressionId differentiate(ExpressionId of, ExpressionId with);
+    /// Total time derivative: der(x) for a variable x where `isState`-like variables give Derivative nodes,
+    /// 0 for parameters and constants, as told by the callback (which returns the derivative of a variable
+    /// node or of a Derivative node: the caller owns the names of higher derivatives).
+    ExpressionId timeDerivative(ExpressionId of, const std::function<ExpressionId(const ExpressionNode&)>& leaf);
+    /// Replaces leaves (Variable, Derivative, Time, Delay); the callback returns an invalid id to keep one.
+    ExpressionId substitute(ExpressionId in, const std::function<ExpressionId(const ExpressionNode&)>& leaf);
+
+    /// Each distinct Variable or Derivative node below the roots, once.
+    std::vector<ExpressionId> leaves(std::span<const ExpressionId> roots) const;
+
+    /// Value for given leaves (the callback returns the value of a Variable, Derivative, Time or Delay node).
+    double evaluate(ExpressionId id, const std::function<double(const ExpressionNode&)>& leaf) const;
+
+    /// Infix text in Modelica notation; the callback names variables.
+    std::string print(ExpressionId id, const std::function<std::string(VariableId)>& name) const;
+
+private:
+    ExpressionId intern(const ExpressionNode& node);
+
+    std::vector<ExpressionNode> nodes_;
+    std::unordered_multimap<std::size_t, std::uint32_t> index_;
+    std::vector<LookupTable> tables_;
+};
+
+}  // namespace analogon

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/outcome.hpp"
+#include "core/syntax/ast.hpp"
+
+namespace analogon {
+
+/// A class with the full name it has in the library.
+struct LibraryClass {
+    std::string qualifiedName;  // "Analogon.Mechanics.Inertia"
+    syntax::ClassPtr definition;
+    std::string scope;  // qualified name of the enclosing class; empty at the top
+};
+
+/// All classes known to a study: packages from search paths and the study's own files. A value: adding a
+/// file gives a new library that shares the trees of the old one, so it is cheap to copy and to vary.
+class Library {
+public:
+    /// Adds a package: a directory with package.mo (and package.order), or one .mo file.
+    Outcome<Library> withPath(const std::filesystem::path& path) const;
+    /// Adds one text; a class of the same qualified name is replaced.
+    Outcome<Library> withSource(SourcePtr source) const;
+
+    /// By its full name ("Analogon.Mechanics.Inertia"); null when unknown.
+    const LibraryClass* find(std::string_view qualifiedName) const;
+
+    /// Looks a name up as the specification says: from the scope (a qualified class name) outward, through
+    /// imports and inherited classes. Null when unknown.
+    const LibraryClass* lookup(const syntax::Name& name, std::string_view scope) const;
+    const LibraryClass* lookup(std::string_view dottedName, std::string_view scope) const;
+
+    /// All classes, in package order, outer before inner.
+    const std::vector<const LibraryClass*>& classes() const { return order_; }
+    /// Names for suggestions.
+    std::vector<std::string> names() const;
+
+    /// Whether `derived` is `base` or inherits from it (through any number of extends).
+    bool isDerived(std::string_view derived, std::string_view base) const;
+
+private:
+    std::map<std::string, std::shared_ptr<const LibraryClass>, std::less<>> classes_;
+    std::vector<const LibraryClass*> order_;
+};
+
+/// The directory that holds `Analogon/package.mo`: the environment variable ANALOGON_LIBRARY, beside the
+/// program (../share/analogon), or the source tree it was built from; the first that exists.
+std::filesystem::path builtInLibraryPath();
+
+/// The block library `Analogon`, parsed once per process and shared (thread-safe).
+Outcome<Library> builtInLibrary();
+
+}  // namespace analogon

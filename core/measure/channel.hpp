@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/outcome.hpp"
+#include "core/measure/table.hpp"
+
+namespace analogon {
+
+/// How a model quantity is taken from a column: value = scale * convert(cell) + offset.
+struct ChannelMapping {
+    std::string column;
+    std::string unit;   // overrides the file's unit; empty: the file's
+    double scale{1};
+    double offset{0};
+    double weight{1};   // of an output in the fit
+};
+
+/// A column in the unit of the model. `unit` empty: taken as it is.
+/// Faults name file, column and line: unknown column (with a suggestion), unknown or inconvertible unit,
+/// NaN or infinite cells.
+Outcome<std::vector<double>> readChannel(const Table& table, const ChannelMapping& mapping, const std::string& unit);
+
+/// The time column in seconds. Faults: falling or repeated time stamps, with line. A gap (a step over 20 times
+/// the median step) is a warning with its line.
+Outcome<std::vector<double>> readTime(const Table& table, const std::string& column);
+
+}  // namespace analogon

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace analogon {
+
+/// Standard deviation of the white part of a signal from high-frequency differences: robust (median absolute)
+/// estimate over third differences, so that trends and slow dynamics do not count. Samples are equidistant or
+/// nearly so; NaN samples are left out. Steps of the signal are outliers to the median.
+double noiseFromDifferences(const Eigen::Ref<const Eigen::VectorXd>& signal);
+
+/// An autoregressive model e_k = sum a_i e_{k-i} + w_k, order by BIC (Burg's method).
+struct AutoregressiveModel {
+    std::vector<double> coefficients;  // a_1 … a_order
+    double innovation{};               // standard deviation of w
+    /// w for a whole signal (the first `order` samples with what is there).
+    Eigen::VectorXd whiten(const Eigen::Ref<const Eigen::VectorXd>& signal) const;
+};
+AutoregressiveModel fitAutoregressive(const Eigen::Ref<const Eigen::VectorXd>& signal, int maxOrder);
+
+/// What a residual looks like.
+struct ResidualSummary {
+    double noiseStd{};              // of the measurement noise, see noiseFromDifferences
+    double standardDeviation{};     // of the residual itself
+    double autocorrelationTime{};   // integrated, in samples: 1 for white noise
+    bool white{};                   // no significant autocorrelation (Ljung-Box at 1 %) and no excess over the noise
+};
+ResidualSummary summarise(const Eigen::Ref<const Eigen::VectorXd>& residual);
+
+/// Normalised autocorrelation for lags 0 … maxLag.
+Eigen::VectorXd autocorrelation(const Eigen::Ref<const Eigen::VectorXd>& signal, int maxLag);
+
+}  // namespace analogon

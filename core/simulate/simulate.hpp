@@ -1,0 +1,83 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.hpp"
+#include "core/eval/system.hpp"
+#include "core/simulate/sampled_inputs.hpp"
+
+namespace analogon {
+
+/// Which integration engine; `Auto` chooses the grid method from an error estimate.
+enum class Engine { Auto, Grid, Adaptive };
+/// One-step methods of the grid engine. Steps end on the samples; `substeps` of them per sample.
+enum class GridMethod { Auto, RungeKutta4, Esdirk };
+
+struct SimulationOptions {
+    Engine engine{Engine::Auto};
+    GridMethod method{GridMethod::Auto};
+    int substeps{};             // per sample interval; 0: chosen by step doubling
+    double relativeTolerance{1e-6};
+    double absoluteTolerance{1e-9};  // times a state's nominal value
+    double wallClockLimit{60};       // [s]
+    long stepLimit{20'000'000};
+};
+
+/// What a grid run was found to need; chosen once per experiment, then kept so that a misfit stays smooth.
+struct GridPlan {
+    GridMethod method{GridMethod::RungeKutta4};
+    int substeps{1};
+    double errorEstimate{};  // max over outputs of |difference to the reference| / output range
+};
+
+struct SimulationFailure {
+    bool failed{};
+    double time{};          // [s] where it stopped
+    std::string variable;   // the variable that was not finite, or did not converge; may be empty
+    std::string reason;     // "not finite", "step limit", "time limit", "no convergence of an algebraic loop", "cancelled"
+};
+
+/// Outputs at the samples, with tangents in the asked directions.
+struct Trajectory {
+    Eigen::MatrixXd outputs;   // rows: outputs of the system, columns: samples; NaN from a failure on
+    std::vector<Eigen::MatrixXd> tangents;  // one per output: rows: samples, columns: directions
+    Eigen::MatrixXd states;    // rows: states, columns: samples (kept when asked)
+    Eigen::MatrixXd observed;  // rows: asked variables, columns: samples
+    SimulationFailure failure;
+    GridPlan plan;
+    Engine engine{Engine::Grid};
+};
+
+/// What to simulate: one experiment of one system. The referenced objects must outlive the call.
+struct SimulationTask {
+    const System* system{};
+    const SampledInputs* inputs{};      // rows in the order of system->inputs()
+    std::vector<double> parameters;     // system->parameterCount()
+    /// Directions in parameter space: parameterCount x K; K tangents are carried along. Empty: values only.
+    Eigen::MatrixXd directions;
+    bool keepStates{};
+    std::vector<std::string> observe;   // variables to record at the samples
+};
+
+/// The plan an experiment needs at these parameters: explicit or implicit, and the number of substeps, from
+/// step doubling (design: chosen once, rechecked at the optimum).
+GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options = {});
+
+/// One pass with a given plan (grid engine), values and tangents together. Its tangents are those of the
+/// discrete solution.
+Trajectory simulateGrid(const SimulationTask& task, const GridPlan& plan, const SimulationOptions& options = {},
+                        const Progress& progress = {});
+
+/// SUNDIALS CVODES between the true kinks of the inputs, with root finding for events: the reference.
+/// Tangents, when asked for, by CVODES forward sensitivities.
+Trajectory simulateAdaptive(const SimulationTask& task, const SimulationOptions& options = {},
+                            const Progress& progress = {});
+
+/// Engine and plan chosen by the options.
+Trajectory simulate(const SimulationTask& task, const SimulationOptions& options = {}, const Progress& progress = {});
+
+}  // namespace analogon

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/effect/discover.hpp"
+#include "core/study/study.hpp"
+
+/// The whole order, from a study on disk to results on disk: READ THIS FIRST.
+namespace analogon {
+
+struct RunOptions {
+    DiscoverOptions discover;  // its `fit` serves simulate and fit as well
+    std::vector<std::filesystem::path> libraryPaths;
+};
+
+/// What a command leaves behind.
+struct RunResult {
+    Finding finding;   // simulate and fit fill `baseline` alone (and `final` with the same)
+    Study completed;   // the study with fitted values and effects wired in
+};
+
+Outcome<RunResult> runSimulate(const Study& study, const RunOptions& options, const Progress& progress = {});
+Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const Progress& progress = {});
+Outcome<RunResult> runDiscover(const Study& study, const RunOptions& options, const Progress& progress = {});
+
+/// report.json, report.html, traces.csv and study/ under a directory; nothing is half-written.
+Outcome<Done> writeResults(const RunResult& result, const std::filesystem::path& directory);
+
+}  // namespace analogon

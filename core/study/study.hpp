@@ -1,0 +1,78 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/base/outcome.hpp"
+#include "core/fit/estimation_task.hpp"
+#include "core/measure/channel.hpp"
+
+/// A study as it is written down (contract, section 4), and the way from it to an estimation task.
+namespace analogon {
+
+struct FittedStart {};
+struct ColumnStart {
+    std::string column;
+};
+/// A number, "fit", or the first value of a column.
+using StudyStart = std::variant<double, FittedStart, ColumnStart>;
+
+struct StudyExperiment {
+    std::string name;
+    Role role{Role::Fit};
+    std::string file;        // relative to the study
+    std::string timeColumn;
+    std::optional<std::pair<double, double>> range;  // [s]
+    std::map<std::string, ChannelMapping> inputs;    // model input -> column
+    std::map<std::string, ChannelMapping> outputs;
+    std::map<std::string, StudyStart> initial;
+};
+
+struct StudyParameter {
+    bool fit{true};
+    std::optional<double> value;  // overrides the model's own
+    std::optional<double> min, max;
+    ParameterScale scale{ParameterScale::Automatic};
+};
+
+struct StudyFile {
+    std::string name;  // relative, "model.mo", "train.csv"
+    std::string content;
+};
+
+/// A value: copying gives a snapshot that later edits do not touch.
+struct Study {
+    std::string name;                            // of the directory or archive
+    std::string className;
+    std::vector<StudyExperiment> experiments;
+    std::map<std::string, StudyParameter> parameters;
+    std::vector<std::string> libraryPaths;       // "library": […] of study.json
+    std::map<std::string, std::string> models;   // .mo files: name -> text
+    std::string modelFile{"model.mo"};           // the one that holds the composed model
+    std::map<std::string, std::shared_ptr<const Table>> tables;  // measurement files that are used
+    std::filesystem::path directory;             // where it was read from (measurements are copied from here)
+    std::string extraJson;                       // members of study.json that we do not know, kept
+};
+
+/// Reads a directory with study.json, the study.json itself, or an .analogon archive. Every fault names file,
+/// line and column or row. Tables are read here; units are checked in estimationTask.
+Outcome<Study> readStudy(const std::filesystem::path& path);
+
+/// Writes study.json, the models and the measurements into a directory (created when missing). All or
+/// nothing: written beside first, then moved.
+Outcome<Done> writeStudy(const Study& study, const std::filesystem::path& directory);
+
+/// study.json text.
+std::string studyJson(const Study& study);
+
+/// Library, channels in model units, parameters: ready to fit.
+Outcome<EstimationTask> estimationTask(const Study& study);
+
+/// The library of the study: the built-in one, its own paths and texts.
+Outcome<Library> studyLibrary(const Study& study);
+
+}  // namespace analogon

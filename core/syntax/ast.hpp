@@ -1,0 +1,222 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/source.hpp"
+
+/// The tree of a Modelica text (Modelica 3.6, the subset of the contract). Every node has its span, so a
+/// message can point at it and a text edit can replace it. Trees are immutable once parsed and shared.
+namespace analogon::syntax {
+
+struct Expression;
+struct Component;
+struct ClassDefinition;
+
+/// One part of a dotted name with its subscripts: `a[1]` in `a[1].b`.
+struct NamePart {
+    std::string identifier;  // as written, with the quotes of a quoted identifier
+    std::vector<Expression> subscripts;
+    Span span;
+};
+
+/// `a.b[2].c`, or `.Analogon.Blocks` when absolute.
+struct Name {
+    bool absolute{};
+    std::vector<NamePart> parts;
+    Span span;
+
+    /// Dotted text without subscripts.
+    std::string text() const;
+};
+
+struct NamedArgument;
+
+struct Expression {
+    enum class Kind {
+        Number,     // number; isInteger tells the literal's type
+        String,     // text, unescaped
+        Boolean,    // number is 0 or 1
+        Reference,  // name
+        Unary,      // text: "-" "+" "not" ".-" ".+"; operands[0]
+        Binary,     // text: + - * / ^ .+ .- .* ./ .^ < <= > >= == <> and or; operands[0..1]
+        If,         // operands: condition, value, (condition, value)…, else value
+        Call,       // name(operands…, named…)
+        Array,      // { operands… }; or { operand for iterators } when iterators is not empty
+        Range,      // operands: first, last or first, step, last
+        Colon,      // `:` as a subscript
+        End,        // `end` in a subscript
+        Tuple       // ( a, b )
+    };
+
+    Kind kind{Kind::Number};
+    Span span;
+    double number{};
+    bool isInteger{};
+    std::string text;
+    Name name;
+    std::vector<Expression> operands;
+    std::vector<NamedArgument> named;
+    std::vector<std::pair<std::string, std::vector<Expression>>> iterators;  // name, range (0 or 1 expression)
+};
+
+struct NamedArgument {
+    std::string name;
+    Expression value;
+    Span span;
+};
+
+/// One argument of a modification list: `[each] [final] name(arguments) = value`, or a redeclaration.
+struct Modification {
+    bool each{};
+    bool isFinal{};
+    bool isReplaceable{};
+    Name name;                              // what is modified; for a redeclaration the element's name
+    std::vector<Modification> arguments;    // ( … )
+    bool hasArguments{};                    // `name()` differs from `name` on a round trip only
+    std::optional<Expression> value;        // = …
+    std::shared_ptr<const Component> redeclaredComponent;   // redeclare T x(…)
+    std::shared_ptr<const ClassDefinition> redeclaredClass; // redeclare model M = …
+    std::string description;
+    Span span;
+};
+
+/// `annotation( … )` as a list of modifications; the text under the span is the annotation word for word.
+struct Annotation {
+    std::vector<Modification> arguments;
+    Span span;
+
+    const Modification* find(std::string_view name) const;
+};
+
+enum class Variability { Continuous, Discrete, Parameter, Constant };
+enum class Causality { None, Input, Output };
+
+/// One declared component. `Real x, y;` gives two, which share the span of the clause.
+struct Component {
+    std::string name;
+    Name type;
+    Variability variability{Variability::Continuous};
+    Causality causality{Causality::None};
+    bool isFlow{};
+    bool isProtected{};
+    bool isFinal{};
+    bool isReplaceable{};
+    bool isRedeclare{};
+    bool isInner{};
+    bool isOuter{};
+    std::vector<Expression> dimensions;        // of the type and of the name, in the order they apply
+    std::vector<Modification> modifications;   // ( … ) behind the name
+    Span modificationsSpan;                    // with the parentheses; empty (begin == end, right behind the name) without
+    std::optional<Expression> binding;         // = …
+    std::optional<Expression> condition;       // if …
+    std::optional<Name> constrainedBy;
+    std::vector<Modification> constrainedByModifications;
+    std::string description;
+    std::optional<Annotation> annotation;
+    Span nameSpan;    // the identifier
+    Span typeSpan;    // the type's name
+    Span span;        // from the identifier to the last character of its annotation
+    Span clauseSpan;  // the whole clause with its `;`
+    int clauseSize{1};  // how many components the clause declares
+};
+
+struct Extends {
+    Name base;
+    std::vector<Modification> modifications;
+    std::optional<Annotation> annotation;
+    bool isProtected{};
+    Span span;  // with its `;`
+};
+
+struct Equation {
+    enum class Kind {
+        Equality,  // left = right
+        Connect,   // connect(left, right): both references
+        If,        // branches, else branch has no condition
+        For,       // iterators, body
+        Call       // assert(…), terminate(…): left is the call
+    };
+    struct Branch {
+        std::optional<Expression> condition;
+        std::vector<Equation> body;
+    };
+    struct Iterator {
+        std::string name;
+        Expression range;
+        Span span;
+    };
+
+    Kind kind{Kind::Equality};
+    Expression left;
+    Expression right;
+    std::vector<Branch> branches;
+    std::vector<Iterator> iterators;
+    std::vector<Equation> body;
+    std::string description;
+    std::optional<Annotation> annotation;
+    Span span;  // with its `;`
+};
+
+struct EquationSection {
+    bool isInitial{};
+    std::vector<Equation> equations;
+    Span keyword;  // `equation` or `initial equation`
+};
+
+struct Import {
+    std::string alias;  // import A = B.C; or the last part
+    Name name;
+    bool wildcard{};
+    Span span;
+};
+
+struct ClassDefinition {
+    enum class Restriction { Model, Block, Connector, Record, Package, Type, Class, Function };
+
+    Restriction restriction{Restriction::Model};
+    bool isPartial{};
+    bool isFinal{};
+    bool isEncapsulated{};
+    bool isReplaceable{};
+    bool isRedeclare{};
+    bool isProtected{};
+    std::string name;
+    std::string description;
+
+    std::vector<Import> imports;
+    std::vector<Extends> bases;
+    std::vector<Component> components;
+    std::vector<std::shared_ptr<const ClassDefinition>> classes;
+    std::vector<EquationSection> equationSections;
+    std::optional<Annotation> annotation;
+
+    /// `type T = Base[dims](modifications)`, also `connector C = input Real`, `model M = N(…)`.
+    bool isShort{};
+    Name shortBase;
+    Causality shortCausality{Causality::None};
+    std::vector<Expression> shortDimensions;
+    std::vector<Modification> shortModifications;
+    std::vector<std::string> enumeration;  // type E = enumeration(…)
+    bool isEnumeration{};
+
+    Span nameSpan;   // where the name is declared
+    Span endSpan;    // `end Name` (without `;`); invalid for short classes
+    Span span;       // without the final `;`
+    SourcePtr source;  // keeps every span below alive
+};
+
+using ClassPtr = std::shared_ptr<const ClassDefinition>;
+
+/// One file: `within A.B;` and its classes.
+struct StoredDefinition {
+    std::optional<Name> within;
+    std::vector<ClassPtr> classes;
+    SourcePtr source;
+};
+
+const char* keyword(ClassDefinition::Restriction restriction);
+
+}  // namespace analogon::syntax
