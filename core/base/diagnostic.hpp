@@ -25,7 +25,8 @@ struct Diagnostic {
     Severity severity{Severity::Error};
     std::string message;
     Place place;
-    std::string hint;  // what to try; may be empty
+    std::string hint;    // what to try; may be empty
+    bool isNumerical{};  // the numerics failed, the input is not at fault
 };
 
 using Diagnostics = std::vector<Diagnostic>;
@@ -34,6 +35,9 @@ Diagnostic error(std::string message, const Span& span = {}, std::string hint = 
 Diagnostic warning(std::string message, const Span& span = {}, std::string hint = {});
 /// An error in a file that is not parsed text (a table, an archive); line 0: the file as a whole.
 Diagnostic fileError(std::string message, std::string file, int line = 0, int column = 0, std::string hint = {});
+
+/// The numerics failed: which experiment, at what time, which variable.
+Diagnostic numericalError(std::string message, std::string hint = {});
 
 bool hasError(const Diagnostics& diagnostics);
 

@@ -27,6 +27,9 @@ struct Extent {
     Point p1{-100, -100}, p2{100, 100};
 };
 
+/// FillPattern of a three-dimensional look.
+enum class Gradient { None, HorizontalCylinder, VerticalCylinder, Sphere };
+
 /// One graphic primitive of an Icon or Diagram annotation.
 struct Primitive {
     enum class Kind { Line, Rectangle, Polygon, Ellipse, Text, Bitmap };
@@ -45,6 +48,10 @@ struct Primitive {
     bool smooth{};              // Bezier
     bool dashed{};
     bool bold{};
+    bool outlined{true};        // false: LinePattern.None
+    Gradient gradient{Gradient::None};  // how the fill runs from `line` to `fill`
+    int alignment{};            // Text: -1 left, 0 centre, 1 right
+    bool arrowAtStart{}, arrowAtEnd{};
     Point origin;
 };
 
@@ -59,6 +66,9 @@ struct Placement {
     Point origin;
     double rotation{};
 };
+
+/// A point of an icon's coordinates in those of the diagram it stands in.
+Point map(const Placement& placement, const Extent& coordinates, Point point);
 
 enum class Domain { Rotational, Heat, RealInput, RealOutput, Other };
 
@@ -105,6 +115,10 @@ struct Diagram {
     const Block* find(std::string_view block) const;
     /// Place of a connector "motor.flange" (or of a top-level connector) in diagram coordinates.
     std::optional<Point> anchor(std::string_view connector) const;
+    /// Unit vector along an axis that leads away from the block at that connector; zero when unknown.
+    Point direction(std::string_view connector) const;
+    /// Domain of a connector; Other when unknown.
+    Domain domain(std::string_view connector) const;
 };
 
 /// Reads the diagram of a class. Never fails on a bad annotation: what cannot be read gets a default place.
@@ -113,7 +127,17 @@ Outcome<Diagram> readDiagram(const Library& library, std::string_view className)
 /// Icon of a class with its base classes.
 Icon readIcon(const Library& library, std::string_view className);
 
-/// Text of an annotation, for edits.
+/// Connectors of a class, inherited ones first, placed in the coordinates of its icon.
+std::vector<Port> readPorts(const Library& library, std::string_view className);
+
+/// What a connector class carries: known by its variables (phi and flow tau; T and flow Q_flow; input Real …),
+/// so a user's own connector of the same shape is drawn like ours.
+Domain connectorDomain(const Library& library, std::string_view className);
+
+/// Orthogonal way between two anchors; a direction is the unit vector that leads away from the block (zero: any).
+std::vector<Point> route(Point from, Point fromDirection, Point to, Point toDirection);
+
+/// Text of an annotation, for edits: `Placement(…)` and `Line(…)`, without the word `annotation`.
 std::string placementAnnotation(const Placement& placement);
 std::string lineAnnotation(const std::vector<Point>& points, const Colour& colour);
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,23 +21,33 @@ struct NewComponent {
     Placement placement;
 };
 
-/// Collects several changes of one class into one TextEdit (so that they undo as one).
+/// Collects several changes of one class into one TextEdit (so that they undo as one). Every call speaks of the
+/// class as it was given, in any order; of several changes of the same thing the last one counts.
 class ModelEdit {
 public:
-    explicit ModelEdit(const syntax::ClassDefinition& definition);
+    /// With a diagram (and a library, for the ports of new components) a connection without points gets a way
+    /// between its ends; without them it gets no Line annotation and a reader lays one. All must outlive this.
+    explicit ModelEdit(const syntax::ClassDefinition& definition, const Diagram* diagram = nullptr,
+                       const Library* library = nullptr);
 
     ModelEdit& addComponent(const NewComponent& component);  // behind the last component
     ModelEdit& removeComponent(std::string_view name);       // with the connect equations that mention it
     ModelEdit& renameComponent(std::string_view from, const std::string& to);  // everywhere in the class
     ModelEdit& setClass(std::string_view component, const std::string& className);
     /// Sets (or with empty text removes) one modification of a component: setModifier("motor", "R", "0.36").
+    /// A dotted name reaches into nested components: setModifier("drive", "rotor.J", "1e-5").
     ModelEdit& setModifier(std::string_view component, const std::string& name, const std::string& value);
+    /// Sets (or with empty text removes) the binding of a variable of the class itself: `parameter Real k = 3`.
+    ModelEdit& setBinding(std::string_view component, const std::string& value);
+    /// By the name a parameter has in the flat model: "k" is a binding, "drive.rotor.J" a modification of "drive".
+    ModelEdit& setParameter(std::string_view flatName, const std::string& value);
     ModelEdit& setPlacement(std::string_view component, const Placement& placement);
     /// points may be empty: a straight or one-corner line is laid between the anchors when the diagram is given.
     ModelEdit& addConnection(const std::string& from, const std::string& to, const std::vector<Point>& points,
                              const Colour& colour);
     ModelEdit& removeConnection(std::string_view from, std::string_view to);
-    /// In every connect equation that mentions `connector` as one end: replaces that end by `by`.
+    /// In every connect equation of the given class that mentions `connector` as one end: replaces that end by
+    /// `by`. Connections added by addConnection are not touched.
     ModelEdit& replaceInConnections(std::string_view connector, const std::string& by);
     ModelEdit& setLine(std::string_view from, std::string_view to, const std::vector<Point>& points);
 
@@ -43,8 +55,44 @@ public:
     Outcome<syntax::TextEdit> finish(std::string what) const;
 
 private:
+    struct ComponentChange {
+        bool isRemoved{};
+        std::optional<std::string> className;
+        std::vector<std::pair<std::string, std::string>> modifiers;  // name, value; empty: remove
+        std::optional<std::string> binding;                          // empty text: remove
+        std::optional<Placement> placement;
+    };
+    struct ConnectionChange {
+        bool isRemoved{};
+        std::optional<std::string> left, right;
+        std::optional<std::vector<Point>> points;
+    };
+    struct NewConnection {
+        std::string from, to;
+        std::vector<Point> points;
+        Colour colour;
+    };
+    using Replacements = std::vector<syntax::Replacement>;
+
+    ComponentChange* change(std::string_view component);
+    std::vector<const syntax::Equation*> connectionsBetween(std::string_view from, std::string_view to);
+    Diagram diagramWithNewBlocks() const;
+    void writeComponents(Replacements& edits) const;
+    void writeNewComponents(Replacements& edits) const;
+    void writeConnections(Replacements& edits) const;
+    void writeNewConnections(Replacements& edits) const;
+    void writeRenames(Replacements& edits) const;
+    Replacements inside(const syntax::Component& component, const ComponentChange& change) const;
+
     const syntax::ClassDefinition* definition_;
-    syntax::TextEdit edit_;
+    const Diagram* diagram_;
+    const Library* library_;
+    std::map<std::string, ComponentChange, std::less<>> components_;
+    std::map<const syntax::Equation*, ConnectionChange> connections_;
+    std::vector<const syntax::Equation*> connectEquations_;  // in the order of the text
+    std::vector<NewComponent> newComponents_;
+    std::vector<NewConnection> newConnections_;
+    std::map<std::string, std::string, std::less<>> renames_;
     Diagnostics faults_;
 };
 

@@ -21,7 +21,8 @@
 ///     fixed(w_eps = "0.002*maxabs(w)"), // set before screening and kept
 ///     shape(w_s = {"0.05*maxabs(w)", "0.3*maxabs(w)"}),  // tried in turn, freed in the refit
 ///     secant = {"2*sample", "8*sample"},// strengths of the screening where the slope at 0 misleads
-///     quantity = "T")))                 // signals only: restrict to this unit ("K"); absent: any
+///     quantity = "K",                   // signals only: restrict to channels of this unit; absent: any
+///     channel = "flow")))               // specialise: a signal input to be driven by a recorded, unused channel
 ///
 /// Texts are Modelica expressions over sample, duration (of the recording, s) and range(v), maxabs(v), rms(v),
 /// mean(v), start(v) of the variables v of the effect's own instance, as simulated with the effect off.
@@ -41,6 +42,7 @@ struct EffectClass {
     std::map<std::string, std::vector<std::string>> shape;
     std::vector<std::string> secant;
     std::string quantity;
+    std::string channel;                          // signal input driven by a spare channel; empty: none
     std::string base;                             // specialise: qualified name of the class it extends
     std::map<std::string, std::string> units;     // of its parameters
 };

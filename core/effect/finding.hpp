@@ -71,6 +71,7 @@ struct AddedEffect {
     std::string kind, className, at;
     Way way{Way::Attach};
     std::string instance;                 // the component's name in the model
+    std::string newInput, channel;        // top-level input that was added, and the recorded channel it carries
     std::string description;              // of the class
     std::vector<EffectValue> parameters;
     Evidence evidence;

@@ -14,7 +14,7 @@ namespace analogon {
 enum class Role { Fit, Validate };
 
 /// A start value of one experiment: a number, or fitted from that number.
-struct StartValue {
+struct RecordingStart {
     std::string parameter;  // "element.T_start"
     double value{};
     bool isFitted{};
@@ -36,7 +36,7 @@ struct Recording {
     std::vector<std::string> outputNames;       // model's top-level outputs that were measured
     Eigen::MatrixXd outputs;                    // rows: outputNames; NaN: not measured there
     Eigen::VectorXd weights;                    // per output, from the study (1: by the noise alone)
-    std::vector<StartValue> starts;
+    std::vector<RecordingStart> starts;
     std::vector<SpareChannel> spares;
 };
 

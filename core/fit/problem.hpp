@@ -37,6 +37,9 @@ struct FitExperiment {
 struct FitProblem {
     std::vector<FitExperiment> experiments;
     std::vector<FitParameter> parameters;
+    /// The weights are 1 / (standard deviation of the noise). False: they only balance the channels, so the
+    /// scatter is judged by the residuals themselves.
+    bool weightsAreNoise{true};
 
     int residualCount() const;  // measured values that are not NaN, with weight > 0
 };
@@ -51,7 +54,11 @@ struct Linearisation {
     std::string failure;        // which experiment, when, which variable
 };
 
-/// `plans`: one per experiment, from planGrid; empty: made here.
+/// The grid plan of one experiment at these values of the fit parameters.
+GridPlan planFor(const FitProblem& problem, int experiment, const Eigen::VectorXd& values,
+                 const SimulationOptions& options = {});
+
+/// `plans`: one per experiment, from planFor; empty: made here.
 Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values, bool withJacobian,
                         const std::vector<GridPlan>& plans, const SimulationOptions& options = {},
                         const Progress& progress = {});

@@ -5,7 +5,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 /// Expressions of the flat model: a hash-consed directed acyclic graph. Equal subexpressions are the same
@@ -33,18 +32,50 @@ enum class Operation : std::uint8_t {
     Variable,    // variable
     Derivative,  // der(variable)
     Time,
-    Negate, Add, Subtract, Multiply, Divide, Power,
-    Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual,  // 0 or 1
-    And, Or, Not,
-    If,          // a: condition, b: then, c: else
-    Abs, Sign, Sqrt, Exp, Log, Log10,
-    Sin, Cos, Tan, Asin, Acos, Atan, Atan2, Sinh, Cosh, Tanh,
-    Min, Max, Floor, Ceil, Mod, Rem, Div,
-    NoEvent,     // a; relations below raise no event
-    Smooth,      // a; order in value
-    Table,       // table look-up: value is the index of the table, a: the abscissa
+    Negate,
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power,
+    Less,
+    LessEqual,
+    Greater,
+    GreaterEqual,
+    Equal,
+    NotEqual,  // 0 or 1
+    And,
+    Or,
+    Not,
+    If,  // a: condition, b: then, c: else
+    Abs,
+    Sign,
+    Sqrt,
+    Exp,
+    Log,
+    Log10,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Atan2,
+    Sinh,
+    Cosh,
+    Tanh,
+    Min,
+    Max,
+    Floor,
+    Ceil,
+    Mod,
+    Rem,
+    Div,
+    NoEvent,          // a; relations below raise no event
+    Smooth,           // a; order in value
+    Table,            // table look-up: value is the index of the table, a: the abscissa
     TableDerivative,  // derivative of the look-up
-    Delay        // a: the signal, b: the delay time (parameter expression)
+    Delay             // a: the signal, b: the delay time (parameter expression)
 };
 
 struct ExpressionNode {
@@ -59,10 +90,20 @@ struct LookupTable {
     enum class Interpolation { Linear, MonotoneCubic };
     std::vector<double> x, y;
     Interpolation interpolation{Interpolation::Linear};
+    int order{};                 // value() is this derivative of the interpolant; 0: the interpolant itself
+    std::vector<double> slopes;  // monotone cubic: dy/dx at the nodes; filled by prepare()
 
-    double value(double at) const;       // extrapolates with the slope of the first or last piece
+    /// Fills `slopes` (Fritsch & Carlson, SIAM J. Numer. Anal. 17 (1980) 238-246). A table of a pool is prepared;
+    /// one that is not computes them at each look-up.
+    void prepare();
+    double value(double at) const;  // extrapolates with the slope at the first or last node
     double derivative(double at) const;
+
+    friend bool operator==(const LookupTable&, const LookupTable&) = default;
 };
+
+/// Value of an operation on numbers (unary: b is ignored). Not for leaves, If, tables and Delay.
+double apply(Operation operation, double a, double b = 0);
 
 class ExpressionPool {
 public:
@@ -114,10 +155,25 @@ public:
     std::string print(ExpressionId id, const std::function<std::string(VariableId)>& name) const;
 
 private:
-    ExpressionId intern(const ExpressionNode& node);
+    using LeafDerivative = std::function<ExpressionId(const ExpressionNode&)>;
 
+    ExpressionId intern(const ExpressionNode& node);
+    ExpressionId find(const ExpressionNode& node) const;
+    std::size_t slotOf(const ExpressionNode& node) const;
+    void growIndex();
+    std::size_t tableIndex(const LookupTable& table);
+    ExpressionId foldUnary(Operation operation, ExpressionId a);
+    ExpressionId foldBinary(Operation operation, ExpressionId a, ExpressionId b);
+    ExpressionId foldAdd(ExpressionId a, ExpressionId b);
+    ExpressionId foldSubtract(ExpressionId a, ExpressionId b);
+    ExpressionId foldMultiply(ExpressionId a, ExpressionId b);
+    ExpressionId derive(ExpressionId of, const LeafDerivative& leaf, bool delaysMove);
+    ExpressionId chainRule(const ExpressionNode& node, ExpressionId self, ExpressionId da, ExpressionId db,
+                           ExpressionId dc);
+
+    // Children are interned before their parents, so ascending ids are a topological order.
     std::vector<ExpressionNode> nodes_;
-    std::unordered_multimap<std::size_t, std::uint32_t> index_;
+    std::vector<std::uint32_t> index_;  // open addressing: id + 1, 0 is empty; size a power of two
     std::vector<LookupTable> tables_;
 };
 

@@ -26,20 +26,22 @@ struct FlatVariable {
     FlatCausality causality{FlatCausality::Local};
     bool isFlow{};
     bool isProtected{};
-    bool isFinal{};             // a final modification: an inspector does not offer it, a fit refuses it
-    std::string unit;           // empty: not given
+    bool isFinal{};       // a final modification: an inspector does not offer it, a fit refuses it
+    bool isStructural{};  // its value has shaped the equations (array size, condition): changing it needs a new
+                          // flatten()
+    std::string unit;     // empty: not given
     std::string displayUnit;
     std::string quantity;
     std::string description;
     std::optional<double> min, max, nominal;
-    ExpressionId start{};       // invalid: not given (0)
-    bool isFixed{};             // fixed = true
+    ExpressionId start{};  // invalid: not given (0)
+    bool isFixed{};        // fixed = true
     StateSelect stateSelect{StateSelect::Default};
-    ExpressionId binding{};     // parameters and constants: value expression; invalid: none. The binding of a
-                                // continuous variable is an equation, not this.
-    std::string text;           // value of a String parameter
-    Span declared;              // where it is declared
-    Span value;                 // where its binding or modification stands; invalid: nowhere
+    ExpressionId binding{};  // parameters and constants: value expression; invalid: none. The binding of a
+                             // continuous variable is an equation, not this.
+    std::string text;        // value of a String parameter
+    Span declared;           // where it is declared
+    Span value;              // where its binding or modification stands; invalid: nowhere
 };
 
 /// left = right.

@@ -24,7 +24,7 @@ class Library {
 public:
     /// Adds a package: a directory with package.mo (and package.order), or one .mo file.
     Outcome<Library> withPath(const std::filesystem::path& path) const;
-    /// Adds one text; a class of the same qualified name is replaced.
+    /// Adds one text; a class of the same qualified name is replaced, with all it holds.
     Outcome<Library> withSource(SourcePtr source) const;
 
     /// By its full name ("Analogon.Mechanics.Inertia"); null when unknown.
@@ -40,10 +40,18 @@ public:
     /// Names for suggestions.
     std::vector<std::string> names() const;
 
+    /// The classes it inherits from directly, in the order of its extends clauses; unknown ones are left out.
+    std::vector<const LibraryClass*> bases(const LibraryClass& derived) const;
+
     /// Whether `derived` is `base` or inherits from it (through any number of extends).
     bool isDerived(std::string_view derived, std::string_view base) const;
 
 private:
+    friend class NameSearch;
+
+    Library with(std::vector<LibraryClass> added) const;
+    void remove(const std::string& qualifiedName);
+
     std::map<std::string, std::shared_ptr<const LibraryClass>, std::less<>> classes_;
     std::vector<const LibraryClass*> order_;
 };

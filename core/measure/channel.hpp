@@ -12,10 +12,10 @@ namespace analogon {
 /// How a model quantity is taken from a column: value = scale * convert(cell) + offset.
 struct ChannelMapping {
     std::string column;
-    std::string unit;   // overrides the file's unit; empty: the file's
+    std::string unit;  // overrides the file's unit; empty: the file's
     double scale{1};
     double offset{0};
-    double weight{1};   // of an output in the fit
+    double weight{1};  // of an output in the fit
 };
 
 /// A column in the unit of the model. `unit` empty: taken as it is.

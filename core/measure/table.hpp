@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -10,11 +11,19 @@
 
 namespace analogon {
 
+/// Where a cell that is not a finite number stands, for the message when the column is used after all.
+struct BlankCell {
+    std::uint32_t row{};  // index into Column::values
+    int position{};       // 1-based byte in the line
+};
+
 /// One column of a measurement file, in its own unit.
 struct Column {
-    std::string name;  // without the unit
-    std::string unit;  // as written; empty: none given
-    std::vector<double> values;  // NaN: an empty cell
+    std::string name;               // without the unit
+    std::string unit;               // as written; empty: none given
+    std::vector<double> values;     // NaN: an empty cell
+    std::vector<BlankCell> blanks;  // NaN and infinite cells, by row
+    std::string header{};           // as written, with the unit
 };
 
 /// A measurement file as it is.
@@ -23,8 +32,12 @@ struct Table {
     std::vector<Column> columns;
     std::vector<int> lines;  // file line of each row (1-based)
 
+    /// By name, or by the header as written.
     const Column* find(std::string_view name) const;
     std::size_t rows() const { return columns.empty() ? 0 : columns.front().values.size(); }
+    std::vector<std::string> names() const;
+    /// Rows first … last-1 alone.
+    Table slice(std::size_t first, std::size_t last) const;
 };
 
 /// How a CSV file is written; everything not given is found out from the file.
@@ -43,5 +56,12 @@ Outcome<Table> readCsvText(std::string_view text, const std::string& name, const
 
 /// By file ending (csv, txt, tsv, dat).
 Outcome<Table> readTable(const std::filesystem::path& file);
+
+/// Comma-separated text of a table, headers as `name [unit]`; reads back as the same values.
+std::string writeCsv(const Table& table);
+
+/// A text as a CSV cell: quoted where needed; one that a spreadsheet would run as a formula (= + - @ and the like in
+/// front) is led by an apostrophe.
+std::string csvCell(std::string_view text);
 
 }  // namespace analogon

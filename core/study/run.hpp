@@ -15,8 +15,8 @@ struct RunOptions {
 
 /// What a command leaves behind.
 struct RunResult {
-    Finding finding;   // simulate and fit fill `baseline` alone (and `final` with the same)
-    Study completed;   // the study with fitted values and effects wired in
+    Finding finding;  // simulate and fit fill `baseline` alone (and `final` with the same)
+    Study completed;  // the study with fitted values and effects wired in
 };
 
 Outcome<RunResult> runSimulate(const Study& study, const RunOptions& options, const Progress& progress = {});
@@ -24,6 +24,6 @@ Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const P
 Outcome<RunResult> runDiscover(const Study& study, const RunOptions& options, const Progress& progress = {});
 
 /// report.json, report.html, traces.csv and study/ under a directory; nothing is half-written.
-Outcome<Done> writeResults(const RunResult& result, const std::filesystem::path& directory);
+Outcome<Done> writeResults(const RunResult& result, const std::string& command, const std::filesystem::path& directory);
 
 }  // namespace analogon

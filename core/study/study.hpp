@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -24,7 +25,7 @@ using StudyStart = std::variant<double, FittedStart, ColumnStart>;
 struct StudyExperiment {
     std::string name;
     Role role{Role::Fit};
-    std::string file;        // relative to the study
+    std::string file;  // relative to the study
     std::string timeColumn;
     std::optional<std::pair<double, double>> range;  // [s]
     std::map<std::string, ChannelMapping> inputs;    // model input -> column
@@ -46,16 +47,17 @@ struct StudyFile {
 
 /// A value: copying gives a snapshot that later edits do not touch.
 struct Study {
-    std::string name;                            // of the directory or archive
+    std::string name;  // of the directory or archive
     std::string className;
     std::vector<StudyExperiment> experiments;
     std::map<std::string, StudyParameter> parameters;
-    std::vector<std::string> libraryPaths;       // "library": […] of study.json
-    std::map<std::string, std::string> models;   // .mo files: name -> text
-    std::string modelFile{"model.mo"};           // the one that holds the composed model
+    std::vector<std::string> libraryPaths;                       // "library": […] of study.json
+    std::map<std::string, std::string> models;                   // .mo files: name -> text
+    std::string modelFile{"model.mo"};                           // the one that holds the composed model
     std::map<std::string, std::shared_ptr<const Table>> tables;  // measurement files that are used
-    std::filesystem::path directory;             // where it was read from (measurements are copied from here)
-    std::string extraJson;                       // members of study.json that we do not know, kept
+    std::filesystem::path directory;  // where it was read from (measurements are copied from here)
+    std::string extraJson;            // members of study.json that we do not know, kept
+    SourcePtr json;                   // the study.json it was read from, for messages; may be null
 };
 
 /// Reads a directory with study.json, the study.json itself, or an .analogon archive. Every fault names file,
@@ -68,6 +70,10 @@ Outcome<Done> writeStudy(const Study& study, const std::filesystem::path& direct
 
 /// study.json text.
 std::string studyJson(const Study& study);
+
+/// The study that a study.json describes, without models and tables. Faults name line and column; members that
+/// are not known are kept, with a warning.
+Outcome<Study> parseStudyJson(const SourcePtr& json);
 
 /// Library, channels in model units, parameters: ready to fit.
 Outcome<EstimationTask> estimationTask(const Study& study);

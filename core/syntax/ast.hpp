@@ -73,12 +73,12 @@ struct Modification {
     bool each{};
     bool isFinal{};
     bool isReplaceable{};
-    Name name;                              // what is modified; for a redeclaration the element's name
-    std::vector<Modification> arguments;    // ( … )
-    bool hasArguments{};                    // `name()` differs from `name` on a round trip only
-    std::optional<Expression> value;        // = …
-    std::shared_ptr<const Component> redeclaredComponent;   // redeclare T x(…)
-    std::shared_ptr<const ClassDefinition> redeclaredClass; // redeclare model M = …
+    Name name;                                               // what is modified; for a redeclaration the element's name
+    std::vector<Modification> arguments;                     // ( … )
+    bool hasArguments{};                                     // `name()` differs from `name` on a round trip only
+    std::optional<Expression> value;                         // = …
+    std::shared_ptr<const Component> redeclaredComponent;    // redeclare T x(…)
+    std::shared_ptr<const ClassDefinition> redeclaredClass;  // redeclare model M = …
     std::string description;
     Span span;
 };
@@ -107,19 +107,19 @@ struct Component {
     bool isRedeclare{};
     bool isInner{};
     bool isOuter{};
-    std::vector<Expression> dimensions;        // of the type and of the name, in the order they apply
-    std::vector<Modification> modifications;   // ( … ) behind the name
-    Span modificationsSpan;                    // with the parentheses; empty (begin == end, right behind the name) without
-    std::optional<Expression> binding;         // = …
-    std::optional<Expression> condition;       // if …
+    std::vector<Expression> dimensions;       // of the type and of the name, in the order they apply
+    std::vector<Modification> modifications;  // ( … ) behind the name
+    Span modificationsSpan;               // with the parentheses; empty (begin == end, right behind the name) without
+    std::optional<Expression> binding;    // = …
+    std::optional<Expression> condition;  // if …
     std::optional<Name> constrainedBy;
     std::vector<Modification> constrainedByModifications;
     std::string description;
     std::optional<Annotation> annotation;
-    Span nameSpan;    // the identifier
-    Span typeSpan;    // the type's name
-    Span span;        // from the identifier to the last character of its annotation
-    Span clauseSpan;  // the whole clause with its `;`
+    Span nameSpan;      // the identifier
+    Span typeSpan;      // the type's name
+    Span span;          // from the identifier to the last character of its annotation
+    Span clauseSpan;    // the whole clause with its `;`
     int clauseSize{1};  // how many components the clause declares
 };
 
@@ -199,12 +199,16 @@ struct ClassDefinition {
     Causality shortCausality{Causality::None};
     std::vector<Expression> shortDimensions;
     std::vector<Modification> shortModifications;
-    std::vector<std::string> enumeration;  // type E = enumeration(…)
+    std::vector<std::string> enumeration;              // type E = enumeration(…)
+    std::vector<std::string> enumerationDescriptions;  // one per literal; may be empty texts
     bool isEnumeration{};
 
-    Span nameSpan;   // where the name is declared
-    Span endSpan;    // `end Name` (without `;`); invalid for short classes
-    Span span;       // without the final `;`
+    std::optional<Name> constrainedBy;  // of a replaceable class
+    std::vector<Modification> constrainedByModifications;
+
+    Span nameSpan;     // where the name is declared
+    Span endSpan;      // `end Name` (without `;`); invalid for short classes
+    Span span;         // without the final `;`
     SourcePtr source;  // keeps every span below alive
 };
 

@@ -1,0 +1,194 @@
+#include "app/analogon-cli/command_line.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <map>
+
+#include "app/analogon-cli/check.hpp"
+#include "app/analogon-cli/interrupt.hpp"
+#include "app/analogon-cli/progress_view.hpp"
+#include "core/report/report.hpp"
+#include "core/study/run.hpp"
+
+namespace analogon::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+int fails(const Diagnostics& faults) {
+    std::cerr << format(faults) << std::endl;
+    const bool isNumerical =
+        std::any_of(faults.begin(), faults.end(), [](const Diagnostic& d) { return d.isNumerical; });
+    return isNumerical ? numericsFailed : inputAtFault;
+}
+
+const char* name(Command command) {
+    switch (command) {
+        case Command::Check: return "check";
+        case Command::Simulate: return "simulate";
+        case Command::Fit: return "fit";
+        case Command::Discover: return "discover";
+        case Command::Export: return "export";
+        case Command::Generate: return "generate";
+        case Command::Pack: return "pack";
+        case Command::Unpack: break;
+    }
+    return "unpack";
+}
+
+RunOptions runOptions(const Options& options) {
+    RunOptions run;
+    run.libraryPaths = options.libraries;
+    run.discover.threads = options.threads;
+    run.discover.kinds = options.kinds;
+    run.discover.fit.threads = options.threads;
+    if (options.method == "nelder-mead") run.discover.fit.method = FitMethod::NelderMead;
+    return run;
+}
+
+/// simulate, fit and discover: the same but for the call in the middle.
+int runStudy(const Options& options) {
+    const Outcome<Study> study = readStudy(options.input);
+    if (!study) return fails(study.diagnostics());
+    if (!study.diagnostics().empty()) std::cerr << format(study.diagnostics()) << std::endl;
+
+    Interrupt interrupt;
+    ProgressView view(options.progress, std::cerr, isatty(STDERR_FILENO) != 0);
+    const Progress progress(interrupt.token(), view.sink());
+    const RunOptions run = runOptions(options);
+    const Outcome<RunResult> result = options.command == Command::Simulate ? runSimulate(*study, run, progress)
+                                      : options.command == Command::Fit    ? runFit(*study, run, progress)
+                                                                           : runDiscover(*study, run, progress);
+    view.clear();
+    if (!result) {
+        if (interrupt.wasRaised()) {
+            std::cerr << "interrupted before there was a result" << std::endl;
+            return interrupted;
+        }
+        return fails(result.diagnostics());
+    }
+    if (!result.diagnostics().empty()) std::cerr << format(result.diagnostics()) << std::endl;
+    if (const Outcome<Done> written = writeResults(*result, name(options.command), options.out); !written)
+        return fails(written.diagnostics());
+    std::cout << summaryText(result->finding) << "\nreport: " << (options.out / "report.html").string() << std::endl;
+    if (!interrupt.wasRaised()) return done;
+    std::cerr << "interrupted; the best result so far was written" << std::endl;
+    return interrupted;
+}
+
+int notAvailable(const Options& options) {
+    std::cerr << "error: " << name(options.command) << " is not available yet" << std::endl;
+    return inputAtFault;
+}
+
+int execute(const Options& options) {
+    switch (options.command) {
+        case Command::Check: return check(options, std::cout, std::cerr);
+        case Command::Simulate:
+        case Command::Fit:
+        case Command::Discover: return runStudy(options);
+        case Command::Generate:
+        case Command::Export:
+        case Command::Pack:
+        case Command::Unpack: break;
+    }
+    return notAvailable(options);
+}
+
+void addCommon(CLI::App& app, Options& options) {
+    app.add_option("--library", options.libraries, "A further library: a package directory or a .mo file")
+        ->type_name("PATH");
+}
+
+void addRun(CLI::App& app, Options& options) {
+    static const std::map<std::string, ProgressKind> kinds{
+        {"bar", ProgressKind::Bar}, {"json", ProgressKind::Json}, {"none", ProgressKind::None}};
+    app.add_option("study", options.input, "The study: a directory, its study.json or an .analogon file")
+        ->required()
+        ->type_name("STUDY");
+    app.add_option("--out", options.out, "Receives report.json, report.html, traces.csv and study/")
+        ->required()
+        ->type_name("DIR");
+    app.add_option("--progress", options.progress, "On standard error: bar, json or none (default: a bar on a terminal)")
+        ->transform(CLI::CheckedTransformer(kinds, CLI::ignore_case).description("bar|json|none"))
+        ->option_text("KIND");
+    app.add_option("--threads", options.threads, "How many threads to use (default: all)")
+        ->check(CLI::NonNegativeNumber.description(""))
+        ->type_name("N");
+    addCommon(app, options);
+}
+
+void addFit(CLI::App& app, Options& options) {
+    app.add_option("--method", options.method, "least-squares or nelder-mead")
+        ->check(CLI::IsMember({"least-squares", "nelder-mead"}).description(""))
+        ->capture_default_str()
+        ->option_text("NAME");
+}
+
+/// Every command with its options; the callback of the one that was given sets options.command.
+void describe(CLI::App& app, Options& options) {
+    const auto command = [&](Command which, const char* text) {
+        CLI::App* sub = app.add_subcommand(name(which), text);
+        sub->callback([&options, which] { options.command = which; });
+        return sub;
+    };
+    static const std::map<std::string, PrintKind> prints{
+        {"flat", PrintKind::Flat}, {"structure", PrintKind::Structure}, {"program", PrintKind::Program}};
+
+    CLI::App* check = command(Command::Check, "Parse, flatten, analyse; print unknowns, states, balance");
+    check->add_option("input", options.input, "A model file, or a study")->required()->type_name("MODEL.mo|STUDY");
+    check->add_option("--print", options.print, "Print a stage in full: flat, structure or program")
+        ->transform(CLI::CheckedTransformer(prints, CLI::ignore_case).description("flat|structure|program"))
+        ->option_text("STAGE");
+    check->add_option("--class", options.className, "The class to check (default: the last model of the file)")
+        ->type_name("NAME");
+    addCommon(*check, options);
+
+    addRun(*command(Command::Simulate, "The model as it stands against every experiment"), options);
+    CLI::App* fit = command(Command::Fit, "Estimate the parameters");
+    addRun(*fit, options);
+    addFit(*fit, options);
+    CLI::App* discover = command(Command::Discover, "Fit, find missing effects, add them, refit, report");
+    addRun(*discover, options);
+    addFit(*discover, options);
+    discover->add_option("--kinds", options.kinds, "Only these kinds of effects, separated by commas")
+        ->delimiter(',')
+        ->type_name("KIND,…");
+
+    for (const Command later : {Command::Export, Command::Pack, Command::Unpack}) {
+        CLI::App* sub = command(later, "Not available yet");
+        sub->allow_extras();
+    }
+    CLI::App* generate = command(Command::Generate, "Compose a first model from its domains and a measurement");
+    generate->add_option("--domains", options.domains, "For example electric-thermal,thermal-fluid")
+        ->required()
+        ->delimiter(',')
+        ->type_name("DOMAIN,…");
+    generate->add_option("--data", options.data, "The measurement")->required()->type_name("FILE");
+    generate->add_option("--out", options.out, "The study to write")->required()->type_name("STUDY");
+}
+
+}  // namespace
+
+int run(int argc, char** argv) {
+    Options options;
+    CLI::App app("Physical models of automotive components from test-bench measurements", "analogon-cli");
+    app.set_version_flag("--version", "analogon-cli " ANALOGON_VERSION);
+    app.require_subcommand(1);
+    describe(app, options);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& fault) {
+        const bool isFault = fault.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success);
+        app.exit(fault, std::cout, std::cerr);
+        return isFault ? inputAtFault : done;
+    }
+    return execute(options);
+}
+
+}  // namespace analogon::cli

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace analogon::cli {
+
+/// The exit statuses of the program.
+enum ExitStatus { done = 0, inputAtFault = 2, numericsFailed = 3, interrupted = 130 };
+
+enum class Command { Check, Simulate, Fit, Discover, Export, Generate, Pack, Unpack };
+enum class PrintKind { None, Flat, Structure, Program };
+enum class ProgressKind { Automatic, Bar, Json, None };
+
+/// What was asked for on the command line.
+struct Options {
+    Command command{Command::Check};
+    std::filesystem::path input;                 // study or model
+    std::filesystem::path out;
+    PrintKind print{PrintKind::None};
+    std::string className;                       // check: of a model file with several classes
+    ProgressKind progress{ProgressKind::Automatic};
+    std::vector<std::filesystem::path> libraries;
+    int threads{0};                              // 0: as many as the machine has
+    std::string method{"least-squares"};         // or nelder-mead
+    std::vector<std::string> kinds;              // of effects; empty: all
+    std::vector<std::string> domains;            // generate
+    std::filesystem::path data;                  // generate
+};
+
+/// The whole program: reads the arguments, does the work, returns the exit status.
+int run(int argc, char** argv);
+
+}  // namespace analogon::cli

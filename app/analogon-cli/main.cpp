@@ -1,0 +1,3 @@
+#include "app/analogon-cli/command_line.hpp"
+
+int main(int argc, char** argv) { return analogon::cli::run(argc, argv); }

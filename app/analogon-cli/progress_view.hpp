@@ -1,0 +1,40 @@
+#pragma once
+
+#include <chrono>
+#include <mutex>
+#include <ostream>
+#include <string>
+
+#include "app/analogon-cli/command_line.hpp"
+#include "core/base/progress.hpp"
+
+namespace analogon::cli {
+
+/// Shows progress on a stream: a bar that is drawn over and over on a terminal, one JSON object a line, or nothing.
+/// Safe to call from any thread of the work.
+class ProgressView {
+public:
+    /// `isTerminal` decides what Automatic means: a bar, or nothing.
+    ProgressView(ProgressKind kind, std::ostream& stream, bool isTerminal);
+    ~ProgressView();
+
+    Progress::Sink sink();
+    /// Wipes the bar, so that other text can follow.
+    void clear();
+
+private:
+    void show(const Progress::Report& report);
+    void showBar(const Progress::Report& report);
+
+    std::mutex mutex_;
+    ProgressKind kind_;
+    std::ostream& stream_;
+    std::chrono::steady_clock::time_point lastShown_{};
+    std::string lastStage_;
+    bool hasBar_{};
+};
+
+/// One report as a JSON object, without the line end.
+std::string progressJson(const Progress::Report& report);
+
+}  // namespace analogon::cli

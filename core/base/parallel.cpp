@@ -1,0 +1,41 @@
+#include "core/base/parallel.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace analogon {
+
+void parallelFor(int count, int threads, const std::function<void(int)>& body) {
+    if (threads <= 0) threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    threads = std::min(threads, count);
+    if (threads <= 1) {
+        for (int i = 0; i < count; ++i) body(i);
+        return;
+    }
+    std::atomic<int> next{0};
+    std::exception_ptr fault;
+    std::mutex guard;
+    const auto work = [&] {
+        for (int i = next++; i < count; i = next++) {
+            try {
+                body(i);
+            } catch (...) {
+                const std::lock_guard lock(guard);
+                if (!fault) fault = std::current_exception();
+                next = count;
+            }
+        }
+    };
+    {
+        std::vector<std::jthread> pool;
+        for (int k = 1; k < threads; ++k) pool.emplace_back(work);
+        work();
+    }
+    if (fault) std::rethrow_exception(fault);
+}
+
+}  // namespace analogon

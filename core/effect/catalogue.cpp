@@ -1,0 +1,181 @@
+#include "core/effect/catalogue.hpp"
+
+#include <fmt/format.h>
+
+namespace analogon {
+namespace {
+
+using syntax::Expression;
+using syntax::Modification;
+
+const Modification* child(const Modification& parent, std::string_view name) {
+    for (const Modification& m : parent.arguments)
+        if (m.name.text() == name) return &m;
+    return nullptr;
+}
+
+/// Reads the `effect(…)` annotation of one class; the first thing that is not as the grammar asks is a warning.
+class AnnotationReader {
+public:
+    AnnotationReader(const std::string& className, Diagnostics& warnings) : className_(className), warnings_(warnings) {}
+
+    bool ok() const { return ok_; }
+
+    std::string text(const Modification& effect, std::string_view name, bool isRequired) {
+        const Modification* m = child(effect, name);
+        if (m == nullptr) {
+            if (isRequired) complain(effect.span, fmt::format("the effect annotation of {} lacks '{}'", className_, name));
+            return {};
+        }
+        if (!m->value || m->value->kind != Expression::Kind::String) {
+            complain(m->span, fmt::format("'{}' must be a text in quotes", name));
+            return {};
+        }
+        return m->value->text;
+    }
+
+    bool flag(const Modification& effect, std::string_view name) {
+        const Modification* m = child(effect, name);
+        if (m == nullptr) return false;
+        if (!m->value || m->value->kind != Expression::Kind::Boolean) {
+            complain(m->span, fmt::format("'{}' must be true or false", name));
+            return false;
+        }
+        return m->value->number != 0;
+    }
+
+    std::vector<std::string> list(const Modification& effect, std::string_view name) {
+        const Modification* m = child(effect, name);
+        if (m == nullptr || !m->value) return {};
+        return texts(*m->value, name);
+    }
+
+    std::vector<std::string> texts(const Expression& value, std::string_view name) {
+        if (value.kind == Expression::Kind::String) return {value.text};
+        std::vector<std::string> result;
+        if (value.kind == Expression::Kind::Array)
+            for (const Expression& e : value.operands) {
+                if (e.kind != Expression::Kind::String) {
+                    complain(e.span, fmt::format("'{}' must be a list of texts in quotes", name));
+                    return {};
+                }
+                result.push_back(e.text);
+            }
+        else
+            complain(value.span, fmt::format("'{}' must be a list of texts in braces", name));
+        return result;
+    }
+
+private:
+    void complain(const Span& span, std::string message) {
+        ok_ = false;
+        warnings_.push_back(
+            warning(std::move(message), span, "the class takes no part in the search for effects until this is mended"));
+    }
+
+    const std::string& className_;
+    Diagnostics& warnings_;
+    bool ok_{true};
+};
+
+const Modification* effectAnnotation(const syntax::ClassDefinition& definition) {
+    if (!definition.annotation) return nullptr;
+    const Modification* vendor = definition.annotation->find("__Analogon");
+    return vendor ? child(*vendor, "effect") : nullptr;
+}
+
+/// Parameters a class declares or inherits, with their unit: those an effect can name.
+void collectParameters(const Library& library, const LibraryClass& of, std::map<std::string, std::string>& units,
+                       int depth = 0) {
+    if (depth > 20) return;
+    for (const syntax::Extends& base : of.definition->bases)
+        if (const LibraryClass* b = library.lookup(base.base, of.qualifiedName))
+            collectParameters(library, *b, units, depth + 1);
+    for (const syntax::Component& c : of.definition->components) {
+        if (c.variability != syntax::Variability::Parameter) continue;
+        std::string unit;
+        for (const Modification& m : c.modifications)
+            if (m.name.text() == "unit" && m.value && m.value->kind == Expression::Kind::String) unit = m.value->text;
+        units[c.name] = unit;
+    }
+}
+
+Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, const Modification& annotation) {
+    Diagnostics warnings;
+    AnnotationReader read(of.qualifiedName, warnings);
+    EffectClass e;
+    e.className = of.qualifiedName;
+    e.description = of.definition->description;
+    e.kind = read.text(annotation, "kind", true);
+    const std::string way = read.text(annotation, "way", true);
+    e.ports = read.list(annotation, "ports");
+    e.signalSide = read.text(annotation, "at", false);
+    e.strength = read.text(annotation, "strength", true);
+    e.oneSided = read.flag(annotation, "oneSided");
+    e.linear = read.list(annotation, "linear");
+    e.secant = read.list(annotation, "secant");
+    e.quantity = read.text(annotation, "quantity", false);
+    e.channel = read.text(annotation, "channel", false);
+    if (const Modification* fixed = child(annotation, "fixed"))
+        for (const Modification& m : fixed->arguments)
+            if (m.value)
+                for (const std::string& t : read.texts(*m.value, m.name.text())) e.fixed[m.name.text()] = t;
+    if (const Modification* shape = child(annotation, "shape"))
+        for (const Modification& m : shape->arguments)
+            if (m.value) e.shape[m.name.text()] = read.texts(*m.value, m.name.text());
+    if (!read.ok()) return warnings;
+
+    const auto refuse = [&](std::string message, std::string hint) {
+        return Outcome<EffectClass>(warning(std::move(message), annotation.span, std::move(hint)));
+    };
+    if (way == "attach")
+        e.way = Way::Attach;
+    else if (way == "insert")
+        e.way = Way::Insert;
+    else if (way == "specialise")
+        e.way = Way::Specialise;
+    else
+        return refuse(fmt::format("unknown way '{}' of the effect {}", way, of.qualifiedName),
+                      "use \"attach\", \"insert\" or \"specialise\"");
+    const std::size_t wanted = e.way == Way::Attach ? 1 : e.way == Way::Insert ? 2 : 0;
+    if (e.ports.size() != wanted)
+        return refuse(fmt::format("the effect {} names {} connectors, '{}' takes {}", of.qualifiedName, e.ports.size(),
+                                  way, wanted),
+                      "list them as ports = {\"…\"}");
+    if (e.way == Way::Specialise) {
+        if (of.definition->bases.empty())
+            return refuse(fmt::format("{} specialises nothing: it inherits from no class", of.qualifiedName),
+                          "let it extend the base class of the components it may replace");
+        const LibraryClass* base = library.lookup(of.definition->bases.front().base, of.qualifiedName);
+        if (base == nullptr) return refuse(fmt::format("the base class of {} is not known", of.qualifiedName), "");
+        e.base = base->qualifiedName;
+    }
+    collectParameters(library, of, e.units);
+    std::vector<std::string> named = e.linear;
+    named.push_back(e.strength);
+    for (const auto& [parameter, value] : e.fixed) named.push_back(parameter);
+    for (const auto& [parameter, values] : e.shape) named.push_back(parameter);
+    for (const std::string& n : named)
+        if (!e.units.contains(n))
+            return refuse(fmt::format("the effect {} has no parameter '{}'", of.qualifiedName, n),
+                          "declare it, or mend the name in the annotation");
+    return e;
+}
+
+}  // namespace
+
+Outcome<std::vector<EffectClass>> effectCatalogue(const Library& library) {
+    std::vector<EffectClass> effects;
+    Diagnostics warnings;
+    for (const LibraryClass* c : library.classes()) {
+        const Modification* annotation = effectAnnotation(*c->definition);
+        if (annotation == nullptr) continue;
+        if (Outcome<EffectClass> effect = readEffect(library, *c, *annotation))
+            effects.push_back(std::move(*effect));
+        else
+            warnings.insert(warnings.end(), effect.diagnostics().begin(), effect.diagnostics().end());
+    }
+    return {std::move(effects), std::move(warnings)};
+}
+
+}  // namespace analogon

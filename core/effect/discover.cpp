@@ -1,0 +1,424 @@
+#include "core/effect/discover.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/math/distributions/chi_squared.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+
+#include "core/base/parallel.hpp"
+#include "core/effect/model_state.hpp"
+#include "core/effect/remainder.hpp"
+#include "core/effect/trial.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr double equivalenceMargin = 10;   // evidence within which two candidates cannot be told apart
+constexpr double twinCorrelation = 0.999;  // projected traces more alike than this are twins
+constexpr double largeResidual = 1.2;      // in units of the noise: above it, first-order scores may mislead
+constexpr double falseAlarmQuantile = 0.99;
+constexpr int startsPerTrial = 2;
+
+/// Noise of every output from what the model leaves, in the units of the output.
+std::vector<Eigen::VectorXd> noiseOf(const EstimationTask& task, const PreparedTask& prepared, const FitResult& fit) {
+    std::vector<Eigen::VectorXd> noise(task.recordings.size());
+    for (std::size_t e = 0; e < prepared.problem.experiments.size(); ++e) {
+        const FitExperiment& experiment = prepared.problem.experiments[e];
+        Eigen::VectorXd& n = noise[static_cast<std::size_t>(prepared.fitRecordings[e])];
+        n = Eigen::VectorXd::Zero(experiment.measured.rows());
+        for (Eigen::Index o = 0; o < n.size(); ++o) {
+            if (experiment.weights[o] <= 0) continue;
+            const Eigen::VectorXd r = (fit.optimum.trajectories[e].outputs.row(o) - experiment.measured.row(o)).transpose();
+            const Eigen::VectorXd m = experiment.measured.row(o).transpose();
+            n[o] = noiseFromDifferences(r);
+            // a perfect recording (made by simulation) has no noise to speak of: weigh it by its range
+            double low = 1e300, high = -1e300;
+            for (const double x : m)
+                if (!std::isnan(x)) {
+                    low = std::min(low, x);
+                    high = std::max(high, x);
+                }
+            n[o] = std::max({n[o], 1e-6 * (high - low), 1e-300});
+        }
+    }
+    return noise;
+}
+
+Outcome<NullModel> fitNull(const Variant& start, const std::vector<Eigen::VectorXd>& noise, const FitOptions& options,
+                           const Progress& progress) {
+    NullModel null;
+    null.variant = start;
+    null.noise = noise;
+    for (int pass = 0; pass < (noise.empty() ? 3 : 1); ++pass) {
+        Outcome<PreparedTask> prepared = prepareAt(null.variant, null.noise);
+        if (!prepared) return prepared.diagnostics();
+        if (prepared->problem.experiments.empty())
+            return error("the study has no experiment with the role \"fit\"", {}, "give at least one experiment that role");
+        null.fit = fit(prepared->problem, options, progress);
+        if (!null.fit.optimum.ok) return numericalError(null.fit.message, "give other start values, or narrower bounds");
+        null.variant.values = valuesOf(null.fit);
+        null.channels = residualChannels(prepared->problem);
+        if (noise.empty() && pass < 2) null.noise = noiseOf(null.variant.task, *prepared, null.fit);
+    }
+    null.whitener = Whitener(null.channels, null.fit.optimum.residuals);
+    return null;
+}
+
+double pValue(double explained, int dof, std::size_t tried) {
+    if (!(explained > 0) || dof < 1) return 1;
+    const double p = boost::math::cdf(boost::math::complement(boost::math::chi_squared(dof), explained));
+    return -std::expm1(static_cast<double>(tried) * std::log1p(-p));
+}
+
+/// One search, from the model as given to the model that leaves noise.
+class Search {
+public:
+    Search(const EstimationTask& task, const DiscoverOptions& options, const Progress& progress)
+        : base_{task, {}, {}}, options_(options), progress_(progress) {}
+
+    Outcome<Finding> run();
+
+private:
+    struct Step {
+        Trial winner;
+        Acceptance acceptance;
+        double pValue{};
+        std::vector<Alternative> alternatives;
+    };
+
+    std::vector<Screened> screenAll(const NullModel& null);
+    std::vector<Trial> tryBest(const NullModel& null, std::vector<Screened>& screened);
+    std::vector<Trial> tryThese(const NullModel& null, const std::vector<const Screened*>& chosen);
+    std::optional<Step> round(const NullModel& null);
+    std::vector<std::size_t> equivalents(const NullModel& null, const std::vector<Trial>& trials, std::size_t best) const;
+    void removeUnneeded(NullModel& null);
+    void note(const Screened& s, Verdict verdict, std::optional<double> deltaBic);
+    AddedEffect describe(const NullModel& last, const PlacedEffect& placed, const Step& step) const;
+    void say(std::string stage, std::string detail, double fraction) const {
+        progress_.report({std::move(stage), std::move(detail), fraction, bestError_});
+    }
+
+    Variant base_;
+    const DiscoverOptions& options_;
+    const Progress& progress_;
+    std::vector<EffectClass> catalogue_;
+    std::vector<CandidateResult> candidates_;
+    std::vector<Step> steps_;
+    int round_{};
+    double bestError_{-1};
+};
+
+std::vector<Screened> Search::screenAll(const NullModel& null) {
+    Outcome<std::vector<Candidate>> candidates = candidatesFor(null.variant, catalogue_);
+    if (!candidates) return {};
+    std::vector<Screened> screened(candidates->size());
+    parallelFor(static_cast<int>(screened.size()), options_.threads, [&](int i) {
+        const Candidate& c = (*candidates)[static_cast<std::size_t>(i)];
+        say("screen", c.effect.kind + " at " + c.place.at, static_cast<double>(i) / static_cast<double>(screened.size()));
+        screened[static_cast<std::size_t>(i)] = screen(null, c, options_.fit.simulation, progress_);
+    });
+    return screened;
+}
+
+std::vector<Trial> Search::tryThese(const NullModel& null, const std::vector<const Screened*>& chosen) {
+    std::vector<Trial> trials(chosen.size());
+    parallelFor(static_cast<int>(chosen.size()), options_.threads, [&](int i) {
+        const Screened& s = *chosen[static_cast<std::size_t>(i)];
+        say("trial", s.candidate.effect.kind + " at " + s.candidate.place.at,
+            static_cast<double>(i) / static_cast<double>(chosen.size()));
+        trials[static_cast<std::size_t>(i)] = refit(null, s, options_.fit, startsPerTrial, progress_);
+    });
+    return trials;
+}
+
+/// Refits the candidates that promise most by either score; where the residual is large against the noise, all.
+std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>& screened) {
+    std::vector<const Screened*> order;
+    for (const Screened& s : screened)
+        if (s.failure.empty() && s.score() > 0) order.push_back(&s);
+    std::stable_sort(order.begin(), order.end(), [](const Screened* a, const Screened* b) { return a->score() > b->score(); });
+    std::vector<const Screened*> byWhitened = order;
+    std::stable_sort(byWhitened.begin(), byWhitened.end(),
+                     [](const Screened* a, const Screened* b) { return a->whitenedScore() > b->whitenedScore(); });
+    std::vector<const Screened*> chosen;
+    const auto choose = [&](const std::vector<const Screened*>& from, int count) {
+        for (const Screened* s : from) {
+            if (count == 0) break;
+            if (std::find(chosen.begin(), chosen.end(), s) != chosen.end()) continue;
+            chosen.push_back(s);
+            --count;
+        }
+    };
+    choose(order, options_.refitted);
+    choose(byWhitened, options_.refitted / 2);
+    std::vector<Trial> trials = tryThese(null, chosen);
+
+    double least = null.sumOfSquares();
+    for (const Trial& t : trials)
+        if (t.ok) least = std::min(least, t.sumOfSquares());
+    const double level = std::sqrt(least / static_cast<double>(null.fit.optimum.residuals.size()));
+    if (level > largeResidual && !progress_.stopRequested()) {
+        const std::size_t before = chosen.size();
+        choose(order, static_cast<int>(order.size()));
+        std::vector<Trial> others = tryThese(null, {chosen.begin() + static_cast<std::ptrdiff_t>(before), chosen.end()});
+        trials.insert(trials.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
+    }
+    return trials;
+}
+
+std::vector<std::size_t> Search::equivalents(const NullModel& null, const std::vector<Trial>& trials,
+                                             std::size_t best) const {
+    std::vector<std::size_t> members{best};
+    const Complement complement(null.fit.optimum.jacobian);
+    const auto direction = [&](const Trial& t) {
+        const Eigen::MatrixXd rest = complement(Eigen::MatrixXd(t.screened.probes.front().column));
+        return Eigen::VectorXd(rest.col(0).normalized());
+    };
+    const Eigen::VectorXd own = direction(trials[best]);
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        if (i == best || !trials[i].ok) continue;
+        const double gap = trials[best].evidence - trials[i].evidence;
+        if (gap < equivalenceMargin || (gap < 3 * equivalenceMargin && std::abs(own.dot(direction(trials[i]))) > twinCorrelation))
+            members.push_back(i);
+    }
+    return members;
+}
+
+void Search::note(const Screened& s, Verdict verdict, std::optional<double> deltaBic) {
+    CandidateResult c;
+    c.kind = s.candidate.effect.kind;
+    c.at = s.candidate.place.at;
+    c.className = s.candidate.effect.className;
+    c.score = s.score();
+    c.strength = s.probes.empty() ? 0 : s.probes.front().strength();
+    c.deltaBic = deltaBic;
+    c.verdict = verdict;
+    c.absorbedBy = s.absorbedBy;
+    c.round = round_;
+    candidates_.push_back(std::move(c));
+}
+
+std::optional<Search::Step> Search::round(const NullModel& null) {
+    std::vector<Screened> screened = screenAll(null);
+    if (progress_.stopRequested()) return std::nullopt;
+    std::vector<Eigen::MatrixXd> directions;
+    for (const Screened& s : screened)
+        if (!s.probes.empty() && !s.isAbsorbed()) directions.push_back(s.probes.front().plain.directions);
+    const double logRows = std::log(static_cast<double>(null.fit.optimum.residuals.size()));
+    const double threshold = noiseThreshold(directions, logRows, falseAlarmQuantile, 1);
+    std::vector<Trial> trials = tryBest(null, screened);
+    if (progress_.stopRequested()) return std::nullopt;
+    rank(null, trials);
+
+    // the best that passes its tests; what lies close to it is its class, of which the simplest is taken
+    std::optional<std::size_t> chosen;
+    std::vector<std::size_t> members;
+    Acceptance acceptance;
+    std::set<const Trial*> failsHeldOut;
+    for (std::size_t i = 0; i < trials.size() && !chosen; ++i) {
+        if (!trials[i].ok || trials[i].evidence < equivalenceMargin) break;
+        acceptance = examine(null, trials[i], threshold);
+        if (acceptance.accepted())
+            chosen = i;
+        else if (acceptance.isSignificant)
+            failsHeldOut.insert(&trials[i]);
+    }
+    if (chosen) {
+        members = equivalents(null, trials, *chosen);
+        const auto simplest = std::min_element(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
+            return trials[a].freed() < trials[b].freed();
+        });
+        if (trials[*simplest].freed() < trials[*chosen].freed()) {
+            const Acceptance simpler = examine(null, trials[*simplest], threshold);
+            if (simpler.accepted()) {
+                chosen = *simplest;
+                acceptance = simpler;
+            }
+        }
+    }
+
+    std::optional<Step> step;
+    if (chosen) {
+        Step s;
+        s.winner = trials[*chosen];
+        s.acceptance = acceptance;
+        s.pValue = pValue(acceptance.explained, trials[*chosen].freed(), screened.size());
+        for (const std::size_t m : members)
+            if (m != *chosen)
+                s.alternatives.push_back({trials[m].screened.candidate.effect.kind, trials[m].screened.candidate.place.at,
+                                          -trials[m].evidence, true});
+        for (std::size_t i = 0; i < trials.size() && s.alternatives.size() < 6; ++i)
+            if (trials[i].ok && std::find(members.begin(), members.end(), i) == members.end())
+                s.alternatives.push_back({trials[i].screened.candidate.effect.kind, trials[i].screened.candidate.place.at,
+                                          -trials[i].evidence, false});
+        step = std::move(s);
+    }
+
+    std::set<std::string> refitted;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        const Trial& t = trials[i];
+        refitted.insert(t.screened.candidate.effect.className + "@" + t.screened.candidate.place.at + "@" +
+                        t.screened.candidate.place.spare);
+        Verdict verdict = Verdict::NotSignificant;
+        if (!t.ok)
+            verdict = Verdict::Failed;
+        else if (chosen && i == *chosen)
+            verdict = Verdict::Chosen;
+        else if (std::find(members.begin(), members.end(), i) != members.end())
+            verdict = Verdict::Equivalent;
+        else if (failsHeldOut.contains(&t))
+            verdict = Verdict::FailsHeldOut;
+        else if (chosen && t.evidence > equivalenceMargin)
+            verdict = Verdict::Weaker;
+        note(t.screened, verdict, t.ok ? std::optional<double>(-t.evidence) : std::nullopt);
+    }
+    for (const Screened& s : screened) {
+        if (refitted.contains(s.candidate.effect.className + "@" + s.candidate.place.at + "@" + s.candidate.place.spare)) continue;
+        const Verdict verdict = !s.failure.empty() ? Verdict::Failed
+                                : s.isAbsorbed()   ? Verdict::Absorbed
+                                : s.isWrongSign()  ? Verdict::WrongSign
+                                : chosen && s.score() > 2 * equivalenceMargin ? Verdict::Weaker
+                                                                              : Verdict::NotSignificant;
+        note(s, verdict, std::nullopt);
+    }
+    return step;
+}
+
+/// Takes each effect out again and keeps only those that are missed.
+void Search::removeUnneeded(NullModel& null) {
+    for (std::size_t i = 0; i < steps_.size() && steps_.size() > 1 && !progress_.stopRequested();) {
+        std::vector<PlacedEffect> others;
+        for (std::size_t k = 0; k < null.variant.effects.size(); ++k)
+            if (k != i) others.push_back(null.variant.effects[k]);
+        Outcome<Variant> without = withEffects(base_, others, null.variant.values);
+        if (!without) {
+            ++i;
+            continue;
+        }
+        say("remove", null.variant.effects[i].effect.kind + " at " + null.variant.effects[i].place.at, -1);
+        Outcome<NullModel> refitted = fitNull(*without, null.noise, options_.fit, progress_);
+        if (!refitted) {
+            ++i;
+            continue;
+        }
+        const double rows = static_cast<double>(null.fit.optimum.residuals.size());
+        const double variance = null.sumOfSquares() / std::max(1.0, rows - null.parameterCount());
+        const double freed = static_cast<double>(null.variant.effects[i].freed.size());
+        const double missed = (refitted->sumOfSquares() - null.sumOfSquares()) / variance - freed * std::log(rows);
+        if (missed > equivalenceMargin) {
+            ++i;
+            continue;
+        }
+        for (CandidateResult& c : candidates_)
+            if (c.verdict == Verdict::Chosen && c.kind == null.variant.effects[i].effect.kind &&
+                c.at == null.variant.effects[i].place.at)
+                c.verdict = Verdict::NotSignificant;
+        null = std::move(*refitted);
+        steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
+        i = 0;
+    }
+}
+
+AddedEffect Search::describe(const NullModel& last, const PlacedEffect& placed, const Step& step) const {
+    AddedEffect effect;
+    effect.kind = placed.effect.kind;
+    effect.className = placed.effect.className;
+    effect.description = placed.effect.description;
+    effect.at = placed.place.at;
+    effect.way = placed.effect.way;
+    effect.instance = placed.instance;
+    effect.newInput = placed.newInput;
+    effect.channel = placed.place.spare;
+    for (const FitParameter& p : placed.freed)
+        for (const FitEstimate& e : last.fit.estimates)
+            if (e.name == p.name)
+                effect.parameters.push_back({p.name.substr(placed.instance.size() + 1), e.value, e.standardError, e.unit});
+    for (const auto& [name, value] : placed.values) {
+        const auto unit = placed.effect.units.find(name);
+        effect.parameters.push_back({name, value, 0, unit == placed.effect.units.end() ? "" : unit->second});
+    }
+    effect.evidence.score = step.acceptance.explained;
+    effect.evidence.pValue = step.pValue;
+    effect.evidence.deltaBic = -step.acceptance.evidence;
+    effect.evidence.heldOut = step.acceptance.heldOut;
+    effect.alternatives = step.alternatives;
+    return effect;
+}
+
+Outcome<Finding> Search::run() {
+    const auto begin = std::chrono::steady_clock::now();
+    Outcome<std::vector<EffectClass>> catalogue = effectCatalogue(base_.task.library);
+    if (!catalogue) return catalogue.diagnostics();
+    Finding finding;
+    for (const Diagnostic& w : catalogue.diagnostics()) finding.warnings.push_back(format(w));
+    catalogue_ = std::move(*catalogue);
+    if (!options_.kinds.empty())
+        std::erase_if(catalogue_, [&](const EffectClass& e) {
+            return std::find(options_.kinds.begin(), options_.kinds.end(), e.kind) == options_.kinds.end();
+        });
+
+    say("fit", base_.task.className, 0);
+    Outcome<NullModel> null = fitNull(base_, {}, options_.fit, progress_);
+    if (!null) return null.diagnostics();
+    Outcome<ModelState> state = stateOf(null->variant, null->fit, options_.fit.simulation, progress_);
+    if (!state) return state.diagnostics();
+    finding.baseline = std::move(*state);
+    finding.final = finding.baseline;
+    bestError_ = errorPercentOf(finding.baseline, Role::Fit);
+    std::vector<double> errors{bestError_};
+
+    for (round_ = 1; round_ <= options_.maxRounds && !progress_.stopRequested(); ++round_) {
+        std::optional<Step> step = round(*null);
+        if (!step) break;
+        Variant wider = step->winner.variant;
+        steps_.push_back(std::move(*step));
+        // the noise shows better with every effect that is explained
+        wider.task.parameters = step->winner.variant.task.parameters;
+        Outcome<NullModel> next = fitNull(wider, {}, options_.fit, progress_);
+        if (!next) break;
+        null = std::move(next);
+        removeUnneeded(*null);
+        Outcome<ModelState> after = stateOf(null->variant, null->fit, options_.fit.simulation, progress_);
+        if (!after) return after.diagnostics();
+        finding.final = std::move(*after);
+        bestError_ = errorPercentOf(finding.final, Role::Fit);
+        errors.push_back(bestError_);
+    }
+
+    for (std::size_t i = 0; i < steps_.size() && i < null->variant.effects.size(); ++i) {
+        AddedEffect effect = describe(*null, null->variant.effects[i], steps_[i]);
+        effect.evidence.errorPercentBefore = i < errors.size() ? errors[i] : errors.back();
+        effect.evidence.errorPercentAfter = i + 1 < errors.size() ? errors[i + 1] : errors.back();
+        finding.effects.push_back(std::move(effect));
+    }
+    finding.candidates = std::move(candidates_);
+    finding.interrupted = progress_.stopRequested();
+    if (!finding.interrupted) finding.remainders = remainders(*null, options_.fit.simulation);
+    finding.kind = finding.remainders.empty() ? (finding.effects.empty() ? FindingKind::Adequate : FindingKind::Effect)
+                                              : (finding.effects.empty() ? FindingKind::Unexplained : FindingKind::Partial);
+    finding.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return finding;
+}
+
+}  // namespace
+
+Outcome<ModelState> fitModel(const EstimationTask& task, const FitOptions& options, const Progress& progress) {
+    Outcome<NullModel> null = fitNull({task, {}, {}}, {}, options, progress);
+    if (!null) return null.diagnostics();
+    return stateOf(null->variant, null->fit, options.simulation, progress);
+}
+
+Outcome<ModelState> simulateModel(const EstimationTask& task, const SimulationOptions& options, const Progress& progress) {
+    const Variant variant{task, {}, {}};
+    return stateOf(variant, {}, options, progress);
+}
+
+Outcome<Finding> discover(const EstimationTask& task, const DiscoverOptions& options, const Progress& progress) {
+    return Search(task, options, progress).run();
+}
+
+}  // namespace analogon

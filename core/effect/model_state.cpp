@@ -1,0 +1,86 @@
+#include "core/effect/model_state.hpp"
+
+#include <cmath>
+
+namespace analogon {
+namespace {
+
+OutputState outputState(const SignalInfo& info, const Eigen::RowVectorXd& simulated, const Eigen::RowVectorXd& measured) {
+    return {info.name, info.unit, errorFigures(simulated, measured), measured.transpose(), simulated.transpose()};
+}
+
+ExperimentState experimentState(const FitExperiment& experiment, Role role, const Trajectory& trajectory) {
+    ExperimentState state;
+    state.name = experiment.name;
+    state.role = role;
+    state.time = experiment.inputs.time;
+    state.failure = trajectory.failure;
+    double squares = 0;
+    int count = 0;
+    for (Eigen::Index o = 0; o < experiment.measured.rows(); ++o) {
+        if (experiment.measured.row(o).array().isNaN().all()) continue;
+        state.outputs.push_back(outputState(experiment.system->outputs()[static_cast<std::size_t>(o)],
+                                            trajectory.outputs.row(o), experiment.measured.row(o)));
+        squares += state.outputs.back().figures.errorPercent * state.outputs.back().figures.errorPercent;
+        ++count;
+    }
+    state.errorPercent = count > 0 ? std::sqrt(squares / count) : 0;
+    return state;
+}
+
+/// Residual of one output over the fitted experiments, one after the other.
+void summariseResiduals(ModelState& state) {
+    std::map<std::string, std::vector<double>> residuals;
+    for (const ExperimentState& e : state.experiments)
+        if (e.role == Role::Fit)
+            for (const OutputState& o : e.outputs)
+                for (Eigen::Index k = 0; k < o.measured.size(); ++k)
+                    if (!std::isnan(o.measured[k])) residuals[o.name].push_back(o.simulated[k] - o.measured[k]);
+    for (const auto& [name, r] : residuals)
+        state.residual[name] = summarise(Eigen::Map<const Eigen::VectorXd>(r.data(), static_cast<Eigen::Index>(r.size())));
+}
+
+}  // namespace
+
+Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const SimulationOptions& simulation,
+                            const Progress& progress) {
+    ModelState state;
+    state.parameters = fit.estimates;
+    state.status = fit.status;
+    state.message = fit.message;
+    state.remarks = fit.remarks;
+    state.simulations = fit.simulations;
+    Outcome<std::string> text = textWithValues(variant);
+    if (!text) return text.diagnostics();
+    state.modelText = std::move(*text);
+
+    std::map<int, ExperimentState> byRecording;
+    for (const Role role : {Role::Fit, Role::Validate}) {
+        Outcome<PreparedTask> prepared = prepareAt(variant, {}, role);
+        if (!prepared) return prepared.diagnostics();
+        FitProblem& problem = prepared->problem;
+        if (problem.experiments.empty()) continue;
+        Eigen::VectorXd values(static_cast<Eigen::Index>(problem.parameters.size()));
+        for (Eigen::Index i = 0; i < values.size(); ++i) values[i] = problem.parameters[static_cast<std::size_t>(i)].start;
+        const Linearisation l = linearise(problem, values, false, {}, simulation, progress);
+        for (std::size_t e = 0; e < problem.experiments.size(); ++e)
+            if (e < l.trajectories.size())
+                byRecording.emplace(prepared->fitRecordings[e], experimentState(problem.experiments[e], role, l.trajectories[e]));
+    }
+    for (auto& [index, experiment] : byRecording) state.experiments.push_back(std::move(experiment));
+    summariseResiduals(state);
+    return state;
+}
+
+double errorPercentOf(const ModelState& state, Role role) {
+    double squares = 0;
+    int count = 0;
+    for (const ExperimentState& e : state.experiments)
+        if (e.role == role) {
+            squares += e.errorPercent * e.errorPercent;
+            ++count;
+        }
+    return count > 0 ? std::sqrt(squares / count) : 0;
+}
+
+}  // namespace analogon

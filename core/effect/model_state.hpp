@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/effect/variant.hpp"
+
+namespace analogon {
+
+/// Holds a variant at its values against every recording; recordings with Role::Validate are simulated here and
+/// nowhere else.
+Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const SimulationOptions& simulation,
+                            const Progress& progress);
+
+/// Root mean square of error_percent over the experiments of a role; 0 when there is none.
+double errorPercentOf(const ModelState& state, Role role);
+
+}  // namespace analogon

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/diagram/diagram.hpp"
+#include "core/effect/catalogue.hpp"
+#include "core/structure/structure.hpp"
+
+namespace analogon {
+
+/// Where an effect can go in a composed model.
+struct EffectPlace {
+    std::string at;         // as the report says it: "rotor.flange_a", "element", "output i_mod"
+    std::string connector;  // attach, insert: "rotor.flange_a" or the top-level signal's name; specialise: the instance
+    std::string spare;      // recorded channel that drives the effect's signal input; empty: none
+};
+
+/// The connectors of a composed model by the node they belong to, with what the structure knows of them.
+class ModelNodes {
+public:
+    ModelNodes(const Library& library, const Diagram& diagram, const Structure& structure);
+
+    /// All places at which an effect can go. Connectors on one rigid shaft, or on heat ports of equal temperature, are one
+    /// place (named by its first connector); nodes whose potential is imposed take no attached effect.
+    std::vector<EffectPlace> placesFor(const EffectClass& effect, const std::vector<std::string>& spares) const;
+
+private:
+    struct Member {
+        std::string connector;  // "rotor.flange_a"
+        bool takesFlow{};       // false: an ideal sensor
+        bool isEffect{};
+    };
+    struct Node {
+        std::string signature;  // what flows here: "phi, flow tau"
+        std::vector<Member> members;
+        std::string potential;  // representative of the potential among all aliases
+        bool isImposed{};       // the potential is an input or a constant
+    };
+
+    std::vector<EffectPlace> attachPlaces(const std::string& signature) const;
+    std::vector<EffectPlace> insertPlaces(const std::string& signature) const;
+    std::vector<EffectPlace> signalPlaces(const EffectClass& effect) const;
+    std::vector<EffectPlace> specialisePlaces(const EffectClass& effect, const std::vector<std::string>& spares) const;
+
+    const Library& library_;
+    const Diagram& diagram_;
+    std::vector<Node> nodes_;
+    std::vector<std::pair<std::string, std::string>> inputs_, outputs_;  // name, unit
+};
+
+/// The variables of a connector class, flow ones marked: connectors with equal signatures fit together.
+std::string connectorSignature(const Library& library, std::string_view connectorClass);
+
+}  // namespace analogon

@@ -1,0 +1,147 @@
+#include "core/effect/remainder.hpp"
+
+#include <boost/math/distributions/fisher_f.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace analogon {
+namespace {
+
+constexpr double significance = 1e-4;
+constexpr double leastCorrelation = 0.05;
+
+/// A quantity the residual may move with, at the samples of every fitted experiment.
+struct Regressor {
+    std::string variable;
+    std::vector<Eigen::VectorXd> series;  // per experiment
+};
+
+Eigen::VectorXd differences(const Eigen::VectorXd& x) {
+    Eigen::VectorXd d = Eigen::VectorXd::Zero(x.size());
+    for (Eigen::Index k = 1; k + 1 < x.size(); ++k) d[k] = 0.5 * (x[k + 1] - x[k - 1]);
+    return d;
+}
+
+std::vector<Regressor> regressors(const NullModel& null, const PreparedTask& prepared, const SimulationOptions& simulation) {
+    std::vector<Regressor> all;
+    const FitProblem& problem = prepared.problem;
+    const System& system = *prepared.system;
+    const auto add = [&](const std::string& name, const auto& seriesOf) {
+        Regressor r{name, {}};
+        for (std::size_t e = 0; e < problem.experiments.size(); ++e) r.series.push_back(seriesOf(e));
+        all.push_back(std::move(r));
+    };
+    const auto addForms = [&](const std::string& name, const auto& seriesOf) {
+        add(name, seriesOf);
+        add("der(" + name + ")", [&](std::size_t e) { return differences(seriesOf(e)); });
+        add(name + "*abs(" + name + ")",
+            [&](std::size_t e) { return Eigen::VectorXd(seriesOf(e).array() * seriesOf(e).array().abs()); });
+        add("sign(" + name + ")", [&](std::size_t e) { return Eigen::VectorXd(seriesOf(e).array().sign()); });
+    };
+    for (int i = 0; i < system.inputCount(); ++i)
+        addForms(system.inputs()[static_cast<std::size_t>(i)].name,
+                 [&](std::size_t e) { return Eigen::VectorXd(problem.experiments[e].inputs.values.row(i).transpose()); });
+    std::vector<Eigen::MatrixXd> states;
+    for (std::size_t e = 0; e < problem.experiments.size(); ++e) {
+        SimulationTask task;
+        task.system = problem.experiments[e].system.get();
+        task.inputs = &problem.experiments[e].inputs;
+        task.parameters = problem.experiments[e].parameters;
+        task.keepStates = true;
+        states.push_back(simulateGrid(task, null.fit.plans[e], simulation).states);
+    }
+    for (int i = 0; i < system.stateCount(); ++i)
+        addForms(system.states()[static_cast<std::size_t>(i)].name,
+                 [&](std::size_t e) { return Eigen::VectorXd(states[e].row(i).transpose()); });
+    for (const Recording& r : null.variant.task.recordings) {
+        if (r.role != Role::Fit) continue;
+        for (const SpareChannel& s : r.spares)
+            add(s.name, [&](std::size_t e) {
+                const Recording& recording = null.variant.task.recordings[static_cast<std::size_t>(prepared.fitRecordings[e])];
+                for (const SpareChannel& channel : recording.spares)
+                    if (channel.name == s.name)
+                        return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(
+                            channel.values.data(), static_cast<Eigen::Index>(channel.values.size())));
+                return Eigen::VectorXd(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(recording.time.size())));
+            });
+        break;
+    }
+    add("time", [&](std::size_t e) {
+        const std::vector<double>& t = problem.experiments[e].inputs.time;
+        return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(t.data(), static_cast<Eigen::Index>(t.size())));
+    });
+    return all;
+}
+
+/// The stretch of an eighth of the record in which the squares are largest.
+void locate(const NullModel& null, const PreparedTask& prepared, const ResidualChannel& channel, Remainder& remainder) {
+    constexpr int stretches = 8;
+    const std::vector<double>& time =
+        prepared.problem.experiments[static_cast<std::size_t>(channel.experiment)].inputs.time;
+    const int count = channel.end - channel.begin;
+    double largest = -1;
+    for (int s = 0; s < stretches; ++s) {
+        const int from = count * s / stretches, to = count * (s + 1) / stretches;
+        if (to <= from) continue;
+        const double power = null.fit.optimum.residuals.segment(channel.begin + from, to - from).squaredNorm() / (to - from);
+        if (power <= largest) continue;
+        largest = power;
+        remainder.from = time[static_cast<std::size_t>(channel.samples[static_cast<std::size_t>(from)])];
+        remainder.to = time[static_cast<std::size_t>(channel.samples[static_cast<std::size_t>(to - 1)])];
+    }
+}
+
+}  // namespace
+
+std::vector<Remainder> remainders(const NullModel& null, const SimulationOptions& simulation) {
+    std::vector<Remainder> found;
+    Outcome<PreparedTask> prepared = prepareHeld(null.variant, {}, null.noise);
+    if (!prepared) return found;
+    const std::vector<Regressor> candidates = regressors(null, *prepared, simulation);
+    const Complement complement(null.whitener(null.fit.optimum.jacobian));
+    const Eigen::VectorXd white = complement(null.whitener(null.fit.optimum.residuals));
+    const double tests = static_cast<double>(null.channels.size());
+    for (const ResidualChannel& channel : null.channels) {
+        const int count = channel.end - channel.begin;
+        // every regressor enters through this channel alone
+        Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(white.size(), static_cast<Eigen::Index>(candidates.size()));
+        for (std::size_t j = 0; j < candidates.size(); ++j) {
+            const Eigen::VectorXd& series = candidates[j].series[static_cast<std::size_t>(channel.experiment)];
+            double mean = 0;
+            for (const int sample : channel.samples) mean += series[sample] / count;
+            for (int row = channel.begin; row < channel.end; ++row)
+                columns(row, static_cast<Eigen::Index>(j)) =
+                    series[channel.samples[static_cast<std::size_t>(row - channel.begin)]] - mean;
+        }
+        const Eigen::MatrixXd rest = complement(null.whitener(columns));
+        const ColumnScore all = scoreColumns(Complement(Eigen::MatrixXd(white.size(), 0)), white, rest, false);
+        const double dof = static_cast<double>(all.directions.cols());
+        const double total = white.segment(channel.begin, count).squaredNorm();
+        if (dof < 1 || count < 2 * dof + 10) continue;
+        const double f = all.explained / dof / std::max(1e-300, (total - all.explained) / (count - dof));
+        const double p = boost::math::cdf(boost::math::complement(boost::math::fisher_f(dof, count - dof), std::max(0.0, f)));
+        if (!(p * tests < significance)) continue;
+
+        Remainder r;
+        r.output = prepared->system->outputs()[static_cast<std::size_t>(channel.output)].name;
+        r.experiment = prepared->problem.experiments[static_cast<std::size_t>(channel.experiment)].name;
+        r.evidence = all.explained - dof * std::log(static_cast<double>(count));
+        locate(null, *prepared, channel, r);
+        for (std::size_t j = 0; j < candidates.size(); ++j) {
+            const Eigen::VectorXd c = rest.col(static_cast<Eigen::Index>(j));
+            const double n = c.norm();
+            if (n <= 0) continue;
+            const double correlation = c.dot(white) / n / std::sqrt(total);
+            if (std::abs(correlation) > leastCorrelation) r.movesWith.push_back({candidates[j].variable, correlation});
+        }
+        std::sort(r.movesWith.begin(), r.movesWith.end(), [](const Correlate& a, const Correlate& b) {
+            return std::abs(a.correlation) > std::abs(b.correlation);
+        });
+        if (r.movesWith.size() > 5) r.movesWith.resize(5);
+        if (r.evidence > 0) found.push_back(std::move(r));
+    }
+    return found;
+}
+
+}  // namespace analogon

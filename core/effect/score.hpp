@@ -1,0 +1,75 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/fit/problem.hpp"
+#include "core/residual/noise.hpp"
+
+/// The linear algebra of the search: what of an effect's trace the parameters cannot imitate, and how much of the
+/// residual it explains. Score tests as in Rao 1948; projection on the complement of the parameters' Jacobian.
+namespace analogon {
+
+/// The rows of a residual vector that belong to one output of one experiment, in time order.
+struct ResidualChannel {
+    int experiment{};
+    int output{};
+    int begin{}, end{};        // rows [begin, end)
+    std::vector<int> samples;  // sample index of each row
+};
+std::vector<ResidualChannel> residualChannels(const FitProblem& problem);
+
+/// Makes the noise of every channel white: one autoregressive model per channel, and the rows in units of the
+/// innovation. Default: leaves rows as they are.
+class Whitener {
+public:
+    Whitener() = default;
+    /// Estimates the models from a residual.
+    Whitener(const std::vector<ResidualChannel>& channels, const Eigen::VectorXd& residual);
+
+    Eigen::VectorXd operator()(const Eigen::VectorXd& rows) const;
+    Eigen::MatrixXd operator()(const Eigen::MatrixXd& rows) const;
+
+private:
+    std::vector<ResidualChannel> channels_;
+    std::vector<AutoregressiveModel> models_;
+};
+
+/// Projection on the complement of the columns of a Jacobian (rank found by pivoting).
+class Complement {
+public:
+    explicit Complement(const Eigen::MatrixXd& jacobian);
+    Eigen::MatrixXd operator()(const Eigen::MatrixXd& columns) const;
+    int rank() const { return static_cast<int>(basis_.cols()); }
+    /// Least-squares coefficients of the Jacobian's columns for a column (how the parameters imitate it).
+    Eigen::VectorXd coefficients(const Eigen::VectorXd& column) const;
+
+private:
+    Eigen::MatrixXd basis_;     // orthonormal
+    Eigen::MatrixXd jacobian_;
+};
+
+/// What one or more columns (the first: the strength) explain of a residual.
+struct ColumnScore {
+    double visible{};           // |g_perp| / |g| of the strength: under 3e-3 the parameters imitate it
+    double explained{};         // fall in the sum of squares when the columns are fitted
+    bool wrongSign{};           // the best strength is negative though the effect is one-sided
+    Eigen::VectorXd strengths;  // best coefficients
+    Eigen::MatrixXd directions; // orthonormal basis of the projected columns (correlation with other candidates)
+};
+ColumnScore scoreColumns(const Complement& complement, const Eigen::VectorXd& residual, const Eigen::MatrixXd& columns,
+                         bool oneSided);
+
+/// Quantile of the largest `explained - columns * ln(rows)` over all candidates when the residual is noise alone,
+/// from draws with the candidates' own correlation: accounts for how many were tried and how alike they are.
+double noiseThreshold(const std::vector<Eigen::MatrixXd>& directions, double logRows, double quantile, std::uint64_t seed);
+
+/// H = (SSE0 - SSE1) / |f1 - f0|^2 on blocks of the data left out in turn, each model refitted to the rest (to
+/// first order). Tends to +1 for a true effect and to -1 for a false one.
+double heldOutGain(const std::vector<ResidualChannel>& channels, const Linearisation& without, const Linearisation& with,
+                   int blocks);
+
+/// N / (1 + 2 sum rho_k) over the channels of a residual.
+double effectiveCount(const std::vector<ResidualChannel>& channels, const Eigen::VectorXd& residual);
+
+}  // namespace analogon

@@ -1,0 +1,356 @@
+#include "core/effect/screen.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/effect/shape_value.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr double visibleThreshold = 3e-3;
+
+/// Series of variables over the fitted experiments, simulated with the effect off.
+class Observations {
+public:
+    void add(const std::string& variable, std::vector<std::vector<double>> series) { series_[variable] = std::move(series); }
+
+    double statistic(const std::string& function, const std::string& variable) const {
+        const auto found = series_.find(function == "flow" ? "flow " + variable : variable);
+        if (found == series_.end()) return std::nan("");
+        double low = 1e300, high = -1e300, sum = 0, squares = 0, largestRate = 0, count = 0;
+        for (std::size_t e = 0; e < found->second.size(); ++e) {
+            const std::vector<double>& x = found->second[e];
+            for (std::size_t k = 0; k < x.size(); ++k) {
+                if (!std::isfinite(x[k])) continue;
+                low = std::min(low, x[k]);
+                high = std::max(high, x[k]);
+                sum += x[k];
+                squares += x[k] * x[k];
+                count += 1;
+                if (k > 0) largestRate = std::max(largestRate, std::abs(x[k] - x[k - 1]) / (times_[e][k] - times_[e][k - 1]));
+            }
+        }
+        if (count == 0) return std::nan("");
+        if (function == "range") return high - low;
+        if (function == "maxabs") return std::max(std::abs(low), std::abs(high));
+        if (function == "rms" || function == "flow") return std::sqrt(squares / count);
+        if (function == "mean") return sum / count;
+        if (function == "minimum") return low;
+        if (function == "maximum") return high;
+        if (function == "rate") return largestRate;
+        if (function == "start") return found->second.front().front();
+        return std::nan("");
+    }
+
+    void setTimes(std::vector<std::vector<double>> times) { times_ = std::move(times); }
+
+private:
+    std::map<std::string, std::vector<std::vector<double>>> series_;
+    std::vector<std::vector<double>> times_;
+};
+
+std::vector<std::string> texts(const EffectClass& effect) {
+    std::vector<std::string> all = effect.secant;
+    for (const auto& [name, text] : effect.fixed) all.push_back(text);
+    for (const auto& [name, list] : effect.shape) all.insert(all.end(), list.begin(), list.end());
+    return all;
+}
+
+/// Flow variables at the other connectors of the node an effect sits on.
+std::vector<std::string> flowsBeside(const PlacedEffect& placed, const FlatModel& model) {
+    if (placed.effect.ports.empty()) return {};
+    std::vector<std::string> flows;
+    for (const std::string& port : placed.effect.ports) {
+        const ConnectionSet* set = model.connectionOf(placed.instance + "." + port);
+        if (set == nullptr) continue;
+        for (const std::string& connector : set->connectors) {
+            if (connector.rfind(placed.instance + ".", 0) == 0) continue;
+            for (const FlatVariable& v : model.variables)
+                if (v.isFlow && v.name.rfind(connector + ".", 0) == 0) flows.push_back(v.name);
+        }
+    }
+    return flows;
+}
+
+Outcome<Observations> observe(const NullModel& null, const Variant& off, const SimulationOptions& simulation) {
+    const PlacedEffect& placed = off.effects.back();
+    std::set<std::string> variables;
+    bool wantsFlow = false;
+    for (const std::string& t : texts(placed.effect)) {
+        for (const std::string& v : shapeVariables(t)) variables.insert(v);
+        wantsFlow = wantsFlow || t.find("flow(") != std::string::npos;
+    }
+    Observations observations;
+    if (variables.empty()) return observations;
+    Outcome<PreparedTask> held = prepareHeld(off, {}, null.noise);
+    if (!held) return held.diagnostics();
+    std::vector<std::string> flows;
+    if (wantsFlow) {
+        Outcome<FlatModel> flat = flatten(off.task.library, off.task.className);
+        if (!flat) return flat.diagnostics();
+        flows = flowsBeside(placed, *flat);
+    }
+
+    std::vector<std::string> names;
+    for (const std::string& v : variables) names.push_back(placed.instance + "." + v);
+    names.insert(names.end(), flows.begin(), flows.end());
+    std::vector<std::vector<double>> times;
+    std::map<std::string, std::vector<std::vector<double>>> series;
+    for (std::size_t e = 0; e < held->problem.experiments.size(); ++e) {
+        const FitExperiment& experiment = held->problem.experiments[e];
+        SimulationTask task;
+        task.system = experiment.system.get();
+        task.inputs = &experiment.inputs;
+        task.parameters = experiment.parameters;
+        task.observe = names;
+        const Trajectory t = simulateGrid(task, null.fit.plans[e], simulation);
+        times.push_back(experiment.inputs.time);
+        std::size_t row = 0;
+        for (const std::string& v : variables) {
+            std::vector<double> x(static_cast<std::size_t>(t.observed.cols()));
+            for (std::size_t k = 0; k < x.size(); ++k)
+                x[k] = t.observed(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k));
+            series[v].push_back(std::move(x));
+            ++row;
+        }
+        // what flows through the node: half the sum of all flows into its members
+        std::vector<double> through(static_cast<std::size_t>(t.observed.cols()), 0);
+        for (; row < names.size(); ++row)
+            for (std::size_t k = 0; k < through.size(); ++k)
+                through[k] += 0.5 * std::abs(t.observed(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k)));
+        if (wantsFlow)
+            for (const std::string& port : placed.effect.ports) series["flow " + port].push_back(through);
+    }
+    observations.setTimes(std::move(times));
+    for (auto& [name, x] : series) observations.add(name, std::move(x));
+    return observations;
+}
+
+ShapeContext contextOf(const NullModel& null, const Observations& observations) {
+    ShapeContext context;
+    context.quantity = [&null](const std::string& name) {
+        const std::vector<double>* time = nullptr;
+        for (const Recording& r : null.variant.task.recordings)
+            if (r.role == Role::Fit && time == nullptr) time = &r.time;
+        if (time == nullptr || time->size() < 2) return std::nan("");
+        const double duration = time->back() - time->front();
+        if (name == "duration") return duration;
+        if (name == "sample") return duration / static_cast<double>(time->size() - 1);
+        if (name == "pi") return 3.14159265358979323846;
+        return std::nan("");
+    };
+    context.statistic = [&observations](const std::string& function, const std::string& variable) {
+        return observations.statistic(function, variable);
+    };
+    return context;
+}
+
+/// All combinations of the shape values.
+Outcome<std::vector<std::map<std::string, double>>> shapesOf(const EffectClass& effect, const ShapeContext& context) {
+    std::vector<std::map<std::string, double>> shapes{{}};
+    for (const auto& [name, list] : effect.shape) {
+        std::vector<std::map<std::string, double>> wider;
+        for (const std::string& text : list) {
+            Outcome<double> value = shapeValue(text, context);
+            if (!value) return value.diagnostics();
+            for (std::map<std::string, double> s : shapes) {
+                s[name] = *value;
+                wider.push_back(std::move(s));
+            }
+        }
+        shapes = std::move(wider);
+    }
+    return shapes;
+}
+
+std::string reason(const Diagnostics& diagnostics) {
+    return diagnostics.empty() ? "unknown fault" : diagnostics.front().message;
+}
+
+/// Takes the traces of one wired candidate.
+class Prober {
+public:
+    Prober(const NullModel& null, const Screened& screened, const SimulationOptions& simulation, const Progress& progress)
+        : null_(null),
+          placed_(screened.wired.effects.back()),
+          wired_(screened.wired),
+          complement_(null.fit.optimum.jacobian),
+          whiteComplement_(null.whitener(null.fit.optimum.jacobian)),
+          whiteResidual_(null.whitener(null.fit.optimum.residuals)),
+          simulation_(simulation),
+          progress_(progress) {}
+
+    Outcome<Done> compile() {
+        std::vector<FitParameter> free{named(placed_.effect.strength)};
+        for (const std::string& l : placed_.effect.linear) free.push_back(named(l));
+        std::vector<std::string> kept;
+        for (const auto& [name, values] : placed_.effect.shape) kept.push_back(placed_.instance + "." + name);
+        Outcome<PreparedTask> held = prepareHeld(wired_, free, null_.noise, kept);
+        if (!held) return held.diagnostics();
+        held_ = std::move(*held);
+        return Done{};
+    }
+
+    /// One trace; false when the simulation failed.
+    bool take(const std::map<std::string, double>& shape, double secant, Probe& probe) {
+        for (const auto& [name, value] : shape) {
+            const int index = held_.system->parameterIndex(placed_.instance + "." + name);
+            if (index < 0) continue;
+            for (FitExperiment& e : held_.problem.experiments) e.parameters[static_cast<std::size_t>(index)] = value;
+        }
+        Eigen::VectorXd at = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(held_.problem.parameters.size()));
+        at[0] = secant;
+        const bool isSlope = secant == 0;
+        const bool needsTangents = isSlope || !placed_.effect.linear.empty();
+        const Linearisation l = linearise(held_.problem, at, needsTangents, isSlope ? null_.fit.plans : std::vector<GridPlan>{},
+                                          simulation_, progress_);
+        if (!l.ok || l.residuals.size() != null_.fit.optimum.residuals.size()) return false;
+        Eigen::MatrixXd columns =
+            needsTangents ? l.jacobian : Eigen::MatrixXd(l.residuals.size(), 1);
+        if (!isSlope) columns.col(0) = (l.residuals - null_.fit.optimum.residuals) / secant;
+        if (!columns.allFinite()) return false;
+        probe.values = shape;
+        probe.secant = secant;
+        probe.column = columns.col(0);
+        probe.plain = scoreColumns(complement_, null_.fit.optimum.residuals, columns, placed_.effect.oneSided);
+        probe.whitened = scoreColumns(whiteComplement_, whiteResidual_, null_.whitener(columns), placed_.effect.oneSided);
+        return true;
+    }
+
+    std::vector<std::string> imitators(const Eigen::VectorXd& column) const {
+        const Eigen::VectorXd c = complement_.coefficients(column);
+        std::vector<std::pair<double, std::string>> parts;
+        for (Eigen::Index j = 0; j < c.size(); ++j)
+            parts.emplace_back(std::abs(c[j]) * null_.fit.optimum.jacobian.col(j).norm(),
+                               null_.fit.estimates[static_cast<std::size_t>(j)].name);
+        std::sort(parts.rbegin(), parts.rend());
+        std::vector<std::string> names;
+        for (const auto& [part, name] : parts)
+            if (part > 0.1 * parts.front().first) names.push_back(name);
+        return names;
+    }
+
+private:
+    FitParameter named(const std::string& parameter) const {
+        FitParameter p;
+        p.name = placed_.instance + "." + parameter;
+        return p;
+    }
+
+    const NullModel& null_;
+    const PlacedEffect& placed_;
+    const Variant& wired_;
+    Complement complement_, whiteComplement_;
+    Eigen::VectorXd whiteResidual_;
+    const SimulationOptions& simulation_;
+    const Progress& progress_;
+    PreparedTask held_;
+};
+
+double scoreOf(const ColumnScore& s) { return s.wrongSign || s.visible < visibleThreshold ? 0 : s.explained; }
+
+}  // namespace
+
+double Probe::strength() const { return plain.wrongSign || plain.strengths.size() == 0 ? 0 : plain.strengths[0]; }
+
+std::vector<double> Probe::linear() const {
+    return {plain.strengths.data() + std::min<Eigen::Index>(1, plain.strengths.size()),
+            plain.strengths.data() + plain.strengths.size()};
+}
+
+double Screened::score() const { return probes.empty() ? 0 : scoreOf(probes.front().plain); }
+
+double Screened::whitenedScore() const {
+    double best = 0;
+    for (const Probe& p : probes) best = std::max(best, scoreOf(p.whitened));
+    return best;
+}
+
+bool Screened::isAbsorbed() const {
+    return !probes.empty() && std::all_of(probes.begin(), probes.end(),
+                                          [](const Probe& p) { return p.plain.visible < visibleThreshold; });
+}
+
+bool Screened::isWrongSign() const {
+    return !probes.empty() && std::all_of(probes.begin(), probes.end(), [](const Probe& p) { return p.plain.wrongSign; });
+}
+
+Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std::vector<EffectClass>& catalogue) {
+    Outcome<FlatModel> flat = flatten(variant.task.library, variant.task.className);
+    if (!flat) return flat.diagnostics();
+    StructureOptions options;
+    for (const ParameterValue& v : variant.values) options.keep.push_back(v.name);
+    Outcome<Structure> structure = analyse(std::make_shared<FlatModel>(std::move(*flat)), options);
+    if (!structure) return structure.diagnostics();
+    Outcome<Diagram> diagram = readDiagram(variant.task.library, variant.task.className);
+    if (!diagram) return diagram.diagnostics();
+    const ModelNodes nodes(variant.task.library, *diagram, *structure);
+
+    std::vector<std::string> spares;
+    for (const Recording& r : variant.task.recordings)
+        if (r.role == Role::Fit && spares.empty())
+            for (const SpareChannel& s : r.spares) spares.push_back(s.name);
+    std::vector<Candidate> candidates;
+    for (const EffectClass& e : catalogue)
+        for (const EffectPlace& p : nodes.placesFor(e, spares)) {
+            const bool isThere = std::any_of(variant.effects.begin(), variant.effects.end(), [&](const PlacedEffect& x) {
+                return x.effect.className == e.className && x.place.at == p.at && x.place.spare == p.spare;
+            });
+            if (!isThere) candidates.push_back({e, p});
+        }
+    return candidates;
+}
+
+Screened screen(const NullModel& null, const Candidate& candidate, const SimulationOptions& simulation,
+                const Progress& progress) {
+    Screened result;
+    result.candidate = candidate;
+    const EffectClass& effect = candidate.effect;
+    const auto fail = [&](const Diagnostics& faults) {
+        result.failure = reason(faults);
+        return result;
+    };
+    Outcome<Variant> off = withEffect(null.variant, effect, candidate.place, {});
+    if (!off) return fail(off.diagnostics());
+    Outcome<Observations> observations = observe(null, *off, simulation);
+    if (!observations) return fail(observations.diagnostics());
+    const ShapeContext context = contextOf(null, *observations);
+    for (const auto& [name, text] : effect.fixed) {
+        Outcome<double> value = shapeValue(text, context);
+        if (!value) return fail(value.diagnostics());
+        result.fixed[name] = *value;
+    }
+    Outcome<Variant> wired = withEffect(null.variant, effect, candidate.place, result.fixed);
+    if (!wired) return fail(wired.diagnostics());
+    result.wired = std::move(*wired);
+    Outcome<std::vector<std::map<std::string, double>>> shapes = shapesOf(effect, context);
+    if (!shapes) return fail(shapes.diagnostics());
+    std::vector<double> secants;
+    for (const std::string& text : effect.secant) {
+        Outcome<double> value = shapeValue(text, context);
+        if (!value) return fail(value.diagnostics());
+        if (*value != 0) secants.push_back(*value);
+    }
+    if (secants.empty()) secants.push_back(0);
+
+    Prober prober(null, result, simulation, progress);
+    if (Outcome<Done> compiled = prober.compile(); !compiled) return fail(compiled.diagnostics());
+    for (const std::map<std::string, double>& shape : *shapes)
+        for (const double secant : secants) {
+            if (progress.stopRequested()) return fail({error("cancelled")});
+            Probe probe;
+            if (prober.take(shape, secant, probe)) result.probes.push_back(std::move(probe));
+        }
+    if (result.probes.empty()) return fail({error("no simulation with this effect succeeded")});
+    std::stable_sort(result.probes.begin(), result.probes.end(), [](const Probe& a, const Probe& b) {
+        return scoreOf(a.plain) > scoreOf(b.plain);
+    });
+    if (result.isAbsorbed()) result.absorbedBy = prober.imitators(result.probes.front().column);
+    return result;
+}
+
+}  // namespace analogon

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/effect/score.hpp"
+#include "core/effect/variant.hpp"
+
+namespace analogon {
+
+/// A fitted model against which candidates are held: its residual, Jacobian and noise.
+struct NullModel {
+    Variant variant;
+    FitResult fit;
+    std::vector<Eigen::VectorXd> noise;      // standard deviation per recording and output of the system
+    std::vector<ResidualChannel> channels;
+    Whitener whitener;                       // from the residual of this model
+
+    double sumOfSquares() const { return fit.optimum.residuals.squaredNorm(); }
+    int parameterCount() const { return static_cast<int>(fit.estimates.size()); }
+};
+
+/// An effect at a place.
+struct Candidate {
+    EffectClass effect;
+    EffectPlace place;
+};
+
+/// One way to switch a candidate on: its shape, and the strength at which the trace was taken.
+struct Probe {
+    std::map<std::string, double> values;  // shape parameters
+    double secant{};                       // 0: slope at strength 0
+    ColumnScore plain;                     // against the residual as it is
+    ColumnScore whitened;                  // with the noise made white
+    Eigen::VectorXd column;                // trace of the strength, in units of the noise
+    double strength() const;               // best estimate, 0 when the sign is wrong
+    std::vector<double> linear() const;    // of the further linear parameters
+};
+
+/// A candidate with what its probes show.
+struct Screened {
+    Candidate candidate;
+    Variant wired;                          // the effect in the model, fixed values set, parameters not yet freed
+    std::map<std::string, double> fixed;
+    std::vector<Probe> probes;              // best first
+    std::string failure;                    // why it could not be tried; empty: it was
+
+    double score() const;                   // fall in the sum of squares of the best probe (right sign)
+    double whitenedScore() const;
+    bool isAbsorbed() const;                // no probe is visible
+    bool isWrongSign() const;
+    std::vector<std::string> absorbedBy;    // parameters that imitate it
+};
+
+/// Every effect of the catalogue at every place where it fits.
+Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std::vector<EffectClass>& catalogue);
+
+/// Takes a candidate's traces and scores them (Rao's score test; secants where the slope at 0 misleads).
+Screened screen(const NullModel& null, const Candidate& candidate, const SimulationOptions& simulation,
+                const Progress& progress);
+
+}  // namespace analogon

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/effect/screen.hpp"
+
+namespace analogon {
+
+/// A candidate refitted together with all parameters of the model.
+struct Trial {
+    Screened screened;
+    Variant variant;     // with the effect's parameters freed, at the optimum
+    FitResult fit;
+    bool ok{};
+    std::string failure;
+    double evidence{};   // fall in the sum of squares over the residual variance, less k ln N_eff (set by `rank`)
+
+    double sumOfSquares() const { return fit.optimum.residuals.squaredNorm(); }
+    int freed() const { return static_cast<int>(variant.effects.back().freed.size()); }
+};
+
+/// Refits from the best probes (one start a distinct shape or secant, at most `starts`).
+Trial refit(const NullModel& null, const Screened& screened, const FitOptions& options, int starts,
+            const Progress& progress);
+
+/// Sorts by evidence, best first; the noise level and N_eff are those of the residual of the best fit among them.
+void rank(const NullModel& null, std::vector<Trial>& trials);
+
+/// The tests a winner must pass (all in units of its own noise).
+struct Acceptance {
+    double explained{};  // fall in the sum of squares under the winner's noise model
+    double evidence{};   // the same less k ln N
+    double heldOut{};    // H on blocks left out in turn
+    bool isSignificant{}, holdsOut{};
+
+    bool accepted() const { return isSignificant && holdsOut; }
+};
+Acceptance examine(const NullModel& null, const Trial& trial, double threshold);
+
+}  // namespace analogon

@@ -1,0 +1,151 @@
+#include "core/effect/variant.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/diagram/edit.hpp"
+#include "core/syntax/printer.hpp"
+
+namespace analogon {
+namespace {
+
+const LibraryClass* modelOf(const EstimationTask& task) { return task.library.find(task.className); }
+
+/// The task with another text of its model.
+Outcome<EstimationTask> withText(const EstimationTask& task, std::string text) {
+    EstimationTask changed = task;
+    changed.model = std::make_shared<Source>(task.model->name(), std::move(text));
+    Outcome<Library> library = task.library.withSource(changed.model);
+    if (!library) return library.diagnostics();
+    changed.library = std::move(*library);
+    return changed;
+}
+
+/// Lets a recorded but unused channel drive a new top-level input.
+void connectSpare(EstimationTask& task, const std::string& spare, const std::string& input) {
+    for (Recording& r : task.recordings) {
+        const auto channel = std::find_if(r.spares.begin(), r.spares.end(), [&](const SpareChannel& s) { return s.name == spare; });
+        if (channel == r.spares.end()) continue;
+        r.inputNames.push_back(input);
+        r.inputs.conservativeResize(r.inputs.rows() + 1, static_cast<Eigen::Index>(r.time.size()));
+        for (std::size_t k = 0; k < r.time.size(); ++k)
+            r.inputs(r.inputs.rows() - 1, static_cast<Eigen::Index>(k)) = channel->values[k];
+    }
+}
+
+std::vector<int> recordingsOf(const EstimationTask& task, Role role) {
+    std::vector<int> indices;
+    for (std::size_t i = 0; i < task.recordings.size(); ++i)
+        if (task.recordings[i].role == role) indices.push_back(static_cast<int>(i));
+    return indices;
+}
+
+}  // namespace
+
+Outcome<Variant> withEffect(const Variant& variant, const EffectClass& effect, const EffectPlace& place,
+                            const std::map<std::string, double>& values) {
+    const LibraryClass* model = modelOf(variant.task);
+    if (model == nullptr) return error(fmt::format("unknown class '{}'", variant.task.className));
+    Outcome<WiredEffect> wired = wireIn(variant.task.library, *model->definition, effect, place, values);
+    if (!wired) return wired.diagnostics();
+    Outcome<EstimationTask> task = withText(variant.task, syntax::apply(variant.task.model->text(), wired->edit).text);
+    if (!task) return task.diagnostics();
+    Variant changed{std::move(*task), variant.effects, variant.values};
+    if (!wired->newInput.empty()) connectSpare(changed.task, place.spare, wired->newInput);
+    changed.effects.push_back({effect, place, wired->instance, wired->newInput, {}, values});
+    return changed;
+}
+
+Outcome<Variant> withEffects(const Variant& base, const std::vector<PlacedEffect>& effects,
+                             const std::vector<ParameterValue>& values) {
+    Variant variant = base;
+    variant.values = values;
+    for (const PlacedEffect& e : effects) {
+        Outcome<Variant> wider = withEffect(variant, e.effect, e.place, e.values);
+        if (!wider) return wider;
+        variant = std::move(*wider);
+        PlacedEffect& placed = variant.effects.back();
+        // an instance may be named otherwise than before: its parameters and their values follow it
+        const auto renamed = [&](const std::string& name) { return placed.instance + name.substr(e.instance.size()); };
+        for (FitParameter p : e.freed) {
+            const std::string before = p.name;
+            p.name = renamed(before);
+            for (ParameterValue& v : variant.values)
+                if (v.name == before) v.name = p.name;
+            placed.freed.push_back(p);
+            variant.task.parameters.push_back(std::move(p));
+        }
+    }
+    // values of effects that are not in this variant belong to nothing
+    std::erase_if(variant.values, [&](const ParameterValue& v) {
+        return v.experiment < 0 &&
+               std::none_of(variant.task.parameters.begin(), variant.task.parameters.end(),
+                            [&](const FitParameter& p) { return p.name == v.name; });
+    });
+    return variant;
+}
+
+Outcome<PreparedTask> prepareAt(const Variant& variant, const std::vector<Eigen::VectorXd>& noise, Role role) {
+    std::vector<std::string> kept;
+    for (const ParameterValue& v : variant.values) kept.push_back(v.name);
+    Outcome<PreparedTask> prepared = prepare(variant.task, noise, role, kept);
+    if (!prepared) return prepared;
+    for (const ParameterValue& v : variant.values)
+        for (FitParameter& p : prepared->problem.parameters)
+            if (p.name == v.name && (p.experiment < 0 || (role == Role::Fit && p.experiment == v.experiment)))
+                p.start = v.value;
+    return prepared;
+}
+
+Outcome<PreparedTask> prepareHeld(const Variant& variant, const std::vector<FitParameter>& free,
+                                  const std::vector<Eigen::VectorXd>& noise, const std::vector<std::string>& alsoKeep) {
+    EstimationTask task = variant.task;
+    task.parameters = free;
+    const auto isFree = [&](const std::string& name) {
+        return std::any_of(free.begin(), free.end(), [&](const FitParameter& p) { return p.name == name; });
+    };
+    std::vector<std::string> kept = alsoKeep;
+    for (const ParameterValue& v : variant.values)
+        if (v.experiment < 0 && !isFree(v.name)) kept.push_back(v.name);
+    const std::vector<int> fitted = recordingsOf(task, Role::Fit);
+    for (std::size_t e = 0; e < fitted.size(); ++e)
+        for (RecordingStart& s : task.recordings[static_cast<std::size_t>(fitted[e])].starts) {
+            s.isFitted = false;
+            for (const ParameterValue& v : variant.values)
+                if (v.experiment == static_cast<int>(e) && v.name == s.parameter) s.value = v.value;
+        }
+    Outcome<PreparedTask> prepared = prepare(task, noise, Role::Fit, kept);
+    if (!prepared) return prepared;
+    for (const ParameterValue& v : variant.values) {
+        const int index = prepared->system->parameterIndex(v.name);
+        if (v.experiment >= 0 || index < 0) continue;
+        for (FitExperiment& e : prepared->problem.experiments) e.parameters[static_cast<std::size_t>(index)] = v.value;
+    }
+    return prepared;
+}
+
+std::vector<ParameterValue> valuesOf(const FitResult& result) {
+    std::vector<ParameterValue> values;
+    for (const FitEstimate& e : result.estimates) values.push_back({e.name, e.experiment, e.value});
+    return values;
+}
+
+Outcome<std::string> textWithValues(const Variant& variant) {
+    const LibraryClass* model = modelOf(variant.task);
+    if (model == nullptr) return error(fmt::format("unknown class '{}'", variant.task.className));
+    ModelEdit edit(*model->definition);
+    for (const ParameterValue& v : variant.values) {
+        if (v.experiment >= 0) continue;
+        const std::size_t dot = v.name.find('.');
+        if (dot == std::string::npos)
+            edit.setBinding(v.name, syntax::printNumber(v.value));
+        else
+            edit.setModifier(v.name.substr(0, dot), v.name.substr(dot + 1), syntax::printNumber(v.value));
+    }
+    Outcome<syntax::TextEdit> text = edit.finish("Write fitted values");
+    if (!text) return text.diagnostics();
+    return syntax::apply(variant.task.model->text(), std::move(*text)).text;
+}
+
+}  // namespace analogon

@@ -1,0 +1,153 @@
+#include "core/effect/wire_in.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+#include "core/diagram/edit.hpp"
+#include "core/syntax/printer.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr double blockSize = 20;
+
+std::string instanceName(const syntax::ClassDefinition& model, const EffectClass& effect) {
+    std::string base = effect.className.substr(effect.className.rfind('.') + 1);
+    base[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(base[0])));
+    return freeName(model, base);
+}
+
+std::vector<std::pair<std::string, std::string>> modifications(const std::map<std::string, double>& values) {
+    std::vector<std::pair<std::string, std::string>> texts;
+    for (const auto& [name, value] : values) texts.emplace_back(name, syntax::printNumber(value));
+    return texts;
+}
+
+Point port(const Library& library, const NewComponent& component, const std::string& name) {
+    for (const Port& p : readPorts(library, component.className))
+        if (p.name == name) {
+            // icon coordinates -100 … 100 scaled into the block's extent
+            const Extent& e = component.placement.extent;
+            const Point centre{(p.placement.extent.p1.x + p.placement.extent.p2.x) / 2 + p.placement.origin.x,
+                               (p.placement.extent.p1.y + p.placement.extent.p2.y) / 2 + p.placement.origin.y};
+            return {component.placement.origin.x + e.p1.x + (centre.x + 100) / 200 * (e.p2.x - e.p1.x),
+                    component.placement.origin.y + e.p1.y + (centre.y + 100) / 200 * (e.p2.y - e.p1.y)};
+        }
+    return component.placement.origin;
+}
+
+/// Horizontal or vertical pieces from one anchor to the other.
+std::vector<Point> route(Point from, Point to) {
+    if (from.x == to.x || from.y == to.y) return {from, to};
+    return {from, {to.x, from.y}, to};
+}
+
+Colour colourAt(const Diagram& diagram, const std::string& connector) {
+    for (const Wire& w : diagram.wires)
+        if (w.from == connector || w.to == connector) return w.colour;
+    const std::size_t dot = connector.find('.');
+    if (const Block* b = diagram.find(connector.substr(0, dot))) {
+        if (b->isConnector) return domainColour(b->domain);
+        for (const Port& p : b->ports)
+            if (dot != std::string::npos && p.name == connector.substr(dot + 1)) return domainColour(p.domain);
+    }
+    return {};
+}
+
+class Wiring {
+public:
+    Wiring(const Library& library, const syntax::ClassDefinition& model, const EffectClass& effect,
+           const EffectPlace& place, const std::map<std::string, double>& values, Diagram diagram)
+        : library_(library), effect_(effect), place_(place), diagram_(std::move(diagram)), edit_(model) {
+        component_.className = effect.className;
+        component_.name = instanceName(model, effect);
+        component_.modifications = modifications(values);
+        const Point near = diagram_.anchor(place.connector).value_or(Point{0, 0});
+        component_.placement = freePlacement(diagram_, near, blockSize, blockSize);
+        colour_ = colourAt(diagram_, place.connector);
+    }
+
+    void attach() {
+        edit_.addComponent(component_);
+        join(component_.name + "." + effect_.ports[0], port(library_, component_, effect_.ports[0]), place_.connector);
+    }
+
+    /// The connector keeps the near side; all that it was joined to moves to the far side.
+    void insert() {
+        const bool isInput = effect_.signalSide == "input";
+        const bool isOutput = effect_.signalSide == "output";
+        const std::string& nearPort = isOutput ? effect_.ports[1] : effect_.ports[0];
+        const std::string& farPort = isOutput ? effect_.ports[0] : effect_.ports[1];
+        edit_.addComponent(component_);
+        edit_.replaceInConnections(place_.connector, component_.name + "." + farPort);
+        if (isInput || !isOutput)
+            join(place_.connector, component_.name + "." + nearPort, port(library_, component_, nearPort));
+        else
+            join(component_.name + "." + nearPort, port(library_, component_, nearPort), place_.connector);
+    }
+
+    void specialise(const std::map<std::string, double>& values) {
+        component_.name = place_.connector;
+        edit_.setClass(place_.connector, effect_.className);
+        for (const auto& [name, value] : modifications(values)) edit_.setModifier(place_.connector, name, value);
+        if (!place_.spare.empty()) addSpareInput();
+    }
+
+    Outcome<WiredEffect> finish() const {
+        Outcome<syntax::TextEdit> edit = edit_.finish(fmt::format("Add {} at {}", effect_.kind, place_.at));
+        if (!edit) return edit.diagnostics();
+        return WiredEffect{std::move(*edit), component_.name, newInput_};
+    }
+
+private:
+    void join(const std::string& from, Point fromAt, const std::string& to) {
+        edit_.addConnection(from, to, route(fromAt, diagram_.anchor(to).value_or(fromAt)), colour_);
+    }
+    void join(const std::string& from, const std::string& to, Point toAt) {
+        edit_.addConnection(from, to, route(diagram_.anchor(from).value_or(toAt), toAt), colour_);
+    }
+
+    void addSpareInput() {
+        std::string base;
+        for (const char c : place_.spare)
+            base += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+        if (base.empty() || std::isdigit(static_cast<unsigned char>(base[0]))) base = "channel_" + base;
+        NewComponent input;
+        input.className = "Analogon.Interfaces.RealInput";
+        input.name = base;
+        while (diagram_.find(input.name) != nullptr) input.name += "_1";
+        const Point near = diagram_.anchor(place_.connector + "." + effect_.channel).value_or(Point{0, 0});
+        input.placement = freePlacement(diagram_, {near.x - 40, near.y - 40}, blockSize, blockSize);
+        input.description = "Recorded channel " + place_.spare;
+        edit_.addComponent(input);
+        edit_.addConnection(input.name, place_.connector + "." + effect_.channel, {}, domainColour(Domain::RealInput));
+        newInput_ = input.name;
+    }
+
+    const Library& library_;
+    const EffectClass& effect_;
+    const EffectPlace& place_;
+    Diagram diagram_;
+    ModelEdit edit_;
+    NewComponent component_;
+    Colour colour_;
+    std::string newInput_;
+};
+
+}  // namespace
+
+Outcome<WiredEffect> wireIn(const Library& library, const syntax::ClassDefinition& model, const EffectClass& effect,
+                            const EffectPlace& place, const std::map<std::string, double>& values) {
+    Outcome<Diagram> diagram = readDiagram(library, model.name);
+    if (!diagram) return diagram.diagnostics();
+    Wiring wiring(library, model, effect, place, values, std::move(*diagram));
+    switch (effect.way) {
+        case Way::Attach: wiring.attach(); break;
+        case Way::Insert: wiring.insert(); break;
+        case Way::Specialise: wiring.specialise(values); break;
+    }
+    return wiring.finish();
+}
+
+}  // namespace analogon

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/eval/program.hpp"
+
+namespace analogon {
+
+/// The registers of one evaluation thread. Tangents are padded to `lanes` a register so that loops over them
+/// have a fixed width.
+struct Registers {
+    int directions{};  // asked for
+    int lanes{};       // directions rounded up to a multiple of 4
+    std::vector<double> values;
+    std::vector<double> tangents;  // register r, direction k at [r * lanes + k]
+    std::vector<double> guesses;   // last solutions of the nonlinear blocks
+    std::vector<char> hasGuess;    // by the same places
+    std::vector<double> matrix, vector, trial, scale, rows;  // scratch of the solvers
+    std::vector<int> pivots;
+    std::string failure;
+
+    void resize(std::size_t registers, std::size_t guessCount);
+};
+
+/// Runs programs on registers. `mode` says whether input registers carry tangents. A block that cannot be
+/// solved ends the run with false and its unknown in `failure`.
+bool runValues(const Program& program, const ProgramTables& tables, Registers& registers);
+bool runTangents(const Program& program, const ProgramTables& tables, Registers& registers, TangentMode mode);
+
+// One straight stretch of code without blocks, for the solvers.
+void runBodyValues(const std::vector<Instruction>& code, const ProgramTables& tables, Registers& registers);
+void runBodyTangents(const std::vector<Instruction>& code, const ProgramTables& tables, Registers& registers,
+                     TangentMode mode);
+
+// The blocks (solvers.cpp). With tangents when `mode` >= 0.
+bool solveLinear(const LinearBlock& block, Registers& registers, int mode);
+bool solveNonlinear(const NonlinearBlock& block, const ProgramTables& tables, Registers& registers, int mode);
+
+/// LU factors with scaled partial pivoting, row-major in place (Golub & Van Loan, section 3.4). False when
+/// singular to working precision.
+bool factorise(std::span<double> matrix, std::span<int> pivots, std::span<double> scale);
+/// Solves with the factors, in place; `stride` is the distance of two entries of the right-hand side and
+/// `width` the number of right-hand sides beside each other.
+void substitute(std::span<const double> matrix, std::span<const int> pivots, double* right, int stride, int width);
+
+}  // namespace analogon

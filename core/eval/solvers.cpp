@@ -1,0 +1,302 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/eval/machine.hpp"
+
+namespace analogon {
+
+bool factorise(std::span<double> matrix, std::span<int> pivots, std::span<double> scale) {
+    const auto n = pivots.size();
+    for (std::size_t row = 0; row < n; ++row) {
+        double largest = 0;
+        for (std::size_t column = 0; column < n; ++column)
+            largest = std::max(largest, std::fabs(matrix[row * n + column]));
+        if (!(largest > 0) || !std::isfinite(largest)) return false;
+        scale[row] = 1 / largest;
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+        std::size_t best = k;
+        double most = 0, before = 0;
+        for (std::size_t row = 0; row < n; ++row) {
+            const double size = std::fabs(matrix[row * n + k]) * scale[row];
+            if (row < k)
+                before = std::max(before, size);
+            else if (size > most)
+                most = size, best = row;
+        }
+        // What is left of a column after elimination is rounding when it is this small beside what was there.
+        if (!(most > 4 * std::numeric_limits<double>::epsilon() * before) || !std::isfinite(most)) return false;
+        pivots[k] = static_cast<int>(best);
+        if (best != k) {
+            for (std::size_t column = 0; column < n; ++column)
+                std::swap(matrix[k * n + column], matrix[best * n + column]);
+            std::swap(scale[k], scale[best]);
+        }
+        const double inverse = 1 / matrix[k * n + k];
+        for (std::size_t row = k + 1; row < n; ++row) {
+            const double factor = matrix[row * n + k] *= inverse;
+            if (factor == 0) continue;
+            for (std::size_t column = k + 1; column < n; ++column)
+                matrix[row * n + column] -= factor * matrix[k * n + column];
+        }
+    }
+    return true;
+}
+
+void substitute(std::span<const double> matrix, std::span<const int> pivots, double* right, int stride, int width) {
+    const auto n = pivots.size();
+    const auto at = [&](std::size_t row) { return right + row * static_cast<std::size_t>(stride); };
+    for (std::size_t k = 0; k < n; ++k)
+        if (const auto p = static_cast<std::size_t>(pivots[k]); p != k) std::swap_ranges(at(k), at(k) + width, at(p));
+    for (std::size_t row = 1; row < n; ++row)
+        for (std::size_t k = 0; k < row; ++k) {
+            const double factor = matrix[row * n + k];
+            for (int j = 0; j < width; ++j) at(row)[j] -= factor * at(k)[j];
+        }
+    for (std::size_t row = n; row-- > 0;) {
+        for (std::size_t k = row + 1; k < n; ++k) {
+            const double factor = matrix[row * n + k];
+            for (int j = 0; j < width; ++j) at(row)[j] -= factor * at(k)[j];
+        }
+        const double inverse = 1 / matrix[row * n + row];
+        for (int j = 0; j < width; ++j) at(row)[j] *= inverse;
+    }
+}
+
+namespace {
+
+void reserveScratch(Registers& r, std::size_t n) {
+    if (r.matrix.size() < n * n) r.matrix.resize(n * n);
+    if (r.vector.size() < n) {
+        r.vector.resize(n);
+        r.trial.resize(n);
+        r.scale.resize(n);
+        r.pivots.resize(n);
+    }
+    r.rows.resize(std::max(r.rows.size(), n * static_cast<std::size_t>(r.lanes)));
+}
+
+double* tangentsAt(Registers& r, std::uint32_t reg) {
+    return r.tangents.data() + static_cast<std::size_t>(reg) * static_cast<std::size_t>(r.lanes);
+}
+
+/// Newton's method for one block (Deuflhard 2004, section 3: damping by halving), with the row scaling of its
+/// first Jacobian.
+class NewtonIteration {
+public:
+    NewtonIteration(const NonlinearBlock& block, const ProgramTables& tables, Registers& registers)
+        : block_(block), tables_(tables), r_(registers), n_(block.unknowns.size()) {
+        reserveScratch(r_, n_);
+    }
+
+    bool from(std::span<const double> start);
+    /// A single unknown: looks for a change of sign around the start and closes in on it.
+    bool byBracket(double start);
+    /// Factors the Jacobian at the solution.
+    bool factoriseHere() {
+        evaluate();
+        loadJacobian();
+        return factorise({r_.matrix.data(), n_ * n_}, {r_.pivots.data(), n_}, {r_.scale.data(), n_});
+    }
+
+private:
+    double& unknown(std::size_t i) { return r_.values[block_.unknowns[i]]; }
+    double residual(std::size_t i) const { return r_.values[block_.residuals[i]]; }
+    void evaluate() { runBodyValues(block_.body, tables_, r_); }
+    void loadJacobian() {
+        for (std::size_t i = 0; i < n_ * n_; ++i) r_.matrix[i] = r_.values[block_.jacobian[i]];
+    }
+    double norm() const;
+    void setRowScale();
+    double valueAt(double z) {
+        unknown(0) = z;
+        evaluate();
+        return residual(0);
+    }
+
+    const NonlinearBlock& block_;
+    const ProgramTables& tables_;
+    Registers& r_;
+    std::size_t n_;
+    std::vector<double> rowScale_;
+};
+
+void NewtonIteration::setRowScale() {
+    rowScale_.assign(n_, 1);
+    for (std::size_t i = 0; i < n_; ++i) {
+        double largest = 0;
+        for (std::size_t j = 0; j < n_; ++j)
+            largest = std::max(largest, std::fabs(r_.matrix[i * n_ + j]) * block_.nominal[j]);
+        if (largest > 0 && std::isfinite(largest)) rowScale_[i] = 1 / largest;
+    }
+}
+
+double NewtonIteration::norm() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < n_; ++i) {
+        const double scaled = residual(i) * rowScale_[i];
+        sum += scaled * scaled;
+    }
+    return std::sqrt(sum);
+}
+
+bool NewtonIteration::from(std::span<const double> start) {
+    constexpr int mostSteps = 60, mostHalvings = 30;
+    constexpr double converged = 1e-11, good = 1e-7;
+    for (std::size_t i = 0; i < n_; ++i) unknown(i) = start[i];
+    evaluate();
+    loadJacobian();
+    setRowScale();
+    double size = norm();
+    for (int step = 0; step < mostSteps; ++step) {
+        if (size == 0) return true;
+        if (!std::isfinite(size)) return false;
+        if (!factorise({r_.matrix.data(), n_ * n_}, {r_.pivots.data(), n_}, {r_.scale.data(), n_})) return false;
+        for (std::size_t i = 0; i < n_; ++i) r_.vector[i] = residual(i);
+        substitute({r_.matrix.data(), n_ * n_}, {r_.pivots.data(), n_}, r_.vector.data(), 1, 1);
+        double relative = 0;
+        for (std::size_t i = 0; i < n_; ++i) {
+            r_.trial[i] = unknown(i);
+            relative = std::max(relative, std::fabs(r_.vector[i]) / (std::fabs(unknown(i)) + block_.nominal[i]));
+        }
+        if (!std::isfinite(relative)) return false;
+        double fraction = 1, reached = size;
+        for (int halving = 0; halving < mostHalvings; ++halving, fraction /= 2) {
+            for (std::size_t i = 0; i < n_; ++i) unknown(i) = r_.trial[i] - fraction * r_.vector[i];
+            evaluate();
+            reached = norm();
+            // A step this small is decided by rounding: take it as it is.
+            if (relative <= converged && std::isfinite(reached)) return true;
+            if (reached < size) break;
+        }
+        if (!(reached < size)) {
+            for (std::size_t i = 0; i < n_; ++i) unknown(i) = r_.trial[i];
+            return relative <= good;
+        }
+        size = reached;
+        loadJacobian();
+    }
+    return false;
+}
+
+bool NewtonIteration::byBracket(double start) {
+    double low = start, high = start, atLow = valueAt(start), atHigh = atLow;
+    if (atLow == 0) return true;
+    double width = 1e-3 * (std::fabs(start) + block_.nominal[0]);
+    for (int i = 0; i < 80 && !(atLow * atHigh < 0); ++i, width *= 2) {
+        const double below = valueAt(start - width), above = valueAt(start + width);
+        if (std::isfinite(below) && below * atHigh <= 0) {
+            low = start - width, atLow = below;
+        } else if (std::isfinite(above) && above * atLow <= 0) {
+            high = start + width, atHigh = above;
+        }
+        if (below == 0) return unknown(0) = start - width, evaluate(), true;
+        if (above == 0) return unknown(0) = start + width, evaluate(), true;
+    }
+    if (!(atLow * atHigh < 0)) return false;
+    for (int i = 0; i < 200 && high - low > 4e-16 * (std::fabs(low) + std::fabs(high)); ++i) {
+        const double middle = 0.5 * (low + high), value = valueAt(middle);
+        if (value == 0) return true;
+        if (!std::isfinite(value)) return false;
+        if (value * atLow < 0)
+            high = middle;
+        else
+            low = middle, atLow = value;
+    }
+    unknown(0) = 0.5 * (low + high);
+    evaluate();
+    return true;
+}
+
+/// The starts that are tried in turn: the last solution, the model's start values, and some way off them.
+bool iterate(const NonlinearBlock& block, NewtonIteration& newton, Registers& r) {
+    const auto n = block.unknowns.size();
+    std::vector<double> start(n);
+    if (r.hasGuess[block.guess]) {
+        for (std::size_t i = 0; i < n; ++i) start[i] = r.guesses[block.guess + i];
+        if (newton.from(start)) return true;
+        if (n == 1 && newton.byBracket(start[0])) return true;
+    }
+    for (const double offset : {0.0, 1.0, -1.0, 1e-3, -1e-3, 1e3, -1e3}) {
+        for (std::size_t i = 0; i < n; ++i) start[i] = r.values[block.starts[i]] + offset * block.nominal[i];
+        if (newton.from(start)) return true;
+        if (n == 1 && offset == 0 && newton.byBracket(start[0])) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+bool solveLinear(const LinearBlock& block, Registers& r, int mode) {
+    const auto n = block.unknowns.size();
+    reserveScratch(r, n);
+    for (std::size_t i = 0; i < n * n; ++i) r.matrix[i] = r.values[block.matrix[i]];
+    if (!factorise({r.matrix.data(), n * n}, {r.pivots.data(), n}, {r.scale.data(), n})) {
+        r.failure = block.names.front();
+        return false;
+    }
+    for (std::size_t i = 0; i < n; ++i) r.vector[i] = -r.values[block.constant[i]];
+    substitute({r.matrix.data(), n * n}, {r.pivots.data(), n}, r.vector.data(), 1, 1);
+    for (std::size_t i = 0; i < n; ++i) r.values[block.unknowns[i]] = r.vector[i];
+    if (mode < 0 || !block.active[static_cast<std::size_t>(mode)]) return true;
+
+    // A dz = -(db + dA z)
+    const auto m = static_cast<std::size_t>(mode);
+    const auto lanes = static_cast<std::size_t>(r.lanes);
+    for (std::size_t i = 0; i < n; ++i) {
+        double* row = r.rows.data() + i * lanes;
+        std::fill(row, row + lanes, 0.0);
+        const auto subtract = [&](std::uint32_t reg, double factor) {
+            const double* d = tangentsAt(r, reg);
+            for (std::size_t k = 0; k < lanes; ++k) row[k] -= factor * d[k];
+        };
+        if (block.activeOf[n * n + i][m]) subtract(block.constant[i], 1);
+        for (std::size_t j = 0; j < n; ++j)
+            if (block.activeOf[i * n + j][m]) subtract(block.matrix[i * n + j], r.vector[j]);
+    }
+    substitute({r.matrix.data(), n * n}, {r.pivots.data(), n}, r.rows.data(), r.lanes, r.lanes);
+    for (std::size_t i = 0; i < n; ++i)
+        std::copy_n(r.rows.data() + i * lanes, lanes, tangentsAt(r, block.unknowns[i]));
+    return true;
+}
+
+bool solveNonlinear(const NonlinearBlock& block, const ProgramTables& tables, Registers& r, int mode) {
+    const auto n = block.unknowns.size();
+    NewtonIteration newton(block, tables, r);
+    if (!iterate(block, newton, r)) {
+        r.failure = block.names.front();
+        return false;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        r.guesses[block.guess + i] = r.values[block.unknowns[i]];
+        r.hasGuess[block.guess + i] = 1;
+    }
+    if (mode < 0 || !block.active[static_cast<std::size_t>(mode)]) return true;
+
+    // Implicit function theorem: J dz = -(partial derivatives of the residuals along the directions).
+    const bool isRegular = newton.factoriseHere();
+    runBodyTangents(block.body, tables, r, static_cast<TangentMode>(mode));
+    const auto m = static_cast<std::size_t>(mode);
+    const auto lanes = static_cast<std::size_t>(r.lanes);
+    bool anyMoves = false;
+    for (std::size_t i = 0; i < n; ++i) {
+        double* row = r.rows.data() + i * lanes;
+        const double* d = tangentsAt(r, block.residuals[i]);
+        for (std::size_t k = 0; k < lanes; ++k) {
+            row[k] = block.activeOf[i][m] ? -d[k] : 0;
+            anyMoves = anyMoves || row[k] != 0;
+        }
+    }
+    if (!isRegular && anyMoves) {
+        r.failure = block.names.front();
+        return false;
+    }
+    if (isRegular)
+        substitute({r.matrix.data(), n * n}, {r.pivots.data(), n}, r.rows.data(), r.lanes, r.lanes);
+    for (std::size_t i = 0; i < n; ++i)
+        std::copy_n(r.rows.data() + i * lanes, lanes, tangentsAt(r, block.unknowns[i]));
+    return true;
+}
+
+}  // namespace analogon

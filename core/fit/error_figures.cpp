@@ -1,0 +1,45 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/fit/fit.hpp"
+
+namespace analogon {
+
+// The mean square error of eqs. 11 to 13 of the 2014 paper, at the samples: the simulation yields its outputs at
+// the measured times, so that the linear interpolation of eqs. 9 and 10 acts on the inputs alone.
+ErrorFigures errorFigures(const Eigen::Ref<const Eigen::RowVectorXd>& simulated,
+                          const Eigen::Ref<const Eigen::RowVectorXd>& measured) {
+    double square = 0.0, norm = 0.0, sum = 0.0, largest = 0.0;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    Eigen::Index count = 0;
+    for (Eigen::Index k = 0; k < measured.size(); ++k) {
+        const double m = measured[k];
+        if (std::isnan(m)) continue;
+        const double difference = simulated[k] - m;
+        ++count;
+        square += difference * difference;
+        norm += m * m;
+        sum += m;
+        // NaN must show: a simulation that failed has no error figure.
+        if (!(std::abs(difference) <= largest)) largest = std::abs(difference);
+        low = std::min(low, m);
+        high = std::max(high, m);
+    }
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    if (count == 0) return {nan, nan, nan, nan, nan};
+    const auto n = static_cast<double>(count), mean = sum / n;
+    double spread = 0.0;
+    for (Eigen::Index k = 0; k < measured.size(); ++k) {
+        if (!std::isnan(measured[k])) spread += (measured[k] - mean) * (measured[k] - mean);
+    }
+    ErrorFigures figures;
+    figures.rmse = std::sqrt(square / n);
+    figures.errorPercent = high > low ? 100.0 * figures.rmse / (high - low) : nan;
+    figures.relativeRmsPercent = norm > 0.0 ? 100.0 * std::sqrt(square / norm) : nan;
+    figures.fitPercent = spread > 0.0 ? 100.0 * (1.0 - std::sqrt(square / spread)) : nan;
+    figures.maxAbs = largest;
+    return figures;
+}
+
+}  // namespace analogon

@@ -1,0 +1,244 @@
+#include "core/fit/estimation_task.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace analogon {
+
+namespace {
+
+/// Says what a wrong name may have meant.
+std::string didYouMean(const std::string& name, const std::vector<std::string>& known, const char* what) {
+    const std::string like = suggestion(name, known);
+    if (!like.empty()) return fmt::format("did you mean {}?", like);
+    if (known.empty()) return fmt::format("the model has no {}", what);
+    return {};
+}
+
+std::vector<std::string> namesOf(const std::vector<SignalInfo>& signals) {
+    std::vector<std::string> names;
+    for (const SignalInfo& signal : signals) names.push_back(signal.name);
+    return names;
+}
+
+/// Parameters that must stay symbolic: fitted, start values of any recording, and what the caller asks for.
+std::vector<std::string> namesToKeep(const EstimationTask& task, const std::vector<std::string>& alsoKeep) {
+    std::vector<std::string> keep;
+    const auto add = [&](const std::string& name) {
+        if (std::find(keep.begin(), keep.end(), name) == keep.end()) keep.push_back(name);
+    };
+    for (const FitParameter& parameter : task.parameters) add(parameter.name);
+    for (const Recording& recording : task.recordings) {
+        for (const RecordingStart& start : recording.starts) add(start.parameter);
+    }
+    for (const std::string& name : alsoKeep) add(name);
+    return keep;
+}
+
+/// Each name must be a parameter that may be changed.
+Diagnostics checkNames(const FlatModel& model, const std::vector<std::string>& names) {
+    Diagnostics faults;
+    std::vector<std::string> known;
+    for (const FlatVariable& variable : model.variables) {
+        if (variable.variability == FlatVariability::Parameter && variable.type == FlatType::Real && !variable.isFinal) {
+            known.push_back(variable.name);
+        }
+    }
+    for (const std::string& name : names) {
+        const VariableId id = model.find(name);
+        if (!id.valid()) {
+            faults.push_back(error(fmt::format("{} has no parameter {}", model.name, name), {},
+                                   didYouMean(name, known, "parameters")));
+            continue;
+        }
+        const FlatVariable& variable = model[id];
+        if (variable.variability != FlatVariability::Parameter) {
+            faults.push_back(error(fmt::format("{} is no parameter and cannot be fitted or set", name), variable.declared,
+                                   didYouMean(name, known, "parameters")));
+        } else if (variable.type != FlatType::Real) {
+            faults.push_back(error(fmt::format("{} is not a Real parameter and cannot be fitted or set", name),
+                                   variable.declared));
+        } else if (variable.isFinal) {
+            faults.push_back(error(fmt::format("{} is final and cannot be fitted or set", name),
+                                   variable.value.valid() ? variable.value : variable.declared));
+        } else if (variable.isStructural) {
+            faults.push_back(error(fmt::format("{} has shaped the equations (an array size or a condition) and cannot be "
+                                               "fitted or set for one experiment",
+                                               name),
+                                   variable.value.valid() ? variable.value : variable.declared));
+        }
+    }
+    return faults;
+}
+
+/// Bounds, unit and start that the task leaves open come from the model.
+FitParameter completed(FitParameter parameter, const System& system) {
+    const int index = system.parameterIndex(parameter.name);
+    if (index < 0) return parameter;
+    const SignalInfo& info = system.parameters()[static_cast<std::size_t>(index)];
+    if (parameter.min <= -1e300 && info.min) parameter.min = *info.min;
+    if (parameter.max >= 1e300 && info.max) parameter.max = *info.max;
+    if (parameter.unit.empty()) parameter.unit = info.unit;
+    if (std::isnan(parameter.start)) parameter.start = info.value;
+    return parameter;
+}
+
+/// Rows in the order of `signals`; a signal without channel gets NaN and stands in `missing`.
+Eigen::MatrixXd inOrder(const std::vector<SignalInfo>& signals, const std::vector<std::string>& names,
+                        const Eigen::MatrixXd& values, Eigen::Index samples, std::vector<std::string>& missing) {
+    Eigen::MatrixXd ordered(static_cast<Eigen::Index>(signals.size()), samples);
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+        const auto found = std::find(names.begin(), names.end(), signals[i].name);
+        const auto row = static_cast<Eigen::Index>(i);
+        if (found == names.end()) {
+            missing.push_back(signals[i].name);
+            ordered.row(row).setConstant(std::numeric_limits<double>::quiet_NaN());
+        } else {
+            ordered.row(row) = values.row(found - names.begin());
+        }
+    }
+    return ordered;
+}
+
+/// 1 / noise where the noise is known, else 1 / range of the channel.
+double weightOf(const Eigen::Ref<const Eigen::RowVectorXd>& measured, double noise) {
+    if (noise > 0.0 && std::isfinite(noise)) return 1.0 / noise;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const double value : measured) {
+        if (std::isnan(value)) continue;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    if (!(low <= high)) return 0.0;  // nothing measured
+    if (high > low) return 1.0 / (high - low);
+    return high != 0.0 ? 1.0 / std::abs(high) : 1.0;
+}
+
+class Preparation {
+public:
+    Preparation(const EstimationTask& task, SystemPtr system) : task_(task) { prepared_.system = std::move(system); }
+
+    void addParameters() {
+        for (const FitParameter& parameter : task_.parameters) {
+            prepared_.problem.parameters.push_back(completed(parameter, *prepared_.system));
+        }
+    }
+
+    void addRecording(int index, const Eigen::VectorXd* noise) {
+        const Recording& recording = task_.recordings[static_cast<std::size_t>(index)];
+        const System& system = *prepared_.system;
+        const auto samples = static_cast<Eigen::Index>(recording.time.size());
+        const std::size_t faultsBefore = faults_.size();
+        checkChannels(recording, "input", recording.inputNames, recording.inputs, system.inputs());
+        checkChannels(recording, "output", recording.outputNames, recording.outputs, system.outputs());
+        if (faults_.size() > faultsBefore) return;
+
+        FitExperiment experiment;
+        experiment.name = recording.name;
+        experiment.system = prepared_.system;
+        experiment.inputs.time = recording.time;
+        std::vector<std::string> missing, unmeasured;
+        experiment.inputs.values = inOrder(system.inputs(), recording.inputNames, recording.inputs, samples, missing);
+        for (const std::string& name : missing) {
+            fault(recording, fmt::format("input {} has no channel", name), "map a column to it");
+        }
+        experiment.measured = inOrder(system.outputs(), recording.outputNames, recording.outputs, samples, unmeasured);
+        experiment.weights = Eigen::VectorXd::Zero(system.outputCount());
+        for (std::size_t i = 0; i < recording.outputNames.size(); ++i) {
+            const int output = system.outputIndex(recording.outputNames[i]);
+            const auto row = static_cast<Eigen::Index>(i);
+            const double importance = row < recording.weights.size() ? recording.weights[row] : 1.0;
+            const double deviation = noise && output < noise->size() ? (*noise)[output] : 0.0;
+            experiment.weights[output] = importance * weightOf(experiment.measured.row(output), deviation);
+        }
+        for (const SignalInfo& info : system.parameters()) experiment.parameters.push_back(info.value);
+        addStarts(recording, experiment);
+        prepared_.problem.experiments.push_back(std::move(experiment));
+        prepared_.fitRecordings.push_back(index);
+    }
+
+    Outcome<PreparedTask> result(bool weightsAreNoise) {
+        if (hasError(faults_)) return faults_;
+        prepared_.problem.weightsAreNoise = weightsAreNoise;
+        return std::move(prepared_);
+    }
+
+private:
+    void fault(const Recording& recording, const std::string& text, const std::string& hint = {}) {
+        faults_.push_back(error(fmt::format("experiment '{}': {}", recording.name, text), {}, hint));
+    }
+
+    void checkChannels(const Recording& recording, const char* what, const std::vector<std::string>& names,
+                       const Eigen::MatrixXd& values, const std::vector<SignalInfo>& signals) {
+        const std::vector<std::string> known = namesOf(signals);
+        for (const std::string& name : names) {
+            if (std::find(known.begin(), known.end(), name) == known.end()) {
+                fault(recording, fmt::format("the model has no {} {}", what, name),
+                      didYouMean(name, known, fmt::format("{}s", what).c_str()));
+            }
+        }
+        if (values.rows() != static_cast<Eigen::Index>(names.size()) ||
+            (!names.empty() && values.cols() != static_cast<Eigen::Index>(recording.time.size()))) {
+            fault(recording, fmt::format("{} {}s over {} samples are named, but {} x {} values are given", names.size(),
+                                         what, recording.time.size(), values.rows(), values.cols()));
+        }
+    }
+
+    void addStarts(const Recording& recording, FitExperiment& experiment) {
+        const System& system = *prepared_.system;
+        const int number = static_cast<int>(prepared_.problem.experiments.size());
+        for (const RecordingStart& start : recording.starts) {
+            const bool isShared = std::any_of(task_.parameters.begin(), task_.parameters.end(),
+                                              [&](const FitParameter& p) { return p.name == start.parameter; });
+            const int index = system.parameterIndex(start.parameter);
+            if (isShared) {
+                fault(recording, fmt::format("{} is fitted for all experiments and has a start of its own here",
+                                             start.parameter),
+                      "remove one of the two");
+            } else if (!std::isfinite(start.value)) {
+                fault(recording, fmt::format("the start value of {} is not a number", start.parameter));
+            } else {
+                experiment.parameters[static_cast<std::size_t>(index)] = start.value;
+                if (!start.isFitted) continue;
+                FitParameter parameter;
+                parameter.name = start.parameter;
+                parameter.start = start.value;
+                parameter.experiment = number;
+                prepared_.problem.parameters.push_back(completed(std::move(parameter), system));
+            }
+        }
+    }
+
+    const EstimationTask& task_;
+    PreparedTask prepared_;
+    Diagnostics faults_;
+};
+
+}  // namespace
+
+Outcome<PreparedTask> prepare(const EstimationTask& task, const std::vector<Eigen::VectorXd>& noise, Role role,
+                              const std::vector<std::string>& alsoKeep) {
+    Outcome<FlatModel> flat = flatten(task.library, task.className);
+    if (!flat) return flat.diagnostics();
+    auto model = std::make_shared<const FlatModel>(std::move(*flat));
+    StructureOptions options;
+    options.keep = namesToKeep(task, alsoKeep);
+    if (Diagnostics faults = checkNames(*model, options.keep); hasError(faults)) return faults;
+    Outcome<Structure> structure = analyse(model, options);
+    if (!structure) return structure.diagnostics();
+    Outcome<SystemPtr> system = System::build(*structure);
+    if (!system) return system.diagnostics();
+
+    Preparation preparation(task, *system);
+    preparation.addParameters();
+    for (std::size_t r = 0; r < task.recordings.size(); ++r) {
+        if (task.recordings[r].role != role) continue;
+        preparation.addRecording(static_cast<int>(r), r < noise.size() ? &noise[r] : nullptr);
+    }
+    return preparation.result(!noise.empty());
+}
+
+}  // namespace analogon

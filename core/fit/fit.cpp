@@ -1,0 +1,220 @@
+#include "core/fit/fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <random>
+
+#include "core/base/parallel.hpp"
+#include "core/fit/misfit.hpp"
+#include "core/fit/uncertainty.hpp"
+
+namespace analogon {
+
+namespace {
+
+/// One descent, from one start.
+struct Descent {
+    Minimum minimum;
+    double startCost{};
+    std::vector<GridPlan> plans;
+    int simulations{}, failedSimulations{};
+    double lossScale{1};
+};
+
+Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const FitOptions& options,
+                const Progress& progress) {
+    Descent descent;
+    std::vector<FitParameter> parameters = problem.parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i) parameters[i].start = start[static_cast<Eigen::Index>(i)];
+    Coordinates coordinates(parameters);
+    Misfit misfit(problem, options, progress);
+    misfit.replan(start);
+    misfit.rescaleLoss(start);
+    Eigen::VectorXd origin = start;
+    int iterations = 0, lossRounds = 0, planRounds = 0;
+    for (;;) {
+        const ReducedMisfit first = misfit.reduced(origin);
+        if (!first.ok) {
+            descent.minimum.values = origin;
+            descent.minimum.status = misfit.isCancelled() ? FitStatus::Cancelled : FitStatus::Failed;
+            descent.minimum.message = misfit.isCancelled() ? "cancelled" : misfit.failure();
+            break;
+        }
+        if (iterations == 0 && lossRounds + planRounds == 0) descent.startCost = first.cost();
+        coordinates.moveOrigin(origin);
+        coordinates.scaleBy(first.jacobian.colwise().norm());
+        descent.minimum = options.method == FitMethod::NelderMead
+                              ? nelderMead(misfit, coordinates, options)
+                              : leastSquares(misfit, coordinates, options, options.maxIterations - iterations);
+        iterations += descent.minimum.iterations;
+        if (descent.minimum.status == FitStatus::Cancelled || descent.minimum.status == FitStatus::IterationLimit) break;
+        origin = descent.minimum.values;
+        // The scatter and the substeps were judged at the start: judge them again here, and go on if they changed.
+        bool goesOn = false;
+        if (options.loss != RobustLoss::None && lossRounds++ < 5) {
+            const double before = misfit.lossScale();
+            misfit.rescaleLoss(origin);
+            goesOn = std::abs(misfit.lossScale() - before) > 0.02 * before;
+        }
+        if (planRounds < 3 && misfit.replan(origin)) {
+            ++planRounds;
+            goesOn = true;
+        }
+        if (!goesOn) break;
+    }
+    descent.minimum.iterations = iterations;
+    descent.plans = misfit.plans();
+    descent.simulations = misfit.simulations();
+    descent.failedSimulations = misfit.failedSimulations();
+    descent.lossScale = misfit.lossScale();
+    return descent;
+}
+
+/// Latin hypercube (McKay et al. 1979) over the bounds: start s of dimension i lies in its own stratum. The first
+/// start is the problem's own. Each depends on the seed and its index alone.
+std::vector<Eigen::VectorXd> startsOf(const FitProblem& problem, const FitOptions& options) {
+    const auto K = static_cast<Eigen::Index>(problem.parameters.size());
+    Eigen::VectorXd own(K);
+    for (Eigen::Index i = 0; i < K; ++i) own[i] = problem.parameters[static_cast<std::size_t>(i)].start;
+    std::vector<Eigen::VectorXd> starts{own};
+    const int further = options.starts - 1;
+    if (further <= 0) return starts;
+    starts.resize(static_cast<std::size_t>(options.starts), own);
+    const Coordinates coordinates(problem.parameters);
+    for (Eigen::Index i = 0; i < K; ++i) {
+        std::mt19937_64 random(options.seed * 0x9E3779B97F4A7C15ull + static_cast<std::uint64_t>(i));
+        std::vector<int> strata(static_cast<std::size_t>(further));
+        std::iota(strata.begin(), strata.end(), 0);
+        // Own shuffle and own uniform numbers: those of the standard library differ between implementations.
+        for (std::size_t s = strata.size(); s > 1; --s) std::swap(strata[s - 1], strata[random() % s]);
+        for (int s = 0; s < further; ++s) {
+            const double within = static_cast<double>(random() >> 11) * 0x1p-53;
+            const double fraction = (strata[static_cast<std::size_t>(s)] + within) / further;
+            starts[static_cast<std::size_t>(s) + 1][i] = coordinates.within(static_cast<int>(i), fraction);
+        }
+    }
+    return starts;
+}
+
+void addRemarks(const FitProblem& problem, const Descent& best, const Uncertainty& uncertainty, FitResult& result) {
+    for (std::size_t i = 0; i < problem.parameters.size(); ++i) {
+        const FitParameter& p = problem.parameters[i];
+        if (!result.estimates[i].atBound) continue;
+        const double value = result.values[static_cast<Eigen::Index>(i)];
+        result.remarks.push_back(fmt::format("{} rests at its {} bound {:.6g}", p.name,
+                                             value <= p.min ? "lower" : "upper", value));
+    }
+    result.remarks.insert(result.remarks.end(), uncertainty.remarks.begin(), uncertainty.remarks.end());
+    if (result.failedSimulations > 0) {
+        result.remarks.push_back(fmt::format("{} of {} simulations failed and were passed over",
+                                             result.failedSimulations, result.simulations));
+    }
+    for (std::size_t e = 0; e < best.plans.size(); ++e) {
+        if (best.plans[e].errorEstimate > 1e-3) {
+            result.remarks.push_back(
+                fmt::format("experiment '{}': the integration is only accurate to {:.2g} % of the output's range",
+                            problem.experiments[e].name, 100.0 * best.plans[e].errorEstimate));
+        }
+    }
+}
+
+/// Residuals, Jacobian and confidence at the best point found.
+void conclude(const FitProblem& problem, const FitOptions& options, const Descent& best, FitResult& result) {
+    result.status = best.minimum.status;
+    result.message = best.minimum.message;
+    result.values = best.minimum.values;
+    result.startCost = best.startCost;
+    result.iterations = best.minimum.iterations;
+    result.plans = best.plans;
+    // Not cancellable: what was found so far is to be told.
+    result.optimum = linearise(problem, result.values, true, best.plans, options.simulation);
+    result.cost = 0.5 * result.optimum.residuals.squaredNorm();
+
+    const auto K = static_cast<Eigen::Index>(problem.parameters.size());
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    Uncertainty uncertainty;
+    uncertainty.standardErrors = Eigen::VectorXd::Constant(K, nan);
+    uncertainty.covariance = uncertainty.correlation = Eigen::MatrixXd::Constant(K, K, nan);
+    if (result.optimum.ok && K > 0) {
+        std::vector<std::string> names;
+        for (const FitParameter& p : problem.parameters) {
+            names.push_back(p.experiment < 0 ? p.name
+                                             : fmt::format("{} of '{}'", p.name,
+                                                           problem.experiments[static_cast<std::size_t>(p.experiment)].name));
+        }
+        const auto freedom = static_cast<double>(result.optimum.residuals.size() - K);
+        double variance = freedom > 0 ? 2.0 * result.cost / freedom : 1.0;
+        if (options.loss != RobustLoss::None) variance = best.lossScale * best.lossScale;
+        if (problem.weightsAreNoise) variance = std::max(variance, 1.0);
+        const ReducedMisfit reduced = reduce(result.optimum.jacobian, result.optimum.residuals);
+        uncertainty = uncertaintyOf(reduced.jacobian, variance, names);
+    }
+    result.covariance = uncertainty.covariance;
+    result.correlation = uncertainty.correlation;
+    for (std::size_t i = 0; i < problem.parameters.size(); ++i) {
+        const FitParameter& p = problem.parameters[i];
+        const auto index = static_cast<Eigen::Index>(i);
+        FitEstimate estimate;
+        estimate.name = p.name;
+        estimate.unit = p.unit;
+        estimate.value = result.values[index];
+        estimate.standardError = uncertainty.standardErrors[index];
+        estimate.atBound = i < best.minimum.atBound.size() && best.minimum.atBound[i];
+        estimate.experiment = p.experiment;
+        result.estimates.push_back(std::move(estimate));
+    }
+    addRemarks(problem, best, uncertainty, result);
+}
+
+}  // namespace
+
+FitResult fit(const FitProblem& problem, const FitOptions& options, const Progress& progress) {
+    FitResult result;
+    const Diagnostics faults = validate(problem);
+    if (hasError(faults)) {
+        result.message = format(faults);
+        return result;
+    }
+    const std::vector<Eigen::VectorXd> starts = startsOf(problem, options);
+    std::vector<Descent> descents(starts.size());
+    if (problem.parameters.empty()) {
+        Descent& only = descents.front();
+        for (std::size_t e = 0; e < problem.experiments.size(); ++e) {
+            only.plans.push_back(planFor(problem, static_cast<int>(e), starts.front(), options.simulation));
+        }
+        only.minimum.values = starts.front();
+        only.minimum.status = FitStatus::Converged;
+        only.minimum.message = "no parameter is free";
+        conclude(problem, options, only, result);
+        result.startCost = result.cost;
+        if (!result.optimum.ok) {
+            result.status = FitStatus::Failed;
+            result.message = result.optimum.failure;
+        }
+        return result;
+    }
+    parallelFor(static_cast<int>(starts.size()), options.threads, [&](int index) {
+        const auto s = static_cast<std::size_t>(index);
+        if (progress.stopRequested() && index > 0) return;
+        descents[s] = descend(problem, starts[s], options, progress);
+    });
+    std::size_t best = 0;
+    for (std::size_t s = 0; s < descents.size(); ++s) {
+        if (descents[s].minimum.cost < descents[best].minimum.cost) best = s;
+        result.simulations += descents[s].simulations;
+        result.failedSimulations += descents[s].failedSimulations;
+    }
+    conclude(problem, options, descents[best], result);
+    result.startCost = descents.front().startCost;
+    if (progress.stopRequested()) {
+        result.status = FitStatus::Cancelled;
+        result.message = "cancelled; the best parameters so far are kept";
+    }
+    return result;
+}
+
+}  // namespace analogon

@@ -1,0 +1,204 @@
+#include <ceres/ceres.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "core/fit/misfit.hpp"
+
+namespace analogon {
+
+namespace {
+
+/// The reduced misfit as one residual block over one block per coordinate, so that single coordinates can be held.
+class ReducedCost final : public ceres::CostFunction {
+public:
+    ReducedCost(Misfit& misfit, const Coordinates& coordinates) : misfit_(misfit), coordinates_(coordinates) {
+        const int K = coordinates.size();
+        set_num_residuals(K + 1);
+        mutable_parameter_block_sizes()->assign(static_cast<std::size_t>(K), 1);
+    }
+
+    bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
+        const int K = coordinates_.size();
+        Eigen::VectorXd z(K);
+        for (int i = 0; i < K; ++i) z[i] = *parameters[i];
+        const Eigen::VectorXd values = coordinates_.values(z);
+        // Slopes at every trial step: nearly all are accepted, and then they are at hand.
+        const ReducedMisfit& reduced = misfit_.reduced(values);
+        if (!reduced.ok) return false;
+        Eigen::Map<Eigen::VectorXd>(residuals, K + 1) = reduced.residuals;
+        if (!jacobians) return true;
+        const Eigen::VectorXd slopes = coordinates_.slopes(values);
+        for (int i = 0; i < K; ++i) {
+            if (jacobians[i]) Eigen::Map<Eigen::VectorXd>(jacobians[i], K + 1) = slopes[i] * reduced.jacobian.col(i);
+        }
+        return true;
+    }
+
+private:
+    Misfit& misfit_;
+    const Coordinates& coordinates_;
+};
+
+/// Levenberg-Marquardt in coordinates z with bounds. Ceres cuts a step at a bound without turning it along the
+/// bound, which crawls; so coordinates that press against a bound are held (active set) and let go when the
+/// gradient pulls them back.
+class BoundedMinimiser final : public ceres::IterationCallback {
+public:
+    BoundedMinimiser(Misfit& misfit, Coordinates& coordinates, const FitOptions& options, int iterationsLeft)
+        : misfit_(misfit), coordinates_(coordinates), options_(options), iterationsLeft_(iterationsLeft) {
+        const int K = coordinates.size();
+        z_ = Eigen::VectorXd::Zero(K);
+        isHeld_.assign(static_cast<std::size_t>(K), false);
+    }
+
+    Minimum run() {
+        Minimum minimum;
+        const int rounds = 4 + 2 * coordinates_.size();
+        for (int round = 0; round < rounds; ++round) {
+            // A start on a bound with the slope outward would stop the first step at once.
+            const bool changed = updateHeld(round > 0);
+            if (round > 0 && !changed && !stoppedToHold_) break;
+            stoppedToHold_ = false;
+            if (!solve(minimum)) break;
+            if (minimum.status != FitStatus::Converged) break;
+        }
+        minimum.iterations = iterations_;
+        minimum.values = misfit_.hasBest() ? misfit_.best() : coordinates_.values(z_);
+        minimum.cost = misfit_.bestCost();
+        for (int i = 0; i < coordinates_.size(); ++i) minimum.atBound.push_back(boundSide(i) != 0);
+        return minimum;
+    }
+
+    ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
+        if (misfit_.isCancelled()) return ceres::SOLVER_ABORT;
+        misfit_.progress().report({"fit", fmt::format("iteration {}", iterations_ + summary.iteration),
+                                   std::min(1.0, (iterations_ + summary.iteration) / (double)options_.maxIterations),
+                                   -1.0});
+        if (summary.step_is_successful && summary.iteration > 0 && pressesOnNewBound()) {
+            stoppedToHold_ = true;
+            return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
+        }
+        return ceres::SOLVER_CONTINUE;
+    }
+
+private:
+    /// -1 at the lower bound, 1 at the upper, else 0.
+    int boundSide(int i) const {
+        if (z_[i] <= coordinates_.lower(i)) return -1;
+        return z_[i] >= coordinates_.upper(i) ? 1 : 0;
+    }
+
+    /// Gradient in z at the current point; empty when it could not be evaluated.
+    Eigen::VectorXd gradient() {
+        const Eigen::VectorXd values = coordinates_.values(z_);
+        const ReducedMisfit& reduced = misfit_.reduced(values);
+        if (!reduced.ok) return {};
+        return reduced.gradient().cwiseProduct(coordinates_.slopes(values));
+    }
+
+    bool pressesOnNewBound() {
+        const Eigen::VectorXd slope = gradient();
+        for (int i = 0; i < slope.size(); ++i) {
+            if (!isHeld_[static_cast<std::size_t>(i)] && boundSide(i) * slope[i] < 0.0) return true;
+        }
+        return false;
+    }
+
+    /// Holds what presses outward, lets go what is pulled inward. True when something changed.
+    bool updateHeld(bool mayRelease) {
+        const Eigen::VectorXd slope = gradient();
+        bool changed = false;
+        for (int i = 0; i < slope.size(); ++i) {
+            const auto index = static_cast<std::size_t>(i);
+            const bool presses = boundSide(i) != 0 && boundSide(i) * slope[i] < 0.0;
+            if (!isHeld_[index] && presses) {
+                isHeld_[index] = changed = true;
+            } else if (isHeld_[index] && mayRelease && boundSide(i) * slope[i] > 0.0 && !wasReleased(index)) {
+                isHeld_[index] = false;
+                released_.push_back(index);
+                changed = true;
+            }
+        }
+        return changed;
+    }
+
+    /// Each coordinate is let go twice at most: no endless round between two faces.
+    bool wasReleased(std::size_t i) const { return std::count(released_.begin(), released_.end(), i) >= 2; }
+
+    bool solve(Minimum& minimum) {
+        const int K = coordinates_.size();
+        if (std::all_of(isHeld_.begin(), isHeld_.end(), [](bool held) { return held; })) {
+            minimum.status = FitStatus::Converged;
+            minimum.message = "all parameters rest at their bounds";
+            return true;
+        }
+        ceres::Problem::Options ownership;
+        ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+        ReducedCost cost(misfit_, coordinates_);
+        ceres::Problem problem(ownership);
+        std::vector<double*> blocks;
+        for (int i = 0; i < K; ++i) blocks.push_back(&z_[i]);
+        problem.AddResidualBlock(&cost, nullptr, blocks);
+        for (int i = 0; i < K; ++i) {
+            if (isHeld_[static_cast<std::size_t>(i)]) {
+                problem.SetParameterBlockConstant(blocks[static_cast<std::size_t>(i)]);
+                continue;
+            }
+            if (std::isfinite(coordinates_.lower(i))) problem.SetParameterLowerBound(&z_[i], 0, coordinates_.lower(i));
+            if (std::isfinite(coordinates_.upper(i))) problem.SetParameterUpperBound(&z_[i], 0, coordinates_.upper(i));
+        }
+        ceres::Solver::Options options;
+        options.minimizer_type = ceres::TRUST_REGION;
+        options.trust_region_strategy_type = ceres::LEVENBERG_MARQUARDT;
+        options.linear_solver_type = ceres::DENSE_QR;
+        options.logging_type = ceres::SILENT;
+        options.num_threads = 1;
+        options.max_num_iterations = std::max(1, iterationsLeft_ - iterations_);
+        options.max_num_consecutive_invalid_steps = 60;
+        options.function_tolerance = options_.costTolerance;
+        options.parameter_tolerance = 1e-11;
+        options.gradient_tolerance = 1e-14;
+        options.update_state_every_iteration = true;
+        options.callbacks.push_back(this);
+        ceres::Solver::Summary summary;
+        ceres::Solve(options, &problem, &summary);
+        iterations_ += static_cast<int>(summary.iterations.empty() ? 0 : summary.iterations.size() - 1);
+        judge(summary, minimum);
+        return true;
+    }
+
+    void judge(const ceres::Solver::Summary& summary, Minimum& minimum) const {
+        if (misfit_.isCancelled()) {
+            minimum.status = FitStatus::Cancelled;
+            minimum.message = "cancelled; the best parameters so far are kept";
+        } else if (summary.termination_type == ceres::CONVERGENCE || summary.termination_type == ceres::USER_SUCCESS) {
+            minimum.status = FitStatus::Converged;
+            minimum.message = fmt::format("converged after {} iterations", iterations_);
+        } else if (summary.termination_type == ceres::NO_CONVERGENCE) {
+            minimum.status = FitStatus::IterationLimit;
+            minimum.message = fmt::format("stopped at the limit of {} iterations while the cost still fell", iterations_);
+        } else {
+            minimum.status = FitStatus::Failed;
+            minimum.message = misfit_.failure().empty() ? "no step lowers the cost" : misfit_.failure();
+        }
+    }
+
+    Misfit& misfit_;
+    Coordinates& coordinates_;
+    const FitOptions& options_;
+    int iterationsLeft_{}, iterations_{};
+    Eigen::VectorXd z_;
+    std::vector<bool> isHeld_;
+    std::vector<std::size_t> released_;
+    bool stoppedToHold_{};
+};
+
+}  // namespace
+
+Minimum leastSquares(Misfit& misfit, Coordinates& coordinates, const FitOptions& options, int iterationsLeft) {
+    return BoundedMinimiser(misfit, coordinates, options, iterationsLeft).run();
+}
+
+}  // namespace analogon

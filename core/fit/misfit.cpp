@@ -1,0 +1,131 @@
+#include "core/fit/misfit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace analogon {
+
+namespace {
+
+/// sqrt of rho(r^2) with the sign of r, and its derivative: least squares of it is the robust loss.
+struct Softened {
+    double value, slope;
+};
+
+Softened soften(RobustLoss loss, double r) {
+    constexpr double huber = 1.345, cauchy = 2.385;  // 95 % efficiency on Gaussian noise
+    const double size = std::abs(r), sign = r < 0.0 ? -1.0 : 1.0;
+    if (loss == RobustLoss::Huber && size > huber) {
+        const double value = std::sqrt(2.0 * huber * size - huber * huber);
+        return {sign * value, huber / value};
+    }
+    if (loss == RobustLoss::Cauchy && size > 1e-8) {
+        const double ratio = size / cauchy;
+        const double value = cauchy * std::sqrt(std::log1p(ratio * ratio));
+        return {sign * value, size / ((1.0 + ratio * ratio) * value)};
+    }
+    return {r, 1.0};
+}
+
+/// Work of a substep: an implicit one costs about three explicit ones.
+int workOf(const GridPlan& plan) { return (plan.method == GridMethod::Esdirk ? 3 : 1) * plan.substeps; }
+
+}  // namespace
+
+Misfit::Misfit(const FitProblem& problem, const FitOptions& options, const Progress& progress)
+    : problem_(problem), options_(options), progress_(progress) {}
+
+Linearisation Misfit::simulate(const Eigen::VectorXd& values, bool withJacobian) {
+    Linearisation result = linearise(problem_, values, withJacobian, plans_, options_.simulation, progress_);
+    ++simulations_;
+    if (!result.ok && !isCancelled()) {
+        ++failedSimulations_;
+        failure_ = result.failure;
+    }
+    return result;
+}
+
+void Misfit::note(const Eigen::VectorXd& values, double cost) {
+    if (cost < bestCost_) {
+        bestCost_ = cost;
+        best_ = values;
+    }
+}
+
+void Misfit::forgetBest() {
+    bestCost_ = std::numeric_limits<double>::infinity();
+    for (Point& point : memory_) point = {};
+}
+
+void Misfit::applyLoss(Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) const {
+    if (options_.loss == RobustLoss::None) return;
+    Eigen::VectorXd slopes(residuals.size());
+    for (Eigen::Index i = 0; i < residuals.size(); ++i) {
+        const Softened soft = soften(options_.loss, residuals[i] / lossScale_);
+        residuals[i] = soft.value * lossScale_;
+        slopes[i] = soft.slope;
+    }
+    if (jacobian) jacobian->array().colwise() *= slopes.array();
+}
+
+const ReducedMisfit& Misfit::reduced(const Eigen::VectorXd& values) {
+    for (std::size_t i = 0; i < memory_.size(); ++i) {
+        if (memory_[i].values.size() == values.size() && memory_[i].values == values) {
+            oldest_ = static_cast<int>(1 - i);
+            return memory_[i].reduced;
+        }
+    }
+    Point& point = memory_[static_cast<std::size_t>(oldest_)];
+    oldest_ = 1 - oldest_;
+    point.values = values;
+    Linearisation line = simulate(values, true);
+    if (!line.ok) {
+        point.reduced = {};
+        if (isCancelled()) point.values.resize(0);
+        return point.reduced;
+    }
+    applyLoss(line.residuals, &line.jacobian);
+    point.reduced = reduce(line.jacobian, line.residuals);
+    if (point.reduced.ok) note(values, point.reduced.cost());
+    return point.reduced;
+}
+
+double Misfit::cost(const Eigen::VectorXd& values) {
+    Linearisation line = simulate(values, false);
+    if (!line.ok) return std::numeric_limits<double>::infinity();
+    applyLoss(line.residuals, nullptr);
+    const double cost = 0.5 * line.residuals.squaredNorm();
+    note(values, cost);
+    return cost;
+}
+
+void Misfit::rescaleLoss(const Eigen::VectorXd& values) {
+    if (options_.loss == RobustLoss::None) return;
+    const Linearisation line = simulate(values, false);
+    if (!line.ok || line.residuals.size() == 0) return;
+    Eigen::VectorXd sizes = line.residuals.cwiseAbs();
+    const auto middle = sizes.data() + sizes.size() / 2;
+    std::nth_element(sizes.data(), middle, sizes.data() + sizes.size());
+    lossScale_ = std::max(*middle / 0.6745, 1e-300);
+    forgetBest();
+}
+
+bool Misfit::replan(const Eigen::VectorXd& values) {
+    if (options_.simulation.engine == Engine::Adaptive) return false;
+    std::vector<GridPlan> plans;
+    for (std::size_t e = 0; e < problem_.experiments.size(); ++e) {
+        plans.push_back(planFor(problem_, static_cast<int>(e), values, options_.simulation));
+    }
+    bool isFiner = plans_.size() != plans.size();
+    for (std::size_t e = 0; !isFiner && e < plans.size(); ++e) isFiner = workOf(plans[e]) > workOf(plans_[e]);
+    if (!isFiner) return false;
+    // Never coarser than before: costs must go on to compare.
+    for (std::size_t e = 0; e < plans.size() && e < plans_.size(); ++e) {
+        if (workOf(plans[e]) <= workOf(plans_[e])) plans[e] = plans_[e];
+    }
+    plans_ = std::move(plans);
+    forgetBest();
+    return true;
+}
+
+}  // namespace analogon

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/fit/coordinates.hpp"
+#include "core/fit/fit.hpp"
+#include "core/fit/reduced_misfit.hpp"
+
+namespace analogon {
+
+/// The misfit of a problem as its minimisers see it: counts what it costs, remembers the best point, survives
+/// failed simulations. One object a run; not shared between threads.
+class Misfit {
+public:
+    Misfit(const FitProblem& problem, const FitOptions& options, const Progress& progress);
+
+    /// Residuals and Jacobian (in own units) squeezed into a triangle; the last two points are remembered.
+    const ReducedMisfit& reduced(const Eigen::VectorXd& values);
+    /// Cost alone; +inf when the simulation failed.
+    double cost(const Eigen::VectorXd& values);
+
+    /// Grid plans for these parameters. True when they differ from those in force in a way that matters: finer, or
+    /// of another method.
+    bool replan(const Eigen::VectorXd& values);
+    /// Robust losses are measured against the scatter of the residuals here.
+    void rescaleLoss(const Eigen::VectorXd& values);
+
+    bool hasBest() const { return bestCost_ < std::numeric_limits<double>::infinity(); }
+    const Eigen::VectorXd& best() const { return best_; }
+    double bestCost() const { return bestCost_; }
+    /// Costs under another plan or loss do not compare.
+    void forgetBest();
+
+    const std::vector<GridPlan>& plans() const { return plans_; }
+    int simulations() const { return simulations_; }
+    int failedSimulations() const { return failedSimulations_; }
+    const std::string& failure() const { return failure_; }  // of the last simulation that failed
+    double lossScale() const { return lossScale_; }
+    bool isCancelled() const { return progress_.stopRequested(); }
+    const Progress& progress() const { return progress_; }
+
+private:
+    struct Point {
+        Eigen::VectorXd values;
+        ReducedMisfit reduced;
+    };
+    Linearisation simulate(const Eigen::VectorXd& values, bool withJacobian);
+    void applyLoss(Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) const;
+    void note(const Eigen::VectorXd& values, double cost);
+
+    const FitProblem& problem_;
+    const FitOptions& options_;
+    const Progress& progress_;
+    std::vector<GridPlan> plans_;
+    std::array<Point, 2> memory_;
+    int oldest_{};
+    Eigen::VectorXd best_;
+    double bestCost_{std::numeric_limits<double>::infinity()};
+    double lossScale_{1};
+    int simulations_{}, failedSimulations_{};
+    std::string failure_;
+};
+
+/// What one run of a minimiser came to.
+struct Minimum {
+    FitStatus status{FitStatus::Failed};
+    std::string message;
+    Eigen::VectorXd values;
+    double cost{std::numeric_limits<double>::infinity()};
+    std::vector<bool> atBound;
+    int iterations{};
+};
+
+/// Levenberg-Marquardt with an active set for the bounds.
+Minimum leastSquares(Misfit& misfit, Coordinates& coordinates, const FitOptions& options, int iterationsLeft);
+/// The simplex of Nelder and Mead (1965), the 2014 paper's method, restarted until it stays where it is.
+Minimum nelderMead(Misfit& misfit, Coordinates& coordinates, const FitOptions& options);
+
+}  // namespace analogon

@@ -1,0 +1,118 @@
+#include "core/fit/uncertainty.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/SVD>
+#include <cmath>
+#include <limits>
+
+namespace analogon {
+
+namespace {
+
+// Directions that change the residuals less than this, against the best determined one with all columns scaled to
+// the same length, are not determined.
+constexpr double kNull = 1e-7;
+
+/// A basis of the same space with as few parameters in each direction as can be: reduced row echelon form.
+Eigen::MatrixXd sparseBasis(Eigen::MatrixXd basis) {
+    std::vector<bool> isPivot(static_cast<std::size_t>(basis.cols()), false);
+    for (Eigen::Index r = 0; r < basis.rows(); ++r) {
+        Eigen::Index pivotRow = r, pivot = 0;
+        basis.bottomRows(basis.rows() - r).cwiseAbs().maxCoeff(&pivotRow, &pivot);
+        pivotRow += r;
+        if (std::abs(basis(pivotRow, pivot)) < 1e-12) break;
+        basis.row(r).swap(basis.row(pivotRow));
+        basis.row(r) /= basis(r, pivot);
+        for (Eigen::Index i = 0; i < basis.rows(); ++i) {
+            if (i != r) basis.row(i) -= basis(i, pivot) * basis.row(r);
+        }
+    }
+    return basis;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (i > 0) text += i + 1 == names.size() ? " and " : ", ";
+        text += names[i];
+    }
+    return text;
+}
+
+}  // namespace
+
+Uncertainty uncertaintyOf(const Eigen::MatrixXd& jacobian, double variance, const std::vector<std::string>& names) {
+    const Eigen::Index K = jacobian.cols();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    Uncertainty result;
+    result.standardErrors = Eigen::VectorXd::Constant(K, nan);
+    result.covariance = Eigen::MatrixXd::Constant(K, K, nan);
+    result.correlation = Eigen::MatrixXd::Constant(K, K, nan);
+
+    std::vector<Eigen::Index> seen;  // parameters that change anything at all
+    const Eigen::VectorXd lengths = jacobian.colwise().norm();
+    for (Eigen::Index i = 0; i < K; ++i) {
+        if (lengths[i] > 0.0 && std::isfinite(lengths[i])) {
+            seen.push_back(i);
+        } else {
+            result.remarks.push_back(
+                fmt::format("{} has no influence on what was measured here: fix it", names[static_cast<std::size_t>(i)]));
+        }
+    }
+    if (seen.empty()) return result;
+
+    const auto count = static_cast<Eigen::Index>(seen.size());
+    Eigen::MatrixXd scaled(jacobian.rows(), count);
+    for (Eigen::Index j = 0; j < count; ++j) {
+        const Eigen::Index i = seen[static_cast<std::size_t>(j)];
+        scaled.col(j) = jacobian.col(i) / lengths[i];
+    }
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeFullV);
+    const Eigen::VectorXd& sigma = svd.singularValues();
+    Eigen::Index rank = 0;
+    while (rank < sigma.size() && sigma[rank] > kNull * sigma[0]) ++rank;
+
+    const Eigen::MatrixXd determined = svd.matrixV().leftCols(rank);
+    const Eigen::MatrixXd inverse = determined * sigma.head(rank).cwiseAbs2().cwiseInverse().asDiagonal() *
+                                    determined.transpose();
+    const Eigen::MatrixXd null = svd.matrixV().rightCols(count - rank);
+    for (Eigen::Index a = 0; a < count; ++a) {
+        if (null.cols() > 0 && null.row(a).norm() > 1e-3) continue;
+        for (Eigen::Index b = 0; b < count; ++b) {
+            if (null.cols() > 0 && null.row(b).norm() > 1e-3) continue;
+            const Eigen::Index i = seen[static_cast<std::size_t>(a)], j = seen[static_cast<std::size_t>(b)];
+            result.covariance(i, j) = variance * inverse(a, b) / (lengths[i] * lengths[j]);
+            result.correlation(i, j) = inverse(a, b) / std::sqrt(inverse(a, a) * inverse(b, b));
+        }
+        const Eigen::Index i = seen[static_cast<std::size_t>(a)];
+        result.standardErrors[i] = std::sqrt(result.covariance(i, i));
+    }
+
+    if (null.cols() > 0) {
+        const Eigen::MatrixXd basis = sparseBasis(null.transpose());
+        for (Eigen::Index r = 0; r < basis.rows(); ++r) {
+            std::vector<std::string> involved;
+            for (Eigen::Index a = 0; a < count; ++a) {
+                if (std::abs(basis(r, a)) > 0.02 * basis.row(r).cwiseAbs().maxCoeff()) {
+                    involved.push_back(names[static_cast<std::size_t>(seen[static_cast<std::size_t>(a)])]);
+                }
+            }
+            result.remarks.push_back(involved.size() > 1
+                                         ? listed(involved) + " cannot be told apart from these data: fix one"
+                                         : listed(involved) + " is not determined by these data: fix it");
+        }
+    }
+    for (Eigen::Index i = 0; i < K; ++i) {
+        for (Eigen::Index j = i + 1; j < K; ++j) {
+            if (std::abs(result.correlation(i, j)) > 0.9995) {
+                result.remarks.push_back(fmt::format("{} and {} can hardly be told apart (correlation {:.5f})",
+                                                     names[static_cast<std::size_t>(i)],
+                                                     names[static_cast<std::size_t>(j)], result.correlation(i, j)));
+            }
+        }
+    }
+    return result;
+}
+
+}  // namespace analogon

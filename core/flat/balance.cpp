@@ -1,0 +1,104 @@
+#include "core/flat/balance.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <map>
+
+namespace analogon {
+
+void Balance::checkConnectors() {
+    struct Count {
+        int potentials{}, flows{};
+        const Instance* first{};
+    };
+    std::map<const Instance*, Count> counts;  // by connector instance; the first of each class is judged
+    std::map<std::string, const Instance*> judged;
+    for (const VariableRecord& record : work_.records) {
+        const Instance* connector = nullptr;
+        for (const Instance* i = record.owner; i && !i->isComponent(); i = i->parent)
+            if (i->isConnector()) connector = i;
+        if (!connector) continue;
+        if (judged.try_emplace(connector->className, connector).first->second != connector) continue;
+        const VariableId id{static_cast<std::uint32_t>(&record - work_.records.data())};
+        if (!work_.isContinuous(id) || record.causality != syntax::Causality::None) continue;
+        Count& count = counts[connector];
+        ++(work_.variable(id).isFlow ? count.flows : count.potentials);
+    }
+    for (const auto& [connector, count] : counts)
+        if (count.flows != count.potentials)
+            work_.messages.error(
+                fmt::format("the connector {} has {} flow and {} potential variable{}", connector->className,
+                            count.flows, count.potentials, count.potentials == 1 ? "" : "s"),
+                connector->definition->definition->nameSpan, "a connector needs as many flow variables as others");
+}
+
+/// Local number of unknowns: variables declared in the component, and the inputs and flows of what it holds.
+/// What is supplied from outside, its own inputs and flows, counts as an equation.
+void Balance::countUnknowns() {
+    for (std::uint32_t i = 0; i < work_.records.size(); ++i) {
+        const VariableId id{i};
+        const VariableRecord& record = work_.records[i];
+        if (!work_.isContinuous(id)) continue;
+        const auto& element = record.owner->elements[record.element];
+        if (!element.firstVariable.valid() || element.firstVariable.value + record.position != i) continue;
+        Instance& component = record.owner->component();
+        ++component.unknowns;
+        const bool isFlow = work_.variable(id).isFlow && (&component != record.owner || element.type.isConnector);
+        const bool isOpenInput = record.causality == syntax::Causality::Input && !record.isBound && !record.isProtected;
+        if (!isFlow && !isOpenInput) continue;
+        ++component.equations;
+        if (component.parent) ++component.parent->component().unknowns;
+    }
+}
+
+/// Variables of the component itself that stand in no equation, for the hint.
+std::string Balance::unused(const Instance& component) const {
+    std::vector<bool> used(work_.records.size());
+    std::vector<ExpressionId> roots;
+    for (const FlatEquation& equation : work_.model.equations) {
+        roots.push_back(equation.left);
+        roots.push_back(equation.right);
+    }
+    for (ExpressionId leaf : work_.pool.leaves(roots)) used[work_.pool[leaf].variable.value] = true;
+    std::string names;
+    for (std::uint32_t i = 0; i < work_.records.size(); ++i) {
+        if (used[i] || !work_.isContinuous({i}) || &work_.records[i].owner->component() != &component) continue;
+        if (work_.records[i].causality == syntax::Causality::Input && !component.parent) continue;
+        if (names.size() > 100) return names + ", …";
+        names += (names.empty() ? "" : ", ") + work_.variable({i}).name;
+    }
+    return names;
+}
+
+void Balance::checkComponents() {
+    for (const Instance* component : work_.components) {
+        const int surplus = component->equations - component->unknowns;
+        if (surplus == 0 || !reported_.insert(component->className).second) continue;
+        const std::string names = surplus < 0 ? unused(*component) : std::string();
+        const std::string hint = surplus > 0     ? "remove an equation or a value, or add a variable"
+                                 : names.empty() ? "add an equation, or connect what is open"
+                                                 : fmt::format("no equation holds {}", names);
+        work_.messages.error(
+            fmt::format("{} has {} equation{} for {} unknown{}: {} too {}", component->label(), component->equations,
+                        component->equations == 1 ? "" : "s", component->unknowns, component->unknowns == 1 ? "" : "s",
+                        std::abs(surplus), surplus > 0 ? "many" : "few"),
+            component->declared, hint);
+    }
+}
+
+void Balance::check() {
+    countUnknowns();
+    checkComponents();
+    if (work_.messages.hasErrors()) return;
+    std::size_t unknowns = 0;
+    for (const FlatVariable& variable : work_.model.variables)
+        if (variable.variability == FlatVariability::Continuous && variable.causality != FlatCausality::Input)
+            ++unknowns;
+    if (work_.model.equations.size() != unknowns)
+        work_.messages.error(fmt::format("model '{}' has {} equations for {} unknowns", work_.model.name,
+                                         work_.model.equations.size(), unknowns),
+                             work_.components.front()->declared);
+}
+
+}  // namespace analogon

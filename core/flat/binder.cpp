@@ -1,0 +1,313 @@
+#include "core/flat/binder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/flat/translator.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr std::array textAttributes{"unit", "displayUnit", "quantity"};
+constexpr std::array attributeNames{"unit",  "displayUnit", "quantity", "min",        "max",
+                                    "start", "fixed",       "nominal",  "stateSelect"};
+
+bool isText(std::string_view name) {
+    return std::find(textAttributes.begin(), textAttributes.end(), name) != textAttributes.end();
+}
+
+bool isParameterElement(const Flattening& work, const Element& element) {
+    return element.count() > 0 && work.variable(element.firstVariable).variability != FlatVariability::Continuous;
+}
+
+}  // namespace
+
+void Binder::bindAll() {
+    // der(der(x)) may add variables on the way; they are bound already.
+    for (std::size_t i = 0; i < work_.records.size() && !work_.messages.full(); ++i) {
+        const VariableRecord record = work_.records[i];
+        Element& element = record.owner->elements[record.element];
+        if (!element.firstVariable.valid() || element.firstVariable.value + record.position != i) continue;
+        if (record.position != 0) continue;
+        if (isParameterElement(work_, element)) {
+            bindParameter(*record.owner, element);
+        } else if (element.binding == Element::Binding::Pending) {
+            element.binding = Element::Binding::Done;
+            bindAttributes(*record.owner, element);
+            bindValue(*record.owner, element);
+        }
+    }
+}
+
+bool Binder::bindParameter(Instance& instance, Element& element) {
+    if (element.binding == Element::Binding::Done) return true;
+    if (element.binding == Element::Binding::Busy) {
+        work_.messages.error(
+            fmt::format("the value of '{}' depends on itself", instance.memberName(element.declaration->name)),
+            element.declaration->nameSpan, "break the circle of parameters");
+        return false;
+    }
+    element.binding = Element::Binding::Busy;
+    bindAttributes(instance, element);
+    const bool succeeded = bindValue(instance, element);
+    element.binding = Element::Binding::Done;
+    return succeeded;
+}
+
+/// The value of a modification, of the size of the element; `each` repeats a scalar.
+std::optional<Value> Binder::valueFor(Instance& instance, Element& element, const Modifier& modifier,
+                                      const std::string& what) {
+    auto value = work_.translator->translate(modifier.value);
+    if (!value) return std::nullopt;
+    const Span& span = modifier.value.expression->span;
+    if (modifier.each && value->isScalar() && !element.dimensions.empty()) {
+        value->elements.assign(element.count(), value->elements.empty() ? ExpressionId{} : value->elements[0]);
+        if (value->type == FlatType::String) {
+            value->texts.assign(element.count(), value->texts[0]);
+            value->elements.clear();
+        }
+        value->dimensions = element.dimensions;
+    }
+    const bool bothEmpty = value->size() == 0 && element.count() == 0;
+    if (value->dimensions == element.dimensions || bothEmpty) return value;
+    const std::string name = instance.memberName(element.declaration->name);
+    const std::string hint =
+        value->isScalar() ? "write 'each' before the attribute, or fill(value, size)" : std::string();
+    work_.messages.error(
+        fmt::format("{} of '{}' has size {}, the variable {}", what, name,
+                    value->isScalar() ? std::string("of a single value") : sizeText(value->dimensions),
+                    element.dimensions.empty() ? std::string("is a single value") : sizeText(element.dimensions)),
+        span, hint);
+    return std::nullopt;
+}
+
+bool Binder::fitsType(const Element& element, const Value& value) const {
+    if (element.type.enumeration) return value.enumeration == element.type.className;
+    if (!value.enumeration.empty()) return false;
+    if (value.type == element.type.builtin) return true;
+    return element.type.builtin == FlatType::Real && value.type == FlatType::Integer;
+}
+
+// ------------------------------------------------------------------------------------------------- attributes
+
+void Binder::bindAttributes(Instance& instance, Element& element) {
+    for (const auto& [name, modifier] : element.modifier.children) {
+        if (std::find(attributeNames.begin(), attributeNames.end(), name) == attributeNames.end()) {
+            std::vector<std::string> names(attributeNames.begin(), attributeNames.end());
+            work_.messages.error(fmt::format("'{}' is not an attribute of {}", name, typeName(element.type.builtin)),
+                                 modifier.span, didYouMean(name, names));
+            continue;
+        }
+        if (modifier.value.valid() && element.count() > 0) setAttribute(instance, element, name, modifier);
+    }
+}
+
+void Binder::setAttribute(Instance& instance, Element& element, const std::string& name, const Modifier& modifier) {
+    if (name == "stateSelect") return setStateSelect(element, modifier);
+    const auto value = valueFor(instance, element, modifier, fmt::format("the attribute '{}'", name));
+    if (!value) return;
+    const Span& span = modifier.value.expression->span;
+    const bool isBoolean = name == "fixed";
+    const bool sameAsVariable = name == "start" || name == "min" || name == "max";
+    const bool fits = isText(name)     ? value->type == FlatType::String
+                      : isBoolean      ? value->type == FlatType::Boolean
+                      : sameAsVariable ? fitsType(element, *value)
+                                       : value->isNumeric();
+    if (!fits) {
+        work_.messages.error(fmt::format("the attribute '{}' of '{}' cannot be {}", name,
+                                         instance.memberName(element.declaration->name), typeText(*value)),
+                             span);
+        return;
+    }
+    for (std::size_t k = 0; k < element.count(); ++k) {
+        const std::size_t id = element.firstVariable.value + k;
+        if (isText(name)) {
+            setText(work_.model.variables[id], name, *value, k);
+        } else if (name == "start") {
+            if (value->type == FlatType::String)
+                work_.model.variables[id].text = value->texts[k];
+            else
+                work_.model.variables[id].start = value->elements[k];
+        } else if (const auto number = work_.translator->constantNumber(value->elements[k], false)) {
+            setNumber(work_.model.variables[id], name, *number);
+        } else {
+            work_.messages.error(fmt::format("the attribute '{}' must be known before the simulation", name), span);
+            return;
+        }
+    }
+}
+
+void Binder::setText(FlatVariable& variable, const std::string& name, const Value& value, std::size_t at) {
+    if (name == "unit")
+        variable.unit = value.texts[at];
+    else if (name == "displayUnit")
+        variable.displayUnit = value.texts[at];
+    else
+        variable.quantity = value.texts[at];
+}
+
+void Binder::setNumber(FlatVariable& variable, const std::string& name, double number) {
+    if (name == "min")
+        variable.min = number;
+    else if (name == "max")
+        variable.max = number;
+    else if (name == "nominal")
+        variable.nominal = number;
+    else
+        variable.isFixed = number != 0;
+}
+
+void Binder::setStateSelect(Element& element, const Modifier& modifier) {
+    static const std::vector<std::string> names{"never", "avoid", "default", "prefer", "always"};
+    const syntax::Expression& expression = *modifier.value.expression;
+    const auto& parts = expression.name.parts;
+    if (expression.kind == syntax::Expression::Kind::Reference && parts.size() == 2 &&
+        parts[0].identifier == "StateSelect") {
+        const auto found = std::find(names.begin(), names.end(), parts[1].identifier);
+        if (found != names.end()) {
+            for (std::size_t k = 0; k < element.count(); ++k)
+                work_.model.variables[element.firstVariable.value + k].stateSelect =
+                    static_cast<StateSelect>(found - names.begin());
+            return;
+        }
+    }
+    work_.messages.error("'stateSelect' is one of StateSelect.never, avoid, default, prefer, always", expression.span);
+}
+
+// ----------------------------------------------------------------------------------------------------- values
+
+bool Binder::bindValue(Instance& instance, Element& element) {
+    const Modifier& modifier = element.modifier;
+    if (!modifier.value.valid() || element.count() == 0) return true;
+    const std::string name = instance.memberName(element.declaration->name);
+    const auto value = valueFor(instance, element, modifier, "the value");
+    if (!value) return false;
+    const Span& span = modifier.value.expression->span;
+    if (!fitsType(element, *value)) {
+        const std::string expected = element.type.enumeration ? element.type.className : typeName(element.type.builtin);
+        work_.messages.error(fmt::format("'{}' is {} and cannot be {}", name, expected, typeText(*value)), span);
+        return false;
+    }
+    const bool isParameter = isParameterElement(work_, element);
+    const auto& scoped = modifier.value;
+    for (std::size_t k = 0; k < element.count(); ++k) {
+        const VariableId id{static_cast<std::uint32_t>(element.firstVariable.value + k)};
+        FlatVariable& variable = work_.model.variables[id.value];
+        // One element of { … } is the place to edit, when there is one.
+        const syntax::Expression* place = scoped.expression;
+        std::vector<int> path = scoped.subscripts;
+        if (!modifier.each) {
+            const std::vector<int> own = subscriptsOf(k, element.dimensions);
+            path.insert(path.end(), own.begin(), own.end());
+        }
+        for (int i : path) {
+            const bool isList = place->kind == syntax::Expression::Kind::Array && place->iterators.empty();
+            if (!isList || static_cast<std::size_t>(i) > place->operands.size()) break;
+            place = &place->operands[static_cast<std::size_t>(i) - 1];
+        }
+        variable.value = place->span;
+        if (value->type == FlatType::String) {
+            if (!isParameter) {
+                work_.messages.error(fmt::format("the String '{}' must be a parameter or a constant", name), span);
+                return false;
+            }
+            variable.text = value->texts[k];
+        } else if (isParameter) {
+            variable.binding = value->elements[k];
+        } else {
+            work_.records[id.value].isBound = true;
+            Instance& component = instance.component();
+            work_.model.equations.push_back(
+                {work_.pool.variable(id), value->elements[k], place->span, component.name, false});
+            ++component.equations;
+        }
+    }
+    return true;
+}
+
+// ----------------------------------------------------------------------------------------------------- checks
+
+void Binder::checkParameter(VariableId id) {
+    FlatVariable& variable = work_.model.variables[id.value];
+    if (variable.type == FlatType::String) return;
+    if (!variable.binding.valid()) {
+        if (variable.start.valid() && variable.variability == FlatVariability::Parameter) {
+            variable.binding = variable.start;
+            return;
+        }
+        const bool isConstant = variable.variability == FlatVariability::Constant;
+        work_.messages.error(
+            fmt::format("the {} '{}' has no value", isConstant ? "constant" : "parameter", variable.name),
+            variable.declared, fmt::format("give it one, for example {} = 1", work_.elementOf(id).declaration->name));
+        return;
+    }
+    bool usesTime = false;
+    VariableId used;
+    work_.pool.evaluate(variable.binding, [&](const ExpressionNode& leaf) {
+        if (leaf.operation != Operation::Variable && leaf.operation != Operation::Derivative)
+            usesTime = true;
+        else if (work_.isContinuous(leaf.variable))
+            used = leaf.variable;
+        return 0.0;
+    });
+    if (!used.valid() && !usesTime) return;
+    work_.messages.error(
+        fmt::format("the parameter '{}' depends on {}, which changes while the model runs", variable.name,
+                    used.valid() ? fmt::format("'{}'", work_.variable(used).name) : "time"),
+        variable.value, "remove the prefix 'parameter', or use parameters only");
+}
+
+void Binder::checkParameters() {
+    auto& variables = work_.model.variables;
+    for (std::uint32_t i = 0; i < variables.size() && !work_.messages.full(); ++i)
+        if (variables[i].variability != FlatVariability::Continuous) checkParameter({i});
+    if (work_.messages.hasErrors()) return;
+
+    // Depth-first search with an explicit stack; a parameter met again while it is open closes a circle.
+    enum class Mark : char { New, Open, Closed };
+    std::vector<Mark> marks(variables.size(), Mark::New);
+    struct Frame {
+        VariableId id;
+        std::vector<ExpressionId> uses;
+        std::size_t next{};
+    };
+    std::vector<Frame> stack;
+    const auto open = [&](VariableId id) {
+        marks[id.value] = Mark::Open;
+        Frame frame{id, {}, 0};
+        const ExpressionId binding = variables[id.value].binding;
+        if (binding.valid()) frame.uses = work_.pool.leaves(std::span(&binding, 1));
+        stack.push_back(std::move(frame));
+    };
+    for (std::uint32_t i = 0; i < variables.size(); ++i) {
+        if (variables[i].variability == FlatVariability::Continuous || marks[i] != Mark::New) continue;
+        open({i});
+        while (!stack.empty()) {
+            Frame& top = stack.back();
+            if (top.next == top.uses.size()) {
+                marks[top.id.value] = Mark::Closed;
+                stack.pop_back();
+                continue;
+            }
+            const VariableId used = work_.pool[top.uses[top.next++]].variable;
+            if (marks[used.value] == Mark::New) {
+                open(used);
+            } else if (marks[used.value] == Mark::Open) {
+                std::string circle = variables[used.value].name;
+                auto from = std::find_if(stack.begin(), stack.end(), [&](const Frame& f) { return f.id == used; });
+                const Span span = variables[used.value].value;
+                for (++from; from != stack.end() && circle.size() < 500; ++from)
+                    circle += " -> " + variables[from->id.value].name;
+                work_.messages.error(
+                    fmt::format("parameters depend on each other: {} -> {}", circle, variables[used.value].name), span,
+                    "give one of them a value of its own");
+                return;
+            }
+        }
+    }
+}
+
+}  // namespace analogon

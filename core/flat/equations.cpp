@@ -1,0 +1,184 @@
+#include "core/flat/equations.hpp"
+
+#include <fmt/format.h>
+
+#include "core/flat/connections.hpp"
+#include "core/flat/instantiator.hpp"
+#include "core/flat/translator.hpp"
+
+namespace analogon {
+
+using Kind = syntax::Equation::Kind;
+
+void Equations::translateAll() {
+    for (std::size_t c = 0; c < work_.components.size() && !work_.messages.full(); ++c) {
+        Instance& instance = *work_.components[c];
+        for (const Instance::Part& part : instance.parts)
+            for (const auto& section : part.definition->equationSections) {
+                found_.clear();
+                isInitial_ = section.isInitial;
+                translate(section.equations, {&instance, part.lexical});
+                auto& target = isInitial_ ? work_.model.initialEquations : work_.model.equations;
+                target.insert(target.end(), found_.begin(), found_.end());
+                if (!isInitial_) instance.equations += static_cast<int>(found_.size());
+            }
+    }
+}
+
+void Equations::translate(const List& equations, const Scope& scope) {
+    for (const auto& equation : equations) {
+        if (work_.messages.full()) return;
+        translate(equation, scope);
+    }
+}
+
+void Equations::translate(const syntax::Equation& equation, const Scope& scope) {
+    switch (equation.kind) {
+        case Kind::Equality:
+            return equality(equation, scope);
+        case Kind::Connect:
+            if (isInitial_ || isSwitched_) {
+                work_.messages.error(isInitial_ ? "'connect' cannot stand in an initial equation section"
+                                                : "'connect' needs a condition that is known before the simulation",
+                                     equation.span);
+                return;
+            }
+            return work_.connections->connect(equation, scope);
+        case Kind::If:
+            return conditional(equation, scope);
+        case Kind::For:
+            return loop(equation, 0, scope);
+        case Kind::Call:
+            return assertion(equation, scope);
+    }
+}
+
+void Equations::equality(const syntax::Equation& equation, const Scope& scope) {
+    const auto left = work_.translator->translate(equation.left, scope);
+    const auto right = work_.translator->translate(equation.right, scope);
+    if (!left || !right) return;
+    const bool bothNumeric = left->isNumeric() && right->isNumeric();
+    const bool sameType = left->type == right->type && left->enumeration == right->enumeration;
+    if ((!bothNumeric && !sameType) || left->type == FlatType::String) {
+        work_.messages.error(
+            fmt::format("the sides of the equation differ in type: {} and {}", typeText(*left), typeText(*right)),
+            equation.span);
+        return;
+    }
+    if (left->dimensions != right->dimensions) {
+        work_.messages.error(
+            fmt::format("the sides of the equation differ in size: {} and {}", typeText(*left), typeText(*right)),
+            equation.span);
+        return;
+    }
+    for (std::size_t k = 0; k < left->elements.size(); ++k)
+        found_.push_back({left->elements[k], right->elements[k], equation.span, scope.instance->name, false});
+}
+
+/// Branches on parameters are chosen now; from the first condition that changes with time on, the rest is switched.
+void Equations::conditional(const syntax::Equation& equation, const Scope& scope) {
+    for (std::size_t b = 0; b < equation.branches.size(); ++b) {
+        const auto& branch = equation.branches[b];
+        if (!branch.condition) return translate(branch.body, scope);
+        const auto condition = work_.translator->translate(*branch.condition, scope);
+        if (!condition) return;
+        if (condition->type != FlatType::Boolean || !condition->isScalar()) {
+            work_.messages.error(fmt::format("the condition after 'if' must be Boolean, not {}", typeText(*condition)),
+                                 branch.condition->span);
+            return;
+        }
+        if (!work_.translator->isParametric(condition->elements[0])) return switched(equation, b, scope);
+        const auto holds = work_.translator->constantBoolean(*branch.condition, scope, "the condition of 'if'");
+        if (!holds) return;
+        if (*holds) return translate(branch.body, scope);
+    }
+}
+
+/// Branches with the same number of equations: 0 = if c then l1 - r1 else l2 - r2, each in turn (section 8.3.4).
+void Equations::switched(const syntax::Equation& equation, std::size_t firstOpen, const Scope& scope) {
+    std::vector<FlatEquation> outside;
+    outside.swap(found_);
+    const bool wasSwitched = std::exchange(isSwitched_, true);
+    std::vector<ExpressionId> conditions;
+    std::vector<std::vector<FlatEquation>> bodies;
+    bool hasElse = false;
+    for (std::size_t b = firstOpen; b < equation.branches.size(); ++b) {
+        const auto& branch = equation.branches[b];
+        hasElse = !branch.condition;
+        if (branch.condition) {
+            const auto condition = work_.translator->translate(*branch.condition, scope);
+            conditions.push_back(condition && !condition->elements.empty() ? condition->elements[0]
+                                                                           : work_.pool.constant(0));
+        }
+        translate(branch.body, scope);
+        bodies.push_back(std::exchange(found_, {}));
+    }
+    isSwitched_ = wasSwitched;
+    found_ = std::move(outside);
+    bool sameCount = hasElse;
+    for (const auto& body : bodies) sameCount = sameCount && body.size() == bodies[0].size();
+    if (!sameCount) {
+        work_.messages.error("an 'if' on a condition that changes needs as many equations in each branch",
+                             equation.span, "add the missing branch, or use a parameter in the condition");
+        return;
+    }
+    ExpressionPool& pool = work_.pool;
+    for (std::size_t k = 0; k < bodies[0].size(); ++k) {
+        bool sameLeft = true;
+        for (const auto& body : bodies) sameLeft = sameLeft && body[k].left == bodies[0][k].left;
+        const auto side = [&](const FlatEquation& e) { return sameLeft ? e.right : pool.subtract(e.left, e.right); };
+        ExpressionId chosen = side(bodies.back()[k]);
+        for (std::size_t b = conditions.size(); b-- > 0;)
+            chosen = pool.ifThenElse(conditions[b], side(bodies[b][k]), chosen);
+        FlatEquation merged = bodies[0][k];
+        merged.left = sameLeft ? merged.left : pool.constant(0);
+        merged.right = chosen;
+        found_.push_back(merged);
+    }
+}
+
+void Equations::loop(const syntax::Equation& equation, std::size_t iterator, const Scope& scope) {
+    if (iterator == equation.iterators.size()) return translate(equation.body, scope);
+    const auto& [name, range, span] = equation.iterators[iterator];
+    const auto values = work_.translator->range(range, scope);
+    if (!values) return;
+    for (int k = 1; k <= values->dimensions[0] && !work_.messages.full(); ++k) {
+        if (++turns_ > 4 * Instantiator::mostScalars) {
+            work_.messages.error(
+                fmt::format("the loops run through more than {} values", 4 * Instantiator::mostScalars), span);
+            return;
+        }
+        Value value = Value::scalar(values->type, values->elements[static_cast<std::size_t>(k) - 1]);
+        value.enumeration = values->enumeration;
+        work_.translator->pushIterator(name, std::move(value));
+        loop(equation, iterator + 1, scope);
+        work_.translator->popIterator();
+    }
+}
+
+/// assert on parameters is checked here; one on variables only warns that it is not.
+void Equations::assertion(const syntax::Equation& equation, const Scope& scope) {
+    const syntax::Expression& call = equation.left;
+    const std::string name = call.name.text();
+    if (name != "assert" || call.operands.size() < 2) {
+        work_.messages.error(fmt::format("'{}' cannot stand as an equation", name), equation.span,
+                             "write: left = right");
+        return;
+    }
+    const auto condition = work_.translator->translate(call.operands[0], scope);
+    const auto text = work_.translator->translate(call.operands[1], scope);
+    if (!condition || !text) return;
+    if (condition->type != FlatType::Boolean || !condition->isScalar() || text->type != FlatType::String) {
+        work_.messages.error("'assert' needs a Boolean condition and a text", equation.span);
+        return;
+    }
+    const auto holds = work_.translator->constantNumber(condition->elements[0], false);
+    if (!holds)
+        work_.messages.warning("the assertion is not checked: its condition changes while the model runs",
+                               equation.span);
+    else if (*holds == 0)
+        work_.messages.error(fmt::format("{}: {}", scope.instance->label(), text->texts[0]), equation.span,
+                             "the condition of 'assert' does not hold");
+}
+
+}  // namespace analogon

@@ -1,0 +1,51 @@
+#include <fmt/format.h>
+
+#include "core/flat/balance.hpp"
+#include "core/flat/binder.hpp"
+#include "core/flat/connections.hpp"
+#include "core/flat/equations.hpp"
+#include "core/flat/flat_model.hpp"
+#include "core/flat/flattening.hpp"
+#include "core/flat/instantiator.hpp"
+
+namespace analogon {
+namespace {
+
+void listComponents(Flattening& work) {
+    for (const Instance* component : work.components) {
+        if (!component->parent) continue;
+        work.model.components.push_back(
+            {component->name, component->className, component->unknowns, component->equations, component->declared});
+    }
+}
+
+/// The steps in order; each needs the one before without faults.
+void run(Flattening& work, const LibraryClass& definition) {
+    if (!work.instantiator->instantiate(definition) || work.messages.hasErrors()) return;
+    work.binder->bindAll();
+    Balance balance(work);
+    balance.checkConnectors();
+    Equations(work).translateAll();
+    if (work.messages.hasErrors()) return;
+    work.binder->checkParameters();
+    work.connections->addEquations();
+    work.connections->listSets();
+    if (work.messages.hasErrors()) return;
+    balance.check();
+    listComponents(work);
+}
+
+}  // namespace
+
+Outcome<FlatModel> flatten(const Library& library, std::string_view className) {
+    const LibraryClass* definition = library.find(className);
+    if (!definition)
+        return error(fmt::format("the class '{}' is not known", className), {}, didYouMean(className, library.names()));
+    Flattening work(library);
+    work.model.name = definition->qualifiedName;
+    run(work, *definition);
+    if (work.messages.hasErrors()) return work.messages.diagnostics();
+    return Outcome<FlatModel>(std::move(work.model), work.messages.diagnostics());
+}
+
+}  // namespace analogon

@@ -1,0 +1,229 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/flat/instantiator.hpp"
+
+/// Collecting the elements of a class and its bases (Modelica 3.6, chapter 7).
+namespace analogon {
+namespace {
+
+bool isBuiltinName(const syntax::Name& name) {
+    if (name.parts.size() != 1) return false;
+    const std::string& n = name.parts[0].identifier;
+    return n == "Real" || n == "Integer" || n == "Boolean" || n == "String";
+}
+
+std::string qualifiedOrEmpty(const LibraryClass* definition) { return definition ? definition->qualifiedName : ""; }
+
+}  // namespace
+
+/// A base class is looked up among the class's own nested classes, then outward from where the class stands; not
+/// among what it inherits (section 5.6.1).
+const LibraryClass* Instantiator::lookupBase(const syntax::Name& name, const LibraryClass& derived) {
+    if (!name.absolute && !name.parts.empty() &&
+        work_.library.find(fmt::format("{}.{}", derived.qualifiedName, name.parts[0].identifier)))
+        return work_.lookup(name, &derived);
+    if (const LibraryClass* viaImport = work_.library.lookup(name, derived.scope)) return viaImport;
+    for (const auto& import : derived.definition->imports)
+        if (import.wildcard || (!name.parts.empty() && import.alias == name.parts[0].identifier))
+            return work_.lookup(name, &derived);
+    return nullptr;
+}
+
+void Instantiator::collectBase(Instance& instance, const LibraryClass& derived, const syntax::Name& baseName,
+                               const Modifier& modifications, const Modifier& outer, bool isProtected,
+                               std::vector<const LibraryClass*>& path) {
+    if (isBuiltinName(baseName)) {
+        work_.messages.error(fmt::format("'{}' has components or equations and cannot extend {}", derived.qualifiedName,
+                                         baseName.text()),
+                             baseName.span);
+        return;
+    }
+    const LibraryClass* base = lookupBase(baseName, derived);
+    if (!base) {
+        work_.messages.error(
+            fmt::format("the base class '{}' of '{}' is not known", baseName.text(), derived.qualifiedName),
+            baseName.span, didYouMean(baseName.text(), work_.library.names()));
+        return;
+    }
+    collect(instance, *base, merge(outer, modifications, work_.messages), isProtected, path);
+    checkModifiedNames(instance, modifications, false);
+}
+
+void Instantiator::collect(Instance& instance, const LibraryClass& definition, const Modifier& outer, bool isProtected,
+                           std::vector<const LibraryClass*>& path) {
+    const syntax::ClassDefinition& tree = *definition.definition;
+    if (std::find(path.begin(), path.end(), &definition) != path.end()) {
+        std::string chain = definition.qualifiedName;
+        const auto first = std::find(path.begin(), path.end(), &definition);
+        for (auto step = first + 1; step != path.end(); ++step) chain += " extends " + (*step)->qualifiedName;
+        work_.messages.error(fmt::format("'{}' extends itself: {} extends {}", definition.qualifiedName, chain,
+                                         definition.qualifiedName),
+                             tree.nameSpan, "remove one of the extends clauses");
+        return;
+    }
+    if (static_cast<int>(path.size()) >= deepest) {
+        work_.messages.error(fmt::format("'{}' inherits through more than {} classes", instance.className, deepest),
+                             tree.nameSpan);
+        return;
+    }
+    path.push_back(&definition);
+    work_.keepSource(tree);
+    const Scope scope{&instance, &definition};
+    collectClasses(instance, definition, outer);
+    if (tree.isShort && !tree.isEnumeration) {
+        const Scope outside{&instance, work_.library.find(definition.scope)};
+        collectBase(instance, definition, tree.shortBase, modifierOf(tree.shortModifications, outside, work_.messages),
+                    outer, isProtected, path);
+    }
+    for (const auto& base : tree.bases)
+        collectBase(instance, definition, base.base, modifierOf(base.modifications, scope, work_.messages), outer,
+                    isProtected || base.isProtected, path);
+    for (const auto& component : tree.components) addElement(instance, definition, component, outer, isProtected);
+    instance.parts.push_back({&tree, &definition});
+    path.pop_back();
+}
+
+/// Local classes and their redeclarations; what is further out was entered before and wins.
+void Instantiator::collectClasses(Instance& instance, const LibraryClass& definition, const Modifier& outer) {
+    for (const auto& [name, modifier] : outer.children)
+        if (modifier.redeclaredClass)
+            instance.redeclared.try_emplace(
+                name,
+                Instance::RedeclaredClass{modifier.redeclaredClass, modifier.redeclareScope, modifier.span, nullptr});
+    for (const auto& local : definition.definition->classes) {
+        if (local->isRedeclare) {
+            const LibraryClass* known = work_.library.find(fmt::format("{}.{}", definition.qualifiedName, local->name));
+            if (known)
+                instance.redeclared.try_emplace(
+                    local->name,
+                    Instance::RedeclaredClass{local.get(), {&instance, &definition}, local->nameSpan, known});
+            continue;
+        }
+        instance.localClasses.try_emplace(local->name, Instance::LocalClass{local.get(), &definition});
+    }
+}
+
+void Instantiator::addElement(Instance& instance, const LibraryClass& definition, const syntax::Component& component,
+                              const Modifier& outer, bool isProtected) {
+    const Scope scope{&instance, &definition};
+    Modifier own = modifierOf(component.modifications, scope, work_.messages);
+    if (component.binding) {
+        own.value = {&*component.binding, scope, {}, {}};
+        own.span = component.nameSpan;
+    }
+    own.isFinal = component.isFinal;
+
+    Element element;
+    element.declaration = element.original = &component;
+    element.owner = &definition;
+    element.scope = scope;
+    element.isProtected = component.isProtected || isProtected;
+    const Modifier* modification = outer.find(component.name);
+    if (modification && modification->redeclaredClass) modification = nullptr;
+    if (modification && modification->redeclaredComponent) {
+        element.modifier = std::move(own);
+        element = redeclare(instance, std::move(element), component, *modification);
+    } else {
+        element.modifier =
+            modification ? merge(*modification, std::move(own), work_.messages, component.name) : std::move(own);
+    }
+
+    if (Element* existing = instance.find(component.name))
+        replaceElement(instance, *existing, std::move(element));
+    else if (component.isRedeclare)
+        work_.messages.error(
+            fmt::format("'{}' redeclares '{}', which it does not inherit", definition.qualifiedName, component.name),
+            component.nameSpan, didYouMean(component.name, instance.elementNames()));
+    else
+        instance.elements.push_back(std::move(element));
+}
+
+/// `x(redeclare T x(…))`: the new declaration with the modifications of the constraining clause below its own.
+Element Instantiator::redeclare(Instance& instance, Element element, const syntax::Component& component,
+                                const Modifier& modification) {
+    const syntax::Component& replacement = *modification.redeclaredComponent;
+    if (!component.isReplaceable) {
+        work_.messages.error(fmt::format("'{}' of '{}' is not replaceable", component.name, instance.className),
+                             modification.span, "declare it 'replaceable' or modify it without 'redeclare'");
+        return element;
+    }
+    Modifier constraint = component.constrainedBy
+                              ? modifierOf(component.constrainedByModifications, element.scope, work_.messages)
+                              : modifierOf(component.modifications, element.scope, work_.messages);
+    Modifier fresh = modifierOf(replacement.modifications, modification.redeclareScope, work_.messages);
+    if (replacement.binding) fresh.value = {&*replacement.binding, modification.redeclareScope, {}, {}};
+    fresh.isFinal = replacement.isFinal;
+    fresh.span = modification.span;
+    Modifier outer = modification;
+    outer.redeclaredComponent = nullptr;
+    element.modifier = merge(outer, merge(fresh, std::move(constraint), work_.messages, component.name), work_.messages,
+                             component.name);
+    element.declaration = &replacement;
+    element.scope = modification.redeclareScope;
+    return element;
+}
+
+/// An element of the same name is there already: a redeclaration, the same declaration inherited twice, or a fault.
+void Instantiator::replaceElement(Instance& instance, Element& existing, Element element) {
+    const syntax::Component& component = *element.original;
+    const syntax::Component& known = *existing.original;
+    if (&known == &component) return;
+    if (component.isRedeclare) {
+        if (!known.isReplaceable) {
+            work_.messages.error(
+                fmt::format("'{}' of '{}' is not replaceable", component.name, existing.owner->qualifiedName),
+                component.nameSpan);
+            return;
+        }
+        const Scope knownScope{&instance, existing.owner};
+        Modifier constraint = modifierOf(known.constrainedBy ? known.constrainedByModifications : known.modifications,
+                                         knownScope, work_.messages);
+        element.modifier = merge(element.modifier, std::move(constraint), work_.messages, component.name);
+        element.original = existing.original;
+        existing = std::move(element);
+        return;
+    }
+    if (existing.owner == element.owner) {
+        work_.messages.error(
+            fmt::format("'{}' is declared twice in '{}'", component.name, element.owner->qualifiedName),
+            component.nameSpan, "rename or remove one of the two declarations");
+        return;
+    }
+    if (known.span.text() == component.span.text() && known.type.text() == component.type.text()) return;
+    work_.messages.error(fmt::format("'{}' is declared in '{}' and, differently, in '{}'", component.name,
+                                     existing.owner->qualifiedName, element.owner->qualifiedName),
+                         component.nameSpan, "rename it, or declare it 'redeclare'");
+}
+
+/// Each name that is modified must be an element; from outside, a public one.
+void Instantiator::checkModifiedNames(Instance& instance, const Modifier& modifier, bool fromOutside) {
+    for (const auto& [name, child] : modifier.children) {
+        const Element* element = instance.find(name);
+        const auto local = instance.localClasses.find(name);
+        if (element) {
+            if (child.redeclaredClass)
+                work_.messages.error(fmt::format("'{}' of '{}' is a component, not a class", name, instance.className),
+                                     child.span, "redeclare it as a component: redeclare TYPE NAME");
+            else if (fromOutside && element->isProtected)
+                work_.messages.error(
+                    fmt::format("'{}' of '{}' is protected and cannot be modified", name, instance.className),
+                    child.span);
+        } else if (local != instance.localClasses.end()) {
+            if (!child.redeclaredClass)
+                work_.messages.error(
+                    fmt::format("'{}' of '{}' is a class; it can only be redeclared", name, instance.className),
+                    child.span);
+            else if (!local->second.definition->isReplaceable)
+                work_.messages.error(fmt::format("the class '{}' of '{}' is not replaceable", name,
+                                                 qualifiedOrEmpty(local->second.lexical)),
+                                     child.span);
+        } else {
+            work_.messages.error(fmt::format("'{}' has no element '{}' to modify", instance.className, name),
+                                 child.span, didYouMean(name, instance.elementNames()));
+        }
+    }
+}
+
+}  // namespace analogon

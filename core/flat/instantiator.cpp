@@ -1,0 +1,335 @@
+#include "core/flat/instantiator.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/flat/translator.hpp"
+
+namespace analogon {
+namespace {
+
+using Restriction = syntax::ClassDefinition::Restriction;
+
+bool mayBeComponent(Restriction restriction) {
+    return restriction == Restriction::Model || restriction == Restriction::Block ||
+           restriction == Restriction::Class || restriction == Restriction::Connector ||
+           restriction == Restriction::Record;
+}
+
+FlatVariability flatVariability(syntax::Variability variability) {
+    switch (variability) {
+        case syntax::Variability::Constant:
+            return FlatVariability::Constant;
+        case syntax::Variability::Parameter:
+            return FlatVariability::Parameter;
+        default:
+            return FlatVariability::Continuous;
+    }
+}
+
+syntax::Variability stronger(syntax::Variability a, syntax::Variability b) {
+    return static_cast<int>(a) > static_cast<int>(b) ? a : b;
+}
+
+/// Whether variables of the instance are the model's own interface: it is the model or a public connector of it.
+bool isInterface(const Instance& instance) {
+    for (const Instance* i = &instance; i->parent; i = i->parent)
+        if (i->isComponent() || i->isProtected) return false;
+    return true;
+}
+
+std::string scalarName(const std::string& name, std::size_t element, const std::vector<int>& dimensions) {
+    return dimensions.empty() ? name : name + sizeText(subscriptsOf(element, dimensions));
+}
+
+}  // namespace
+
+Instance& Instantiator::newInstance(const LibraryClass& definition, std::string name, Instance* parent) {
+    Instance& instance = work_.instances.emplace_back();
+    instance.name = std::move(name);
+    instance.parent = parent;
+    instance.definition = &definition;
+    instance.className = definition.qualifiedName;
+    instance.restriction = definition.definition->restriction;
+    instance.depth = parent ? parent->depth + 1 : 0;
+    return instance;
+}
+
+Instance* Instantiator::instantiate(const LibraryClass& definition) {
+    const syntax::ClassDefinition& tree = *definition.definition;
+    const bool isModel = tree.restriction == Restriction::Model || tree.restriction == Restriction::Block ||
+                         tree.restriction == Restriction::Class;
+    if (!isModel) {
+        work_.messages.error(
+            fmt::format("'{}' is a {}, not a model", definition.qualifiedName, keyword(tree.restriction)),
+            tree.nameSpan, "choose a model or block");
+        return nullptr;
+    }
+    if (tree.isPartial) {
+        work_.messages.error(fmt::format("'{}' is partial and cannot be used as it stands", definition.qualifiedName),
+                             tree.nameSpan, "use a model that extends it");
+        return nullptr;
+    }
+    Instance& root = newInstance(definition, {}, nullptr);
+    root.declared = tree.nameSpan;
+    std::vector<const LibraryClass*> path;
+    collect(root, definition, {}, false, path);
+    completeAll(root);
+    return &root;
+}
+
+void Instantiator::completeAll(Instance& root) {
+    struct Frame {
+        Instance* instance;
+        std::size_t next;
+    };
+    std::vector<Frame> stack{{&root, 0}};
+    work_.components.push_back(&root);
+    while (!stack.empty() && !work_.messages.full()) {
+        Frame& frame = stack.back();
+        if (frame.next == frame.instance->elements.size()) {
+            stack.pop_back();
+            continue;
+        }
+        Instance& instance = *frame.instance;
+        Element& element = instance.elements[frame.next++];
+        if (!ensure(instance, element)) continue;
+        for (auto item = element.items.rbegin(); item != element.items.rend(); ++item) stack.push_back({*item, 0});
+        for (Instance* item : element.items)
+            if (item->isComponent()) work_.components.push_back(item);
+    }
+}
+
+bool Instantiator::ensure(Instance& instance, Element& element) {
+    switch (element.state) {
+        case Element::State::Ready:
+            return true;
+        case Element::State::Failed:
+            return false;
+        case Element::State::Busy:
+            work_.messages.error(fmt::format("the size or condition of '{}' depends on itself",
+                                             instance.memberName(element.declaration->name)),
+                                 element.declaration->nameSpan);
+            element.state = Element::State::Failed;
+            return false;
+        case Element::State::Pending:
+            break;
+    }
+    element.state = Element::State::Busy;
+    const bool succeeded = prepare(instance, element) && element.state == Element::State::Busy;
+    element.state = succeeded ? Element::State::Ready : Element::State::Failed;
+    return succeeded;
+}
+
+bool Instantiator::prepare(Instance& instance, Element& element) {
+    const syntax::Component& declaration = *element.declaration;
+    const syntax::Component& original = *element.original;
+    if (original.isInner || original.isOuter) {
+        work_.messages.error(
+            fmt::format("'{}' of '{}' is not supported", original.isInner ? "inner" : "outer", declaration.name),
+            declaration.nameSpan, "pass the value as a parameter or connect it");
+        return false;
+    }
+    if (const auto& condition = declaration.condition ? declaration.condition : original.condition) {
+        const Scope& scope = declaration.condition ? element.scope : Scope{&instance, element.owner};
+        const auto enabled = work_.translator->constantBoolean(
+            *condition, scope, fmt::format("the condition of '{}'", instance.memberName(declaration.name)));
+        if (!enabled) return false;
+        element.isDisabled = !*enabled;
+        if (element.isDisabled) return true;
+    }
+    auto type = resolveType(declaration.type, element.scope);
+    if (!type) return false;
+    element.type = std::move(*type);
+    if (element.isVariable() && declaration.causality != syntax::Causality::None &&
+        element.type.causality != syntax::Causality::None && element.type.causality != declaration.causality) {
+        work_.messages.error(fmt::format("'{}' is declared as input and as output", declaration.name),
+                             declaration.nameSpan);
+        return false;
+    }
+    auto dimensions = dimensionsOf(instance, element);
+    if (!dimensions) return false;
+    element.dimensions = std::move(*dimensions);
+    if (!reserve(element, instance.memberName(declaration.name))) return false;
+    element.modifier = merge(element.modifier, std::move(element.type.modifier), work_.messages, declaration.name);
+    if (element.isVariable()) {
+        createVariables(instance, element);
+        return true;
+    }
+    return createItems(instance, element);
+}
+
+std::optional<std::vector<int>> Instantiator::dimensionsOf(Instance& instance, Element& element) {
+    std::vector<ResolvedType::Dimension> sizes;
+    const bool ownSizes = !element.declaration->dimensions.empty() || element.declaration == element.original;
+    const Scope scope = ownSizes ? element.scope : Scope{&instance, element.owner};
+    for (const auto& size : (ownSizes ? element.declaration : element.original)->dimensions)
+        sizes.push_back({&size, scope});
+    sizes.insert(sizes.end(), element.type.dimensions.begin(), element.type.dimensions.end());
+
+    std::vector<int> result;
+    for (const auto& [size, sizeScope] : sizes) {
+        const std::string name = instance.memberName(element.declaration->name);
+        if (size->kind != syntax::Expression::Kind::Colon) {
+            const auto extent =
+                work_.translator->constantInteger(*size, sizeScope, fmt::format("the size of '{}'", name));
+            if (!extent) return std::nullopt;
+            if (*extent < 0) {
+                work_.messages.error(fmt::format("the size of '{}' is negative ({})", name, *extent), size->span);
+                return std::nullopt;
+            }
+            result.push_back(*extent);
+            continue;
+        }
+        // The size is that of the value.
+        if (!element.modifier.value.valid()) {
+            work_.messages.error(fmt::format("'{}' has an open size and no value that would give it", name), size->span,
+                                 "write the size or a value");
+            return std::nullopt;
+        }
+        const auto value = work_.translator->translate(element.modifier.value);
+        if (!value) return std::nullopt;
+        if (value->dimensions.size() <= result.size()) {
+            work_.messages.error(fmt::format("the value of '{}' has {} dimensions, its declaration more", name,
+                                             value->dimensions.size()),
+                                 element.modifier.value.expression->span);
+            return std::nullopt;
+        }
+        result.push_back(value->dimensions[result.size()]);
+    }
+    return result;
+}
+
+bool Instantiator::reserve(const Element& element, const std::string& name) {
+    std::size_t count = 1;
+    for (int d : element.dimensions) {
+        count *= static_cast<std::size_t>(d);
+        if (count == 0 || count > mostScalars) break;
+    }
+    std::size_t& total = element.isVariable() ? scalars_ : items_;
+    const std::size_t most = element.isVariable() ? mostScalars : mostComponents;
+    total += std::min(count, most + 1);
+    if (total <= most) return true;
+    work_.messages.error(fmt::format("'{}{}' makes the model larger than {} {}", name, sizeText(element.dimensions),
+                                     most, element.isVariable() ? "scalars" : "components"),
+                         element.declaration->nameSpan, "use a smaller size");
+    return false;
+}
+
+void Instantiator::createVariables(Instance& instance, Element& element) {
+    const syntax::Component& declaration = *element.declaration;
+    const syntax::Component& original = *element.original;
+    FlatVariable variable;
+    variable.type = element.type.builtin;
+    variable.variability =
+        flatVariability(stronger(instance.variability, stronger(declaration.variability, original.variability)));
+    variable.isFlow = declaration.isFlow || original.isFlow || instance.isFlow;
+    variable.isProtected = element.isProtected || instance.isProtected;
+    variable.isFinal = element.modifier.isFinal || instance.isFinal;
+    variable.description = declaration.description;
+    variable.declared = declaration.nameSpan;
+
+    VariableRecord record;
+    record.owner = &instance;
+    record.element = static_cast<std::uint32_t>(&element - instance.elements.data());
+    record.isProtected = variable.isProtected;
+    record.causality = instance.causality;
+    for (auto causality : {element.type.causality, original.causality, declaration.causality})
+        if (causality != syntax::Causality::None) record.causality = causality;
+    if (isInterface(instance) && !variable.isProtected && record.causality != syntax::Causality::None)
+        variable.causality =
+            record.causality == syntax::Causality::Input ? FlatCausality::Input : FlatCausality::Output;
+
+    const std::string name = instance.memberName(declaration.name);
+    element.firstVariable = {static_cast<std::uint32_t>(work_.model.variables.size())};
+    for (std::size_t k = 0; k < element.count(); ++k) {
+        variable.name = scalarName(name, k, element.dimensions);
+        record.position = static_cast<std::uint32_t>(k);
+        work_.model.byName.emplace(variable.name, VariableId{static_cast<std::uint32_t>(work_.model.variables.size())});
+        work_.model.variables.push_back(variable);
+        work_.records.push_back(record);
+    }
+}
+
+/// A class whose instance holds an instance of itself would never end.
+bool Instantiator::mayContain(const Instance& instance, const Element& element) {
+    const std::string name = instance.memberName(element.declaration->name);
+    const LibraryClass* type = element.type.definition;
+    const syntax::ClassDefinition& tree = *type->definition;
+    for (const Instance* outer = &instance; outer; outer = outer->parent) {
+        if (outer->definition != type) continue;
+        std::string chain = type->qualifiedName;
+        std::vector<const Instance*> path;
+        for (const Instance* i = &instance; i != outer; i = i->parent) path.push_back(i);
+        for (auto i = path.rbegin(); i != path.rend(); ++i) chain += " has " + (*i)->className;
+        work_.messages.error(
+            fmt::format("'{}' contains itself: {} has {}", type->qualifiedName, chain, type->qualifiedName),
+            element.declaration->nameSpan, "break the circle of components");
+        return false;
+    }
+    if (instance.depth >= deepest) {
+        work_.messages.error(fmt::format("components are nested more than {} deep at '{}'", deepest, name),
+                             element.declaration->nameSpan);
+        return false;
+    }
+    if (!mayBeComponent(tree.restriction)) {
+        work_.messages.error(
+            fmt::format("'{}' cannot be a component: {} is a {}", name, type->qualifiedName, keyword(tree.restriction)),
+            element.declaration->typeSpan);
+        return false;
+    }
+    if (tree.isPartial) {
+        work_.messages.error(fmt::format("'{}' is of the partial class {}", name, type->qualifiedName),
+                             element.declaration->typeSpan, "use a class that extends it, or redeclare the component");
+        return false;
+    }
+    return true;
+}
+
+bool Instantiator::createItems(Instance& instance, Element& element) {
+    if (!mayContain(instance, element)) return false;
+    const syntax::Component& declaration = *element.declaration;
+    const syntax::Component& original = *element.original;
+    const std::string name = instance.memberName(declaration.name);
+    for (std::size_t k = 0; k < element.count() && !work_.messages.full(); ++k) {
+        Instance& item = newInstance(*element.type.definition, scalarName(name, k, element.dimensions), &instance);
+        item.className = element.type.className;
+        if (element.type.isConnector) item.restriction = Restriction::Connector;
+        item.declared = declaration.nameSpan;
+        item.variability = stronger(instance.variability, stronger(declaration.variability, original.variability));
+        item.causality = instance.causality;
+        for (auto causality : {element.type.causality, original.causality, declaration.causality})
+            if (causality != syntax::Causality::None) item.causality = causality;
+        item.isFlow = instance.isFlow || declaration.isFlow || original.isFlow;
+        item.isProtected = instance.isProtected || element.isProtected;
+        item.isFinal = instance.isFinal || element.modifier.isFinal;
+        const Modifier modifier = element.dimensions.empty()
+                                      ? element.modifier
+                                      : elementModifier(element.modifier, subscriptsOf(k, element.dimensions));
+        std::vector<const LibraryClass*> path;
+        collect(item, *element.type.definition, modifier, false, path);
+        checkModifiedNames(item, modifier, true);
+        if (modifier.value.valid()) bindRecord(item, modifier);
+        element.items.push_back(&item);
+    }
+    return true;
+}
+
+/// `Limits l = other`: each member takes the member of the same name.
+void Instantiator::bindRecord(Instance& record, const Modifier& modifier) {
+    if (!record.isRecord()) {
+        work_.messages.error(fmt::format("'{}' is a {}; it has no value that could be set with '='", record.name,
+                                         keyword(record.restriction)),
+                             modifier.value.expression->span, "modify its parameters: name(parameter = value)");
+        return;
+    }
+    for (Element& member : record.elements) {
+        if (const Modifier* own = modifier.find(member.declaration->name); own && own->value.valid()) continue;
+        member.modifier.value = modifier.value;
+        member.modifier.value.members.push_back(member.declaration->name);
+        member.modifier.each = modifier.each;
+    }
+}
+
+}  // namespace analogon

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+
+#include "core/flat/flattening.hpp"
+
+namespace analogon {
+
+/// Turns classes into instances: inheritance, modification, redeclaration, conditional components, arrays.
+/// Elements are collected first and instantiated on demand, since a size or a condition may use parameters
+/// that are declared later.
+class Instantiator {
+public:
+    static constexpr std::size_t mostScalars = 1'000'000;
+    static constexpr std::size_t mostComponents = 100'000;
+    static constexpr int deepest = 100;  // of nesting and of inheritance
+
+    explicit Instantiator(Flattening& work) : work_(work) {}
+
+    /// The model itself with all below it; null when it cannot be instantiated.
+    Instance* instantiate(const LibraryClass& definition);
+    /// Makes sizes, variables and items of an element known; false when they are faulty (reported).
+    bool ensure(Instance& instance, Element& element);
+
+private:
+    struct Collection;  // one walk over an inheritance path
+
+    void completeAll(Instance& root);
+    Instance& newInstance(const LibraryClass& definition, std::string name, Instance* parent);
+
+    void collect(Instance& instance, const LibraryClass& definition, const Modifier& outer, bool isProtected,
+                 std::vector<const LibraryClass*>& path);
+    void collectBase(Instance& instance, const LibraryClass& derived, const syntax::Name& baseName,
+                     const Modifier& modifications, const Modifier& outer, bool isProtected,
+                     std::vector<const LibraryClass*>& path);
+    void collectClasses(Instance& instance, const LibraryClass& definition, const Modifier& outer);
+    void addElement(Instance& instance, const LibraryClass& definition, const syntax::Component& component,
+                    const Modifier& outer, bool isProtected);
+    void replaceElement(Instance& instance, Element& existing, Element element);
+    Element redeclare(Instance& instance, Element element, const syntax::Component& component,
+                      const Modifier& modification);
+    const LibraryClass* lookupBase(const syntax::Name& name, const LibraryClass& derived);
+    void checkModifiedNames(Instance& instance, const Modifier& modifier, bool fromOutside);
+
+    bool prepare(Instance& instance, Element& element);
+    std::optional<std::vector<int>> dimensionsOf(Instance& instance, Element& element);
+    bool reserve(const Element& element, const std::string& name);
+    void createVariables(Instance& instance, Element& element);
+    bool createItems(Instance& instance, Element& element);
+    bool mayContain(const Instance& instance, const Element& element);
+    void bindRecord(Instance& record, const Modifier& modifier);
+
+    std::optional<ResolvedType> resolveType(const syntax::Name& name, const Scope& scope, int depth = 0);
+    std::optional<ResolvedType> followClass(const LibraryClass& definition, const Scope& scope, int depth);
+    std::optional<ResolvedType> followShort(const syntax::ClassDefinition& definition, const Scope& scope,
+                                            const std::string& className, int depth);
+
+    Flattening& work_;
+    std::size_t scalars_{};
+    std::size_t items_{};  // components, connectors and records
+};
+
+}  // namespace analogon

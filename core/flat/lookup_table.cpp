@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "core/flat/expression.hpp"
+
+namespace analogon {
+namespace {
+
+/// Node slopes which keep the cubic monotone on each piece (Fritsch & Carlson 1980, section 4).
+std::vector<double> monotoneSlopes(const std::vector<double>& x, const std::vector<double>& y) {
+    const std::size_t n = x.size();
+    std::vector<double> slopes(n, 0.0);
+    if (n < 2) return slopes;
+    std::vector<double> secants(n - 1);
+    for (std::size_t i = 0; i + 1 < n; ++i) secants[i] = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
+    slopes.front() = secants.front();
+    slopes.back() = secants.back();
+    for (std::size_t i = 1; i + 1 < n; ++i)
+        slopes[i] = secants[i - 1] * secants[i] <= 0 ? 0.0 : 0.5 * (secants[i - 1] + secants[i]);
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+        if (secants[i] == 0) {
+            slopes[i] = slopes[i + 1] = 0;
+            continue;
+        }
+        const double alpha = slopes[i] / secants[i];
+        const double beta = slopes[i + 1] / secants[i];
+        const double radius = std::hypot(alpha, beta);
+        if (radius > 3) {
+            slopes[i] = 3 / radius * alpha * secants[i];
+            slopes[i + 1] = 3 / radius * beta * secants[i];
+        }
+    }
+    return slopes;
+}
+
+/// n-th derivative at h of c0 + c1 h + c2 h^2 + c3 h^3.
+double cubicDerivative(double c0, double c1, double c2, double c3, double h, int n) {
+    switch (n) {
+        case 0:
+            return c0 + h * (c1 + h * (c2 + h * c3));
+        case 1:
+            return c1 + h * (2 * c2 + h * 3 * c3);
+        case 2:
+            return 2 * c2 + 6 * c3 * h;
+        case 3:
+            return 6 * c3;
+        default:
+            return 0;
+    }
+}
+
+/// n-th derivative of the interpolant.
+double interpolate(const LookupTable& table, double at, int n) {
+    const auto& x = table.x;
+    const auto& y = table.y;
+    assert(!x.empty() && x.size() == y.size());
+    if (x.size() == 1) return n == 0 ? y.front() : 0.0;
+
+    const auto upper = std::upper_bound(x.begin() + 1, x.end() - 1, at);
+    const auto i = static_cast<std::size_t>(upper - x.begin()) - 1;
+    const double width = x[i + 1] - x[i];
+    const double secant = (y[i + 1] - y[i]) / width;
+    if (table.interpolation == LookupTable::Interpolation::Linear)
+        return cubicDerivative(y[i], secant, 0, 0, at - x[i], n);
+
+    std::vector<double> computed;
+    if (table.slopes.size() != x.size()) computed = monotoneSlopes(x, y);
+    const auto& slopes = computed.empty() ? table.slopes : computed;
+    if (at < x.front()) return cubicDerivative(y.front(), slopes.front(), 0, 0, at - x.front(), n);
+    if (at > x.back()) return cubicDerivative(y.back(), slopes.back(), 0, 0, at - x.back(), n);
+    const double c2 = (3 * secant - 2 * slopes[i] - slopes[i + 1]) / width;
+    const double c3 = (slopes[i] + slopes[i + 1] - 2 * secant) / (width * width);
+    return cubicDerivative(y[i], slopes[i], c2, c3, at - x[i], n);
+}
+
+}  // namespace
+
+void LookupTable::prepare() {
+    if (interpolation == Interpolation::MonotoneCubic) slopes = monotoneSlopes(x, y);
+}
+
+double LookupTable::value(double at) const { return interpolate(*this, at, order); }
+double LookupTable::derivative(double at) const { return interpolate(*this, at, order + 1); }
+
+}  // namespace analogon

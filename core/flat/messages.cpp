@@ -1,0 +1,25 @@
+#include "core/flat/messages.hpp"
+
+#include <fmt/format.h>
+
+namespace analogon {
+
+bool Messages::isNew(const std::string& message, const Span& span) {
+    return !full() && seen_.emplace(message, span.source, span.begin).second;
+}
+
+void Messages::error(const std::string& message, const Span& span, const std::string& hint) {
+    hasErrors_ = true;
+    if (isNew(message, span)) diagnostics_.push_back(analogon::error(message, span, hint));
+}
+
+void Messages::warning(const std::string& message, const Span& span, const std::string& hint) {
+    if (isNew(message, span)) diagnostics_.push_back(analogon::warning(message, span, hint));
+}
+
+std::string didYouMean(std::string_view misspelt, const std::vector<std::string>& names) {
+    const std::string best = suggestion(misspelt, names);
+    return best.empty() ? best : fmt::format("did you mean '{}'?", best);
+}
+
+}  // namespace analogon

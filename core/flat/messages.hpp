@@ -1,0 +1,36 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <tuple>
+
+#include "core/base/diagnostic.hpp"
+
+namespace analogon {
+
+/// Faults found while flattening: each once per place (an array of components repeats its faults), and no more
+/// than a person reads.
+class Messages {
+public:
+    static constexpr std::size_t most = 20;
+
+    void error(const std::string& message, const Span& span, const std::string& hint = {});
+    void warning(const std::string& message, const Span& span, const std::string& hint = {});
+
+    bool hasErrors() const { return hasErrors_; }
+    /// Nothing more will be taken: the work may stop.
+    bool full() const { return diagnostics_.size() >= most; }
+    const Diagnostics& diagnostics() const { return diagnostics_; }
+
+private:
+    bool isNew(const std::string& message, const Span& span);
+
+    Diagnostics diagnostics_;
+    bool hasErrors_{};
+    std::set<std::tuple<std::string, const Source*, std::uint32_t>> seen_;
+};
+
+/// "did you mean 'x'?" or empty.
+std::string didYouMean(std::string_view misspelt, const std::vector<std::string>& names);
+
+}  // namespace analogon

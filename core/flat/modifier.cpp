@@ -1,0 +1,97 @@
+#include "core/flat/modifier.hpp"
+
+#include <fmt/format.h>
+
+namespace analogon {
+
+const Modifier* Modifier::find(std::string_view name) const {
+    for (const auto& [childName, modifier] : children)
+        if (childName == name) return &modifier;
+    return nullptr;
+}
+
+Modifier& Modifier::child(const std::string& name) {
+    for (auto& [childName, modifier] : children)
+        if (childName == name) return modifier;
+    return children.emplace_back(name, Modifier{}).second;
+}
+
+void Modifier::markEach() {
+    each = true;
+    for (auto& [name, modifier] : children) modifier.markEach();
+}
+
+namespace {
+
+void addArguments(Modifier& target, const std::vector<syntax::Modification>& arguments, const Scope& scope,
+                  Messages& messages);
+
+void addArgument(Modifier& target, const syntax::Modification& argument, const Scope& scope, Messages& messages) {
+    Modifier* node = &target;
+    for (const auto& part : argument.name.parts) node = &node->child(part.identifier);
+    if (node == &target) return;
+    if (argument.value && node->value.valid()) {
+        messages.error(fmt::format("'{}' is modified twice", argument.name.text()), argument.span,
+                       "keep one of the two modifications");
+        return;
+    }
+    if (argument.value) node->value = {&*argument.value, scope, {}, {}};
+    node->each = node->each || argument.each;
+    node->isFinal = node->isFinal || argument.isFinal;
+    node->span = argument.span;
+    if (argument.redeclaredComponent || argument.redeclaredClass) {
+        node->redeclaredComponent = argument.redeclaredComponent.get();
+        node->redeclaredClass = argument.redeclaredClass.get();
+        node->redeclareScope = scope;
+    }
+    addArguments(*node, argument.arguments, scope, messages);
+    if (argument.each) node->markEach();
+}
+
+void addArguments(Modifier& target, const std::vector<syntax::Modification>& arguments, const Scope& scope,
+                  Messages& messages) {
+    for (const auto& argument : arguments) addArgument(target, argument, scope, messages);
+}
+
+}  // namespace
+
+Modifier modifierOf(const std::vector<syntax::Modification>& arguments, const Scope& scope, Messages& messages) {
+    Modifier result;
+    addArguments(result, arguments, scope, messages);
+    return result;
+}
+
+Modifier merge(const Modifier& outer, Modifier inner, Messages& messages, const std::string& name) {
+    if (outer.empty()) return inner;
+    if (inner.isFinal) {
+        messages.error(fmt::format("'{}' is final and cannot be modified", name), outer.span,
+                       "remove the modification; the value is fixed where the element is declared");
+        return inner;
+    }
+    if (outer.value.valid()) {
+        inner.value = outer.value;
+        inner.each = outer.each;
+    }
+    if (outer.redeclaredComponent || outer.redeclaredClass) {
+        inner.redeclaredComponent = outer.redeclaredComponent;
+        inner.redeclaredClass = outer.redeclaredClass;
+        inner.redeclareScope = outer.redeclareScope;
+    }
+    inner.isFinal = outer.isFinal;
+    if (outer.span.valid()) inner.span = outer.span;
+    for (const auto& [childName, child] : outer.children) {
+        Modifier& target = inner.child(childName);
+        target = merge(child, std::move(target), messages, childName);
+    }
+    return inner;
+}
+
+Modifier elementModifier(const Modifier& ofArray, const std::vector<int>& subscripts) {
+    Modifier result = ofArray;
+    if (result.value.valid() && !result.each)
+        result.value.subscripts.insert(result.value.subscripts.end(), subscripts.begin(), subscripts.end());
+    for (auto& [name, child] : result.children) child = elementModifier(child, subscripts);
+    return result;
+}
+
+}  // namespace analogon

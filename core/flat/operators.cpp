@@ -1,0 +1,144 @@
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "core/flat/translator.hpp"
+
+/// Operators on scalars and arrays (Modelica 3.6, sections 3.4, 3.5 and 10.6).
+namespace analogon {
+namespace {
+
+struct Symbol {
+    Operation operation;
+    enum class Family { Arithmetic, Relation, Logic } family;
+    bool elementwise;  // written with a dot
+};
+
+std::optional<Symbol> symbolOf(const std::string& text) {
+    using enum Operation;
+    using enum Symbol::Family;
+    if (text == "+") return Symbol{Add, Arithmetic, false};
+    if (text == "-") return Symbol{Subtract, Arithmetic, false};
+    if (text == "*") return Symbol{Multiply, Arithmetic, false};
+    if (text == "/") return Symbol{Divide, Arithmetic, false};
+    if (text == "^") return Symbol{Power, Arithmetic, false};
+    if (text == ".+") return Symbol{Add, Arithmetic, true};
+    if (text == ".-") return Symbol{Subtract, Arithmetic, true};
+    if (text == ".*") return Symbol{Multiply, Arithmetic, true};
+    if (text == "./") return Symbol{Divide, Arithmetic, true};
+    if (text == ".^") return Symbol{Power, Arithmetic, true};
+    if (text == "<") return Symbol{Less, Relation, false};
+    if (text == "<=") return Symbol{LessEqual, Relation, false};
+    if (text == ">") return Symbol{Greater, Relation, false};
+    if (text == ">=") return Symbol{GreaterEqual, Relation, false};
+    if (text == "==") return Symbol{Equal, Relation, false};
+    if (text == "<>") return Symbol{NotEqual, Relation, false};
+    if (text == "and") return Symbol{And, Logic, false};
+    if (text == "or") return Symbol{Or, Logic, false};
+    return std::nullopt;
+}
+
+/// Inner products over the last dimension of a and the first of b: vectors and matrices.
+Value product(ExpressionPool& pool, const Value& a, const Value& b, FlatType type) {
+    Value result;
+    result.type = type;
+    const std::size_t inner = static_cast<std::size_t>(b.dimensions[0]);
+    const std::size_t rows = a.dimensions.size() == 2 ? static_cast<std::size_t>(a.dimensions[0]) : 1;
+    const std::size_t columns = b.dimensions.size() == 2 ? static_cast<std::size_t>(b.dimensions[1]) : 1;
+    if (a.dimensions.size() == 2) result.dimensions.push_back(a.dimensions[0]);
+    if (b.dimensions.size() == 2) result.dimensions.push_back(b.dimensions[1]);
+    for (std::size_t i = 0; i < rows; ++i)
+        for (std::size_t j = 0; j < columns; ++j) {
+            ExpressionId sum = pool.constant(0);
+            for (std::size_t k = 0; k < inner; ++k)
+                sum = pool.add(sum, pool.multiply(a.elements[i * inner + k], b.elements[k * columns + j]));
+            result.elements.push_back(sum);
+        }
+    return result;
+}
+
+Value elementwise(ExpressionPool& pool, Operation operation, const Value& a, const Value& b, FlatType type) {
+    Value result;
+    result.type = type;
+    result.dimensions = a.isScalar() ? b.dimensions : a.dimensions;
+    const std::size_t count = elementCount(result.dimensions);
+    for (std::size_t i = 0; i < count; ++i)
+        result.elements.push_back(
+            pool.binary(operation, a.elements[a.isScalar() ? 0 : i], b.elements[b.isScalar() ? 0 : i]));
+    return result;
+}
+
+std::optional<Value> arithmetic(Flattening& work, const std::string& text, const Symbol& symbol, const Value& a,
+                                const Value& b, const Span& span) {
+    using enum Operation;
+    if (a.type == FlatType::String && b.type == FlatType::String && a.isScalar() && b.isScalar() && text == "+")
+        return Value::text(a.texts[0] + b.texts[0]);
+    const auto refuse = [&](const std::string& hint) {
+        work.messages.error(fmt::format("'{}' cannot be applied to {} and {}", text, typeText(a), typeText(b)), span,
+                            hint);
+        return std::nullopt;
+    };
+    if (!a.isNumeric() || !b.isNumeric()) return refuse("both sides must be numbers");
+    const bool integer = a.type == FlatType::Integer && b.type == FlatType::Integer;
+    const bool staysInteger = symbol.operation != Divide && symbol.operation != Power;
+    const FlatType type = integer && staysInteger ? FlatType::Integer : FlatType::Real;
+    if (a.isScalar() && b.isScalar())
+        return Value::scalar(type, work.pool.binary(symbol.operation, a.elements[0], b.elements[0]));
+    if (symbol.elementwise) {
+        if (a.isScalar() || b.isScalar() || a.dimensions == b.dimensions)
+            return elementwise(work.pool, symbol.operation, a, b, type);
+        return refuse("the sizes must agree");
+    }
+    switch (symbol.operation) {
+        case Add:
+        case Subtract:
+            if (a.dimensions == b.dimensions) return elementwise(work.pool, symbol.operation, a, b, type);
+            return refuse(a.isScalar() || b.isScalar() ? fmt::format("to apply it to each element write '.{}'", text)
+                                                       : std::string("the sizes must agree"));
+        case Multiply:
+            if (a.isScalar() || b.isScalar()) return elementwise(work.pool, Multiply, a, b, type);
+            if (a.dimensions.size() <= 2 && b.dimensions.size() <= 2 && a.dimensions.back() == b.dimensions.front())
+                return product(work.pool, a, b, type);
+            return refuse("the inner sizes of a product must agree; '.*' multiplies element by element");
+        case Divide:
+            if (b.isScalar()) return elementwise(work.pool, Divide, a, b, type);
+            return refuse("to divide element by element write './'");
+        default:
+            return refuse("to apply it to each element write '.^'");
+    }
+}
+
+std::optional<Value> relation(Flattening& work, const std::string& text, const Symbol& symbol, const Value& a,
+                              const Value& b, const Span& span) {
+    if (a.type == FlatType::String && b.type == FlatType::String && a.isScalar() && b.isScalar()) {
+        const int order = a.texts[0].compare(b.texts[0]);
+        return Value::scalar(FlatType::Boolean, work.pool.constant(apply(symbol.operation, order, 0)));
+    }
+    const bool comparable = (a.isNumeric() && b.isNumeric()) || (a.type == b.type && a.enumeration == b.enumeration);
+    if (!comparable || !a.isScalar() || !b.isScalar()) {
+        work.messages.error(fmt::format("'{}' cannot compare {} with {}", text, typeText(a), typeText(b)), span);
+        return std::nullopt;
+    }
+    return Value::scalar(FlatType::Boolean, work.pool.binary(symbol.operation, a.elements[0], b.elements[0]));
+}
+
+}  // namespace
+
+std::optional<Value> combine(Flattening& work, const std::string& operation, const Value& a, const Value& b,
+                             const Span& span) {
+    const auto symbol = symbolOf(operation);
+    if (!symbol) {
+        work.messages.error(fmt::format("the operator '{}' is not supported", operation), span);
+        return std::nullopt;
+    }
+    if (symbol->family == Symbol::Family::Arithmetic) return arithmetic(work, operation, *symbol, a, b, span);
+    if (symbol->family == Symbol::Family::Relation) return relation(work, operation, *symbol, a, b, span);
+    if (a.type != FlatType::Boolean || b.type != FlatType::Boolean || a.dimensions != b.dimensions) {
+        work.messages.error(
+            fmt::format("'{}' needs Boolean values, not {} and {}", operation, typeText(a), typeText(b)), span);
+        return std::nullopt;
+    }
+    return elementwise(work.pool, symbol->operation, a, b, FlatType::Boolean);
+}
+
+}  // namespace analogon

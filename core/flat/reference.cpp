@@ -1,0 +1,340 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/flat/binder.hpp"
+#include "core/flat/instantiator.hpp"
+#include "core/flat/translator.hpp"
+
+/// Names in expressions (Modelica 3.6, chapter 5 and section 10.5 for subscripts).
+namespace analogon {
+namespace {
+
+using Kind = syntax::Expression::Kind;
+
+std::string textUpTo(const syntax::Name& name, std::size_t parts) {
+    std::string text;
+    for (std::size_t i = 0; i < parts; ++i) {
+        if (i) text += '.';
+        text += name.parts[i].identifier;
+    }
+    return text;
+}
+
+}  // namespace
+
+std::optional<Value> Translator::reference(const syntax::Name& name, const Scope& scope, const Span& span) {
+    const std::string& first = name.parts.front().identifier;
+    if (!name.absolute) {
+        for (auto iterator = iterators_.rbegin(); iterator != iterators_.rend(); ++iterator)
+            if (iterator->first == first && name.parts.size() == 1)
+                return selectFromValue(iterator->second, name.parts[0].subscripts, scope, span);
+        if (scope.instance && scope.instance->find(first)) {
+            const auto slice = resolve(name, scope);
+            return slice ? valueOf(*slice) : std::nullopt;
+        }
+        if (first == "time" && name.parts.size() == 1) return Value::scalar(FlatType::Real, work_.pool.time());
+    }
+    bool found = false;
+    auto constant = namedConstant(name, scope, found);
+    if (found) return constant;
+    reportUnknown(name, scope, span);
+    return std::nullopt;
+}
+
+void Translator::reportUnknown(const syntax::Name& name, const Scope& scope, const Span& span) {
+    const std::string& first = name.parts.front().identifier;
+    std::vector<std::string> candidates{"time"};
+    if (scope.instance) candidates = scope.instance->elementNames();
+    for (const auto& [iterator, value] : iterators_) candidates.push_back(iterator);
+    const std::string inside = scope.instance  ? scope.instance->label()
+                               : scope.lexical ? fmt::format("'{}'", scope.lexical->qualifiedName)
+                                               : std::string("the model");
+    work_.messages.error(fmt::format("'{}' is not declared in {}", first, inside), span, didYouMean(first, candidates));
+}
+
+// ------------------------------------------------------------------------------------- components and variables
+
+std::optional<Slice> Translator::resolve(const syntax::Name& name, const Scope& scope,
+                                         const std::vector<std::string>& members) {
+    if (!scope.instance || name.absolute || !scope.instance->find(name.parts.front().identifier)) {
+        reportUnknown(name, scope, name.span);
+        return std::nullopt;
+    }
+    Slice slice;
+    slice.instances = {scope.instance};
+    for (std::size_t i = 0; i < name.parts.size(); ++i) {
+        const syntax::NamePart& part = name.parts[i];
+        const Span& span = part.span.valid() ? part.span : name.span;
+        if (!step(slice, part.identifier, &part.subscripts, scope, span, i == 0)) return std::nullopt;
+        const Element& element = *slice.element;
+        if (i == 0) slice.startsWithConnector = element.type.isConnector;
+        const bool isModel = !slice.instances.empty() && slice.instances.front()->isComponent();
+        if (i + 1 < name.parts.size() && isModel) ++slice.componentsBefore;
+    }
+    for (const std::string& member : members)
+        if (!step(slice, member, nullptr, scope, name.span, false)) return std::nullopt;
+    return slice;
+}
+
+/// From the components of the slice to their member.
+bool Translator::step(Slice& slice, const std::string& identifier, const std::vector<Expression>* subscripts,
+                      const Scope& scope, const Span& span, bool isFirst) {
+    if (slice.instances.empty() && slice.element) {
+        work_.messages.error(
+            fmt::format("'{}' is a variable and has no member '{}'", slice.element->declaration->name, identifier),
+            span);
+        return false;
+    }
+    Slice next;
+    next.dimensions = slice.dimensions;
+    next.startsWithConnector = slice.startsWithConnector;
+    next.componentsBefore = slice.componentsBefore;
+    for (Instance* instance : slice.instances) {
+        Element* element = instance->find(identifier);
+        if (!element) {
+            work_.messages.error(fmt::format("{} has no member '{}'", instance->label(), identifier), span,
+                                 didYouMean(identifier, instance->elementNames()));
+            return false;
+        }
+        if (element->isProtected && !isFirst) {
+            work_.messages.error(fmt::format("'{}' of {} is protected", identifier, instance->label()), span,
+                                 "use a public variable, or make it public where it is declared");
+            return false;
+        }
+        if (!work_.instantiator->ensure(*instance, *element)) {
+            work_.messages.error(fmt::format("'{}' could not be instantiated", instance->memberName(identifier)), span);
+            return false;
+        }
+        if (element->isDisabled) {
+            work_.messages.error(fmt::format("'{}' is switched off by its condition", instance->memberName(identifier)),
+                                 span, "a conditional component may be used in connect equations only");
+            return false;
+        }
+        if (!next.element) {
+            next.element = element;
+            next.owner = instance;
+        }
+        if (element->isVariable())
+            for (std::uint32_t k = 0; k < element->count(); ++k)
+                next.variables.push_back({element->firstVariable.value + k});
+        else
+            next.instances.insert(next.instances.end(), element->items.begin(), element->items.end());
+    }
+    if (!next.element) {  // a member of an empty array of components
+        work_.messages.error(fmt::format("'{}' is a member of an empty array", identifier), span);
+        return false;
+    }
+    const std::size_t keep = next.dimensions.size();
+    next.dimensions.insert(next.dimensions.end(), next.element->dimensions.begin(), next.element->dimensions.end());
+    slice = std::move(next);
+    return !subscripts || subscripts->empty() || select(slice, keep, *subscripts, scope, span);
+}
+
+/// Index lists (0-based) of the subscripts, one for each dimension; `remaining` gets the sizes that stay.
+std::optional<std::vector<std::vector<int>>> Translator::subscriptLists(const std::vector<int>& dimensions,
+                                                                        const std::vector<Expression>& subscripts,
+                                                                        const Scope& scope, const Span& span,
+                                                                        std::vector<int>& remaining) {
+    if (subscripts.size() > dimensions.size()) {
+        work_.messages.error(
+            fmt::format("'{}' has {} subscripts for {} dimensions", span.text(), subscripts.size(), dimensions.size()),
+            span);
+        return std::nullopt;
+    }
+    std::vector<std::vector<int>> lists;
+    for (std::size_t d = 0; d < dimensions.size(); ++d) {
+        std::vector<int>& list = lists.emplace_back();
+        if (d >= subscripts.size() || subscripts[d].kind == Kind::Colon) {
+            for (int i = 0; i < dimensions[d]; ++i) list.push_back(i);
+            remaining.push_back(dimensions[d]);
+            continue;
+        }
+        ends_.push_back(dimensions[d]);
+        const auto value = translate(subscripts[d], scope);
+        ends_.pop_back();
+        if (!value) return std::nullopt;
+        if (!value->isNumeric() && value->enumeration.empty() && value->type != FlatType::Boolean) {
+            work_.messages.error(fmt::format("a subscript must be an Integer, not {}", typeText(*value)),
+                                 subscripts[d].span);
+            return std::nullopt;
+        }
+        for (ExpressionId element : value->elements) {
+            const auto number = constantNumber(element, true);
+            if (!number || *number != std::round(*number)) {
+                work_.messages.error("a subscript must be an Integer that is known before the simulation",
+                                     subscripts[d].span, "use a number, an iterator of a for loop or a parameter");
+                return std::nullopt;
+            }
+            if (*number < 1 || *number > dimensions[d]) {
+                work_.messages.error(fmt::format("the subscript {} is outside 1:{}", *number, dimensions[d]),
+                                     subscripts[d].span);
+                return std::nullopt;
+            }
+            list.push_back(static_cast<int>(*number) - 1);
+        }
+        if (!value->isScalar()) remaining.push_back(value->dimensions[0]);
+    }
+    return lists;
+}
+
+namespace {
+
+/// Offsets of the chosen elements in a row-major array.
+std::vector<std::size_t> offsets(const std::vector<std::vector<int>>& lists, const std::vector<int>& dimensions) {
+    std::vector<std::size_t> result{0};
+    for (std::size_t d = 0; d < dimensions.size(); ++d) {
+        std::vector<std::size_t> next;
+        next.reserve(result.size() * lists[d].size());
+        for (std::size_t base : result)
+            for (int i : lists[d])
+                next.push_back(base * static_cast<std::size_t>(dimensions[d]) + static_cast<std::size_t>(i));
+        result = std::move(next);
+    }
+    return result;
+}
+
+}  // namespace
+
+/// Applies subscripts to the dimensions after the first `keep`.
+bool Translator::select(Slice& slice, std::size_t keep, const std::vector<Expression>& subscripts, const Scope& scope,
+                        const Span& span) {
+    const std::vector<int> own(slice.dimensions.begin() + static_cast<std::ptrdiff_t>(keep), slice.dimensions.end());
+    std::vector<int> remaining(slice.dimensions.begin(), slice.dimensions.begin() + static_cast<std::ptrdiff_t>(keep));
+    const std::size_t outer = elementCount(remaining);
+    const auto lists = subscriptLists(own, subscripts, scope, span, remaining);
+    if (!lists) return false;
+    const std::vector<std::size_t> chosen = offsets(*lists, own);
+    const std::size_t stride = elementCount(own);
+    Slice picked = slice;
+    picked.dimensions = remaining;
+    picked.variables.clear();
+    picked.instances.clear();
+    for (std::size_t o = 0; o < outer; ++o)
+        for (std::size_t offset : chosen) {
+            if (!slice.variables.empty()) picked.variables.push_back(slice.variables[o * stride + offset]);
+            if (!slice.instances.empty()) picked.instances.push_back(slice.instances[o * stride + offset]);
+        }
+    slice = std::move(picked);
+    return true;
+}
+
+std::optional<Value> Translator::selectFromValue(Value value, const std::vector<Expression>& subscripts,
+                                                 const Scope& scope, const Span& span) {
+    if (subscripts.empty()) return value;
+    Value result;
+    result.type = value.type;
+    result.enumeration = value.enumeration;
+    const auto lists = subscriptLists(value.dimensions, subscripts, scope, span, result.dimensions);
+    if (!lists) return std::nullopt;
+    for (std::size_t offset : offsets(*lists, value.dimensions)) {
+        if (value.type == FlatType::String)
+            result.texts.push_back(value.texts[offset]);
+        else
+            result.elements.push_back(value.elements[offset]);
+    }
+    return result;
+}
+
+std::optional<Value> Translator::valueOf(const Slice& slice) {
+    const Element& element = *slice.element;
+    if (!element.isVariable()) {
+        work_.messages.error(fmt::format("'{}' is a component of class {}, not a value",
+                                         slice.owner->memberName(element.declaration->name), element.type.className),
+                             element.declaration->nameSpan, "name one of its variables");
+        return std::nullopt;
+    }
+    Value value;
+    value.type = element.type.builtin;
+    value.dimensions = slice.dimensions;
+    if (element.type.enumeration) value.enumeration = element.type.className;
+    for (VariableId id : slice.variables) {
+        if (value.type != FlatType::String) {
+            value.elements.push_back(work_.pool.variable(id));
+            continue;
+        }
+        if (!work_.binder->bindParameter(*work_.records[id.value].owner, work_.elementOf(id))) return std::nullopt;
+        value.texts.push_back(work_.variable(id).text);
+    }
+    return value;
+}
+
+// -------------------------------------------------------------------------------- constants and literals
+
+std::optional<Value> Translator::enumerationLiteral(const LibraryClass& definition, const std::string& literal,
+                                                    const Span& span) {
+    const auto& literals = definition.definition->enumeration;
+    for (std::size_t i = 0; i < literals.size(); ++i)
+        if (literals[i] == literal) {
+            Value value = Value::scalar(FlatType::Integer, work_.pool.constant(static_cast<double>(i + 1)));
+            value.enumeration = definition.qualifiedName;
+            return value;
+        }
+    work_.messages.error(fmt::format("'{}' is not a value of the enumeration {}", literal, definition.qualifiedName),
+                         span, didYouMean(literal, literals));
+    return std::nullopt;
+}
+
+/// A literal of an enumeration, a constant of a package by its full name, or one of the enclosing classes.
+std::optional<Value> Translator::namedConstant(const syntax::Name& name, const Scope& scope, bool& found) {
+    const std::string& last = name.parts.back().identifier;
+    std::optional<Value> value;
+    if (name.parts.size() > 1) {
+        const std::string prefix = textUpTo(name, name.parts.size() - 1);
+        const LibraryClass* definition =
+            name.absolute ? work_.library.lookup(prefix, "") : work_.lookup(prefix, scope.lexical);
+        if (!definition) return std::nullopt;
+        if (definition->definition->isEnumeration) {
+            found = true;
+            return enumerationLiteral(*definition, last, name.span);
+        }
+        value = constantOf(*definition, last, found);
+        if (!found) {
+            found = true;
+            std::vector<std::string> names;
+            for (const auto& component : definition->definition->components) names.push_back(component.name);
+            work_.messages.error(fmt::format("'{}' has no constant '{}'", definition->qualifiedName, last), name.span,
+                                 didYouMean(last, names));
+            return std::nullopt;
+        }
+    } else {
+        for (const LibraryClass* outer = scope.lexical; outer && !found; outer = work_.library.find(outer->scope)) {
+            value = constantOf(*outer, last, found);
+            if (outer->scope.empty()) break;
+        }
+    }
+    if (found && value) return selectFromValue(std::move(*value), name.parts.back().subscripts, scope, name.span);
+    return value;
+}
+
+std::optional<Value> Translator::constantOf(const LibraryClass& definition, const std::string& name, bool& found,
+                                            int depth) {
+    if (depth > Instantiator::deepest) return std::nullopt;
+    for (const auto& component : definition.definition->components) {
+        if (component.name != name) continue;
+        if (component.variability != syntax::Variability::Constant) return std::nullopt;
+        found = true;
+        work_.keepSource(*definition.definition);
+        const auto busy = busyConstants_.emplace(&definition, name);
+        if (!busy.second || !component.binding) {
+            work_.messages.error(
+                busy.second ? fmt::format("the constant '{}.{}' has no value", definition.qualifiedName, name)
+                            : fmt::format("the constant '{}.{}' depends on itself", definition.qualifiedName, name),
+                component.nameSpan);
+            if (busy.second) busyConstants_.erase(busy.first);
+            return std::nullopt;
+        }
+        auto value = translate(*component.binding, {nullptr, &definition});
+        busyConstants_.erase({&definition, name});
+        return value;
+    }
+    for (const auto& base : definition.definition->bases) {
+        const LibraryClass* inherited = work_.lookup(base.base, work_.library.find(definition.scope));
+        if (!inherited || inherited == &definition) continue;
+        auto value = constantOf(*inherited, name, found, depth + 1);
+        if (found) return value;
+    }
+    return std::nullopt;
+}
+
+}  // namespace analogon

@@ -1,0 +1,382 @@
+#include "core/flat/translator.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/flat/binder.hpp"
+#include "core/flat/instantiator.hpp"
+
+namespace analogon {
+namespace {
+
+using Kind = syntax::Expression::Kind;
+
+constexpr int deepestNesting = 400;
+
+}  // namespace
+
+std::optional<Value> Translator::translate(const Expression& expression, const Scope& scope) {
+    if (depth_ >= deepestNesting) {
+        work_.messages.error("the expression is nested too deeply", expression.span, "split it with variables");
+        return std::nullopt;
+    }
+    ++depth_;
+    auto result = translateNested(expression, scope);
+    --depth_;
+    return result;
+}
+
+std::optional<Value> Translator::translateNested(const Expression& expression, const Scope& scope) {
+    switch (expression.kind) {
+        case Kind::Number:
+            return Value::scalar(expression.isInteger ? FlatType::Integer : FlatType::Real,
+                                 work_.pool.constant(expression.number));
+        case Kind::String:
+            return Value::text(expression.text);
+        case Kind::Boolean:
+            return Value::scalar(FlatType::Boolean, work_.pool.constant(expression.number));
+        case Kind::Reference:
+            return reference(expression.name, scope, expression.span);
+        case Kind::Unary:
+            return unary(expression, scope);
+        case Kind::Binary:
+            return binaryChain(expression, scope);
+        case Kind::If:
+            return conditional(expression, scope);
+        case Kind::Call:
+            return callFunction(work_, expression, scope);
+        case Kind::Array:
+            return array(expression, scope);
+        case Kind::Range:
+            return range(expression, scope);
+        case Kind::End:
+            if (ends_.empty()) break;
+            return Value::scalar(FlatType::Integer, work_.pool.constant(ends_.back()));
+        case Kind::Colon:
+            break;
+        case Kind::Tuple:
+            if (expression.operands.size() == 1) return translate(expression.operands[0], scope);
+            work_.messages.error("a list in parentheses is not a value here", expression.span,
+                                 "write one equation for each member");
+            return std::nullopt;
+    }
+    work_.messages.error(fmt::format("'{}' has a meaning in a subscript only", expression.span.text()),
+                         expression.span);
+    return std::nullopt;
+}
+
+std::optional<Value> Translator::translate(const ModifierValue& modifier) {
+    const Expression* expression = modifier.expression;
+    const auto subscripts = modifier.subscripts;
+    std::size_t used = 0;
+    if (!modifier.members.empty()) {
+        if (expression->kind == Kind::Reference) {
+            const auto slice = resolve(expression->name, modifier.scope, modifier.members);
+            if (!slice) return std::nullopt;
+            auto value = valueOf(*slice);
+            for (; value && used < subscripts.size() && !value->isScalar(); ++used)
+                value = value->part(subscripts[used]);
+            return value;
+        }
+        work_.messages.error("a record can be set to another record only", expression->span,
+                             "modify its parameters: name(parameter = value)");
+        return std::nullopt;
+    }
+    // {a, b, c}[2] needs only b.
+    while (used < subscripts.size() && expression->kind == Kind::Array && expression->iterators.empty() &&
+           static_cast<std::size_t>(subscripts[used]) <= expression->operands.size())
+        expression = &expression->operands[static_cast<std::size_t>(subscripts[used++]) - 1];
+    auto value = translate(*expression, modifier.scope);
+    for (; value && used < subscripts.size(); ++used) {
+        if (value->isScalar()) {
+            work_.messages.error("a single value is given to an array of components", expression->span,
+                                 "write 'each' before the name, or one value per element: {a, b, …}");
+            return std::nullopt;
+        }
+        if (subscripts[used] > value->dimensions[0]) {
+            work_.messages.error(
+                fmt::format("the value has size {}, the array of components is larger", sizeText(value->dimensions)),
+                expression->span);
+            return std::nullopt;
+        }
+        value = value->part(subscripts[used]);
+    }
+    return value;
+}
+
+std::optional<Value> Translator::unary(const Expression& expression, const Scope& scope) {
+    auto value = translate(expression.operands[0], scope);
+    if (!value) return value;
+    const bool isNot = expression.text == "not";
+    if (isNot ? value->type != FlatType::Boolean : !value->isNumeric()) {
+        work_.messages.error(fmt::format("'{}' needs a {} value, not {}", expression.text,
+                                         isNot ? "Boolean" : "numeric", typeText(*value)),
+                             expression.operands[0].span);
+        return std::nullopt;
+    }
+    if (isNot || expression.text == "-" || expression.text == ".-")
+        for (ExpressionId& element : value->elements)
+            element = work_.pool.unary(isNot ? Operation::Not : Operation::Negate, element);
+    return value;
+}
+
+/// Long sums lean to the left: a loop down the left side instead of recursion.
+std::optional<Value> Translator::binaryChain(const Expression& expression, const Scope& scope) {
+    std::vector<const Expression*> chain;
+    const Expression* leftmost = &expression;
+    for (; leftmost->kind == Kind::Binary; leftmost = &leftmost->operands[0]) chain.push_back(leftmost);
+    auto value = translate(*leftmost, scope);
+    for (auto link = chain.rbegin(); link != chain.rend(); ++link) {
+        const auto right = translate((*link)->operands[1], scope);
+        if (!value || !right) return std::nullopt;
+        value = combine(work_, (*link)->text, *value, *right, (*link)->span);
+    }
+    return value;
+}
+
+std::optional<Value> Translator::conditional(const Expression& expression, const Scope& scope) {
+    const auto& operands = expression.operands;  // condition, value, (condition, value)…, else
+    auto result = translate(operands.back(), scope);
+    bool sound = result.has_value();
+    for (std::size_t i = operands.size() - 1; i >= 2; i -= 2) {
+        const auto condition = translate(operands[i - 2], scope);
+        const auto branch = translate(operands[i - 1], scope);
+        if (condition && (condition->type != FlatType::Boolean || !condition->isScalar())) {
+            work_.messages.error(fmt::format("the condition after 'if' must be Boolean, not {}", typeText(*condition)),
+                                 operands[i - 2].span);
+            sound = false;
+        }
+        if (!condition || !branch) sound = false;
+        if (!sound) continue;
+        const bool bothNumeric = branch->isNumeric() && result->isNumeric();
+        if (branch->dimensions != result->dimensions ||
+            (!bothNumeric && (branch->type != result->type || branch->enumeration != result->enumeration))) {
+            work_.messages.error(
+                fmt::format("the branches of 'if' differ in type: {} and {}", typeText(*branch), typeText(*result)),
+                operands[i - 1].span);
+            sound = false;
+            continue;
+        }
+        if (result->type == FlatType::String) {
+            const auto chosen = constantNumber(condition->elements[0], true);
+            if (!chosen) {
+                work_.messages.error("a text cannot change while the model runs", operands[i - 2].span);
+                sound = false;
+            } else if (*chosen != 0) {
+                result = branch;
+            }
+            continue;
+        }
+        if (branch->type == FlatType::Real) result->type = FlatType::Real;
+        for (std::size_t k = 0; k < result->elements.size(); ++k)
+            result->elements[k] =
+                work_.pool.ifThenElse(condition->elements[0], branch->elements[k], result->elements[k]);
+    }
+    return sound ? result : std::nullopt;
+}
+
+// --------------------------------------------------------------------------------------------------- arrays
+
+std::optional<Value> Translator::array(const Expression& expression, const Scope& scope) {
+    if (!expression.iterators.empty()) return comprehension(expression, scope, expression.iterators.size());
+    std::vector<Value> parts;
+    for (const auto& operand : expression.operands) {
+        auto part = translate(operand, scope);
+        if (!part) return std::nullopt;
+        parts.push_back(std::move(*part));
+    }
+    return stack(std::move(parts), expression.span);
+}
+
+/// { e for i in a, j in b } is {{ e for i in a } for j in b } (section 10.4.1).
+std::optional<Value> Translator::comprehension(const Expression& expression, const Scope& scope,
+                                               std::size_t outermost) {
+    if (outermost == 0) return translate(expression.operands[0], scope);
+    const auto& [name, ranges] = expression.iterators[outermost - 1];
+    if (ranges.empty()) {
+        work_.messages.error(fmt::format("the iterator '{}' needs a range", name), expression.span,
+                             "write: for i in 1:n");
+        return std::nullopt;
+    }
+    const auto values = range(ranges[0], scope);
+    if (!values) return std::nullopt;
+    std::vector<Value> parts;
+    for (int k = 1; k <= values->dimensions[0]; ++k) {
+        pushIterator(name, values->part(k));
+        auto part = comprehension(expression, scope, outermost - 1);
+        popIterator();
+        if (!part || work_.messages.full()) return std::nullopt;
+        parts.push_back(std::move(*part));
+    }
+    return stack(std::move(parts), expression.span);
+}
+
+std::optional<Value> Translator::stack(std::vector<Value> parts, const Span& span) {
+    Value result;
+    result.dimensions.push_back(static_cast<int>(parts.size()));
+    if (parts.empty()) return result;
+    result.type = parts[0].type;
+    result.enumeration = parts[0].enumeration;
+    result.dimensions.insert(result.dimensions.end(), parts[0].dimensions.begin(), parts[0].dimensions.end());
+    for (const Value& part : parts) {
+        const bool bothNumeric = part.isNumeric() && result.isNumeric();
+        if (part.dimensions != parts[0].dimensions || (!bothNumeric && part.type != result.type)) {
+            work_.messages.error(
+                fmt::format("the elements of an array must be alike: {} and {}", typeText(parts[0]), typeText(part)),
+                span);
+            return std::nullopt;
+        }
+        if (part.type == FlatType::Real) result.type = FlatType::Real;
+        result.elements.insert(result.elements.end(), part.elements.begin(), part.elements.end());
+        result.texts.insert(result.texts.end(), part.texts.begin(), part.texts.end());
+    }
+    return result;
+}
+
+std::optional<Value> Translator::range(const Expression& expression, const Scope& scope) {
+    if (expression.kind != Kind::Range) {
+        auto value = translate(expression, scope);
+        if (value && value->dimensions.size() == 1) return value;
+        if (value)
+            work_.messages.error(fmt::format("a range is expected, not {}", typeText(*value)), expression.span,
+                                 "write: first:last");
+        return std::nullopt;
+    }
+    Value result;
+    result.type = FlatType::Integer;
+    double limits[3]{};  // first, step, last
+    for (std::size_t i = 0; i < expression.operands.size(); ++i) {
+        const auto limit = translate(expression.operands[i], scope);
+        if (!limit) return std::nullopt;
+        const auto number =
+            limit->isScalar() && limit->isNumeric() ? constantNumber(limit->elements[0], true) : std::nullopt;
+        if (!number) {
+            work_.messages.error("the limits of a range must be numbers that are known before the simulation",
+                                 expression.operands[i].span, "use a parameter or a constant");
+            return std::nullopt;
+        }
+        if (limit->type == FlatType::Real) result.type = FlatType::Real;
+        limits[i] = *number;
+    }
+    const double first = limits[0];
+    const double step = expression.operands.size() == 3 ? limits[1] : 1;
+    const double last = limits[expression.operands.size() - 1];
+    const double steps = std::floor((last - first) / step * (1 + 1e-12) + 1e-12);
+    if (step == 0 || !(steps < static_cast<double>(Instantiator::mostScalars))) {
+        work_.messages.error(fmt::format("the range has more than {} values", Instantiator::mostScalars),
+                             expression.span);
+        return std::nullopt;
+    }
+    const int count = steps < 0 ? 0 : static_cast<int>(steps) + 1;
+    result.dimensions = {count};
+    for (int i = 0; i < count; ++i) result.elements.push_back(work_.pool.constant(first + i * step));
+    return result;
+}
+
+// ---------------------------------------------------------------------------------------- compile-time values
+
+bool Translator::isParametric(ExpressionId id) const {
+    bool parametric = true;
+    work_.pool.evaluate(id, [&](const ExpressionNode& leaf) {
+        if (leaf.operation != Operation::Variable || work_.isContinuous(leaf.variable)) parametric = false;
+        return 0.0;
+    });
+    return parametric;
+}
+
+std::optional<double> Translator::constantNumber(ExpressionId id, bool isStructural) {
+    if (work_.pool.isConstant(id)) return work_.pool[id].value;
+    if (depth_ >= deepestNesting) return std::nullopt;
+    ++depth_;
+    bool known = true;
+    const double number = work_.pool.evaluate(id, [&](const ExpressionNode& leaf) {
+        if (leaf.operation != Operation::Variable || work_.isContinuous(leaf.variable)) {
+            known = false;
+            return 0.0;
+        }
+        const VariableId used = leaf.variable;
+        if (work_.records[used.value].number && (!isStructural || work_.variable(used).isStructural))
+            return *work_.records[used.value].number;
+        if (!known || !work_.binder->bindParameter(*work_.records[used.value].owner, work_.elementOf(used))) {
+            known = false;
+            return 0.0;
+        }
+        FlatVariable& variable = work_.model.variables[used.value];
+        if (isStructural) variable.isStructural = true;
+        const ExpressionId value = variable.binding.valid() ? variable.binding : variable.start;
+        const auto constant = value.valid() ? constantNumber(value, isStructural) : std::nullopt;
+        work_.records[used.value].number = constant;
+        if (!constant) known = false;
+        return constant.value_or(0.0);
+    });
+    --depth_;
+    if (!known || !std::isfinite(number)) return std::nullopt;
+    return number;
+}
+
+std::optional<int> Translator::constantInteger(const Expression& expression, const Scope& scope,
+                                               const std::string& what) {
+    const auto value = translate(expression, scope);
+    if (!value) return std::nullopt;
+    if (value->type == FlatType::Integer && value->isScalar()) {
+        if (const auto number = constantNumber(value->elements[0], true);
+            number && std::fabs(*number) <= std::numeric_limits<int>::max())
+            return static_cast<int>(std::lround(*number));
+        work_.messages.error(fmt::format("{} must be known before the simulation", what), expression.span,
+                             "use a number, a parameter with a value or a constant");
+        return std::nullopt;
+    }
+    work_.messages.error(fmt::format("{} must be an Integer, not {}", what, typeText(*value)), expression.span);
+    return std::nullopt;
+}
+
+std::optional<bool> Translator::constantBoolean(const Expression& expression, const Scope& scope,
+                                                const std::string& what) {
+    const auto value = translate(expression, scope);
+    if (!value) return std::nullopt;
+    if (value->type == FlatType::Boolean && value->isScalar()) {
+        if (const auto number = constantNumber(value->elements[0], true)) return *number != 0;
+        work_.messages.error(fmt::format("{} must be known before the simulation", what), expression.span,
+                             "use a parameter with a value");
+        return std::nullopt;
+    }
+    work_.messages.error(fmt::format("{} must be Boolean, not {}", what, typeText(*value)), expression.span);
+    return std::nullopt;
+}
+
+// ------------------------------------------------------------------------------------------------ derivatives
+
+/// der() of an expression by the chain rule; der(der(x)) gets a variable of its own.
+ExpressionId Translator::derivative(ExpressionId of, const Span& span) {
+    return work_.pool.timeDerivative(of, [&](const ExpressionNode& leaf) -> ExpressionId {
+        if (!work_.isContinuous(leaf.variable)) return work_.pool.constant(0);
+        if (leaf.operation == Operation::Variable) return work_.pool.derivativeOf(leaf.variable);
+        const FlatVariable of1 = work_.variable(leaf.variable);
+        const std::string name = fmt::format("der({})", of1.name);
+        const VariableId known = work_.model.find(name);
+        if (known.valid()) return work_.pool.derivativeOf(known);
+        const VariableId id{static_cast<std::uint32_t>(work_.model.variables.size())};
+        FlatVariable velocity;
+        velocity.name = name;
+        velocity.description = fmt::format("derivative of {}", of1.name);
+        velocity.isProtected = true;
+        velocity.declared = of1.declared;
+        if (!of1.unit.empty()) velocity.unit = of1.unit == "1" ? "1/s" : of1.unit + "/s";
+        VariableRecord record = work_.records[leaf.variable.value];
+        record.causality = syntax::Causality::None;
+        record.isBound = true;
+        Instance& component = record.owner->component();
+        work_.model.byName.emplace(name, id);
+        work_.model.variables.push_back(std::move(velocity));
+        work_.records.push_back(record);
+        work_.model.equations.push_back(
+            {work_.pool.variable(id), work_.pool.derivativeOf(leaf.variable), span, component.name, false});
+        ++component.unknowns;
+        ++component.equations;
+        return work_.pool.derivativeOf(id);
+    });
+}
+
+}  // namespace analogon

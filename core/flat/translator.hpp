@@ -1,0 +1,97 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/flat/flattening.hpp"
+
+namespace analogon {
+
+/// Variables or components named by a reference, with the sizes that its arrays leave open.
+struct Slice {
+    std::vector<int> dimensions;
+    std::vector<VariableId> variables;  // of a built-in type
+    std::vector<Instance*> instances;   // of a class
+    Element* element{};                 // the last one named (of the first instance)
+    Instance* owner{};                  // that holds it
+    bool startsWithConnector{};         // the first component named is a connector
+    int componentsBefore{};             // models among the parts before the last
+};
+
+/// Expressions of the text to expressions of the flat model. Every failure is reported once, where it is.
+class Translator {
+public:
+    explicit Translator(Flattening& work) : work_(work) {}
+
+    std::optional<Value> translate(const syntax::Expression& expression, const Scope& scope);
+    std::optional<Value> translate(const ModifierValue& value);
+    /// Variables or components behind a name; further members may be appended.
+    std::optional<Slice> resolve(const syntax::Name& name, const Scope& scope,
+                                 const std::vector<std::string>& members = {});
+
+    /// Scalars that must be known at compile time; `what` completes "… must be …".
+    std::optional<int> constantInteger(const syntax::Expression& expression, const Scope& scope,
+                                       const std::string& what);
+    std::optional<bool> constantBoolean(const syntax::Expression& expression, const Scope& scope,
+                                        const std::string& what);
+    std::optional<double> constantNumber(ExpressionId id, bool isStructural);
+    /// Whether the expression depends on parameters and constants only.
+    bool isParametric(ExpressionId id) const;
+    /// The values an iterator takes: a vector.
+    std::optional<Value> range(const syntax::Expression& expression, const Scope& scope);
+
+    void pushIterator(const std::string& name, Value value) { iterators_.emplace_back(name, std::move(value)); }
+    void popIterator() { iterators_.pop_back(); }
+
+    ExpressionId derivative(ExpressionId of, const Span& span);
+
+private:
+    friend class FunctionCall;
+    using Expression = syntax::Expression;
+
+    std::optional<Value> translateNested(const Expression& expression, const Scope& scope);
+    std::optional<Value> reference(const syntax::Name& name, const Scope& scope, const Span& span);
+    std::optional<Value> valueOf(const Slice& slice);
+    std::optional<Value> namedConstant(const syntax::Name& name, const Scope& scope, bool& found);
+    std::optional<Value> constantOf(const LibraryClass& definition, const std::string& name, bool& found,
+                                    int depth = 0);
+    std::optional<Value> enumerationLiteral(const LibraryClass& definition, const std::string& literal,
+                                            const Span& span);
+    void reportUnknown(const syntax::Name& name, const Scope& scope, const Span& span);
+
+    bool step(Slice& slice, const std::string& identifier, const std::vector<Expression>* subscripts,
+              const Scope& scope, const Span& span, bool isFirst);
+    bool select(Slice& slice, std::size_t keep, const std::vector<Expression>& subscripts, const Scope& scope,
+                const Span& span);
+    std::optional<Value> selectFromValue(Value value, const std::vector<Expression>& subscripts, const Scope& scope,
+                                         const Span& span);
+    std::optional<std::vector<std::vector<int>>> subscriptLists(const std::vector<int>& dimensions,
+                                                                const std::vector<Expression>& subscripts,
+                                                                const Scope& scope, const Span& span,
+                                                                std::vector<int>& remaining);
+
+    std::optional<Value> unary(const Expression& expression, const Scope& scope);
+    std::optional<Value> binaryChain(const Expression& expression, const Scope& scope);
+    std::optional<Value> conditional(const Expression& expression, const Scope& scope);
+    std::optional<Value> array(const Expression& expression, const Scope& scope);
+    std::optional<Value> comprehension(const Expression& expression, const Scope& scope, std::size_t outermost);
+    std::optional<Value> stack(std::vector<Value> parts, const Span& span);
+
+    Flattening& work_;
+    std::vector<std::pair<std::string, Value>> iterators_;
+    std::vector<int> ends_;  // extents of the dimensions in which `end` may stand
+    std::set<std::pair<const LibraryClass*, std::string>> busyConstants_;
+    int depth_{};
+};
+
+/// Arithmetic, relations and logic on values (operator as written, ".*" included).
+std::optional<Value> combine(Flattening& work, const std::string& operation, const Value& a, const Value& b,
+                             const Span& span);
+
+/// Calls of the built-in functions (Modelica 3.6, section 3.7).
+std::optional<Value> callFunction(Flattening& work, const syntax::Expression& call, const Scope& scope);
+
+}  // namespace analogon

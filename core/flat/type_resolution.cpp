@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/flat/instantiator.hpp"
+
+/// From a type name to what is instantiated (Modelica 3.6, sections 4.5 and 5.3).
+namespace analogon {
+namespace {
+
+using Restriction = syntax::ClassDefinition::Restriction;
+
+std::optional<FlatType> builtinType(const syntax::Name& name) {
+    if (name.parts.size() != 1) return std::nullopt;
+    const std::string& n = name.parts[0].identifier;
+    if (n == "Real") return FlatType::Real;
+    if (n == "Integer") return FlatType::Integer;
+    if (n == "Boolean") return FlatType::Boolean;
+    if (n == "String") return FlatType::String;
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<ResolvedType> Instantiator::resolveType(const syntax::Name& name, const Scope& scope, int depth) {
+    if (const auto builtin = builtinType(name)) {
+        ResolvedType type;
+        type.isBuiltin = true;
+        type.builtin = *builtin;
+        type.className = name.text();
+        return type;
+    }
+    if (depth > deepest) {
+        work_.messages.error(fmt::format("the type '{}' is defined through itself", name.text()), name.span);
+        return std::nullopt;
+    }
+    if (!name.absolute && name.parts.size() == 1 && scope.instance) {
+        const auto replaced = scope.instance->redeclared.find(name.parts[0].identifier);
+        if (replaced != scope.instance->redeclared.end()) {
+            const Instance::RedeclaredClass& r = replaced->second;
+            if (r.asElement) return followClass(*r.asElement, r.scope, depth + 1);
+            if (r.definition->isShort && !r.definition->isEnumeration)
+                return followShort(*r.definition, r.scope, {}, depth + 1);
+            work_.messages.error(fmt::format("the class '{}' is redeclared by a class with a body", name.text()),
+                                 r.span, "write: redeclare model NAME = CLASS");
+            return std::nullopt;
+        }
+    }
+    const LibraryClass* found = work_.lookup(name, scope.lexical);
+    if (!found) {
+        const std::string inside =
+            scope.lexical ? fmt::format(" in '{}'", scope.lexical->qualifiedName) : std::string();
+        work_.messages.error(fmt::format("the class '{}' is not known{}", name.text(), inside), name.span,
+                             didYouMean(name.text(), work_.library.names()));
+        return std::nullopt;
+    }
+    return followClass(*found, scope, depth + 1);
+}
+
+std::optional<ResolvedType> Instantiator::followClass(const LibraryClass& definition, const Scope& scope, int depth) {
+    const syntax::ClassDefinition& tree = *definition.definition;
+    work_.keepSource(tree);
+    if (tree.isEnumeration) {
+        ResolvedType type;
+        type.isBuiltin = true;
+        type.builtin = FlatType::Integer;
+        type.enumeration = &tree;
+        type.definition = &definition;
+        type.className = definition.qualifiedName;
+        return type;
+    }
+    // A class nested in the model at hand may use its components; one of a package may not.
+    Scope inside{nullptr, work_.library.find(definition.scope)};
+    if (scope.instance) {
+        const auto local = scope.instance->localClasses.find(tree.name);
+        if (local != scope.instance->localClasses.end() && local->second.definition == &tree)
+            inside.instance = scope.instance;
+        const auto replaced = scope.instance->redeclared.find(tree.name);
+        if (replaced != scope.instance->redeclared.end() && replaced->second.definition == &tree)
+            inside.instance = nullptr;  // a name in it must not lead back to itself
+    }
+    if (tree.isShort) return followShort(tree, inside, definition.qualifiedName, depth);
+
+    // `type Angle  extends Real(unit = "rad"); end Angle;`
+    const bool mayBeBuiltin = tree.restriction == Restriction::Type || tree.restriction == Restriction::Connector;
+    if (mayBeBuiltin && tree.components.empty() && tree.bases.size() == 1) {
+        const syntax::Name& baseName = tree.bases[0].base;
+        const LibraryClass* base = builtinType(baseName) ? nullptr : lookupBase(baseName, definition);
+        if (builtinType(baseName) || (base && base->definition->restriction == Restriction::Type)) {
+            auto type = resolveType(baseName, inside, depth + 1);
+            if (!type || !type->isBuiltin) return type;
+            Modifier own = modifierOf(tree.bases[0].modifications, inside, work_.messages);
+            own.markEach();
+            type->modifier = merge(own, std::move(type->modifier), work_.messages, tree.name);
+            type->className = definition.qualifiedName;
+            type->isConnector = tree.restriction == Restriction::Connector;
+            return type;
+        }
+    }
+    ResolvedType type;
+    type.definition = &definition;
+    type.className = definition.qualifiedName;
+    type.isConnector = tree.restriction == Restriction::Connector;
+    return type;
+}
+
+std::optional<ResolvedType> Instantiator::followShort(const syntax::ClassDefinition& tree, const Scope& scope,
+                                                      const std::string& className, int depth) {
+    auto type = resolveType(tree.shortBase, scope, depth + 1);
+    if (!type) return type;
+    Modifier own = modifierOf(tree.shortModifications, scope, work_.messages);
+    if (tree.shortDimensions.empty()) own.markEach();
+    type->modifier = merge(own, std::move(type->modifier), work_.messages, tree.name);
+    std::vector<ResolvedType::Dimension> dimensions;
+    for (const auto& size : tree.shortDimensions) dimensions.push_back({&size, scope});
+    type->dimensions.insert(type->dimensions.begin(), dimensions.begin(), dimensions.end());
+    if (tree.shortCausality != syntax::Causality::None) type->causality = tree.shortCausality;
+    if (!className.empty()) type->className = className;
+    if (tree.restriction == Restriction::Connector) type->isConnector = true;
+    return type;
+}
+
+}  // namespace analogon

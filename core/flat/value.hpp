@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/flat/expression.hpp"
+#include "core/flat/flat_model.hpp"
+
+namespace analogon {
+
+/// What an expression of a class means: a scalar or a rectangular array, row-major.
+struct Value {
+    FlatType type{FlatType::Real};
+    std::vector<int> dimensions;         // empty: a scalar
+    std::vector<ExpressionId> elements;  // String: empty ids
+    std::vector<std::string> texts;      // String only
+    std::string enumeration;             // qualified class of an enumeration value (its type is Integer)
+
+    bool isScalar() const { return dimensions.empty(); }
+    std::size_t size() const { return type == FlatType::String ? texts.size() : elements.size(); }
+    bool isNumeric() const { return (type == FlatType::Real || type == FlatType::Integer) && enumeration.empty(); }
+
+    static Value scalar(FlatType type, ExpressionId element) { return {type, {}, {element}, {}, {}}; }
+    static Value text(std::string text) { return {FlatType::String, {}, {}, {std::move(text)}, {}}; }
+    /// The part at the leading subscript (1-based).
+    Value part(int subscript) const;
+};
+
+/// Product of the dimensions; 1 for a scalar.
+std::size_t elementCount(const std::vector<int>& dimensions);
+/// "[2,3]", empty for a scalar.
+std::string sizeText(const std::vector<int>& dimensions);
+/// The subscripts (1-based) of an element in row-major order.
+std::vector<int> subscriptsOf(std::size_t element, const std::vector<int>& dimensions);
+/// "Real", "Boolean", "Integer[3]", "String" or the enumeration's name.
+std::string typeText(const Value& value);
+const char* typeName(FlatType type);
+
+}  // namespace analogon

@@ -1,0 +1,150 @@
+#include "core/library/library.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "core/library/name_search.hpp"
+#include "core/library/package_loader.hpp"
+
+namespace analogon {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Parts of a dotted name; a dot within a quoted identifier does not separate.
+syntax::Name splitName(std::string_view dotted) {
+    syntax::Name name;
+    if (dotted.starts_with('.')) {
+        name.absolute = true;
+        dotted.remove_prefix(1);
+    }
+    std::string part;
+    bool isQuoted = false;
+    for (std::size_t i = 0; i <= dotted.size(); ++i) {
+        if (i == dotted.size() || (dotted[i] == '.' && !isQuoted)) {
+            name.parts.push_back({std::exchange(part, {}), {}, {}});
+            continue;
+        }
+        if (dotted[i] == '\'' && (i == 0 || dotted[i - 1] != '\\')) isQuoted = !isQuoted;
+        part += dotted[i];
+    }
+    return name;
+}
+
+bool isWithin(std::string_view name, std::string_view outer) {
+    return name == outer || (name.size() > outer.size() && name.starts_with(outer) && name[outer.size()] == '.');
+}
+
+}  // namespace
+
+Outcome<Library> Library::withPath(const fs::path& path) const {
+    PackageLoader loader;
+    loader.load(path);
+    if (hasError(loader.diagnostics())) return std::move(loader.diagnostics());
+    return Outcome<Library>(with(std::move(loader.classes())), std::move(loader.diagnostics()));
+}
+
+Outcome<Library> Library::withSource(SourcePtr source) const {
+    PackageLoader loader;
+    loader.loadSource(std::move(source));
+    if (hasError(loader.diagnostics())) return std::move(loader.diagnostics());
+    return Outcome<Library>(with(std::move(loader.classes())), std::move(loader.diagnostics()));
+}
+
+/// The classes come outer before inner: each that is not part of one before replaces its namesake.
+Library Library::with(std::vector<LibraryClass> added) const {
+    Library result = *this;
+    auto place = result.order_.size();
+    std::string root;
+    for (LibraryClass& one : added) {
+        if (root.empty() || !isWithin(one.qualifiedName, root)) {
+            root = one.qualifiedName;
+            const auto old = std::find_if(result.order_.begin(), result.order_.end(),
+                                          [&](const LibraryClass* known) { return known->qualifiedName == root; });
+            place = static_cast<std::size_t>(old - result.order_.begin());
+            result.remove(root);
+            place = std::min(place, result.order_.size());
+        }
+        const auto kept = std::make_shared<const LibraryClass>(std::move(one));
+        result.classes_[kept->qualifiedName] = kept;
+        result.order_.insert(result.order_.begin() + static_cast<std::ptrdiff_t>(place++), kept.get());
+    }
+    return result;
+}
+
+void Library::remove(const std::string& qualifiedName) {
+    std::erase_if(order_, [&](const LibraryClass* one) { return isWithin(one->qualifiedName, qualifiedName); });
+    std::erase_if(classes_, [&](const auto& entry) { return isWithin(entry.first, qualifiedName); });
+}
+
+const LibraryClass* Library::find(std::string_view qualifiedName) const {
+    const auto entry = classes_.find(qualifiedName);
+    return entry == classes_.end() ? nullptr : entry->second.get();
+}
+
+const LibraryClass* Library::lookup(const syntax::Name& name, std::string_view scope) const {
+    return NameSearch(*this).find(name, scope);
+}
+
+const LibraryClass* Library::lookup(std::string_view dottedName, std::string_view scope) const {
+    return lookup(splitName(dottedName), scope);
+}
+
+std::vector<std::string> Library::names() const {
+    std::vector<std::string> result;
+    result.reserve(order_.size());
+    for (const LibraryClass* one : order_) result.push_back(one->qualifiedName);
+    return result;
+}
+
+std::vector<const LibraryClass*> Library::bases(const LibraryClass& derived) const {
+    std::vector<const LibraryClass*> result;
+    NameSearch search(*this);
+    const auto add = [&](const syntax::Name& name) {
+        if (const LibraryClass* base = search.findBase(name, derived)) result.push_back(base);
+    };
+    if (derived.definition->isShort && !derived.definition->isEnumeration) add(derived.definition->shortBase);
+    for (const syntax::Extends& clause : derived.definition->bases) add(clause.base);
+    return result;
+}
+
+bool Library::isDerived(std::string_view derived, std::string_view base) const {
+    const LibraryClass* start = find(derived);
+    const LibraryClass* wanted = find(base);
+    if (!start || !wanted) return false;
+    std::set<const LibraryClass*> seen{start};
+    std::vector<const LibraryClass*> open{start};
+    while (!open.empty()) {
+        const LibraryClass* one = open.back();
+        open.pop_back();
+        if (one == wanted) return true;
+        for (const LibraryClass* next : bases(*one)) {
+            if (seen.insert(next).second) open.push_back(next);
+        }
+    }
+    return false;
+}
+
+fs::path builtInLibraryPath() {
+    std::vector<fs::path> candidates;
+    if (const char* given = std::getenv("ANALOGON_LIBRARY")) candidates.emplace_back(given);
+    std::error_code problem;
+    const fs::path program = fs::read_symlink("/proc/self/exe", problem);
+    if (!problem) candidates.push_back(program.parent_path().parent_path() / "share" / "analogon");
+    candidates.emplace_back(ANALOGON_SOURCE_LIBRARY);
+    for (const fs::path& candidate : candidates) {
+        if (fs::exists(candidate / "Analogon" / "package.mo", problem)) return candidate;
+    }
+    return candidates.back();
+}
+
+Outcome<Library> builtInLibrary() {
+    static const Outcome<Library> library = Library().withPath(builtInLibraryPath() / "Analogon");
+    return library;
+}
+
+}  // namespace analogon

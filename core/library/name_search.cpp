@@ -1,0 +1,98 @@
+#include "core/library/name_search.hpp"
+
+#include <string>
+
+namespace analogon {
+
+namespace {
+
+/// "A.B" for "A.B.C", empty for "A". A dot within a quoted identifier does not count.
+std::string_view enclosing(std::string_view qualifiedName) {
+    bool isQuoted = false;
+    for (std::size_t i = qualifiedName.size(); i-- > 0;) {
+        if (qualifiedName[i] == '\'' && (i == 0 || qualifiedName[i - 1] != '\\')) isQuoted = !isQuoted;
+        if (qualifiedName[i] == '.' && !isQuoted) return qualifiedName.substr(0, i);
+    }
+    return {};
+}
+
+}  // namespace
+
+const LibraryClass* NameSearch::find(const syntax::Name& name, std::string_view scope) {
+    if (name.parts.empty()) return nullptr;
+    const std::string_view start = name.absolute ? std::string_view{} : scope;
+    return findRest(findFirst(name.parts.front().identifier, start, nullptr), name, 1);
+}
+
+const LibraryClass* NameSearch::findBase(const syntax::Name& name, const LibraryClass& derived) {
+    if (name.parts.empty()) return nullptr;
+    const std::string_view start = name.absolute ? std::string_view{} : std::string_view(derived.qualifiedName);
+    return findRest(findFirst(name.parts.front().identifier, start, &derived), name, 1);
+}
+
+/// From the scope outward. `heir` is the class whose own base is being looked for.
+const LibraryClass* NameSearch::findFirst(std::string_view identifier, std::string_view scope,
+                                          const LibraryClass* heir) {
+    for (; !scope.empty(); scope = enclosing(scope)) {
+        if (const LibraryClass* found = nested(scope, identifier)) return found;
+        const LibraryClass* here = library_.find(scope);
+        if (!here) continue;  // `within` a package that is not loaded
+        if (here != heir) {
+            if (const LibraryClass* found = inherited(*here, identifier)) return found;
+        }
+        if (const LibraryClass* found = imported(*here, identifier)) return found;
+        if (here->definition->isEncapsulated) return nullptr;
+    }
+    return library_.find(identifier);
+}
+
+const LibraryClass* NameSearch::findRest(const LibraryClass* found, const syntax::Name& name, std::size_t part) {
+    for (; found && part < name.parts.size(); ++part) found = declaredOrInherited(*found, name.parts[part].identifier);
+    return found;
+}
+
+const LibraryClass* NameSearch::declaredOrInherited(const LibraryClass& in, std::string_view identifier) {
+    if (const LibraryClass* found = nested(in.qualifiedName, identifier)) return found;
+    return inherited(in, identifier);
+}
+
+const LibraryClass* NameSearch::inherited(const LibraryClass& in, std::string_view identifier) {
+    const auto [entry, isNew] = visited_.try_emplace({&in, std::string(identifier)}, nullptr);
+    if (!isNew) return entry->second;
+    const auto from = [&](const syntax::Name& name) -> const LibraryClass* {
+        const LibraryClass* base = findBase(name, in);
+        return base && base != &in ? declaredOrInherited(*base, identifier) : nullptr;
+    };
+    const LibraryClass* found = nullptr;
+    if (in.definition->isShort && !in.definition->isEnumeration) found = from(in.definition->shortBase);
+    for (const syntax::Extends& clause : in.definition->bases) {
+        if (!found) found = from(clause.base);
+    }
+    entry->second = found;
+    return found;
+}
+
+/// Qualified imports win over `import A.*` (section 5.3.1).
+const LibraryClass* NameSearch::imported(const LibraryClass& in, std::string_view identifier) {
+    const auto absolute = [](const syntax::Name& name) {
+        std::string text = name.text();
+        return name.absolute ? text.substr(1) : text;
+    };
+    for (const syntax::Import& clause : in.definition->imports) {
+        if (!clause.wildcard && clause.alias == identifier) return library_.find(absolute(clause.name));
+    }
+    for (const syntax::Import& clause : in.definition->imports) {
+        if (!clause.wildcard) continue;
+        if (const LibraryClass* found = nested(absolute(clause.name), identifier)) return found;
+    }
+    return nullptr;
+}
+
+const LibraryClass* NameSearch::nested(std::string_view scope, std::string_view identifier) const {
+    std::string name(scope);
+    name += '.';
+    name += identifier;
+    return library_.find(name);
+}
+
+}  // namespace analogon

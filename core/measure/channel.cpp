@@ -1,0 +1,137 @@
+#include "core/measure/channel.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/unit.hpp"
+
+namespace analogon {
+
+namespace {
+
+Diagnostic unknownColumn(const Table& table, const std::string& name) {
+    const std::vector<std::string> names = table.names();
+    const std::string alike = suggestion(name, names);
+    std::string hint = alike.empty() ? "" : fmt::format("Did you mean '{}'? ", alike);
+    constexpr std::size_t shown = 30;
+    const std::vector<std::string> listed(names.begin(),
+                                          names.begin() + static_cast<std::ptrdiff_t>(std::min(names.size(), shown)));
+    hint += fmt::format("The columns are {}{}.", fmt::join(listed, ", "), names.size() > shown ? ", …" : "");
+    return fileError(fmt::format("there is no column '{}'", name), table.file, 0, 0, std::move(hint));
+}
+
+/// The first cell that is not a finite number, and how many more there are.
+Diagnostic blankCell(const Table& table, const Column& column) {
+    const BlankCell& first = column.blanks.front();
+    const bool isMissing = std::isnan(column.values[first.row]);
+    std::string message = fmt::format("column '{}' has {} here (data row {}", column.name,
+                                      isMissing ? "no number" : "an infinite value", first.row + 1);
+    if (column.blanks.size() > 1) {
+        const int last = table.lines[column.blanks.back().row];
+        message += fmt::format("; {} cells in all, the last in line {}", column.blanks.size(), last);
+    }
+    return fileError(message + ")", table.file, table.lines[first.row], first.position,
+                     "Remove these rows, fill the cells, or leave them out with \"range\": [from, to] in the study.");
+}
+
+/// A table made in memory may hold such values without their places.
+Column withBlanks(const Column& column) {
+    Column out = column;
+    if (!out.blanks.empty()) return out;
+    for (std::size_t i = 0; i < out.values.size(); ++i)
+        if (!std::isfinite(out.values[i])) out.blanks.push_back({static_cast<std::uint32_t>(i), 0});
+    return out;
+}
+
+bool allFinite(const std::vector<double>& values) {
+    return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
+Outcome<UnitConversion> conversion(const Table& table, const Column& column, const std::string& from,
+                                   const std::string& to) {
+    if (from.empty() || to.empty()) return UnitConversion{};
+    const std::string source = from == "-" ? "1" : from;
+    Outcome<UnitConversion> result = convertUnit(source, to);
+    if (result) return result;
+    if (!isKnownUnit(source))
+        return fileError(fmt::format("the unit '{}' of column '{}' is not known", from, column.name), table.file, 0, 0,
+                         fmt::format("The model wants '{}'. Give the right unit in the header, or in the study as "
+                                     "{{\"column\": \"{}\", \"unit\": \"{}\"}}.",
+                                     to, column.name, to));
+    return fileError(fmt::format("column '{}' is in '{}', which cannot be converted to the '{}' of the model",
+                                 column.name, from, to),
+                     table.file, 0, 0,
+                     fmt::format("Map another column, or give the unit in the study as {{\"column\": \"{}\", "
+                                 "\"unit\": …}}.",
+                                 column.name));
+}
+
+double medianStep(const std::vector<double>& time) {
+    std::vector<double> steps(time.size() - 1);
+    for (std::size_t i = 0; i + 1 < time.size(); ++i) steps[i] = time[i + 1] - time[i];
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    return *middle;
+}
+
+/// One warning for all gaps, at the first.
+Diagnostics gaps(const Table& table, const Column& column, const std::vector<double>& time) {
+    constexpr double gapFactor = 20;
+    const double usual = medianStep(time);
+    std::vector<std::size_t> found;
+    for (std::size_t i = 1; i < time.size(); ++i)
+        if (time[i] - time[i - 1] > gapFactor * usual) found.push_back(i);
+    if (found.empty()) return {};
+    const std::size_t at = found.front();
+    std::string message = fmt::format("the recording pauses for {:.4g} s before this row; its usual step is {:.4g} s",
+                                      time[at] - time[at - 1], usual);
+    if (found.size() > 1) message += fmt::format(" ({} such gaps in all)", found.size());
+    Diagnostic gap = fileError(message, table.file, table.lines[at], 0,
+                               fmt::format("Between rows, inputs run linearly in '{}'. Use \"range\" in the study to "
+                                           "leave a part out.",
+                                           column.name));
+    gap.severity = Severity::Warning;
+    return {gap};
+}
+
+}  // namespace
+
+Outcome<std::vector<double>> readChannel(const Table& table, const ChannelMapping& mapping, const std::string& unit) {
+    const Column* const column = table.find(mapping.column);
+    if (!column) return unknownColumn(table, mapping.column);
+    const Outcome<UnitConversion> convert =
+        conversion(table, *column, mapping.unit.empty() ? column->unit : mapping.unit, unit);
+    if (!convert) return convert.diagnostics();
+    if (!allFinite(column->values)) return blankCell(table, withBlanks(*column));
+    std::vector<double> values(column->values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = mapping.scale * (*convert)(column->values[i]) + mapping.offset;
+    return values;
+}
+
+Outcome<std::vector<double>> readTime(const Table& table, const std::string& column) {
+    const Outcome<std::vector<double>> channel = readChannel(table, ChannelMapping{column, {}, 1, 0, 1}, "s");
+    if (!channel) return channel.diagnostics();
+    const Column& source = *table.find(column);
+    const std::vector<double>& time = *channel;
+    if (time.size() < 2)
+        return fileError("the recording has only one row", table.file, table.lines.empty() ? 0 : table.lines.front(), 0,
+                         "At least two samples are needed.");
+    if (std::all_of(time.begin(), time.end(), [&](double t) { return t == time.front(); }))
+        return fileError(fmt::format("the time in column '{}' stands still at {}", column, source.values.front()),
+                         table.file, table.lines.front(), 0, "Name the column that holds the time in seconds.");
+    for (std::size_t i = 1; i < time.size(); ++i) {
+        if (time[i] > time[i - 1]) continue;
+        const bool repeats = time[i] == time[i - 1];
+        return fileError(fmt::format("the time in column '{}' {} (data row {}): {} after {}", column,
+                                     repeats ? "repeats" : "goes back", i + 1, source.values[i], source.values[i - 1]),
+                         table.file, table.lines[i], 0,
+                         repeats ? "Remove the repeated row, or write the time with more digits."
+                                 : "Sort the rows by time, or split the file where the recording starts anew.");
+    }
+    return {time, gaps(table, source, time)};
+}
+
+}  // namespace analogon

@@ -1,0 +1,61 @@
+#include "core/measure/column_header.hpp"
+
+#include "core/base/unit.hpp"
+#include "core/measure/csv_dialect.hpp"
+
+namespace analogon {
+
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
+    return text;
+}
+
+/// A number in brackets is an index, not a unit.
+bool isUnit(std::string_view text) { return !isNumeric(text) && isKnownUnit(trimmed(text)); }
+
+ColumnHeader make(std::string_view name, std::string_view unit) {
+    return {std::string(trimmed(name)), std::string(trimmed(unit))};
+}
+
+}  // namespace
+
+ColumnHeader readColumnHeader(std::string_view text) {
+    text = trimmed(text);
+    if (text.ends_with(']')) {
+        const std::size_t open = text.rfind('[');
+        if (open != std::string_view::npos && open > 0)
+            return make(text.substr(0, open), text.substr(open + 1, text.size() - open - 2));
+    }
+    if (text.ends_with(')')) {
+        // The outermost pair, so that W/(m2.K) in brackets stays whole.
+        int depth = 0;
+        for (std::size_t i = text.size(); i-- > 1;) {
+            if (text[i] == ')') ++depth;
+            if (text[i] == '(' && --depth == 0) {
+                const std::string_view unit = text.substr(i + 1, text.size() - i - 2);
+                if (isUnit(unit)) return make(text.substr(0, i), unit);
+                break;
+            }
+        }
+    }
+    if (const std::size_t word = text.rfind(" in "); word != std::string_view::npos && word > 0)
+        if (isUnit(text.substr(word + 4))) return make(text.substr(0, word), text.substr(word + 4));
+    if (const std::size_t slash = text.find(" / "); slash != std::string_view::npos && slash > 0)
+        if (isUnit(text.substr(slash + 3))) return make(text.substr(0, slash), text.substr(slash + 3));
+    // "T/degC", but not a name that is itself a unit, as "m/s".
+    if (const std::size_t slash = text.find('/'); slash != std::string_view::npos && slash > 0 && !isKnownUnit(text))
+        if (isUnit(text.substr(slash + 1))) return make(text.substr(0, slash), text.substr(slash + 1));
+    return make(text, {});
+}
+
+std::string readUnitCell(std::string_view text) {
+    text = trimmed(text);
+    const bool bracketed = text.size() >= 2 &&
+                           ((text.front() == '[' && text.back() == ']') || (text.front() == '(' && text.back() == ')'));
+    return std::string(bracketed ? trimmed(text.substr(1, text.size() - 2)) : text);
+}
+
+}  // namespace analogon

@@ -1,0 +1,154 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/report/report.hpp"
+#include "core/report/words.hpp"
+
+namespace analogon {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json parametersJson(const ModelState& state) {
+    Json parameters = Json::object();
+    for (const FitEstimate& estimate : state.parameters) {
+        Json json{{"value", number(estimate.value)},
+                  {"std", number(estimate.standardError)},
+                  {"unit", estimate.unit},
+                  {"at_bound", estimate.atBound}};
+        const std::string experiment = experimentOf(state, estimate);
+        if (!experiment.empty()) json["experiment"] = experiment;
+        // A start value has one estimate for each experiment.
+        parameters[experiment.empty() ? estimate.name : fmt::format("{} ({})", estimate.name, experiment)] = json;
+    }
+    return parameters;
+}
+
+Json experimentJson(const ExperimentState& experiment) {
+    Json outputs = Json::object();
+    for (const OutputState& output : experiment.outputs) {
+        const ErrorFigures& figures = output.figures;
+        outputs[output.name] = {{"rmse", number(figures.rmse)},
+                                {"error_percent", number(figures.errorPercent)},
+                                {"relative_rms_percent", number(figures.relativeRmsPercent)},
+                                {"fit_percent", number(figures.fitPercent)},
+                                {"max_abs", number(figures.maxAbs)},
+                                {"unit", output.unit}};
+    }
+    Json json{{"role", experiment.role == Role::Fit ? "fit" : "validate"},
+              {"error_percent", number(experiment.errorPercent)},
+              {"outputs", outputs}};
+    if (experiment.failure.failed)
+        json["failure"] = {{"time", number(experiment.failure.time)},
+                           {"variable", experiment.failure.variable},
+                           {"reason", experiment.failure.reason}};
+    return json;
+}
+
+Json stateJson(const ModelState& state) {
+    Json json{{"parameters", parametersJson(state)}};
+    json["experiments"] = Json::object();
+    for (const ExperimentState& experiment : state.experiments)
+        json["experiments"][experiment.name] = experimentJson(experiment);
+    json["residual"] = Json::object();
+    for (const auto& [output, residual] : state.residual)
+        json["residual"][output] = {{"noise_std", number(residual.noiseStd)},
+                                    {"std", number(residual.standardDeviation)},
+                                    {"autocorrelation_time", number(residual.autocorrelationTime)},
+                                    {"white", residual.white}};
+    json["convergence"] = {{"status", statusWords(state.status)},
+                           {"message", state.message},
+                           {"simulations", state.simulations},
+                           {"seconds", number(state.seconds)}};
+    json["remarks"] = state.remarks;
+    return json;
+}
+
+Json effectJson(const AddedEffect& effect) {
+    Json parameters = Json::object();
+    for (const EffectValue& parameter : effect.parameters)
+        parameters[parameter.name] = {
+            {"value", number(parameter.value)}, {"std", number(parameter.standardError)}, {"unit", parameter.unit}};
+    Json alternatives = Json::array();
+    for (const Alternative& other : effect.alternatives)
+        alternatives.push_back({{"kind", other.kind},
+                                {"at", other.at},
+                                {"delta_bic", number(other.deltaBic)},
+                                {"equivalent", other.equivalent}});
+    const Evidence& evidence = effect.evidence;
+    return {{"kind", effect.kind},
+            {"class", effect.className},
+            {"way", name(effect.way)},
+            {"at", effect.at},
+            {"instance", effect.instance},
+            {"description", effect.description},
+            {"parameters", parameters},
+            {"evidence",
+             {{"score", number(evidence.score)},
+              {"p_value", number(evidence.pValue)},
+              {"delta_bic", number(evidence.deltaBic)},
+              {"held_out", number(evidence.heldOut)},
+              {"error_percent_before", number(evidence.errorPercentBefore)},
+              {"error_percent_after", number(evidence.errorPercentAfter)}}},
+            {"alternatives", alternatives}};
+}
+
+Json candidateJson(const CandidateResult& candidate) {
+    Json json{{"kind", candidate.kind},
+              {"at", candidate.at},
+              {"class", candidate.className},
+              {"round", candidate.round},
+              {"score", number(candidate.score)},
+              {"strength", number(candidate.strength)},
+              {"verdict", name(candidate.verdict)}};
+    if (candidate.deltaBic) json["delta_bic"] = number(*candidate.deltaBic);
+    if (candidate.verdict == Verdict::Absorbed) json["absorbed_by"] = candidate.absorbedBy;
+    return json;
+}
+
+Json remainderJson(const Remainder& remainder) {
+    Json correlates = Json::array();
+    for (const Correlate& correlate : remainder.movesWith)
+        correlates.push_back({{"variable", correlate.variable}, {"correlation", number(correlate.correlation)}});
+    return {{"output", remainder.output},         {"node", remainder.node},
+            {"experiment", remainder.experiment}, {"evidence", number(remainder.evidence)},
+            {"from", number(remainder.from)},     {"to", number(remainder.to)},
+            {"moves_with", correlates},           {"proposed_equation", remainder.proposedEquation}};
+}
+
+}  // namespace
+
+std::string reportJson(const Finding& finding, const ReportContext& context) {
+    Json json{{"format", "analogon-report-1"}};
+    // A simulation or a plain fit asks no question that a finding would answer.
+    json["finding"] = context.command == "discover" ? Json(name(finding.kind)) : Json(nullptr);
+    json["title"] = context.title;
+    json["program"] = {{"name", "Analogon"}, {"version", context.version}, {"command", context.command}};
+    json["summary"] = summaryWords(finding, context.command);
+    json["interrupted"] = finding.interrupted;
+    json["seconds"] = number(finding.seconds);
+    json["baseline"] = stateJson(finding.baseline);
+    json["effects"] = Json::array();
+    for (const AddedEffect& effect : finding.effects) json["effects"].push_back(effectJson(effect));
+    json["candidates"] = Json::array();
+    for (const CandidateResult& candidate : finding.candidates) json["candidates"].push_back(candidateJson(candidate));
+    if (!finding.remainders.empty()) {
+        json["remainder"] = remainderJson(finding.remainders.front());
+        if (finding.remainders.size() > 1) {
+            json["remainders"] = Json::array();
+            for (const Remainder& remainder : finding.remainders)
+                json["remainders"].push_back(remainderJson(remainder));
+        }
+    }
+    if (!finding.nextExperiment.empty()) json["next_experiment"] = finding.nextExperiment;
+    json["warnings"] = finding.warnings;
+    json["final"] = stateJson(finding.final.experiments.empty() ? finding.baseline : finding.final);
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace analogon

@@ -1,0 +1,160 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/measure/table.hpp"
+#include "core/report/number_text.hpp"
+#include "core/report/report.hpp"
+#include "core/report/words.hpp"
+
+namespace analogon {
+
+namespace {
+
+const ExperimentState* find(const ModelState& state, const std::string& experiment) {
+    for (const ExperimentState& candidate : state.experiments)
+        if (candidate.name == experiment) return &candidate;
+    return nullptr;
+}
+
+const OutputState* find(const ExperimentState* experiment, const std::string& output) {
+    if (!experiment) return nullptr;
+    for (const OutputState& candidate : experiment->outputs)
+        if (candidate.name == output) return &candidate;
+    return nullptr;
+}
+
+/// Lines of cells in columns as wide as their widest cell; the first `left` columns to the left, others right.
+std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left) {
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows) {
+        widths.resize(std::max(widths.size(), row.size()));
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], displayWidth(row[i]));
+    }
+    std::string text;
+    for (const auto& row : rows) {
+        std::string line = " ";
+        for (std::size_t i = 0; i < row.size(); ++i)
+            line += ' ' + (i < left ? padRight(row[i], widths[i]) : padLeft(row[i], widths[i])) + ' ';
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + '\n';
+    }
+    return text;
+}
+
+std::string errorTable(const Finding& finding) {
+    const bool both = hasChanged(finding);
+    std::vector<std::vector<std::string>> rows{{"experiment", "role", "output", both ? "error before" : "error"}};
+    if (both) rows.front().push_back("after");
+    for (const ExperimentState& experiment : finding.baseline.experiments) {
+        const ExperimentState* const after = both ? find(finding.final, experiment.name) : nullptr;
+        const auto add = [&](const std::string& output, double before, double then) {
+            rows.push_back(
+                {experiment.name, experiment.role == Role::Fit ? "fit" : "validate", output, percentText(before)});
+            if (both) rows.back().push_back(percentText(then));
+        };
+        for (const OutputState& output : experiment.outputs) {
+            const OutputState* const then = find(after, output.name);
+            add(output.name, output.figures.errorPercent, then ? then->figures.errorPercent : std::nan(""));
+        }
+        if (experiment.outputs.size() > 1)
+            add("all", experiment.errorPercent, after ? after->errorPercent : std::nan(""));
+    }
+    return aligned(rows, 3);
+}
+
+std::string effectLines(const Finding& finding) {
+    std::string text;
+    for (const AddedEffect& effect : finding.effects) {
+        text += fmt::format("  + {}\n", effectWords(effect));
+        for (const EffectValue& value : effect.parameters)
+            text += fmt::format("      {} = {}{}\n", value.name, valueText(value.value, value.standardError),
+                                value.unit.empty() || value.unit == "1" ? "" : ' ' + value.unit);
+        for (const Alternative& other : effect.alternatives)
+            if (other.equivalent)
+                text += fmt::format("      this data cannot tell it from {} at {}\n", other.kind, other.at);
+    }
+    return text;
+}
+
+std::string parameterTable(const ModelState& state) {
+    std::vector<std::vector<std::string>> rows{{"parameter", "value", "unit"}};
+    for (const FitEstimate& estimate : state.parameters) {
+        const std::string experiment = experimentOf(state, estimate);
+        std::string unit = estimate.unit;
+        if (estimate.atBound) unit += unit.empty() ? "at its bound" : "  at its bound";
+        rows.push_back({experiment.empty() ? estimate.name : fmt::format("{} ({})", estimate.name, experiment),
+                        valueText(estimate.value, estimate.standardError), unit});
+    }
+    return state.parameters.empty() ? std::string() : '\n' + aligned(rows, 3);
+}
+
+/// Whether effects were looked for at all.
+bool isSearch(const Finding& finding) {
+    return finding.kind != FindingKind::Adequate || !finding.candidates.empty() || !finding.effects.empty();
+}
+
+}  // namespace
+
+std::string summaryText(const Finding& finding) {
+    std::string text;
+    if (isSearch(finding))
+        text += fmt::format("Finding: {}. {}\n\n", name(finding.kind), summaryWords(finding, "discover"));
+    text += errorTable(finding);
+    text += parameterTable(finding.final.experiments.empty() ? finding.baseline : finding.final);
+    if (!finding.effects.empty()) text += "\nAdded\n" + effectLines(finding);
+    for (const Remainder& remainder : finding.remainders) text += "\n" + remainderWords(remainder) + "\n";
+    if (!finding.nextExperiment.empty()) text += "\nNext experiment: " + finding.nextExperiment + "\n";
+    const auto failures = [&](const ModelState& state) {
+        for (const ExperimentState& experiment : state.experiments)
+            if (experiment.failure.failed)
+                text += fmt::format("\nThe simulation of '{}' stopped at {} s: {}{}{}.\n", experiment.name,
+                                    numberText(experiment.failure.time), experiment.failure.reason,
+                                    experiment.failure.variable.empty() ? "" : " in ", experiment.failure.variable);
+    };
+    failures(finding.final.experiments.empty() ? finding.baseline : finding.final);
+    return text;
+}
+
+std::string tracesCsv(const Finding& finding) {
+    const bool both = hasChanged(finding);
+    std::vector<std::pair<std::string, std::string>> outputs;  // name, unit: the union over the experiments
+    for (const ExperimentState& experiment : finding.baseline.experiments)
+        for (const OutputState& output : experiment.outputs) {
+            const std::pair<std::string, std::string> entry{output.name, output.unit};
+            if (std::find(outputs.begin(), outputs.end(), entry) == outputs.end()) outputs.push_back(entry);
+        }
+    std::string text = "experiment,time [s]";
+    for (const auto& [output, unit] : outputs)
+        for (const char* const kind : {"measured", "before", "after"}) {
+            if (!both && std::string_view(kind) == "after") continue;
+            const std::string label = !both && std::string_view(kind) == "before" ? "simulated" : kind;
+            text += ',' + csvCell(fmt::format("{} {}{}", output, label, unit.empty() ? "" : " [" + unit + "]"));
+        }
+    text += '\n';
+    const auto append = [&](const Eigen::VectorXd* values, std::size_t row) {
+        text += ',';
+        const auto index = static_cast<Eigen::Index>(row);
+        if (values && index < values->size() && std::isfinite((*values)[index]))
+            fmt::format_to(std::back_inserter(text), "{:.9g}", (*values)[index]);
+    };
+    for (const ExperimentState& experiment : finding.baseline.experiments) {
+        const ExperimentState* const after = both ? find(finding.final, experiment.name) : nullptr;
+        const std::string label = csvCell(experiment.name);
+        for (std::size_t row = 0; row < experiment.time.size(); ++row) {
+            fmt::format_to(std::back_inserter(text), "{},{:.9g}", label, experiment.time[row]);
+            for (const auto& [name, unit] : outputs) {
+                const OutputState* const output = find(&experiment, name);
+                const OutputState* const then = find(after, name);
+                append(output ? &output->measured : nullptr, row);
+                append(output ? &output->simulated : nullptr, row);
+                if (both) append(then ? &then->simulated : nullptr, row);
+            }
+            text += '\n';
+        }
+    }
+    return text;
+}
+
+}  // namespace analogon

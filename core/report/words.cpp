@@ -1,0 +1,170 @@
+#include "core/report/words.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cmath>
+
+#include "core/report/number_text.hpp"
+
+namespace analogon {
+
+namespace {
+
+std::string lowerFirst(std::string text) {
+    // Not for names such as "I2R" or "DC": two capitals in a row are an abbreviation.
+    const bool isWord = text.size() > 1 && std::isupper(static_cast<unsigned char>(text[0])) &&
+                        !std::isupper(static_cast<unsigned char>(text[1]));
+    if (isWord) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+    while (!text.empty() && text.back() == '.') text.pop_back();
+    return text;
+}
+
+std::string listed(const std::vector<std::string>& parts) {
+    std::string text;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (i > 0) text += i + 1 == parts.size() ? " and " : ", ";
+        text += parts[i];
+    }
+    return text;
+}
+
+/// "The error on validation data falls from 8.6 % to 1.1 %."
+std::string errorWords(const Finding& finding) {
+    for (const Role role : {Role::Validate, Role::Fit}) {
+        const double before = errorPercent(finding.baseline, role), after = errorPercent(finding.final, role);
+        if (!std::isfinite(before) || !std::isfinite(after)) continue;
+        const char* const data = role == Role::Validate ? "validation data" : "the fitted data";
+        const char* const verb = after < before ? "falls" : "goes";
+        return fmt::format("the error on {} {} from {} to {}", data, verb, percentText(before), percentText(after));
+    }
+    return "the model changes as listed below";
+}
+
+std::string plainErrorWords(const ModelState& state) {
+    std::string text;
+    const double fit = errorPercent(state, Role::Fit), validation = errorPercent(state, Role::Validate);
+    if (std::isfinite(fit)) text = fmt::format("Its error is {} on the fitted data", percentText(fit));
+    if (std::isfinite(validation))
+        text +=
+            fmt::format("{}{} on validation data", text.empty() ? "Its error is " : " and ", percentText(validation));
+    return text.empty() ? text : text + ".";
+}
+
+}  // namespace
+
+bool hasChanged(const Finding& finding) { return !finding.effects.empty() && !finding.final.experiments.empty(); }
+
+double errorPercent(const ModelState& state, Role role) {
+    double sum = 0;
+    int count = 0;
+    for (const ExperimentState& experiment : state.experiments) {
+        if (experiment.role != role) continue;
+        sum += experiment.errorPercent * experiment.errorPercent;
+        ++count;
+    }
+    return count > 0 ? std::sqrt(sum / count) : std::nan("");
+}
+
+std::string effectWords(const AddedEffect& effect) {
+    if (effect.description.empty()) return fmt::format("{} at {}", effect.kind, effect.at);
+    return fmt::format("{} ({}) at {}", lowerFirst(effect.description), effect.kind, effect.at);
+}
+
+std::string summaryWords(const Finding& finding, const std::string& command) {
+    const ModelState& state = finding.final.experiments.empty() ? finding.baseline : finding.final;
+    if (command == "simulate") return "The model was simulated as it stands. " + plainErrorWords(state);
+    if (command == "fit") return "The parameters of the model were fitted. " + plainErrorWords(state);
+    if (finding.interrupted && !hasChanged(finding))
+        return "The search was interrupted before an effect was accepted. " + plainErrorWords(state);
+
+    std::string text;
+    std::vector<std::string> effects;
+    for (const AddedEffect& effect : finding.effects) effects.push_back(effectWords(effect));
+    if (!effects.empty())
+        text = fmt::format("The model lacked {}. With {}, {}", listed(effects), effects.size() == 1 ? "it" : "them",
+                           errorWords(finding));
+    switch (finding.kind) {
+        case FindingKind::Adequate:
+            return "The model explains the measurement: what is left is noise, and nothing was added. " +
+                   plainErrorWords(state);
+        case FindingKind::Effect:
+            text += ", and what is left is noise.";
+            break;
+        case FindingKind::Partial:
+            text += "; what is left still has a structure that nothing known here explains.";
+            break;
+        case FindingKind::Unexplained:
+            text =
+                "What the model leaves over is not noise, and no known effect explains it. " + plainErrorWords(state);
+            break;
+    }
+    if (finding.interrupted) text += " The search was interrupted; this is the best so far.";
+    return text;
+}
+
+std::string verdictWords(const CandidateResult& candidate) {
+    switch (candidate.verdict) {
+        case Verdict::Chosen:
+            return "explains the residual best and passes every check";
+        case Verdict::Equivalent:
+            return "explains it as well: this data cannot tell it from the chosen one";
+        case Verdict::Weaker:
+            return "explains part of it, less than the chosen one";
+        case Verdict::NotSignificant:
+            return "gains no more than chance would";
+        case Verdict::Absorbed:
+            return candidate.absorbedBy.empty()
+                       ? "the data cannot show it: it only shifts parameters"
+                       : "the data cannot show it: it only shifts " + listed(candidate.absorbedBy);
+        case Verdict::WrongSign:
+            return "would need a strength of the wrong physical sign";
+        case Verdict::FailsHeldOut:
+            return "does not predict the parts of the data that were left out";
+        case Verdict::Failed:
+            return "could not be simulated or fitted";
+    }
+    return {};
+}
+
+std::string remainderWords(const Remainder& remainder) {
+    std::string text = fmt::format("What is left on output {}", remainder.output);
+    if (!remainder.experiment.empty()) text += fmt::format(" of '{}'", remainder.experiment);
+    if (remainder.to > remainder.from)
+        text +=
+            fmt::format(" is strongest between {} s and {} s", numberText(remainder.from), numberText(remainder.to));
+    else
+        text += " is not noise";
+    if (!remainder.node.empty()) text += fmt::format("; it acts at {}", remainder.node);
+    std::vector<std::string> variables;
+    for (const Correlate& correlate : remainder.movesWith)
+        variables.push_back(fmt::format("{} (correlation {:.2f})", correlate.variable, correlate.correlation));
+    if (!variables.empty()) text += "; it moves with " + listed(variables);
+    text += '.';
+    if (!remainder.proposedEquation.empty()) text += " Proposed: " + remainder.proposedEquation;
+    return text;
+}
+
+std::string experimentOf(const ModelState& state, const FitEstimate& estimate) {
+    if (estimate.experiment < 0) return {};
+    int index = 0;
+    for (const ExperimentState& experiment : state.experiments)
+        if (experiment.role == Role::Fit && index++ == estimate.experiment) return experiment.name;
+    return fmt::format("experiment {}", estimate.experiment + 1);
+}
+
+std::string statusWords(FitStatus status) {
+    switch (status) {
+        case FitStatus::Converged:
+            return "converged";
+        case FitStatus::IterationLimit:
+            return "iteration limit";
+        case FitStatus::Cancelled:
+            return "cancelled";
+        case FitStatus::Failed:
+            return "failed";
+    }
+    return {};
+}
+
+}  // namespace analogon

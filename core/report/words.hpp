@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/effect/finding.hpp"
+
+/// What the report says in words, for the page and the terminal alike. Plain text.
+namespace analogon {
+
+/// Whether something was added: before and after are two models.
+bool hasChanged(const Finding& finding);
+
+/// Root mean square of error_percent over the experiments with a role; NaN when there is none.
+double errorPercent(const ModelState& state, Role role);
+
+/// One or two sentences: what was found, and what it did to the error.
+std::string summaryWords(const Finding& finding, const std::string& command);
+
+/// "dry friction (friction.coulomb) at rotor.flange_a"
+std::string effectWords(const AddedEffect& effect);
+
+/// Why a candidate was taken or not.
+std::string verdictWords(const CandidateResult& candidate);
+
+std::string remainderWords(const Remainder& remainder);
+
+/// Name of the experiment that a fitted start value belongs to; empty for parameters of all experiments.
+std::string experimentOf(const ModelState& state, const FitEstimate& estimate);
+
+std::string statusWords(FitStatus status);
+
+}  // namespace analogon

@@ -1,0 +1,254 @@
+#include "core/residual/noise.hpp"
+
+#include <algorithm>
+#include <boost/math/special_functions/gamma.hpp>
+#include <cmath>
+
+namespace analogon {
+
+namespace {
+
+constexpr double kMedianToSigma = 1.0 / 0.6744897501960817;
+
+/// Runs of neighbouring values that are there.
+std::vector<std::vector<double>> runsOf(const Eigen::Ref<const Eigen::VectorXd>& signal) {
+    std::vector<std::vector<double>> runs(1);
+    for (const double value : signal) {
+        if (std::isnan(value)) {
+            if (!runs.back().empty()) runs.emplace_back();
+        } else {
+            runs.back().push_back(value);
+        }
+    }
+    return runs;
+}
+
+std::vector<double> differences(const std::vector<std::vector<double>>& runs, int order) {
+    std::vector<double> result;
+    for (std::vector<double> run : runs) {
+        for (int i = 0; i < order && !run.empty(); ++i) {
+            for (std::size_t k = 0; k + 1 < run.size(); ++k) run[k] = run[k + 1] - run[k];
+            run.pop_back();
+        }
+        result.insert(result.end(), run.begin(), run.end());
+    }
+    return result;
+}
+
+double median(std::vector<double> values) {
+    if (values.empty()) return 0.0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2) return *middle;
+    return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+std::vector<double> magnitudes(std::vector<double> values) {
+    for (double& value : values) value = std::abs(value);
+    return values;
+}
+
+/// Standard deviation of the bulk: the median of magnitudes to begin with, then the RMS of what lies within three
+/// times that, corrected for the tails cut off a Gaussian, until it settles. The median alone scatters by more
+/// than twice as much.
+double bulkDeviation(const std::vector<double>& values) {
+    constexpr double cut = 3.0, keptVariance = 0.97334;  // 1 - 2 c phi(c) / (2 Phi(c) - 1)
+    double sigma = kMedianToSigma * median(magnitudes(values));
+    for (int round = 0; round < 8 && sigma > 0.0; ++round) {
+        double sum = 0.0;
+        int count = 0;
+        for (const double value : values) {
+            if (std::abs(value) > cut * sigma) continue;
+            sum += value * value;
+            ++count;
+        }
+        if (count == 0) break;
+        const double next = std::sqrt(sum / count / keptVariance);
+        if (std::abs(next - sigma) < 1e-4 * sigma) return next;
+        sigma = next;
+    }
+    return sigma;
+}
+
+/// The step of a quantised signal that shows as jumps of one common size (or few multiples of it) scattered over
+/// the record; 0 when there is no sign of it. `quiet`: what the signal moves between two samples otherwise.
+double quantisationStep(const std::vector<std::vector<double>>& runs, double quiet) {
+    std::size_t count = 0;
+    std::vector<double> jumps;
+    for (const std::vector<double>& run : runs) {
+        const std::vector<double> moves = differences({run}, 1);
+        double largest = 0.0;
+        for (const double move : moves) largest = std::max(largest, std::abs(move));
+        const double floor = std::max(6.0 * quiet, 1e-9 * largest);
+        count += moves.size();
+        for (std::size_t k = 1; k + 1 < moves.size(); ++k) {
+            if (std::abs(moves[k]) <= floor) continue;
+            // Less what the signal moves here anyway.
+            jumps.push_back(std::abs(moves[k] - 0.5 * (moves[k - 1] + moves[k + 1])));
+        }
+    }
+    // A few jumps are steps of the signal itself.
+    if (jumps.size() < 8 || jumps.size() < count / 200) return 0.0;
+    std::vector<double> sorted = jumps;
+    std::sort(sorted.begin(), sorted.end());
+    const double size = sorted[sorted.size() / 4];
+    const auto isMultiple = [&](double jump) {
+        const double ratio = jump / size;
+        return std::abs(ratio - std::max(1.0, std::round(ratio))) < 0.15 && ratio < 4.5;
+    };
+    const auto common = std::count_if(jumps.begin(), jumps.end(), isMultiple);
+    return common * 10 >= static_cast<std::ptrdiff_t>(jumps.size()) * 9 ? size : 0.0;
+}
+
+}  // namespace
+
+double noiseFromDifferences(const Eigen::Ref<const Eigen::VectorXd>& signal) {
+    const std::vector<std::vector<double>> runs = runsOf(signal);
+    // Third differences of white noise have 1 + 9 + 9 + 1 times its variance; a short record must do with less.
+    constexpr double gains[] = {1.0, 2.0, 6.0, 20.0};
+    for (int order = 3; order >= 1; --order) {
+        const std::vector<double> moved = differences(runs, order);
+        if (moved.size() < (order > 1 ? 8u : 1u)) continue;
+        const double white = bulkDeviation(moved) / std::sqrt(gains[order]);
+        const double quiet = bulkDeviation(differences(runs, 1));
+        const double step = quantisationStep(runs, quiet);
+        return std::hypot(white, step / std::sqrt(12.0));
+    }
+    return 0.0;
+}
+
+Eigen::VectorXd AutoregressiveModel::whiten(const Eigen::Ref<const Eigen::VectorXd>& signal) const {
+    Eigen::VectorXd result = signal;
+    const auto order = static_cast<Eigen::Index>(coefficients.size());
+    for (Eigen::Index k = 0; k < signal.size(); ++k) {
+        for (Eigen::Index i = 1; i <= std::min(order, k); ++i) {
+            result[k] -= coefficients[static_cast<std::size_t>(i - 1)] * signal[k - i];
+        }
+    }
+    return result;
+}
+
+/// Burg 1975: reflection coefficients that minimise forward and backward errors together, so that the model is
+/// always stable; the order is that of the least BIC = N ln(variance) + order ln(N).
+AutoregressiveModel fitAutoregressive(const Eigen::Ref<const Eigen::VectorXd>& signal, int maxOrder) {
+    std::vector<double> samples;
+    for (const double value : signal) {
+        if (std::isfinite(value)) samples.push_back(value);
+    }
+    AutoregressiveModel best;
+    const auto count = static_cast<Eigen::Index>(samples.size());
+    if (count == 0) return best;
+    Eigen::VectorXd forward = Eigen::Map<const Eigen::VectorXd>(samples.data(), count);
+    Eigen::VectorXd backward = forward;
+    double variance = forward.squaredNorm() / static_cast<double>(count);
+    best.innovation = std::sqrt(variance);
+    if (variance <= 0.0) return best;
+    const double n = static_cast<double>(count);
+    double bestCriterion = n * std::log(variance);
+    std::vector<double> a;
+    for (int order = 1; order <= maxOrder && order + 2 < count; ++order) {
+        const Eigen::Index rest = count - order;
+        const auto f = forward.tail(rest);
+        const auto b = backward.segment(order - 1, rest);
+        const double power = f.squaredNorm() + b.squaredNorm();
+        if (!(power > 0.0)) break;
+        const double reflection = 2.0 * f.dot(b) / power;
+        const Eigen::VectorXd nextForward = f - reflection * b;
+        const Eigen::VectorXd nextBackward = b - reflection * f;
+        forward.tail(rest) = nextForward;
+        backward.tail(rest) = nextBackward;
+        std::vector<double> next(a);
+        for (std::size_t i = 0; i < a.size(); ++i) next[i] -= reflection * a[a.size() - 1 - i];
+        next.push_back(reflection);
+        a = std::move(next);
+        variance *= 1.0 - reflection * reflection;
+        if (!(variance > 0.0)) break;
+        const double criterion = n * std::log(variance) + order * std::log(n);
+        if (criterion < bestCriterion) {
+            bestCriterion = criterion;
+            best.coefficients = a;
+            best.innovation = std::sqrt(variance);
+        }
+    }
+    return best;
+}
+
+Eigen::VectorXd autocorrelation(const Eigen::Ref<const Eigen::VectorXd>& signal, int maxLag) {
+    // A gap counts as the mean: it neither adds nor takes away correlation.
+    double sum = 0.0;
+    Eigen::Index count = 0;
+    for (const double value : signal) {
+        if (!std::isfinite(value)) continue;
+        sum += value;
+        ++count;
+    }
+    const double mean = count > 0 ? sum / static_cast<double>(count) : 0.0;
+    const Eigen::VectorXd centred =
+        signal.unaryExpr([mean](double value) { return std::isfinite(value) ? value - mean : 0.0; });
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(maxLag + 1);
+    const double power = centred.squaredNorm();
+    result[0] = 1.0;
+    if (!(power > 0.0)) return result;
+    for (Eigen::Index lag = 1; lag <= std::min<Eigen::Index>(maxLag, signal.size() - 1); ++lag) {
+        const Eigen::Index rest = signal.size() - lag;
+        result[lag] = centred.head(rest).dot(centred.tail(rest)) / power;
+    }
+    return result;
+}
+
+namespace {
+
+/// 1 + 2 sum rho, summed while the lag is within five times the result (Sokal 1997, section 3).
+double integratedTime(const Eigen::Ref<const Eigen::VectorXd>& residual) {
+    const auto limit = static_cast<int>(residual.size() / 2);
+    for (int reach = 64;; reach *= 4) {
+        reach = std::min(reach, std::max(limit, 1));
+        const Eigen::VectorXd rho = autocorrelation(residual, reach);
+        double time = 1.0;
+        for (int lag = 1; lag <= reach; ++lag) {
+            time += 2.0 * rho[lag];
+            if (lag >= 5.0 * std::max(time, 1.0)) return std::max(time, 1e-3);
+        }
+        if (reach >= limit) return std::max(time, 1e-3);
+    }
+}
+
+/// Ljung & Box 1978: probability of an autocorrelation like this in white noise.
+double ljungBox(const Eigen::VectorXd& rho, double count) {
+    double q = 0.0;
+    for (Eigen::Index lag = 1; lag < rho.size(); ++lag) q += rho[lag] * rho[lag] / (count - static_cast<double>(lag));
+    q *= count * (count + 2.0);
+    const double freedom = static_cast<double>(rho.size() - 1);
+    return boost::math::gamma_q(0.5 * freedom, 0.5 * q);
+}
+
+}  // namespace
+
+ResidualSummary summarise(const Eigen::Ref<const Eigen::VectorXd>& residual) {
+    ResidualSummary summary;
+    double sum = 0.0, square = 0.0;
+    Eigen::Index count = 0;
+    for (const double value : residual) {
+        if (!std::isfinite(value)) continue;
+        sum += value;
+        square += value * value;
+        ++count;
+    }
+    if (count == 0) return summary;
+    const auto n = static_cast<double>(count);
+    summary.noiseStd = noiseFromDifferences(residual);
+    // About zero, not about the mean: an offset is something that the model does not explain.
+    summary.standardDeviation = std::sqrt(square / n);
+    summary.autocorrelationTime = integratedTime(residual);
+    const int lags = static_cast<int>(std::min<Eigen::Index>(20, count / 5));
+    if (lags < 1) return summary;
+    const double probability = ljungBox(autocorrelation(residual, lags), n);
+    const double mean = sum / n;
+    const bool hasOffset = mean * mean * n > 2.576 * 2.576 * (square / n - mean * mean);
+    // The two deviations differ by chance: about 1 / sqrt(n) each.
+    const bool exceeds = summary.standardDeviation > (1.05 + 4.0 / std::sqrt(n)) * summary.noiseStd;
+    summary.white = probability > 0.01 && !hasOffset && !exceeds;
+    return summary;
+}
+
+}  // namespace analogon

@@ -1,0 +1,396 @@
+#include <cvodes/cvodes.h>
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+#include "core/simulate/grid.hpp"
+#include "core/simulate/sample_recorder.hpp"
+
+namespace analogon {
+
+namespace {
+
+struct FreeContext {
+    void operator()(SUNContext c) const { SUNContext_Free(&c); }
+};
+struct FreeVector {
+    void operator()(N_Vector v) const { N_VDestroy(v); }
+};
+struct FreeMatrix {
+    void operator()(SUNMatrix m) const { SUNMatDestroy(m); }
+};
+struct FreeSolver {
+    void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
+};
+struct FreeCvodes {
+    void operator()(void* memory) const { CVodeFree(&memory); }
+};
+template <class T, class Free>
+using Owned = std::unique_ptr<std::remove_pointer_t<T>, Free>;
+
+/// Sensitivities as an array of vectors, one per direction.
+class VectorArray {
+public:
+    VectorArray(N_Vector like, int count) : array_(N_VCloneVectorArray(count, like)), count_(count) {}
+    ~VectorArray() { N_VDestroyVectorArray(array_, count_); }
+    VectorArray(const VectorArray&) = delete;
+    VectorArray& operator=(const VectorArray&) = delete;
+    N_Vector* get() const { return array_; }
+    double* operator[](int k) const { return N_VGetArrayPointer(array_[k]); }
+
+private:
+    N_Vector* array_;
+    int count_;
+};
+
+/// CVODES with backward differentiation formulas from kink to kink of the inputs (Hindmarsh et al. 2005), roots
+/// located and the integration restarted there, tangents by staggered forward sensitivities.
+class AdaptivePass final : public StateInterpolant {
+public:
+    AdaptivePass(Dynamics& dynamics, const SampledInputs& inputs, bool keepStates, const SimulationOptions& options,
+                 const Progress& progress, Trajectory& result)
+        : dynamics_(dynamics),
+          inputs_(inputs),
+          options_(options),
+          progress_(progress),
+          result_(result),
+          last_(static_cast<int>(inputs.time.size()) - 1),
+          n_(dynamics.shape().states),
+          K_(dynamics.shape().directions),
+          slots_(dynamics, inputs),
+          recorder_(dynamics, slots_, inputs, 0, last_, keepStates, result),
+          started_(std::chrono::steady_clock::now()) {
+        const auto n = static_cast<std::size_t>(n_), K = static_cast<std::size_t>(K_);
+        u_.resize(static_cast<std::size_t>(dynamics.shape().slots));
+        if (slots_.hasTangents()) du_.resize(u_.size() * K);
+        x_.resize(n);
+        dx_.resize(n * K);
+        dxdot_.resize(n * K);
+        jacobian_.resize(n * n);
+    }
+
+    void execute() {
+        double* const du = du_.empty() ? nullptr : du_.data();
+        time_ = inputs_.time.front();
+        slots_.at(0, time_, u_.data(), du);
+        if (!dynamics_.initialise(time_, u_.data(), du, x_.data(), K_ > 0 ? dx_.data() : nullptr) ||
+            !recorder_.start(x_.data(), dx_.data())) {
+            return fail(0, dynamics_.failure(), recorder_.reason());
+        }
+        nextSample_ = 1;
+        if (last_ == 0) return;
+        if (n_ == 0) return sampleOnly();
+        if (!setUp()) return fail(nextSample_, {}, "the integrator could not be set up");
+        findStops();
+        for (std::size_t i = 0; i < stops_.size(); ++i) {
+            // Just inside the piece that begins here, whatever rounding did to the time.
+            interval_ = slots_.intervalOf(time_, interval_);
+            if (!integrateTo(stops_[i])) return;
+            if (restartsAtKinks_ && i + 1 < stops_.size()) restart();
+        }
+    }
+
+    // The solver's own polynomial over its last step.
+    bool at(double t, double* x, double* dx, double* xdot) override {
+        if (CVodeGetDky(cvodes_.get(), t, 0, y_.get()) != CV_SUCCESS) return false;
+        std::copy_n(N_VGetArrayPointer(y_.get()), n_, x);
+        if (xdot) {
+            if (CVodeGetDky(cvodes_.get(), t, 1, y_.get()) != CV_SUCCESS) return false;
+            std::copy_n(N_VGetArrayPointer(y_.get()), n_, xdot);
+        }
+        if (dx && K_ > 0) {
+            if (CVodeGetSensDky(cvodes_.get(), t, 0, sensitivities_->get()) != CV_SUCCESS) return false;
+            gather(sensitivities_->get(), dx);
+        }
+        return true;
+    }
+
+private:
+    bool setUp();
+    bool setUpSensitivities();
+
+    /// Without states everything is algebraic.
+    void sampleOnly() {
+        class Nothing final : public StateInterpolant {
+        public:
+            bool at(double, double*, double*, double*) override { return true; }
+        } nothing;
+        for (; nextSample_ <= last_; ++nextSample_) {
+            time_ = sampleTime(nextSample_);
+            if (!recorder_.advance(nothing, time_, nextSample_ - 1) ||
+                !recorder_.record(nextSample_, x_.data(), dx_.data())) {
+                return fail(nextSample_, dynamics_.failure(), recorder_.reason());
+            }
+        }
+    }
+
+    /// Steps must not straddle a kink. With few kinks the integration restarts at each; with a kink in almost every
+    /// sample it runs on at its order, unless the slopes of the inputs themselves enter the equations.
+    void findStops() {
+        const std::vector<int> kinks = trueKinks(inputs_);
+        for (int k : kinks) {
+            if (k > 0) stops_.push_back(sampleTime(k));
+        }
+        const std::vector<double> delayed = slots_.delayedTimes(kinks);
+        stops_.insert(stops_.end(), delayed.begin(), delayed.end());
+        std::sort(stops_.begin(), stops_.end());
+        stops_.erase(std::unique(stops_.begin(), stops_.end()), stops_.end());
+        restartsAtKinks_ =
+            dynamics_.shape().needsInputDerivative || stops_.size() * 4 < static_cast<std::size_t>(last_);
+    }
+
+    bool integrateTo(double stop) {
+        CVodeSetStopTime(cvodes_.get(), stop);
+        while (time_ < stop) {
+            if (!isWithinLimits()) return false;
+            const double from = time_;
+            const int flag = CVode(cvodes_.get(), stop, y_.get(), &time_, CV_ONE_STEP);
+            if (flag < 0) return explain(flag);
+            std::copy_n(N_VGetArrayPointer(y_.get()), n_, x_.begin());
+            if (!recordUpTo(time_)) return false;
+            if (flag == CV_ROOT_RETURN) {
+                eventsHere_ = time_ - from <= 1e-12 * std::max(std::abs(time_), 1e-3) ? eventsHere_ + 1 : 0;
+                if (eventsHere_ > 100) return fail(nextSample_, {}, "events without end"), false;
+                if (!restart()) return fail(nextSample_, {}, "the integrator could not restart"), false;
+                CVodeSetStopTime(cvodes_.get(), stop);
+            } else {
+                eventsHere_ = 0;
+            }
+            if (flag == CV_TSTOP_RETURN) break;
+        }
+        return true;
+    }
+
+    bool recordUpTo(double reached) {
+        if (recorder_.needsInterpolant(reached) && !recorder_.advance(*this, reached, interval_)) {
+            return fail(nextSample_, dynamics_.failure(), recorder_.reason()), false;
+        }
+        for (; nextSample_ <= last_ && sampleTime(nextSample_) <= reached; ++nextSample_) {
+            if (!at(sampleTime(nextSample_), sampleX().data(), K_ > 0 ? sampleDx().data() : nullptr, nullptr) ||
+                !recorder_.record(nextSample_, sampleX_.data(), sampleDx_.data())) {
+                return fail(nextSample_, dynamics_.failure(), recorder_.reason()), false;
+            }
+        }
+        return true;
+    }
+
+    /// Starts anew from where it is.
+    bool restart() {
+        CVodeGetDky(cvodes_.get(), time_, 0, y_.get());
+        if (K_ > 0) CVodeGetSensDky(cvodes_.get(), time_, 0, sensitivities_->get());
+        interval_ = slots_.intervalOf(time_, interval_);
+        if (CVodeReInit(cvodes_.get(), time_, y_.get()) != CV_SUCCESS) return false;
+        return K_ == 0 || CVodeSensReInit(cvodes_.get(), CV_STAGGERED, sensitivities_->get()) == CV_SUCCESS;
+    }
+
+    bool isWithinLimits() {
+        if (++steps_ > options_.stepLimit) return fail(nextSample_, worstState(), "step limit"), false;
+        if ((steps_ & 255) != 0) return true;
+        if (progress_.stopRequested()) return fail(nextSample_, {}, "cancelled"), false;
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started_;
+        if (spent.count() > options_.wallClockLimit) return fail(nextSample_, worstState(), "time limit"), false;
+        return true;
+    }
+
+    /// The state whose error test was worst in the last step.
+    std::string worstState() const {
+        Owned<N_Vector, FreeVector> weights(N_VClone(y_.get())), errors(N_VClone(y_.get()));
+        if (CVodeGetErrWeights(cvodes_.get(), weights.get()) != CV_SUCCESS ||
+            CVodeGetEstLocalErrors(cvodes_.get(), errors.get()) != CV_SUCCESS) {
+            return {};
+        }
+        double largest = -1.0;
+        int worst = 0;
+        for (int i = 0; i < n_; ++i) {
+            const double size = std::abs(N_VGetArrayPointer(weights.get())[i] * N_VGetArrayPointer(errors.get())[i]);
+            if (size <= largest) continue;
+            largest = size;
+            worst = i;
+        }
+        return dynamics_.shape().stateNames[static_cast<std::size_t>(worst)];
+    }
+
+    bool explain(int flag) {
+        const bool isEvaluation = flag == CV_RHSFUNC_FAIL || flag == CV_REPTD_RHSFUNC_ERR ||
+                                  flag == CV_FIRST_RHSFUNC_ERR || flag == CV_UNREC_RHSFUNC_ERR;
+        std::string variable = isEvaluation ? dynamics_.failure() : worstState();
+        const char* reason = "not finite";
+        if (flag == CV_ERR_FAILURE) reason = "the step became too small for the tolerance";
+        if (flag == CV_CONV_FAILURE || flag == CV_LSETUP_FAIL || flag == CV_LSOLVE_FAIL) {
+            reason = "no convergence of an implicit step";
+        }
+        if (flag == CV_TOO_CLOSE || flag == CV_TOO_MUCH_ACC) reason = "the tolerance is beyond the machine's accuracy";
+        return fail(nextSample_, variable.empty() ? worstState() : variable, reason), false;
+    }
+
+    void fail(int sample, std::string variable, const char* reason) {
+        recorder_.abandon(std::min(sample, last_));
+        result_.failure = {true, time_, std::move(variable), reason};
+    }
+
+    double sampleTime(int k) const { return inputs_.time[static_cast<std::size_t>(k)]; }
+    std::vector<double>& sampleX() {
+        sampleX_.resize(x_.size());
+        return sampleX_;
+    }
+    std::vector<double>& sampleDx() {
+        sampleDx_.resize(dx_.size());
+        return sampleDx_;
+    }
+    void gather(N_Vector* from, double* to) const {
+        for (int k = 0; k < K_; ++k) {
+            const double* column = N_VGetArrayPointer(from[k]);
+            for (int i = 0; i < n_; ++i) to[i * K_ + k] = column[i];
+        }
+    }
+    void slotsAt(double t, double* du) {
+        // The piece in force: a time on its end still belongs to it.
+        int k = slots_.intervalOf(t, interval_);
+        if (k > interval_ && t == sampleTime(k)) --k;
+        slots_.at(k, t, u_.data(), du);
+    }
+
+    static int derivatives(double t, N_Vector y, N_Vector ydot, void* self);
+    static int jacobian(double t, N_Vector y, N_Vector fy, SUNMatrix J, void* self, N_Vector, N_Vector, N_Vector);
+    static int sensitivityRates(int count, double t, N_Vector y, N_Vector ydot, N_Vector* yS, N_Vector* ySdot,
+                                void* self, N_Vector, N_Vector);
+    static int rootFunctions(double t, N_Vector y, double* values, void* self);
+
+    Dynamics& dynamics_;
+    const SampledInputs& inputs_;
+    const SimulationOptions& options_;
+    const Progress& progress_;
+    Trajectory& result_;
+    int last_{}, n_{}, K_{};
+    InputSlots slots_;
+    SampleRecorder recorder_;
+    std::chrono::steady_clock::time_point started_;
+    std::vector<double> u_, du_, x_, dx_, dxdot_, jacobian_, sampleX_, sampleDx_;
+    std::vector<double> stops_;
+    bool restartsAtKinks_{true};
+    double time_{};
+    int interval_{}, nextSample_{}, eventsHere_{};
+    long steps_{};
+    // Freed in the opposite order: the solver before what it uses, the context last.
+    Owned<SUNContext, FreeContext> context_;
+    Owned<N_Vector, FreeVector> y_;
+    Owned<SUNMatrix, FreeMatrix> matrix_;
+    Owned<SUNLinearSolver, FreeSolver> solver_;
+    std::unique_ptr<VectorArray> sensitivities_;
+    std::unique_ptr<void, FreeCvodes> cvodes_;
+};
+
+int AdaptivePass::derivatives(double t, N_Vector y, N_Vector ydot, void* self) {
+    auto& pass = *static_cast<AdaptivePass*>(self);
+    pass.slotsAt(t, nullptr);
+    return pass.dynamics_.derivatives(t, N_VGetArrayPointer(y), pass.u_.data(), N_VGetArrayPointer(ydot)) ? 0 : 1;
+}
+
+int AdaptivePass::jacobian(double t, N_Vector y, N_Vector, SUNMatrix J, void* self, N_Vector scratch, N_Vector,
+                           N_Vector) {
+    auto& pass = *static_cast<AdaptivePass*>(self);
+    pass.slotsAt(t, nullptr);
+    if (!pass.dynamics_.jacobian(t, N_VGetArrayPointer(y), pass.u_.data(), N_VGetArrayPointer(scratch),
+                                 pass.jacobian_.data())) {
+        return 1;
+    }
+    for (int i = 0; i < pass.n_; ++i) {
+        for (int j = 0; j < pass.n_; ++j) {
+            SM_ELEMENT_D(J, i, j) = pass.jacobian_[static_cast<std::size_t>(i * pass.n_ + j)];
+        }
+    }
+    return 0;
+}
+
+int AdaptivePass::sensitivityRates(int count, double t, N_Vector y, N_Vector, N_Vector* yS, N_Vector* ySdot,
+                                   void* self, N_Vector scratch, N_Vector) {
+    auto& pass = *static_cast<AdaptivePass*>(self);
+    double* const du = pass.du_.empty() ? nullptr : pass.du_.data();
+    pass.slotsAt(t, du);
+    pass.gather(yS, pass.dx_.data());
+    if (!pass.dynamics_.derivatives(t, N_VGetArrayPointer(y), pass.dx_.data(), pass.u_.data(), du,
+                                    N_VGetArrayPointer(scratch), pass.dxdot_.data())) {
+        return 1;
+    }
+    for (int k = 0; k < count; ++k) {
+        double* column = N_VGetArrayPointer(ySdot[k]);
+        for (int i = 0; i < pass.n_; ++i) column[i] = pass.dxdot_[static_cast<std::size_t>(i * count + k)];
+    }
+    return 0;
+}
+
+int AdaptivePass::rootFunctions(double t, N_Vector y, double* values, void* self) {
+    auto& pass = *static_cast<AdaptivePass*>(self);
+    pass.slotsAt(t, nullptr);
+    return pass.dynamics_.roots(t, N_VGetArrayPointer(y), pass.u_.data(), values) ? 0 : -1;
+}
+
+bool AdaptivePass::setUp() {
+    SUNContext context{};
+    if (SUNContext_Create(nullptr, &context) != 0) return false;
+    context_.reset(context);
+    y_.reset(N_VNew_Serial(n_, context));
+    std::copy(x_.begin(), x_.end(), N_VGetArrayPointer(y_.get()));
+    matrix_.reset(SUNDenseMatrix(n_, n_, context));
+    solver_.reset(SUNLinSol_Dense(y_.get(), matrix_.get(), context));
+    cvodes_.reset(CVodeCreate(CV_BDF, context));
+    void* const memory = cvodes_.get();
+    if (!memory) return false;
+    // What went wrong is told in our words, not printed.
+    CVodeSetErrHandlerFn(memory, [](int, const char*, const char*, char*, void*) {}, nullptr);
+    if (CVodeInit(memory, derivatives, time_, y_.get()) != CV_SUCCESS) return false;
+    Owned<N_Vector, FreeVector> absolute(N_VClone(y_.get()));
+    for (int i = 0; i < n_; ++i) {
+        N_VGetArrayPointer(absolute.get())[i] =
+            options_.absoluteTolerance * dynamics_.shape().stateNominal[static_cast<std::size_t>(i)];
+    }
+    bool ok = CVodeSVtolerances(memory, options_.relativeTolerance, absolute.get()) == CV_SUCCESS &&
+              CVodeSetUserData(memory, this) == CV_SUCCESS &&
+              CVodeSetLinearSolver(memory, solver_.get(), matrix_.get()) == CV_SUCCESS &&
+              CVodeSetJacFn(memory, jacobian) == CV_SUCCESS && CVodeSetMaxErrTestFails(memory, 20) == CV_SUCCESS &&
+              CVodeSetMaxConvFails(memory, 30) == CV_SUCCESS;
+    if (ok && dynamics_.shape().roots > 0) {
+        ok = CVodeRootInit(memory, dynamics_.shape().roots, rootFunctions) == CV_SUCCESS;
+        CVodeSetNoInactiveRootWarn(memory);
+    }
+    return ok && (K_ == 0 || setUpSensitivities());
+}
+
+bool AdaptivePass::setUpSensitivities() {
+    void* const memory = cvodes_.get();
+    sensitivities_ = std::make_unique<VectorArray>(y_.get(), K_);
+    VectorArray absolute(y_.get(), K_);
+    for (int k = 0; k < K_; ++k) {
+        for (int i = 0; i < n_; ++i) {
+            const double start = dx_[static_cast<std::size_t>(i * K_ + k)];
+            (*sensitivities_)[k][i] = start;
+            absolute[k][i] = options_.absoluteTolerance * dynamics_.shape().stateNominal[static_cast<std::size_t>(i)] /
+                             dynamics_.shape().directionScale[static_cast<std::size_t>(k)];
+        }
+    }
+    return CVodeSensInit(memory, K_, CV_STAGGERED, sensitivityRates, sensitivities_->get()) == CV_SUCCESS &&
+           CVodeSensSVtolerances(memory, options_.relativeTolerance, absolute.get()) == CV_SUCCESS &&
+           CVodeSetSensErrCon(memory, SUNTRUE) == CV_SUCCESS;
+}
+
+}  // namespace
+
+Trajectory runAdaptive(Dynamics& dynamics, const SampledInputs& inputs, bool keepStates,
+                       const SimulationOptions& options, const Progress& progress) {
+    Trajectory result;
+    result.engine = Engine::Adaptive;
+    if (inputs.time.empty()) {
+        result.failure = {true, 0.0, {}, "no samples"};
+        return result;
+    }
+    AdaptivePass(dynamics, inputs, keepStates, options, progress, result).execute();
+    return result;
+}
+
+}  // namespace analogon

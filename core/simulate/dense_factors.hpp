@@ -1,0 +1,71 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace analogon {
+
+/// LU factors with partial pivoting of a small dense matrix, row-major; for n up to a few tens faster than a
+/// general library because nothing is allocated after resize() (Golub & Van Loan, algorithm 3.4.1).
+class DenseFactors {
+public:
+    void resize(int n) {
+        n_ = n;
+        entries_.assign(static_cast<std::size_t>(n * n), 0.0);
+        pivots_.assign(static_cast<std::size_t>(n), 0);
+    }
+    double* matrix() { return entries_.data(); }  // filled by the caller before factorise()
+
+    /// False for a singular or non-finite matrix.
+    bool factorise() {
+        for (int k = 0; k < n_; ++k) {
+            int pivot = k;
+            for (int i = k + 1; i < n_; ++i) {
+                if (std::abs(row(i)[k]) > std::abs(row(pivot)[k])) pivot = i;
+            }
+            pivots_[static_cast<std::size_t>(k)] = pivot;
+            if (pivot != k) std::swap_ranges(row(k), row(k) + n_, row(pivot));
+            const double diagonal = row(k)[k];
+            if (!std::isfinite(diagonal) || diagonal == 0.0) return false;
+            for (int i = k + 1; i < n_; ++i) {
+                const double factor = row(i)[k] /= diagonal;
+                if (factor == 0.0) continue;
+                for (int j = k + 1; j < n_; ++j) row(i)[j] -= factor * row(k)[j];
+            }
+        }
+        return true;
+    }
+
+    /// Solves in place for `width` right-hand sides, row-major n x width.
+    void solve(double* b, int width) const {
+        const auto line = [&](int i) { return b + static_cast<std::ptrdiff_t>(i) * width; };
+        for (int k = 0; k < n_; ++k) {
+            const int pivot = pivots_[static_cast<std::size_t>(k)];
+            if (pivot != k) std::swap_ranges(line(k), line(k) + width, line(pivot));
+        }
+        for (int i = 0; i < n_; ++i) {
+            for (int k = 0; k < i; ++k) subtract(line(i), row(i)[k], line(k), width);
+        }
+        for (int i = n_ - 1; i >= 0; --i) {
+            for (int k = i + 1; k < n_; ++k) subtract(line(i), row(i)[k], line(k), width);
+            const double inverse = 1.0 / row(i)[i];
+            for (int j = 0; j < width; ++j) line(i)[j] *= inverse;
+        }
+    }
+
+private:
+    double* row(int i) { return entries_.data() + static_cast<std::ptrdiff_t>(i) * n_; }
+    const double* row(int i) const { return entries_.data() + static_cast<std::ptrdiff_t>(i) * n_; }
+    static void subtract(double* to, double factor, const double* from, int width) {
+        if (factor == 0.0) return;
+        for (int j = 0; j < width; ++j) to[j] -= factor * from[j];
+    }
+
+    int n_{};
+    std::vector<double> entries_;
+    std::vector<int> pivots_;
+};
+
+}  // namespace analogon

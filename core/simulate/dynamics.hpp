@@ -1,0 +1,110 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/eval/system.hpp"
+#include "core/simulate/simulate.hpp"
+
+namespace analogon {
+
+/// What the integrators see of a model: x' = f(t, x, u), y = g(t, x, u) with the parameters and their directions
+/// already set. One object a thread. Tangent blocks are row-major, quantity i and direction k at [i * K + k];
+/// a null `du` means that the slots do not depend on the parameters. Every evaluation returns false when a
+/// value is not finite or an algebraic block did not converge; failure() then names the variable.
+class Dynamics {
+public:
+    struct Shape {
+        int states{};
+        int inputs{};      // sampled inputs
+        int slots{};       // length of u: inputs, their slopes when needed, delayed values
+        int outputs{};
+        int taps{};        // delayed signals of the model's own
+        int roots{};
+        int directions{};  // K
+        bool needsInputDerivative{};
+        std::vector<DelayInfo> delays;
+        std::vector<double> stateNominal;
+        std::vector<double> outputNominal;
+        std::vector<std::string> stateNames;
+        std::vector<double> directionScale;  // length of a step along each direction that doubles a parameter
+    };
+
+    virtual ~Dynamics() = default;
+    const Shape& shape() const { return shape_; }
+
+    virtual bool initialise(double t, const double* u, const double* du, double* x, double* dx) = 0;
+    virtual bool derivatives(double t, const double* x, const double* u, double* xdot) = 0;
+    /// Values and K tangents.
+    virtual bool derivatives(double t, const double* x, const double* dx, const double* u, const double* du,
+                             double* xdot, double* dxdot) = 0;
+    /// Values and df/dx, row-major n x n.
+    virtual bool jacobian(double t, const double* x, const double* u, double* xdot, double* jacobian) = 0;
+    /// Values and, row-major n x (n + K), df/dx followed by the K tangents with the states held.
+    virtual bool linearised(double t, const double* x, const double* u, const double* du, double* xdot,
+                            double* partials) = 0;
+    virtual bool outputs(double t, const double* x, const double* u, double* y, double* taps) = 0;
+    virtual bool outputs(double t, const double* x, const double* dx, const double* u, const double* du, double* y,
+                         double* dy, double* taps, double* dtaps) = 0;
+    /// Delay times in force, with their tangents (delays x K) when K > 0.
+    virtual void delayTimes(double* times, double* dtimes) = 0;
+    virtual bool roots(double t, const double* x, const double* u, double* values) = 0;
+    /// The variables asked for in the task.
+    virtual int observedCount() const { return 0; }
+    virtual bool observed(double, const double*, const double*, double*) { return true; }
+    virtual std::string failure() const = 0;
+
+protected:
+    Shape shape_;
+};
+
+/// A compiled system at the parameters of a task.
+class SystemDynamics final : public Dynamics {
+public:
+    /// `directions`: as in SimulationTask, or none for values only.
+    SystemDynamics(const SimulationTask& task, bool withDirections);
+
+    /// False when what depends on the parameters alone could not be evaluated.
+    bool isReady() const { return isReady_; }
+
+    bool initialise(double t, const double* u, const double* du, double* x, double* dx) override;
+    bool derivatives(double t, const double* x, const double* u, double* xdot) override;
+    bool derivatives(double t, const double* x, const double* dx, const double* u, const double* du, double* xdot,
+                     double* dxdot) override;
+    bool jacobian(double t, const double* x, const double* u, double* xdot, double* jacobian) override;
+    bool linearised(double t, const double* x, const double* u, const double* du, double* xdot,
+                    double* partials) override;
+    bool outputs(double t, const double* x, const double* u, double* y, double* taps) override;
+    bool outputs(double t, const double* x, const double* dx, const double* u, const double* du, double* y, double* dy,
+                 double* taps, double* dtaps) override;
+    void delayTimes(double* times, double* dtimes) override;
+    bool roots(double t, const double* x, const double* u, double* values) override;
+    int observedCount() const override { return static_cast<int>(handles_.size()); }
+    bool observed(double t, const double* x, const double* u, double* values) override;
+    std::string failure() const override;
+
+private:
+    /// A workspace whose directions are the n states (identity, added by dx) and then the parameters' own.
+    struct Partials {
+        Workspace workspace;
+        std::vector<double> stateSeeds;  // n x width
+        std::vector<double> slotSeeds;   // slots x width
+        int width{};
+    };
+    Partials& partials(std::unique_ptr<Partials>& slot, int parameterDirections);
+    bool noted(bool ok, const Workspace& workspace);
+
+    const System& system_;
+    std::vector<double> parameters_;
+    std::vector<double> directions_;  // parameters x K, row-major
+    Workspace values_;
+    Workspace tangents_;
+    std::unique_ptr<Partials> byState_;
+    std::unique_ptr<Partials> byStateAndParameter_;
+    std::vector<int> handles_;
+    const Workspace* failed_{};
+    bool isReady_{};
+};
+
+}  // namespace analogon

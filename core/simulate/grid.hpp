@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/simulate/dynamics.hpp"
+#include "core/simulate/simulate.hpp"
+
+namespace analogon {
+
+/// A stretch of samples to run over with a plan.
+struct GridRun {
+    GridPlan plan;
+    int first{};                  // sample to start at
+    int last{-1};                 // sample to end at; -1: the last one
+    const double* startState{};   // null: the model's consistent start
+    bool keepStates{};
+};
+
+/// One pass of the grid engine. Columns of the result are the samples first … last.
+Trajectory runGrid(Dynamics& dynamics, const SampledInputs& inputs, const GridRun& run,
+                   const SimulationOptions& options = {}, const Progress& progress = {});
+
+/// The cheapest plan whose outputs move by less than the tolerance when the steps are halved.
+GridPlan choosePlan(Dynamics& dynamics, const SampledInputs& inputs, const SimulationOptions& options = {});
+
+/// The reference engine on the same abstraction.
+Trajectory runAdaptive(Dynamics& dynamics, const SampledInputs& inputs, bool keepStates,
+                       const SimulationOptions& options = {}, const Progress& progress = {});
+
+}  // namespace analogon

@@ -1,0 +1,268 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include "core/simulate/grid.hpp"
+
+namespace analogon {
+
+namespace {
+
+constexpr int kLongestWindow = 1500;   // samples looked at in detail at the start and where the record is liveliest
+constexpr int kMostExplicit = 32;      // substeps beyond which an explicit method is not worth it
+constexpr int kMostImplicit = 64;
+
+struct Window {
+    int first{}, last{};
+    std::vector<double> state;  // at `first`; empty: the model's start
+};
+
+/// Evaluations of the model a substep costs, in units of one with tangents.
+double costOf(const GridPlan& plan) { return (plan.method == GridMethod::Esdirk ? 12.0 : 4.0) * plan.substeps; }
+
+class Planner {
+public:
+    Planner(Dynamics& dynamics, const SampledInputs& inputs, const SimulationOptions& options)
+        : dynamics_(dynamics),
+          inputs_(inputs),
+          options_(options),
+          tolerance_(10.0 * options.relativeTolerance),
+          sampleCount_(static_cast<int>(inputs.time.size())) {
+        limited_ = options;
+        limited_.wallClockLimit = std::min(options.wallClockLimit, 20.0);
+    }
+
+    GridPlan choose() {
+        if (sampleCount_ < 2 || dynamics_.shape().states == 0) {
+            return {options_.method == GridMethod::Esdirk ? GridMethod::Esdirk : GridMethod::RungeKutta4,
+                    std::max(1, options_.substeps), 0.0};
+        }
+        if (!surveyWholeRecord()) return fallback();
+        for (int round = 0; round < 4; ++round) {
+            const GridPlan plan = cheapestOnWindows();
+            if (plan.method == survey_.method && plan.substeps == survey_.substeps) return plan;
+            // A plan chosen on parts must hold on the whole.
+            const GridPlan before = survey_;
+            const Trajectory whole = run(plan, wholeRecord(), true);
+            if (!whole.failure.failed) {
+                survey_ = plan;
+                if (!surveyedTooWide(whole)) return plan;
+                takeSurvey(whole);
+                continue;
+            }
+            survey_ = before;
+            addWindowAround(whole.failure.time);
+            least_ = costOf(plan) * 1.01;
+        }
+        return fallback();
+    }
+
+private:
+    Window wholeRecord() const { return {0, sampleCount_ - 1, {}}; }
+
+    Trajectory run(const GridPlan& plan, const Window& window, bool keepStates) {
+        GridRun grid;
+        grid.plan = plan;
+        grid.first = window.first;
+        grid.last = window.last;
+        grid.startState = window.state.empty() ? nullptr : window.state.data();
+        grid.keepStates = keepStates;
+        return runGrid(dynamics_, inputs_, grid, limited_);
+    }
+
+    std::vector<GridPlan> ladder() const {
+        std::vector<GridPlan> plans;
+        const auto add = [&](GridMethod method, int most) {
+            if (options_.method != GridMethod::Auto && options_.method != method) return;
+            if (options_.substeps > 0) {
+                plans.push_back({method, options_.substeps, 0.0});
+                return;
+            }
+            for (int s = 1; s <= most; s *= 2) plans.push_back({method, s, 0.0});
+        };
+        add(GridMethod::RungeKutta4, kMostExplicit);
+        add(GridMethod::Esdirk, kMostImplicit);
+        std::stable_sort(plans.begin(), plans.end(),
+                         [](const GridPlan& a, const GridPlan& b) { return costOf(a) < costOf(b); });
+        return plans;
+    }
+
+    /// The cheapest plan that gets through the record at all: range of each output and where it is liveliest.
+    bool surveyWholeRecord() {
+        for (const GridPlan& plan : ladder()) {
+            const Trajectory whole = run(plan, wholeRecord(), true);
+            if (whole.failure.failed || !isPlausible(whole)) continue;
+            survey_ = plan;
+            takeSurvey(whole);
+            return true;
+        }
+        return false;
+    }
+
+    static bool isPlausible(const Trajectory& trajectory) {
+        return trajectory.states.array().abs().maxCoeff() < 1e100;
+    }
+
+    Eigen::VectorXd rangesOf(const Trajectory& trajectory) const {
+        const Eigen::MatrixXd& y = trajectory.outputs;
+        Eigen::VectorXd ranges(y.rows());
+        for (Eigen::Index i = 0; i < y.rows(); ++i) {
+            const double low = y.row(i).minCoeff(), high = y.row(i).maxCoeff();
+            const double nominal = dynamics_.shape().outputNominal[static_cast<std::size_t>(i)];
+            ranges[i] = std::max({high - low, 1e-6 * std::max(std::abs(low), std::abs(high)),
+                                  options_.absoluteTolerance * nominal});
+        }
+        return ranges;
+    }
+
+    void takeSurvey(const Trajectory& whole) {
+        ranges_ = rangesOf(whole);
+        windows_.clear();
+        runs_.clear();
+        if (sampleCount_ <= 2 * kLongestWindow) {
+            windows_.push_back(wholeRecord());
+            return;
+        }
+        windows_.push_back({0, kLongestWindow - 1, {}});
+        // Liveliest: where the outputs travel farthest.
+        const auto travel = [&](int k) {
+            return ((whole.outputs.col(k) - whole.outputs.col(k - 1)).array().abs() / ranges_.array()).sum();
+        };
+        double sum = 0.0, most = -1.0;
+        int first = kLongestWindow;
+        for (int k = 1; k < sampleCount_; ++k) {
+            sum += travel(k);
+            if (k >= kLongestWindow) sum -= travel(k - kLongestWindow + 1);
+            if (k >= 2 * kLongestWindow && sum > most) {
+                most = sum;
+                first = k - kLongestWindow + 1;
+            }
+        }
+        windows_.push_back(windowFrom(whole, first));
+        statesOfSurvey_ = whole.states;
+    }
+
+    Window windowFrom(const Trajectory& whole, int first) const {
+        const auto state = whole.states.col(first);
+        return {first, std::min(first + kLongestWindow, sampleCount_) - 1, {state.data(), state.data() + state.size()}};
+    }
+
+    void addWindowAround(double time) {
+        if (sampleCount_ <= 2 * kLongestWindow || statesOfSurvey_.cols() != sampleCount_) return;
+        const auto at = std::lower_bound(inputs_.time.begin(), inputs_.time.end(), time);
+        const int sample = static_cast<int>(at - inputs_.time.begin());
+        Trajectory whole;
+        whole.states = statesOfSurvey_;
+        windows_.push_back(windowFrom(whole, std::clamp(sample - kLongestWindow / 2, 0, sampleCount_ - 2)));
+    }
+
+    /// An unstable run that stayed finite makes the ranges, and with them the tolerance, too wide.
+    bool surveyedTooWide(const Trajectory& whole) const {
+        return (ranges_.array() > 2.0 * rangesOf(whole).array()).any();
+    }
+
+    /// Largest difference of the outputs over all windows, relative to the range; nothing: a run failed.
+    std::optional<double> difference(const GridPlan& coarse, const GridPlan& fine) {
+        double worst = 0.0;
+        for (std::size_t w = 0; w < windows_.size(); ++w) {
+            const Trajectory& a = windowRun(coarse, w);
+            if (a.failure.failed) return std::nullopt;
+            const Trajectory& b = windowRun(fine, w);
+            if (b.failure.failed) return std::nullopt;
+            const Eigen::ArrayXXd gap = (a.outputs - b.outputs).array().abs().colwise() / ranges_.array();
+            const double largest = gap.size() ? gap.maxCoeff() : 0.0;
+            if (!(largest < 1e100)) return std::nullopt;
+            worst = std::max(worst, largest);
+        }
+        return worst;
+    }
+
+    const Trajectory& windowRun(const GridPlan& plan, std::size_t window) {
+        const auto key = std::make_tuple(plan.method == GridMethod::Esdirk, plan.substeps, windows_[window].first);
+        const auto found = runs_.find(key);
+        if (found != runs_.end()) return found->second;
+        return runs_.emplace(key, run(plan, windows_[window], false)).first->second;
+    }
+
+    /// Climbs the ladder by cost. Halving the steps shows the error of the coarser plan and, where the differences
+    /// fall as the order promises, that of the finer one too.
+    GridPlan cheapestOnWindows() {
+        std::vector<GridPlan> judged;
+        std::map<bool, double> lastDifference;
+        for (GridPlan plan : ladder()) {
+            if (costOf(plan) < least_) continue;
+            const bool isImplicit = plan.method == GridMethod::Esdirk;
+            GridPlan finer = plan;
+            finer.substeps *= 2;
+            const auto known = std::find_if(judged.begin(), judged.end(), [&](const GridPlan& p) {
+                return p.method == plan.method && p.substeps == plan.substeps && p.errorEstimate <= tolerance_;
+            });
+            if (known != judged.end()) return *known;
+            const std::optional<double> moved = difference(plan, finer);
+            if (!moved) continue;
+            plan.errorEstimate = *moved;
+            judged.push_back(plan);
+            if (*moved <= tolerance_ || options_.substeps > 0) return plan;
+            const auto before = lastDifference.find(isImplicit);
+            const double fall = before == lastDifference.end() ? 2.0 : before->second / std::max(*moved, 1e-300);
+            finer.errorEstimate = *moved / std::clamp(fall, 1.0, isImplicit ? 8.0 : 16.0);
+            if (finer.errorEstimate <= tolerance_ && finer.substeps <= (isImplicit ? kMostImplicit : kMostExplicit)) {
+                judged.push_back(finer);
+            }
+            lastDifference[isImplicit] = *moved;
+            if (isEnough(judged, plan)) break;
+        }
+        return bestOf(judged);
+    }
+
+    /// Where the solution is not smooth (sticking, dead zones) the last digits cost too much: with the error well
+    /// below any measurement noise, three more halvings are the most that is tried.
+    bool isEnough(const std::vector<GridPlan>& judged, const GridPlan& current) const {
+        return std::any_of(judged.begin(), judged.end(), [&](const GridPlan& plan) {
+            return plan.errorEstimate <= 10.0 * tolerance_ && costOf(current) >= 8.0 * costOf(plan);
+        });
+    }
+
+    GridPlan bestOf(const std::vector<GridPlan>& judged) const {
+        if (judged.empty()) return fallback();
+        for (double accepted : {1.0, 10.0, 100.0}) {
+            const GridPlan* best{};
+            for (const GridPlan& plan : judged) {
+                if (plan.errorEstimate <= accepted * tolerance_ && (!best || costOf(plan) < costOf(*best))) best = &plan;
+            }
+            if (best) return *best;
+        }
+        return *std::min_element(judged.begin(), judged.end(), [](const GridPlan& a, const GridPlan& b) {
+            return a.errorEstimate < b.errorEstimate;
+        });
+    }
+
+    /// Nothing got through: the most robust method, whose run will say where and why it fails.
+    GridPlan fallback() const {
+        const bool isExplicit = options_.method == GridMethod::RungeKutta4;
+        return {isExplicit ? GridMethod::RungeKutta4 : GridMethod::Esdirk,
+                options_.substeps > 0 ? options_.substeps : 4, 1.0};
+    }
+
+    Dynamics& dynamics_;
+    const SampledInputs& inputs_;
+    SimulationOptions options_, limited_;
+    double tolerance_{};
+    int sampleCount_{};
+    double least_{};  // plans cheaper than this have failed on the whole record
+    GridPlan survey_;
+    Eigen::VectorXd ranges_;
+    Eigen::MatrixXd statesOfSurvey_;
+    std::vector<Window> windows_;
+    std::map<std::tuple<bool, int, int>, Trajectory> runs_;
+};
+
+}  // namespace
+
+GridPlan choosePlan(Dynamics& dynamics, const SampledInputs& inputs, const SimulationOptions& options) {
+    return Planner(dynamics, inputs, options).choose();
+}
+
+}  // namespace analogon

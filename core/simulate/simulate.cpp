@@ -1,0 +1,89 @@
+#include "core/simulate/simulate.hpp"
+
+#include <limits>
+
+#include "core/simulate/grid.hpp"
+
+namespace analogon {
+
+namespace {
+
+/// A trajectory that failed before it began.
+Trajectory refused(const SimulationTask& task, Engine engine, std::string variable, std::string reason) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto samples = static_cast<Eigen::Index>(task.inputs->time.size());
+    Trajectory result;
+    result.engine = engine;
+    result.outputs = Eigen::MatrixXd::Constant(task.system->outputCount(), samples, nan);
+    if (task.directions.cols() > 0) {
+        result.tangents.assign(static_cast<std::size_t>(task.system->outputCount()),
+                               Eigen::MatrixXd::Constant(samples, task.directions.cols(), nan));
+    }
+    if (task.keepStates) result.states = Eigen::MatrixXd::Constant(task.system->stateCount(), samples, nan);
+    result.observed = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(task.observe.size()), samples, nan);
+    result.failure = {true, task.inputs->time.empty() ? 0.0 : task.inputs->time.front(), std::move(variable),
+                      std::move(reason)};
+    return result;
+}
+
+/// What does not fit together would read outside of arrays.
+const char* misfit(const SimulationTask& task) {
+    const System& system = *task.system;
+    if (task.inputs->time.empty()) return "no samples";
+    if (task.inputs->values.rows() != system.inputCount() ||
+        (system.inputCount() > 0 && task.inputs->values.cols() != static_cast<Eigen::Index>(task.inputs->time.size()))) {
+        return "inputs do not have the shape the system asks for";
+    }
+    if (static_cast<int>(task.parameters.size()) != system.parameterCount()) return "wrong number of parameters";
+    if (task.directions.cols() > 0 && task.directions.rows() != system.parameterCount()) {
+        return "directions do not have the shape the system asks for";
+    }
+    if (!task.inputs->values.allFinite()) return "an input is not finite";
+    return nullptr;
+}
+
+}  // namespace
+
+GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options) {
+    if (misfit(task)) return {};
+    SimulationTask values = task;
+    values.directions.resize(0, 0);
+    values.observe.clear();
+    SystemDynamics dynamics(values, false);
+    if (!dynamics.isReady()) return {};
+    return choosePlan(dynamics, *task.inputs, options);
+}
+
+Trajectory simulateGrid(const SimulationTask& task, const GridPlan& plan, const SimulationOptions& options,
+                        const Progress& progress) {
+    if (const char* reason = misfit(task)) return refused(task, Engine::Grid, {}, reason);
+    SystemDynamics dynamics(task, true);
+    if (!dynamics.isReady()) return refused(task, Engine::Grid, dynamics.failure(), "not finite");
+    GridRun run;
+    run.plan = plan;
+    run.plan.substeps = std::max(1, plan.substeps);
+    run.keepStates = task.keepStates;
+    return runGrid(dynamics, *task.inputs, run, options, progress);
+}
+
+Trajectory simulateAdaptive(const SimulationTask& task, const SimulationOptions& options, const Progress& progress) {
+    if (const char* reason = misfit(task)) return refused(task, Engine::Adaptive, {}, reason);
+    SystemDynamics dynamics(task, true);
+    if (!dynamics.isReady()) return refused(task, Engine::Adaptive, dynamics.failure(), "not finite");
+    return runAdaptive(dynamics, *task.inputs, task.keepStates, options, progress);
+}
+
+Trajectory simulate(const SimulationTask& task, const SimulationOptions& options, const Progress& progress) {
+    if (options.engine == Engine::Adaptive) return simulateAdaptive(task, options, progress);
+    const GridPlan plan = planGrid(task, options);
+    Trajectory grid = simulateGrid(task, plan, options, progress);
+    // Where fixed steps do not get through or stay rough, the adaptive engine may: at a kink in every sample it
+    // takes its time, so only then.
+    constexpr double rough = 1e-2;
+    const bool isRough = grid.failure.failed ? grid.failure.reason != "cancelled" : plan.errorEstimate > rough;
+    if (options.engine == Engine::Grid || !isRough) return grid;
+    Trajectory adaptive = simulateAdaptive(task, options, progress);
+    return adaptive.failure.failed ? grid : adaptive;
+}
+
+}  // namespace analogon

@@ -1,0 +1,328 @@
+#include "core/structure/index_reduction.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/structure/rewrite.hpp"
+
+namespace analogon {
+
+Adjacency incidenceOf(const EquationSystem& system) {
+    LeafCollector collect(*system.pool);
+    Adjacency incidence(system.equations.size());
+    for (std::size_t e = 0; e < incidence.size(); ++e) {
+        const ExpressionId sides[] = {system.equations[e].left, system.equations[e].right};
+        for (const ExpressionId leaf : collect.leaves(sides))
+            if (const int u = system.unknownOf(leaf); u >= 0) incidence[e].push_back(u);
+    }
+    return incidence;
+}
+
+namespace {
+
+class IndexReduction {
+public:
+    IndexReduction(EquationSystem system, const std::vector<Equation>& redundant)
+        : system_(std::move(system)), redundant_(redundant), incidence_(incidenceOf(system_)) {}
+
+    Outcome<ReducedSystem> run();
+
+private:
+    bool isStructurallySound();
+    bool pantelides();
+    bool differentiate(int equation);
+    int derivativeOfUnknown(int unknown);
+    ExpressionId derivativeOfLeaf(const ExpressionNode& node);
+    int chainTop(int unknown) const;
+    void chooseStates();
+    double wishToBeState(int unknown, const std::vector<int>& constraints);
+    double startValue(ExpressionId of);
+
+    EquationSystem system_;
+    const std::vector<Equation>& redundant_;
+    Adjacency incidence_;
+    std::vector<int> derivativeEquation_, integralEquation_;  // by equation; -1: none
+    std::vector<char> isHighest_;                             // by unknown: it has no derivative
+    std::vector<char> isState_;
+    int differentiated_{};
+    Diagnostics faults_;
+};
+
+/// The highest derivative of an unknown; -1 when that is known (a constant, an input).
+int IndexReduction::chainTop(int unknown) const {
+    for (std::size_t steps = 0; steps <= system_.unknowns.size(); ++steps) {
+        const Unknown& u = system_.unknowns[static_cast<std::size_t>(unknown)];
+        if (!u.derivative.valid()) return unknown;
+        if (u.derivativeUnknown < 0) return -1;
+        unknown = u.derivativeUnknown;
+    }
+    return unknown;
+}
+
+/// Whether equations and unknowns pair up when a variable and its derivatives count as one: without that no
+/// differentiation helps.
+bool IndexReduction::isStructurallySound() {
+    Adjacency collapsed(incidence_.size());
+    for (std::size_t e = 0; e < incidence_.size(); ++e)
+        for (const int u : incidence_[e])
+            if (const int top = chainTop(u); top >= 0) collapsed[e].push_back(top);
+    const int columns = static_cast<int>(system_.unknowns.size());
+    Matching matching(collapsed, columns);
+    std::vector<int> surplus, undetermined;
+    if (!matching.augmentAll()) {
+        for (int e = 0; e < static_cast<int>(collapsed.size()) && surplus.empty(); ++e)
+            if (matching.columnOf(e) < 0 && !matching.augment(e)) surplus = matching.visitedRows();
+        std::sort(surplus.begin(), surplus.end());
+    }
+    for (int u = 0; u < columns; ++u)
+        if (chainTop(u) == u && matching.rowOf(u) < 0) undetermined.push_back(u);
+    if (surplus.empty() && undetermined.empty()) return true;
+    faults_.push_back(singularSystem(system_, system_.equations, surplus, undetermined, redundant_));
+    return false;
+}
+
+/// The unknown that is the derivative of `unknown`, made when there is none; -1 when the derivative is known.
+int IndexReduction::derivativeOfUnknown(int unknown) {
+    const auto i = static_cast<std::size_t>(unknown);
+    if (system_.unknowns[i].derivative.valid()) return system_.unknowns[i].derivativeUnknown;
+    ExpressionPool& pool = *system_.pool;
+    const ExpressionNode node = pool[system_.unknowns[i].node];
+    Unknown made;
+    made.isSynthetic = true;
+    made.declared = system_.unknowns[i].declared;
+    if (node.operation == Operation::Variable) {
+        made.node = pool.derivativeOf(node.variable);
+    } else {
+        // der(x) has no name of its own to differentiate: it gets one.
+        FlatVariable variable;
+        variable.name = fmt::format("der({})", system_.nameOf(unknown));
+        variable.isProtected = true;
+        const VariableId id{static_cast<std::uint32_t>(system_.model->variables.size())};
+        system_.model->byName.emplace(variable.name, id);
+        system_.model->variables.push_back(std::move(variable));
+        made.node = pool.variable(id);
+    }
+    const ExpressionId derivative = made.node;
+    const int index = system_.addUnknown(std::move(made));
+    system_.unknowns[i].derivative = derivative;
+    system_.unknowns[i].derivativeUnknown = index;
+    isHighest_[i] = 0;
+    isHighest_.push_back(1);
+    return index;
+}
+
+ExpressionId IndexReduction::derivativeOfLeaf(const ExpressionNode& node) {
+    ExpressionPool& pool = *system_.pool;
+    const FlatVariable& variable = (*system_.model)[node.variable];
+    if (variable.variability != FlatVariability::Continuous) return pool.constant(0);
+    const ExpressionId self =
+        node.operation == Operation::Variable ? pool.variable(node.variable) : pool.derivativeOf(node.variable);
+    if (const int u = system_.unknownOf(self); u >= 0) {
+        derivativeOfUnknown(u);
+        return system_.unknowns[static_cast<std::size_t>(u)].derivative;
+    }
+    if (node.operation == Operation::Variable) return pool.derivativeOf(node.variable);  // an input
+    faults_.push_back(error(
+        fmt::format("The model needs the second derivative of the input '{}'.", variable.name), variable.declared,
+        "A measured signal that runs linearly between samples has none. Drive the quantity through a spring and "
+        "damper, or pass the signal through Signals.FirstOrder twice."));
+    return pool.constant(0);
+}
+
+/// Adds the time derivative of an equation.
+bool IndexReduction::differentiate(int equation) {
+    const Equation original = system_.equations[static_cast<std::size_t>(equation)];
+    constexpr int highestOrder = 4;
+    LeafCollector collect(*system_.pool);
+    const ExpressionId sides[] = {original.left, original.right};
+    collect.leaves(sides);
+    if (original.order >= highestOrder || !collect.delays().empty()) {
+        const char* why = collect.delays().empty() ? "too often; the equations constrain each other in a circle"
+                                                   : "although it holds a delayed signal";
+        faults_.push_back(error(fmt::format("The equation {} would have to be differentiated {}.",
+                                            system_.textOf(original), why),
+                                original.span));
+        return false;
+    }
+    const auto leaf = [this](const ExpressionNode& node) { return derivativeOfLeaf(node); };
+    Equation derived = original;
+    derived.left = system_.pool->timeDerivative(original.left, leaf);
+    derived.right = system_.pool->timeDerivative(original.right, leaf);
+    ++derived.order;
+    const ExpressionId derivedSides[] = {derived.left, derived.right};
+    std::vector<int> unknowns;
+    for (const ExpressionId node : collect.leaves(derivedSides))
+        if (const int u = system_.unknownOf(node); u >= 0) unknowns.push_back(u);
+    derivativeEquation_[static_cast<std::size_t>(equation)] = static_cast<int>(system_.equations.size());
+    derivativeEquation_.push_back(-1);
+    integralEquation_.push_back(equation);
+    system_.equations.push_back(std::move(derived));
+    incidence_.push_back(std::move(unknowns));
+    ++differentiated_;
+    return faults_.empty();
+}
+
+/// Matches every equation with a highest derivative, differentiating where that is impossible.
+bool IndexReduction::pantelides() {
+    const std::size_t originals = system_.equations.size();
+    derivativeEquation_.assign(originals, -1);
+    integralEquation_.assign(originals, -1);
+    isHighest_.clear();
+    for (const Unknown& u : system_.unknowns) isHighest_.push_back(!u.derivative.valid());
+    Matching matching(incidence_, static_cast<int>(system_.unknowns.size()));
+    // Everything that needs no differentiation first: the alternating trees below then stay small.
+    matching.augmentAll(isHighest_);
+    for (std::size_t original = 0; original < originals; ++original) {
+        if (matching.columnOf(static_cast<int>(original)) >= 0) continue;
+        int equation = static_cast<int>(original);
+        while (!matching.augment(equation, isHighest_)) {
+            const std::vector<int> rows = matching.visitedRows(), columns = matching.visitedColumns();
+            for (const int column : columns) derivativeOfUnknown(column);
+            for (const int row : rows)
+                if (derivativeEquation_[static_cast<std::size_t>(row)] < 0 && !differentiate(row)) return false;
+            matching.resize(static_cast<int>(system_.unknowns.size()));
+            for (const int column : columns)
+                matching.assign(derivativeEquation_[static_cast<std::size_t>(matching.rowOf(column))],
+                                derivativeOfUnknown(column));
+            equation = derivativeEquation_[static_cast<std::size_t>(equation)];
+        }
+    }
+    return true;
+}
+
+/// Value at the start values of the model, parameters at their own; for ranking only.
+double IndexReduction::startValue(ExpressionId of) {
+    return system_.pool->evaluate(of, [this](const ExpressionNode& node) -> double {
+        if (node.operation != Operation::Variable) return 0;
+        const FlatVariable& variable = (*system_.model)[node.variable];
+        if (variable.variability != FlatVariability::Continuous)
+            return system_.model->parameterValue(node.variable).value_or(1);
+        const int u = system_.unknownOf(system_.pool->variable(node.variable));
+        if (u < 0) return 0;
+        const ExpressionId start = system_.unknowns[static_cast<std::size_t>(u)].start;
+        return start.valid() && system_.pool->isConstant(start) ? (*system_.pool)[start].value : 0;
+    });
+}
+
+/// How much a differentiated unknown should be a state; `constraints` are the equations it may be taken from.
+double IndexReduction::wishToBeState(int unknown, const std::vector<int>& constraints) {
+    const Unknown& u = system_.unknowns[static_cast<std::size_t>(unknown)];
+    double wish = 0;
+    switch (u.stateSelect) {
+        case StateSelect::Always:
+            wish += 4000;
+            break;
+        case StateSelect::Prefer:
+            wish += 2000;
+            break;
+        case StateSelect::Avoid:
+            wish -= 2000;
+            break;
+        case StateSelect::Never:
+            wish -= 4000;
+            break;
+        case StateSelect::Default:
+            break;
+    }
+    if (u.isFixed) wish += 200;
+    if (u.start.valid()) wish += 50;
+    if (u.isSynthetic || (u.derivativeUnknown >= 0 &&
+                          system_.unknowns[static_cast<std::size_t>(u.derivativeUnknown)].isSynthetic))
+        wish -= 500;  // nobody integrates it in the model
+    for (const int e : constraints) {
+        const ExpressionId residual = system_.residual(system_.equations[static_cast<std::size_t>(e)]);
+        const ExpressionId slope = system_.pool->differentiate(residual, u.node);
+        if (system_.pool->isConstant(slope))
+            wish -= std::fabs((*system_.pool)[slope].value) == 1 ? 20 : 10;  // easily solved for
+        else if (std::fabs(startValue(slope)) < 1e-12)
+            wish += 1000;  // cannot be solved for where the simulation starts
+    }
+    return wish;
+}
+
+/// Dummy derivatives: of every constraint that was differentiated, one differentiated unknown is no state.
+void IndexReduction::chooseStates() {
+    const auto count = system_.unknowns.size();
+    isState_.assign(count, 0);
+    for (std::size_t u = 0; u < count; ++u) isState_[u] = system_.unknowns[u].derivative.valid();
+    std::vector<int> level;  // constraints whose derivative is one of the highest equations
+    for (std::size_t e = 0; e < derivativeEquation_.size(); ++e) {
+        const int derived = derivativeEquation_[e];
+        if (derived >= 0 && derivativeEquation_[static_cast<std::size_t>(derived)] < 0)
+            level.push_back(static_cast<int>(e));
+    }
+    std::vector<char> isOffered(count, 0);  // its derivative may become a dummy
+    for (std::size_t u = 0; u < count; ++u)
+        isOffered[u] = system_.unknowns[u].derivative.valid() && system_.unknowns[u].derivativeUnknown >= 0 &&
+                       isHighest_[static_cast<std::size_t>(system_.unknowns[u].derivativeUnknown)];
+    while (!level.empty()) {
+        std::vector<int> candidates;
+        std::vector<std::vector<int>> constraintsOf(count);  // positions in `level`
+        for (std::size_t i = 0; i < level.size(); ++i)
+            for (const int u : incidence_[static_cast<std::size_t>(level[i])]) {
+                if (!isOffered[static_cast<std::size_t>(u)]) continue;
+                if (constraintsOf[static_cast<std::size_t>(u)].empty()) candidates.push_back(u);
+                constraintsOf[static_cast<std::size_t>(u)].push_back(static_cast<int>(i));
+            }
+        std::vector<double> wish(count, 0);
+        for (const int u : candidates) {
+            std::vector<int> constraints;
+            for (const int i : constraintsOf[static_cast<std::size_t>(u)])
+                constraints.push_back(level[static_cast<std::size_t>(i)]);
+            wish[static_cast<std::size_t>(u)] = wishToBeState(u, constraints);
+        }
+        std::stable_sort(candidates.begin(), candidates.end(), [&](int a, int b) {
+            const double wa = wish[static_cast<std::size_t>(a)], wb = wish[static_cast<std::size_t>(b)];
+            return wa != wb ? wa < wb : a > b;  // of equals the later one yields
+        });
+        // Greedy over a transversal matroid: the least wanted states that can pay for all constraints.
+        Adjacency rows;
+        for (const int u : candidates) rows.push_back(constraintsOf[static_cast<std::size_t>(u)]);
+        Matching matching(rows, static_cast<int>(level.size()));
+        std::vector<char> isDummy(count, 0);
+        for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
+            if (!matching.augment(i)) continue;
+            const int u = candidates[static_cast<std::size_t>(i)];
+            isDummy[static_cast<std::size_t>(u)] = 1;
+            isState_[static_cast<std::size_t>(u)] = 0;
+        }
+        for (std::size_t i = 0; i < level.size(); ++i)
+            if (matching.rowOf(static_cast<int>(i)) < 0) {
+                const Equation& equation = system_.equations[static_cast<std::size_t>(level[i])];
+                faults_.push_back(error(
+                    fmt::format("No state can be eliminated by the constraint {}.", system_.textOf(equation)),
+                    equation.span));
+            }
+        // One order down: constraints whose derivative was just served, among integrals of the dummies.
+        std::vector<int> lower;
+        for (const int e : level)
+            if (const int below = integralEquation_[static_cast<std::size_t>(e)]; below >= 0) lower.push_back(below);
+        for (std::size_t u = 0; u < count; ++u) {
+            const int derivative = system_.unknowns[u].derivativeUnknown;
+            isOffered[u] = derivative >= 0 && isDummy[static_cast<std::size_t>(derivative)];
+        }
+        level = std::move(lower);
+    }
+}
+
+Outcome<ReducedSystem> IndexReduction::run() {
+    if (!isStructurallySound() || !pantelides()) return faults_;
+    chooseStates();
+    if (!faults_.empty()) return faults_;
+    ReducedSystem out;
+    out.system = std::move(system_);
+    out.isState = std::move(isState_);
+    out.differentiated = differentiated_;
+    return out;
+}
+
+}  // namespace
+
+Outcome<ReducedSystem> reduceIndex(EquationSystem system, const std::vector<Equation>& redundant) {
+    return IndexReduction(std::move(system), redundant).run();
+}
+
+}  // namespace analogon

@@ -1,0 +1,52 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/structure/index_reduction.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr std::size_t mostNamed = 6;
+
+std::string listOf(std::vector<std::string> items, const char* separator) {
+    const std::size_t all = items.size();
+    if (all > mostNamed) items.resize(mostNamed);
+    std::string text = fmt::format("{}", fmt::join(items, separator));
+    if (all > mostNamed) text += fmt::format("{}and {} more", separator, all - mostNamed);
+    return text;
+}
+
+}  // namespace
+
+Diagnostic singularSystem(const EquationSystem& system, const std::vector<Equation>& allEquations,
+                          const std::vector<int>& surplusEquations,
+                          const std::vector<int>& undeterminedUnknowns, const std::vector<Equation>& redundant) {
+    std::vector<std::string> equations, unknowns, repeated;
+    Span place;
+    for (const int e : surplusEquations) {
+        const Equation& equation = allEquations[static_cast<std::size_t>(e)];
+        equations.push_back(system.textOf(equation));
+        if (!place.valid()) place = equation.span;
+    }
+    for (const Equation& equation : redundant) {
+        repeated.push_back(system.textOf(equation));
+        if (!place.valid()) place = equation.span;
+    }
+    for (const int u : undeterminedUnknowns) {
+        unknowns.push_back(system.nameOf(u));
+        if (!place.valid()) place = system.unknowns[static_cast<std::size_t>(u)].declared;
+    }
+    std::string message = "The model is singular.";
+    if (!unknowns.empty()) message += fmt::format(" No equation determines {}.", listOf(unknowns, ", "));
+    if (!equations.empty())
+        message += fmt::format(" These equations have too few unknowns of their own: {}.", listOf(equations, "; "));
+    if (equations.empty() && !repeated.empty())
+        message += fmt::format(" These equations repeat what others say: {}.", listOf(repeated, "; "));
+    return error(message, place,
+                 "Look for a part that nothing holds (an open circuit, a loop without a fixed point), or for two "
+                 "sources that impose the same quantity.");
+}
+
+}  // namespace analogon

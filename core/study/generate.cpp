@@ -1,0 +1,711 @@
+#include "core/study/generate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "core/base/unit.hpp"
+#include "core/diagram/edit.hpp"
+#include "core/flat/flat_model.hpp"
+#include "core/study/column_guess.hpp"
+#include "core/study/start_guess.hpp"
+#include "core/syntax/parser.hpp"
+
+namespace analogon {
+
+namespace {
+
+/// "electric-thermal" as "ElectricThermal"; the adjectives of mechanics and electricity are taken for one another.
+std::string packageOf(const std::string& domain) {
+    if (domain == "mechanical" || domain == "mechanic") return "Mechanics";
+    std::string out, word;
+    const auto close = [&] {
+        if (word == "electrical" || word == "electro") word = "electric";
+        if (word == "fluidic") word = "fluid";
+        if (word == "mechanical") word = out.empty() ? "mechanic" : "mechanical";
+        if (word == "mechanic" && !out.empty()) word = "mechanical";
+        if (!word.empty()) word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
+        out += std::exchange(word, {});
+    };
+    for (const char c : domain) {
+        if (c == '-' || c == '_' || c == ' ') {
+            close();
+        } else {
+            word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        }
+    }
+    close();
+    return out;
+}
+
+std::string domainOf(const std::string& package) {
+    std::string out;
+    for (const char c : package) {
+        if (std::isupper(static_cast<unsigned char>(c)) && !out.empty()) out += '-';
+        out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return out;
+}
+
+/// What an instance of a basic class is called in the model.
+std::string instanceName(const std::string& package) {
+    if (package == "ElectricMechanical") return "motor";
+    if (package == "ElectricThermal") return "heater";
+    if (package == "ThermalFluid") return "body";
+    if (package == "MechanicThermal") return "bearing";
+    std::string name = package;
+    name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
+    return name;
+}
+
+std::string rounded(double value) { return fmt::format("{:.3g}", value); }
+
+struct SignalPort {
+    std::string name, unit;
+};
+
+/// One basic class of the chain.
+struct Part {
+    std::string name, package, className;
+    std::vector<Port> ports;  // flanges and heat ports
+    std::vector<SignalPort> inputs, outputs;
+    std::map<std::string, std::string> values;  // modifications
+    Point centre;
+};
+
+bool isOutgoing(const Port& port) { return port.className.ends_with("_b"); }
+
+/// A connector of a part that something can be joined to.
+struct Place {
+    int part{};
+    const Port* port{};
+};
+
+class Generator {
+public:
+    Generator(const Library& library, const GenerateRequest& request) : library_(library), request_(request) {}
+
+    Outcome<GeneratedStudy> run() {
+        const bool ok = readColumns() && makeParts() && joinParts() && wireSignals() && wireRotational() &&
+                        wireThermal() && checkOutputs();
+        if (!ok) return faults_;
+        guessStarts();
+        Outcome<std::string> text = modelText();
+        if (!text) return text.diagnostics();
+        result_.study.models[result_.study.modelFile] = *text;
+        describeStudy();
+        return std::move(result_);
+    }
+
+private:
+    bool fault(std::string message, std::string hint = {}, const std::string& file = {}) {
+        faults_.push_back(fileError(std::move(message), file, 0, 0, std::move(hint)));
+        return false;
+    }
+    template <class... Arguments>
+    void assume(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
+        result_.assumptions.push_back(fmt::format(text, std::forward<Arguments>(arguments)...));
+    }
+
+    // What is measured ------------------------------------------------------------------------------------------
+
+    bool readColumns() {
+        if (request_.recordings.empty()) return fault("no measurement was given");
+        const Table& table = *request_.recordings.front();
+        columns_ = guessColumns(table);
+        isUsed_.assign(columns_.size(), false);
+        if (columns_.empty() || columns_.front().quantity != Quantity::Time)
+            return fault("no column of the measurement can be the time",
+                         "Its values must rise from row to row: name one 't [s]'.", table.file);
+        const GuessedColumn& time = columns_.front();
+        if (time.isUnitAssumed && time.unit != "s")
+            return fault(
+                fmt::format("the time column '{}' has no unit in its header", time.name),
+                fmt::format("Write it as '{} [{}]': a time without a unit is read in seconds.", time.name, time.unit),
+                table.file);
+        assume("'{}' is the time.", time.name);
+        return true;
+    }
+
+    /// The unused column of a quantity that is liked best; -1 when there is none.
+    template <class Liking>
+    int take(Quantity quantity, const Liking& liking) {
+        int best = -1;
+        double bestLiking = 0;
+        for (int i = 0; i < static_cast<int>(columns_.size()); ++i) {
+            const GuessedColumn& column = columns_[static_cast<std::size_t>(i)];
+            if (column.quantity != quantity || isUsed_[static_cast<std::size_t>(i)]) continue;
+            const double value = liking(column);
+            if (best < 0 || value > bestLiking) {
+                best = i;
+                bestLiking = value;
+            }
+        }
+        if (best >= 0) isUsed_[static_cast<std::size_t>(best)] = true;
+        return best;
+    }
+    int take(Quantity quantity) {
+        return take(quantity, [](const GuessedColumn&) { return 0.0; });
+    }
+    const GuessedColumn& column(int index) const { return columns_[static_cast<std::size_t>(index)]; }
+
+    // The chain -------------------------------------------------------------------------------------------------
+
+    bool makeParts() {
+        if (request_.domains.empty())
+            return fault("no domain was given", fmt::format("Known are: {}.", fmt::join(knownDomains(library_), ", ")));
+        for (const std::string& domain : request_.domains) {
+            Part part;
+            part.package = packageOf(domain);
+            part.className = fmt::format("Analogon.{0}.Basic{0}", part.package);
+            if (!library_.find(part.className)) {
+                const std::vector<std::string> known = knownDomains(library_);
+                const std::string alike = suggestion(domain, known);
+                return fault(fmt::format("the domain '{}' is not known", domain),
+                             (alike.empty() ? "" : fmt::format("Did you mean '{}'? ", alike)) +
+                                 fmt::format("Known are: {}.", fmt::join(known, ", ")));
+            }
+            part.name = freeInstanceName(instanceName(part.package));
+            part.centre = {60.0 * static_cast<double>(parts_.size()) - 60, 0};
+            if (!readPorts(part)) return false;
+            parts_.push_back(std::move(part));
+        }
+        nextRight_ = {parts_.back().centre.x + 60, 0};
+        return true;
+    }
+
+    std::string freeInstanceName(const std::string& base) {
+        std::string name = base;
+        for (int i = 2; names_.contains(name); ++i) name = fmt::format("{}{}", base, i);
+        names_.insert(name);
+        return name;
+    }
+
+    bool readPorts(Part& part) {
+        const Outcome<FlatModel> flat = flatten(library_, part.className);
+        const auto probe = std::make_shared<const Source>(
+            "probe.mo", fmt::format("model AnalogonProbe\n  {} part;\nend AnalogonProbe;\n", part.className));
+        const Outcome<Library> library = library_.withSource(probe);
+        const Outcome<Diagram> diagram = library ? readDiagram(*library, "AnalogonProbe") : Outcome<Diagram>(Diagram{});
+        if (!flat || !library || !diagram) {
+            faults_ = !flat ? flat.diagnostics() : !library ? library.diagnostics() : diagram.diagnostics();
+            return false;
+        }
+        for (const FlatVariable& variable : flat->variables) {
+            if (variable.causality == FlatCausality::Input) part.inputs.push_back({variable.name, variable.unit});
+            if (variable.causality == FlatCausality::Output) part.outputs.push_back({variable.name, variable.unit});
+        }
+        for (const Block& block : diagram->blocks)
+            for (const Port& port : block.ports)
+                if (port.domain == Domain::Rotational || port.domain == Domain::Heat) part.ports.push_back(port);
+        return true;
+    }
+
+    /// Joins each pair of parts, the nearest in the list first, through connectors that fit: an outgoing one (_b) of
+    /// one and an ingoing one (_a) of the other. Several may give their heat to one body.
+    bool joinParts() {
+        const int count = static_cast<int>(parts_.size());
+        std::vector<int> group(parts_.size());
+        for (int i = 0; i < count; ++i) group[static_cast<std::size_t>(i)] = i;
+        for (int distance = 1; distance < count; ++distance)
+            for (int i = 0; i + distance < count; ++i)
+                for (const Domain domain : {Domain::Rotational, Domain::Heat})
+                    if (joinPair(i, i + distance, domain)) {
+                        const int from = group[static_cast<std::size_t>(i + distance)],
+                                  to = group[static_cast<std::size_t>(i)];
+                        std::replace(group.begin(), group.end(), from, to);
+                    }
+        for (int i = 1; i < count; ++i)
+            if (group[static_cast<std::size_t>(i)] != group[0])
+                return fault(fmt::format("no connector joins {} to the rest of the chain",
+                                         domainOf(parts_[static_cast<std::size_t>(i)].package)),
+                             "A domain that both have in common is missing between them.");
+        return true;
+    }
+
+    bool joinPair(int i, int j, Domain domain) {
+        for (const auto& [from, to] : {std::pair{i, j}, {j, i}})
+            for (const Port& out : parts_[static_cast<std::size_t>(from)].ports)
+                for (const Port& in : parts_[static_cast<std::size_t>(to)].ports) {
+                    const bool fits = out.domain == domain && in.domain == domain && isOutgoing(out) && !isOutgoing(in);
+                    const std::string outName = connector({from, &out}), inName = connector({to, &in});
+                    const bool isTaken =
+                        joined_.contains(outName) || (domain == Domain::Rotational && joined_.contains(inName));
+                    if (!fits || isTaken) continue;
+                    connect(outName, inName, domain);
+                    assume("{} and {} are joined by {} and {}.", parts_[static_cast<std::size_t>(from)].name,
+                           parts_[static_cast<std::size_t>(to)].name, outName, inName);
+                    return true;
+                }
+        return false;
+    }
+
+    std::string connector(const Place& place) const {
+        return parts_[static_cast<std::size_t>(place.part)].name + '.' + place.port->name;
+    }
+
+    void connect(const std::string& from, const std::string& to, Domain domain) {
+        joined_.insert(from);
+        joined_.insert(to);
+        connections_.push_back({from, to, domain});
+    }
+
+    std::vector<Place> open(Domain domain, bool outgoing) const {
+        std::vector<Place> places;
+        for (int i = 0; i < static_cast<int>(parts_.size()); ++i)
+            for (const Port& port : parts_[static_cast<std::size_t>(i)].ports)
+                if (port.domain == domain && isOutgoing(port) == outgoing && !joined_.contains(connector({i, &port})))
+                    places.push_back({i, &port});
+        return places;
+    }
+
+    // Components around it --------------------------------------------------------------------------------------
+
+    std::string add(const std::string& className, const std::string& base, Point centre, const std::string& description,
+                    std::vector<std::pair<std::string, std::string>> modifications = {}, double size = 10) {
+        NewComponent component;
+        component.className = "Analogon." + className;
+        component.name = freeInstanceName(base);
+        component.modifications = std::move(modifications);
+        component.description = description;
+        component.placement.extent = {{centre.x - size, centre.y - size}, {centre.x + size, centre.y + size}};
+        components_.push_back(component);
+        return component.name;
+    }
+
+    /// A free place in the column right of the chain.
+    Point right() {
+        const Point point = nextRight_;
+        nextRight_.y -= 50;
+        return point;
+    }
+
+    std::string addInput(const std::string& base, int columnIndex, const std::string& unit) {
+        const double y = -50.0 * static_cast<double>(inputs_.size());
+        const std::string name = add("Interfaces.RealInput", base, {-140, y}, "measured: " + column(columnIndex).name,
+                                     {{"unit", '"' + unit + '"'}});
+        inputs_[name] = columnIndex;
+        return name;
+    }
+
+    void addOutput(const std::string& base, int columnIndex, const std::string& unit, const std::string& from,
+                   double y) {
+        const std::string name = add("Interfaces.RealOutput", base, {parts_.back().centre.x + 130, y},
+                                     "measured: " + column(columnIndex).name, {{"unit", '"' + unit + '"'}});
+        outputs_[name] = columnIndex;
+        connect(from, name, Domain::RealOutput);
+        assume("{} is compared with '{}'.", from, column(columnIndex).name);
+    }
+
+    // Signals ---------------------------------------------------------------------------------------------------
+
+    bool wireSignals() {
+        double y = 50;
+        for (Part& part : parts_) {
+            for (const SignalPort& input : part.inputs)
+                if (!wireInput(part, input)) return false;
+            for (const SignalPort& output : part.outputs)
+                if (areConvertible(output.unit, "A")) {
+                    const int index =
+                        take(Quantity::Current, [](const GuessedColumn& c) { return c.isSupply ? 0.0 : 1.0; });
+                    if (index < 0) continue;
+                    addOutput(output.name, index, output.unit, part.name + '.' + output.name, y);
+                    data_.current = column(index).values;
+                    y += 30;
+                }
+        }
+        return true;
+    }
+
+    bool wireInput(const Part& part, const SignalPort& input) {
+        const std::string to = part.name + '.' + input.name;
+        if (!areConvertible(input.unit, "V"))
+            return fault(fmt::format("nothing is known that could drive {} [{}]", to, input.unit));
+        int index = take(Quantity::Voltage, likingOfVoltage);
+        if (index < 0 && voltageInput_.empty()) return wireDuty(to);
+        if (index < 0) {
+            connect(voltageInput_, to, Domain::RealInput);
+            assume("{} gets the same voltage.", to);
+            return true;
+        }
+        voltageInput_ = addInput(input.name, index, input.unit);
+        connect(voltageInput_, to, Domain::RealInput);
+        data_.voltage = column(index).values;
+        assume("{} drives {}.", column(index).label(), to);
+        return true;
+    }
+
+    /// A voltage that changes and is not that of the supply.
+    static double likingOfVoltage(const GuessedColumn& column) {
+        const auto [low, high] = std::minmax_element(column.values.begin(), column.values.end());
+        const double size = std::max(std::abs(*low), std::abs(*high));
+        return (column.isSupply ? 0 : 2) + (size > 0 ? (*high - *low) / size : 0);
+    }
+
+    /// Without a voltage, a duty cycle of a supply.
+    bool wireDuty(const std::string& to) {
+        constexpr double supply = 12;  // [V]
+        int index = -1;
+        for (int i = 0; i < static_cast<int>(columns_.size()); ++i)
+            if (column(i).unit == "%" && index < 0) index = i;
+        if (index < 0)
+            return fault(fmt::format("no column can drive {}: a voltage [V] is needed", to),
+                         "Give the column a unit in its header, as 'u [V]'.", request_.recordings.front()->file);
+        isUsed_[static_cast<std::size_t>(index)] = true;
+        const std::string input = addInput("duty", index, "1");
+        const std::string gain = add("Signals.Gain", "supply", {-110, 0}, "supply voltage", {{"k", rounded(supply)}});
+        connect(input, gain + ".u", Domain::RealInput);
+        connect(gain + ".y", to, Domain::RealInput);
+        voltageInput_ = gain + ".y";
+        data_.voltage = column(index).values;
+        for (double& value : data_.voltage) value *= 0.01 * supply;
+        assume("{} switches a supply of {} V to {}.", column(index).label(), rounded(supply), to);
+        return true;
+    }
+
+    // Shafts ----------------------------------------------------------------------------------------------------
+
+    bool wireRotational() {
+        for (const Place& place : open(Domain::Rotational, false)) {
+            const int torque = take(Quantity::Torque);
+            if (torque < 0) {
+                assume("{} is left free: no torque acts on it.", connector(place));
+                continue;
+            }
+            const Point at{parts_.front().centre.x - 40, -60};
+            const std::string source = add("Sources.PrescribedTorque", "drive", at, "measured torque");
+            connect(addInput("tau", torque, "N.m"), source + ".tau", Domain::RealInput);
+            connect(source + ".flange", connector(place), Domain::Rotational);
+            assume("{} drives {}.", column(torque).label(), connector(place));
+        }
+        for (const Place& place : open(Domain::Rotational, true)) wireShaftEnd(place);
+        return true;
+    }
+
+    bool hasInertia() const {
+        return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.package == "Mechanics"; });
+    }
+
+    void wireShaftEnd(const Place& place) {
+        std::string end = connector(place);
+        if (!hasInertia()) {
+            const Point at{nextRight_.x, 0};
+            nextRight_.x += 60;
+            rotor_ = add("Mechanics.Inertia", "rotor", at, "what turns");
+            connect(end, rotor_ + ".flange_a", Domain::Rotational);
+            assume("An inertia turns with {}: the basic class of a motor has none.", end);
+            end = rotor_ + ".flange_b";
+        }
+        load_ = add("Mechanics.QuadraticLoad", "load", right(), "load");
+        connect(end, load_ + ".flange", Domain::Rotational);
+        assume("A load that grows with the square of the speed (pump, fan) hangs on {}.", end);
+        if (const int speed = take(Quantity::Speed); speed >= 0) {
+            const Point at = right();
+            const std::string sensor = add("Sensors.SpeedSensor", "speedSensor", at, "");
+            connect(end, sensor + ".flange", Domain::Rotational);
+            addOutput("w", speed, "rad/s", sensor + ".w", at.y);
+            data_.speed = column(speed).values;
+        }
+        if (const int angle = take(Quantity::Angle); angle >= 0) {
+            const Point at = right();
+            const std::string sensor = add("Sensors.AngleSensor", "angleSensor", at, "");
+            connect(end, sensor + ".flange", Domain::Rotational);
+            addOutput("phi", angle, "rad", sensor + ".phi", at.y);
+        }
+    }
+
+    // Heat ------------------------------------------------------------------------------------------------------
+
+    bool wireThermal() {
+        const auto likesBody = [](const GuessedColumn& c) {
+            return (c.isBody ? 1.0 : 0.0) - (c.isSurroundings ? 2.0 : 0.0);
+        };
+        const std::vector<Place> ends = open(Domain::Heat, true);
+        if (!ends.empty()) wireSurroundings(ends);
+        for (int i = 0; i < static_cast<int>(parts_.size()); ++i)
+            for (const Port& port : parts_[static_cast<std::size_t>(i)].ports) {
+                if (port.domain != Domain::Heat || isOutgoing(port)) continue;
+                const Place body{i, &port};
+                wireHeatSource(body);
+                if (const int index = take(Quantity::Temperature, likesBody); index >= 0) {
+                    const Point at = right();
+                    const std::string sensor = add("Sensors.TemperatureSensor", "temperatureSensor", at, "");
+                    connect(connector(body), sensor + ".port", Domain::Heat);
+                    addOutput("T", index, "K", sensor + ".T", at.y);
+                    if (data_.bodyTemperature.empty()) {
+                        data_.bodyTemperature = column(index).values;
+                        bodyColumn_ = column(index).name;
+                    }
+                }
+            }
+        return true;
+    }
+
+    /// A body that nothing heats, and a measured heat flow.
+    void wireHeatSource(const Place& body) {
+        if (joined_.contains(connector(body))) return;
+        const int heat = take(Quantity::HeatFlow);
+        if (heat < 0) return;
+        const Point at{parts_[static_cast<std::size_t>(body.part)].centre.x - 40, -60};
+        const std::string source = add("Sources.PrescribedHeatFlow", "heating", at, "measured heat");
+        connect(addInput("Q_flow", heat, "W"), source + ".Q_flow", Domain::RealInput);
+        connect(source + ".port", connector(body), Domain::Heat);
+        assume("{} heats {}.", column(heat).label(), connector(body));
+    }
+
+    void wireSurroundings(const std::vector<Place>& ends) {
+        int count = 0, named = 0;
+        for (const GuessedColumn& c : columns_) {
+            count += c.quantity == Quantity::Temperature;
+            named += c.quantity == Quantity::Temperature && c.isSurroundings;
+        }
+        // One temperature without a telling name is the body's when nothing else could be compared with the model.
+        const bool isOnlyOutput = named == 0 && count == 1 && outputs_.empty();
+        const auto likes = [](const GuessedColumn& c) {
+            return (c.isSurroundings ? 2.0 : 0.0) - (c.isBody ? 1.0 : 0.0);
+        };
+        const auto isPlausible = [&] { return named > 0 || count > 1 || (count == 1 && !isNamedBody()); };
+        const int index = !isOnlyOutput && isPlausible() ? take(Quantity::Temperature, likes) : -1;
+        const Point at = right();
+        std::string source;
+        if (index >= 0) {
+            source = add("Sources.PrescribedTemperature", "ambient", at, "measured temperature");
+            connect(addInput("T_amb", index, "K"), source + ".T", Domain::RealInput);
+            data_.surroundingTemperature = column(index).values;
+            surroundingColumn_ = column(index).name;
+        } else {
+            source = add("Sources.FixedTemperature", "ambient", at, "surroundings", {{"T", "293.15"}});
+        }
+        for (const Place& end : ends) {
+            connect(connector(end), source + ".port", Domain::Heat);
+            if (index >= 0) {
+                assume("{} is the temperature at {}.", column(index).label(), connector(end));
+            } else {
+                assume("The temperature at {} is 293.15 K: no column of the surroundings was found.", connector(end));
+            }
+        }
+    }
+
+    bool isNamedBody() const {
+        return std::any_of(columns_.begin(), columns_.end(), [](const GuessedColumn& c) {
+            return c.quantity == Quantity::Temperature && c.isBody && !c.isSurroundings;
+        });
+    }
+
+    bool checkOutputs() {
+        if (!outputs_.empty()) return true;
+        return fault(
+            "the measurement has no column that the model could be compared with",
+            "Wanted is a current [A], a speed [rad/s], an angle [rad] or a temperature [K] that the model does "
+            "not already take as its input; give the columns their units in the header.",
+            request_.recordings.front()->file);
+    }
+
+    // Start values ----------------------------------------------------------------------------------------------
+
+    void guessStarts() {
+        data_.time = columns_.front().values;
+        double torqueConstant = 0.02;
+        for (Part& part : parts_) {
+            if (part.package == "ElectricThermal") {
+                fit(part, "R", guessResistance(data_));
+                fit(part, "alpha", {0.004, 0, 0.02, "a metal"}, ParameterScale::Linear);
+            } else if (part.package == "ElectricMechanical") {
+                const StartGuess resistance = guessWindingResistance(data_);
+                const StartGuess k = guessTorqueConstant(data_, resistance.value);
+                fit(part, "R", resistance);
+                fit(part, "k", k);
+                part.values["L"] = "0";
+                assume("{}.L is 0: the inductance is left out until the data call for it.", part.name);
+                torqueConstant = k.value;
+            }
+        }
+        double resistance = guessWindingResistance(data_).value;
+        if (!(resistance > 0)) resistance = 1;
+        for (Part& part : parts_) {
+            if (part.package == "Mechanics") {
+                fit(part, "J1", guessInertia(data_, resistance, torqueConstant));
+                part.values["J2"] = "0";
+                assume("{0}.J2 is 0 and {0}.r is 1: all inertia is in J1, there is no gear.", part.name);
+            } else if (part.package == "MechanicThermal") {
+                fit(part, "b", guessFriction(data_, torqueConstant));
+            } else if (part.package == "ThermalFluid") {
+                guessThermal(part);
+            }
+        }
+        if (!rotor_.empty()) fitExtra(rotor_, "J", guessInertia(data_, resistance, torqueConstant));
+        if (!load_.empty()) fitExtra(load_, "k_q", guessQuadraticLoad(data_, torqueConstant));
+    }
+
+    void guessThermal(Part& part) {
+        constexpr double surface = 1e-3, usualTemperature = 293.15;  // [m2], [K]
+        const StartGuess conductance = guessConductance(data_);
+        const double fluid =
+            data_.surroundingTemperature.empty() ? usualTemperature : median(data_.surroundingTemperature);
+        const double perCoefficient = surface * std::pow(fluid / 3.6, 0.78);  // eq. 8
+        part.values["A"] = rounded(surface);
+        assume("{0}.A is {1} m2 and stays: only the product of {0}.A and {0}.c_o shows in the data.", part.name,
+               rounded(surface));
+        fit(part, "C", guessHeatCapacity(data_, conductance.value));
+        fit(part, "c_o",
+            {conductance.value / perCoefficient, conductance.min / perCoefficient, conductance.max / perCoefficient,
+             conductance.reason});
+        const std::string start = part.name + ".T_start";
+        if (!bodyColumn_.empty()) {
+            starts_[start] = bodyColumn_;
+        } else if (!surroundingColumn_.empty()) {
+            starts_[start] = surroundingColumn_;
+            assume("{} starts at the temperature of its surroundings ('{}').", part.name, surroundingColumn_);
+        }
+    }
+
+    void fit(Part& part, const std::string& parameter, const StartGuess& guess,
+             ParameterScale scale = ParameterScale::Logarithmic) {
+        part.values[parameter] = rounded(guess.value);
+        addParameter(part.name + '.' + parameter, guess, scale);
+    }
+
+    void fitExtra(const std::string& component, const std::string& parameter, const StartGuess& guess) {
+        for (NewComponent& candidate : components_)
+            if (candidate.name == component) candidate.modifications.emplace_back(parameter, rounded(guess.value));
+        addParameter(component + '.' + parameter, guess, ParameterScale::Logarithmic);
+    }
+
+    void addParameter(const std::string& name, const StartGuess& guess, ParameterScale scale) {
+        StudyParameter parameter;
+        parameter.min = std::stod(rounded(guess.min));
+        parameter.max = std::stod(rounded(guess.max));
+        parameter.scale = scale;
+        result_.study.parameters[name] = parameter;
+        assume("{} is fitted from {} ({}) within {} … {}.", name, rounded(guess.value),
+               guess.reason.empty() ? "a usual value" : guess.reason, rounded(guess.min), rounded(guess.max));
+    }
+
+    // The study -------------------------------------------------------------------------------------------------
+
+    Outcome<std::string> modelText() {
+        for (const Part& part : parts_) {
+            NewComponent component;
+            component.className = part.className;
+            component.name = part.name;
+            component.modifications.assign(part.values.begin(), part.values.end());
+            component.placement.extent = {{part.centre.x - 10, part.centre.y - 10},
+                                          {part.centre.x + 10, part.centre.y + 10}};
+            components_.push_back(component);
+        }
+        const double lowest = std::min(nextRight_.y + 20, -50.0 * static_cast<double>(inputs_.size()) + 20);
+        const auto source = std::make_shared<const Source>(
+            "model.mo",
+            fmt::format(
+                "model {0} \"{1}\"\n  annotation (Diagram(coordinateSystem(extent={{{{-160,{2}}},{{{3},{4}}}}})));\n"
+                "end {0};\n",
+                request_.className, fmt::join(request_.domains, ", "), rounded(lowest),
+                rounded(std::max(parts_.back().centre.x + 150, nextRight_.x + 30)), 120));
+        const syntax::ParseResult parsed = syntax::parse(source);
+        if (hasError(parsed.diagnostics))
+            return fileError(fmt::format("'{}' cannot be the name of a model", request_.className), "", 0, 0,
+                             "A name is a letter followed by letters, digits and underscores.");
+        const Outcome<Library> library = library_.withSource(source);
+        if (!library) return library.diagnostics();
+        const Outcome<Diagram> diagram = readDiagram(*library, request_.className);
+        if (!diagram) return diagram.diagnostics();
+        ModelEdit edit(*parsed.definition.classes.front(), &*diagram, &*library);
+        // Inputs, parts and the rest in the order of the signal flow read best.
+        std::stable_sort(components_.begin(), components_.end(), [](const NewComponent& a, const NewComponent& b) {
+            return a.placement.extent.p1.x < b.placement.extent.p1.x;
+        });
+        for (const NewComponent& component : components_) edit.addComponent(component);
+        for (const Connection& connection : connections_)
+            edit.addConnection(connection.from, connection.to, {}, domainColour(connection.domain));
+        const Outcome<syntax::TextEdit> change = edit.finish("generate");
+        if (!change) return change.diagnostics();
+        return syntax::apply(source->text(), *change).text;
+    }
+
+    void describeStudy() {
+        Study& study = result_.study;
+        study.className = request_.className;
+        study.name = request_.className;
+        const std::size_t count = request_.recordings.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            const Table& table = *request_.recordings[i];
+            StudyExperiment experiment;
+            experiment.name = std::filesystem::path(table.file).stem().string();
+            experiment.role = i > 0 && i + 1 == count ? Role::Validate : Role::Fit;
+            experiment.file = table.file;
+            experiment.timeColumn = columns_.front().name;
+            for (const auto& [name, index] : inputs_) experiment.inputs[name] = column(index).mapping();
+            for (const auto& [name, index] : outputs_) experiment.outputs[name] = column(index).mapping();
+            for (const auto& [parameter, from] : starts_) experiment.initial[parameter] = ColumnStart{from};
+            study.tables[table.file] = request_.recordings[i];
+            study.experiments.push_back(std::move(experiment));
+        }
+        if (count == 1) splitExperiment();
+        for (std::size_t i = 0; i < columns_.size(); ++i)
+            if (columns_[i].isUnitAssumed && (isUsed_[i] || i == 0))
+                assume("'{}' is in {}: its header gives no unit, its name does.", columns_[i].name, columns_[i].unit);
+    }
+
+    /// The first 70 % of one recording are fitted, the rest validates.
+    void splitExperiment() {
+        constexpr double fitted = 0.7;
+        std::vector<StudyExperiment>& experiments = result_.study.experiments;
+        const std::vector<double>& time = columns_.front().values;
+        const auto cut = static_cast<std::size_t>(fitted * static_cast<double>(time.size() - 1));
+        experiments.push_back(experiments.front());
+        const std::string name = experiments[0].name;
+        experiments[0].name = name + " (first part)";
+        experiments[0].range = {time.front(), time[cut]};
+        experiments[1].name = name + " (second part)";
+        experiments[1].role = Role::Validate;
+        experiments[1].range = {time[cut], time.back()};
+        assume(
+            "The first 70 % of the recording (to {} s) are fitted, the rest validates. The model starts each part at "
+            "rest; a recording of its own for the validation is better.",
+            rounded(time[cut]));
+    }
+
+    struct Connection {
+        std::string from, to;
+        Domain domain;
+    };
+
+    const Library& library_;
+    const GenerateRequest& request_;
+    GeneratedStudy result_;
+    Diagnostics faults_;
+    std::vector<GuessedColumn> columns_;
+    std::vector<bool> isUsed_;
+    std::vector<Part> parts_;
+    std::set<std::string> names_, joined_;
+    std::vector<Connection> connections_;
+    std::vector<NewComponent> components_;
+    std::map<std::string, int> inputs_, outputs_;  // top-level signal -> column
+    std::map<std::string, std::string> starts_;    // parameter -> column
+    std::string voltageInput_, rotor_, load_, bodyColumn_, surroundingColumn_;
+    Point nextRight_;
+    GuessData data_;
+};
+
+}  // namespace
+
+std::vector<std::string> knownDomains(const Library& library) {
+    std::vector<std::string> domains;
+    for (const LibraryClass* known : library.classes()) {
+        const std::size_t dot = known->qualifiedName.rfind('.');
+        if (dot == std::string::npos) continue;
+        const std::string package = known->scope.substr(known->scope.rfind('.') + 1);
+        if (known->qualifiedName.substr(dot + 1) == "Basic" + package) domains.push_back(domainOf(package));
+    }
+    return domains;
+}
+
+Outcome<GeneratedStudy> generateStudy(const Library& library, const GenerateRequest& request) {
+    return Generator(library, request).run();
+}
+
+}  // namespace analogon

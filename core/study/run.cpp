@@ -1,0 +1,132 @@
+#include "core/study/run.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <fstream>
+
+#include "core/report/report.hpp"
+
+namespace analogon {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* version = ANALOGON_VERSION;
+
+Outcome<EstimationTask> taskOf(const Study& study, const RunOptions& options) {
+    Study widened = study;
+    for (const fs::path& p : options.libraryPaths) widened.libraryPaths.push_back(fs::absolute(p).string());
+    return estimationTask(widened);
+}
+
+/// The study with fitted values in its model, effects wired in, and their parameters among the fitted ones.
+Study completedStudy(const Study& study, const Finding& finding) {
+    Study completed = study;
+    completed.models[completed.modelFile] = finding.final.modelText;
+    for (const FitEstimate& e : finding.final.parameters)
+        if (e.experiment < 0) {
+            StudyParameter& p = completed.parameters[e.name];
+            p.value.reset();  // the model's text holds it now
+        }
+    for (const AddedEffect& e : finding.effects)
+        if (!e.newInput.empty())
+            for (StudyExperiment& x : completed.experiments) x.inputs[e.newInput].column = e.channel;
+    return completed;
+}
+
+RunResult fitted(const Study& study, ModelState state) {
+    RunResult result;
+    result.finding.baseline = state;
+    result.finding.final = std::move(state);
+    result.completed = completedStudy(study, result.finding);
+    return result;
+}
+
+Diagnostics failures(const ModelState& state) {
+    Diagnostics faults;
+    for (const ExperimentState& e : state.experiments)
+        if (e.failure.failed && e.failure.reason != "cancelled")
+            faults.push_back(numericalError(
+                fmt::format("the simulation of experiment \"{}\" stopped at t = {:.6g} s: {}{}", e.name, e.failure.time,
+                            e.failure.reason, e.failure.variable.empty() ? "" : " (" + e.failure.variable + ")"),
+                "look at the values of the parameters near that variable"));
+    return faults;
+}
+
+Outcome<Done> writeFile(const fs::path& path, const std::string& content) {
+    std::ofstream file(path, std::ios::binary);
+    file << content;
+    file.flush();
+    if (!file) return fileError("cannot write the file", path.string(), 0, 0, "is there space and the right to write?");
+    return Done{};
+}
+
+}  // namespace
+
+Outcome<RunResult> runSimulate(const Study& study, const RunOptions& options, const Progress& progress) {
+    Outcome<EstimationTask> task = taskOf(study, options);
+    if (!task) return task.diagnostics();
+    Outcome<ModelState> state = simulateModel(*task, options.discover.fit.simulation, progress);
+    if (!state) return state.diagnostics();
+    if (Diagnostics faults = failures(*state); !faults.empty()) return faults;
+    return fitted(study, std::move(*state));
+}
+
+Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const Progress& progress) {
+    Outcome<EstimationTask> task = taskOf(study, options);
+    if (!task) return task.diagnostics();
+    Outcome<ModelState> state = fitModel(*task, options.discover.fit, progress);
+    if (!state) return state.diagnostics();
+    if (Diagnostics faults = failures(*state); !faults.empty()) return faults;
+    RunResult result = fitted(study, std::move(*state));
+    result.finding.interrupted = progress.stopRequested();
+    return result;
+}
+
+Outcome<RunResult> runDiscover(const Study& study, const RunOptions& options, const Progress& progress) {
+    Outcome<EstimationTask> task = taskOf(study, options);
+    if (!task) return task.diagnostics();
+    Outcome<Finding> finding = discover(*task, options.discover, progress);
+    if (!finding) return finding.diagnostics();
+    if (Diagnostics faults = failures(finding->final); !faults.empty()) return faults;
+    RunResult result;
+    result.finding = std::move(*finding);
+    result.completed = completedStudy(study, result.finding);
+    return result;
+}
+
+Outcome<Done> writeResults(const RunResult& result, const std::string& command, const fs::path& directory) {
+    std::error_code failed;
+    fs::create_directories(directory, failed);
+    if (failed)
+        return fileError(fmt::format("cannot create the directory: {}", failed.message()), directory.string(), 0, 0,
+                         "give another --out");
+    // everything is written beside first and moved when it is whole
+    const fs::path fresh =
+        directory / fmt::format(".writing-{}", std::chrono::steady_clock::now().time_since_epoch().count());
+    fs::create_directories(fresh, failed);
+    const ReportContext context{result.completed.name, command, version};
+    const std::pair<const char*, std::string> files[] = {{"report.json", reportJson(result.finding, context)},
+                                                         {"report.html", reportHtml(result.finding, context)},
+                                                         {"traces.csv", tracesCsv(result.finding)}};
+    Outcome<Done> written = Done{};
+    for (const auto& [name, content] : files)
+        if (written) written = writeFile(fresh / name, content);
+    if (written) written = writeStudy(result.completed, fresh / "study");
+    if (written) {
+        for (const char* name : {"report.json", "report.html", "traces.csv", "study"}) {
+            fs::remove_all(directory / name, failed);
+            fs::rename(fresh / name, directory / name, failed);
+            if (failed) {
+                written = fileError(fmt::format("cannot replace the results: {}", failed.message()),
+                                    (directory / name).string());
+                break;
+            }
+        }
+    }
+    fs::remove_all(fresh, failed);
+    return written;
+}
+
+}  // namespace analogon

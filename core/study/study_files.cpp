@@ -1,0 +1,239 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "core/study/json_places.hpp"
+#include "core/study/study.hpp"
+#include "core/syntax/parser.hpp"
+
+namespace analogon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Outcome<std::string> readText(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream)
+        return fileError("the file cannot be opened", file.string(), 0, 0, "Check its name and its access rights.");
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+std::vector<fs::path> filesEndingIn(const fs::path& directory, std::string_view ending) {
+    std::vector<fs::path> files;
+    std::error_code code;
+    for (const auto& entry : fs::directory_iterator(directory, code))
+        if (entry.path().extension() == ending && entry.is_regular_file(code)) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// The study.json that a path means.
+Outcome<fs::path> studyFile(const fs::path& path) {
+    std::error_code code;
+    if (!fs::exists(path, code))
+        return fileError("there is no such file or directory", path.string(), 0, 0,
+                         "Give the directory of a study, or its study.json.");
+    if (fs::is_directory(path, code)) {
+        if (fs::exists(path / "study.json", code)) return path / "study.json";
+        return fileError("this directory holds no study.json", path.string(), 0, 0,
+                         "A study is a directory with study.json, a model (.mo) and its measurements.");
+    }
+    if (path.extension() == ".analogon")
+        return fileError("packed studies cannot be read here", path.string(), 0, 0,
+                         "Unpack it (it is a zip archive) and give the directory.");
+    if (path.extension() == ".json") return path;
+    return fileError("this is not a study", path.string(), 0, 0, "Give the directory of a study, or its study.json.");
+}
+
+/// The file that declares the class; "model.mo" when none does, so that its text can still be shown and mended.
+std::string fileOfClass(const std::map<std::string, std::string>& models, const std::string& className) {
+    for (const auto& [name, text] : models) {
+        const auto parsed = syntax::parse(std::make_shared<const Source>(name, text));
+        const std::string within = parsed.definition.within ? parsed.definition.within->text() : "";
+        for (const syntax::ClassPtr& definition : parsed.definition.classes) {
+            const std::string qualified = within.empty() ? definition->name : within + '.' + definition->name;
+            if (className == qualified || className.starts_with(qualified + '.')) return name;
+        }
+    }
+    if (models.contains("model.mo") || models.empty()) return "model.mo";
+    return models.begin()->first;
+}
+
+Outcome<std::shared_ptr<const Table>> readMeasurement(const Study& study, std::size_t index, Diagnostics& warnings) {
+    const StudyExperiment& experiment = study.experiments[index];
+    const fs::path file = (study.directory / experiment.file).lexically_normal();
+    std::error_code code;
+    if (!fs::exists(file, code)) {
+        std::vector<std::string> present;
+        for (const fs::path& other : filesEndingIn(study.directory, ".csv"))
+            present.push_back(other.filename().string());
+        const std::string alike = suggestion(experiment.file, present);
+        std::string hint = "The path is relative to the study's directory.";
+        if (!alike.empty()) hint = fmt::format("Did you mean '{}'?", alike);
+        return error(fmt::format("experiment '{}': there is no file '{}'", experiment.name, experiment.file),
+                     JsonPlaces(study.json).value(fmt::format("/experiments/{}/file", index)), hint);
+    }
+    Outcome<Table> table = readTable(file);
+    if (!table) return table.diagnostics();
+    warnings.insert(warnings.end(), table.diagnostics().begin(), table.diagnostics().end());
+    return std::make_shared<const Table>(std::move(*table));
+}
+
+Diagnostic cannotWrite(const fs::path& path, const std::error_code& code) {
+    return fileError(fmt::format("this cannot be written: {}", code.message()), path.string(), 0, 0,
+                     "Check that the directory exists, may be written and has room.");
+}
+
+bool leavesDirectory(const fs::path& path) {
+    return path.is_absolute() || path.has_root_name() || path.lexically_normal().begin()->string() == "..";
+}
+
+/// Writes the files of a study into a directory of its own, then moves them to their place.
+class StudyWriter {
+public:
+    StudyWriter(const Study& study, const fs::path& target) : study_(study), target_(target) {}
+
+    Outcome<Done> write() {
+        std::error_code code;
+        if (!makeTemporary(code)) return cannotWrite(target_, code);
+        Outcome<Done> result = fill();
+        if (result) result = move();
+        fs::remove_all(temporary_, code);
+        return result;
+    }
+
+private:
+    bool makeTemporary(std::error_code& code) {
+        fs::path plain = fs::absolute(target_, code).lexically_normal();
+        if (!plain.has_filename()) plain = plain.parent_path();
+        target_ = plain;
+        fs::create_directories(target_.parent_path(), code);
+        for (int i = 0; i < 1000 && !code; ++i) {
+            temporary_ = target_.parent_path() / fmt::format(".{}.writing{}", target_.filename().string(), i);
+            if (fs::create_directory(temporary_, code)) return true;
+        }
+        return false;
+    }
+
+    Outcome<Done> put(const std::string& name, const std::string& content) {
+        std::error_code code;
+        fs::create_directories((temporary_ / name).parent_path(), code);
+        std::ofstream stream(temporary_ / name, std::ios::binary);
+        stream << content;
+        stream.close();
+        if (!stream) return cannotWrite(target_ / name, std::make_error_code(std::errc::io_error));
+        written_.insert(name);
+        return Done{};
+    }
+
+    Outcome<Done> fill() {
+        Study placed = study_;
+        for (StudyExperiment& experiment : placed.experiments) {
+            const std::string from = experiment.file;
+            experiment.file = placeOfMeasurement(from);
+            if (Outcome<Done> done = putMeasurement(from, experiment.file); !done) return done;
+        }
+        for (const auto& [name, text] : study_.models)
+            if (Outcome<Done> done = put(name, text); !done) return done;
+        return put("study.json", studyJson(placed));
+    }
+
+    /// Where a measurement lies in the written study; those from elsewhere come to lie beside study.json.
+    std::string placeOfMeasurement(const std::string& file) {
+        if (const auto known = places_.find(file); known != places_.end()) return known->second;
+        const fs::path path(file);
+        std::string place = leavesDirectory(path) ? path.filename().string() : path.lexically_normal().generic_string();
+        for (int i = 2; taken_.contains(place); ++i)
+            place = fmt::format("{}_{}{}", path.stem().string(), i, path.extension().string());
+        taken_.insert(place);
+        return places_[file] = place;
+    }
+
+    Outcome<Done> putMeasurement(const std::string& from, const std::string& place) {
+        if (written_.contains(place)) return Done{};
+        std::error_code code;
+        const fs::path source = study_.directory / from;
+        if ((!study_.directory.empty() || source.is_absolute()) && fs::exists(source, code)) {
+            if (fs::equivalent(source, target_ / place, code)) return Done{};  // it is there already
+            fs::create_directories((temporary_ / place).parent_path(), code);
+            fs::copy_file(source, temporary_ / place, code);
+            if (code) return cannotWrite(target_ / place, code);
+            written_.insert(place);
+            return Done{};
+        }
+        const auto table = study_.tables.find(from);
+        if (table == study_.tables.end() || !table->second)
+            return fileError("the measurement is neither on disk nor in the study", source.string());
+        return put(place, writeCsv(*table->second));
+    }
+
+    Outcome<Done> move() {
+        std::error_code code;
+        if (!fs::exists(target_, code)) {
+            fs::rename(temporary_, target_, code);
+            return code ? Outcome<Done>(cannotWrite(target_, code)) : Outcome<Done>(Done{});
+        }
+        const bool wasStudy = fs::exists(target_ / "study.json", code);
+        for (const std::string& name : written_) {
+            fs::create_directories((target_ / name).parent_path(), code);
+            fs::rename(temporary_ / name, target_ / name, code);
+            if (code) return cannotWrite(target_ / name, code);
+        }
+        // Blocks of the study that lay here before would become part of this one.
+        if (wasStudy && !fs::equivalent(target_, study_.directory, code))
+            for (const fs::path& model : filesEndingIn(target_, ".mo"))
+                if (!study_.models.contains(model.filename().string())) fs::remove(model, code);
+        return Done{};
+    }
+
+    const Study& study_;
+    fs::path target_, temporary_;
+    std::map<std::string, std::string> places_;
+    std::set<std::string> taken_, written_;
+};
+
+}  // namespace
+
+Outcome<Study> readStudy(const std::filesystem::path& path) {
+    const Outcome<fs::path> file = studyFile(path);
+    if (!file) return file.diagnostics();
+    const Outcome<std::string> json = readText(*file);
+    if (!json) return json.diagnostics();
+    Outcome<Study> parsed = parseStudyJson(std::make_shared<const Source>(file->string(), *json));
+    if (!parsed) return parsed;
+
+    Study study = std::move(*parsed);
+    Diagnostics warnings = parsed.diagnostics(), faults;
+    study.directory = file->parent_path();
+    study.name = fs::absolute(*file).lexically_normal().parent_path().filename().string();
+    for (const fs::path& model : filesEndingIn(study.directory, ".mo")) {
+        Outcome<std::string> text = readText(model);
+        if (!text) return text.diagnostics();
+        study.models[model.filename().string()] = std::move(*text);
+    }
+    study.modelFile = fileOfClass(study.models, study.className);
+    for (std::size_t i = 0; i < study.experiments.size(); ++i) {
+        const std::string& name = study.experiments[i].file;
+        if (study.tables.contains(name)) continue;
+        auto table = readMeasurement(study, i, warnings);
+        if (table) {
+            study.tables[name] = *table;
+        } else {
+            faults.insert(faults.end(), table.diagnostics().begin(), table.diagnostics().end());
+        }
+    }
+    if (!faults.empty()) return faults;
+    return {std::move(study), std::move(warnings)};
+}
+
+Outcome<Done> writeStudy(const Study& study, const std::filesystem::path& directory) {
+    return StudyWriter(study, directory).write();
+}
+
+}  // namespace analogon

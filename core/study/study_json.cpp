@@ -1,0 +1,383 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/study/json_places.hpp"
+#include "core/study/study.hpp"
+
+namespace analogon {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* formatName = "analogon-study-1";
+
+/// A member and where it stands.
+struct Node {
+    const Json* value{};
+    std::string pointer;
+
+    Node member(const std::string& name) const {
+        const auto found = value->find(name);
+        return {found == value->end() ? nullptr : &*found, pointer + '/' + JsonPlaces::escape(name)};
+    }
+    Node element(std::size_t index) const { return {&(*value)[index], fmt::format("{}/{}", pointer, index)}; }
+    explicit operator bool() const { return value != nullptr; }
+};
+
+std::string typeOf(const Json& value) {
+    if (value.is_object()) return "an object {…}";
+    if (value.is_array()) return "a list […]";
+    if (value.is_string()) return fmt::format("the text \"{}\"", value.get<std::string>());
+    if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
+    if (value.is_number()) return fmt::format("the number {}", value.dump());
+    return "null";
+}
+
+/// From the tree of study.json to a Study; collects every fault on the way.
+class StudyReader {
+public:
+    StudyReader(const Json& json, const JsonPlaces& places) : json_(json), places_(places) {}
+
+    Outcome<Study> read() {
+        const Node root{&json_, ""};
+        if (!json_.is_object()) {
+            expected(root, "an object {…} with the members of a study");
+            return faults_;
+        }
+        for (const Span& twice : places_.duplicates())
+            faults_.push_back(error(fmt::format("{} is given twice", twice.text()), twice, "Keep one of them."));
+        readFormat(root);
+        study_.className = requiredText(root, "class");
+        readExperiments(root);
+        readParameters(root);
+        readLibrary(root);
+        keepUnknown(root, {"format", "class", "experiments", "parameters", "library"}, "a study", extra_);
+        study_.extraJson = extra_.empty() ? std::string() : extra_.dump();
+        study_.json = places_.source();
+        if (!faults_.empty()) return faults_;
+        return {std::move(study_), std::move(warnings_)};
+    }
+
+private:
+    void fault(const Node& node, std::string message, std::string hint = {}) {
+        faults_.push_back(error(std::move(message), places_.value(node.pointer), std::move(hint)));
+    }
+
+    /// "experiments/0/file" as the reader of the file would say it.
+    static std::string path(const Node& node) { return node.pointer.empty() ? "the study" : node.pointer.substr(1); }
+
+    void expected(const Node& node, std::string_view what) {
+        fault(node, fmt::format("{}: expected {}, found {}", path(node), what, typeOf(*node.value)));
+    }
+
+    void missing(const Node& owner, const std::string& name, const std::string& hint = {}) {
+        fault(owner, fmt::format("{}: the member \"{}\" is missing", path(owner), name), hint);
+    }
+
+    std::string text(const Node& node) {
+        if (node.value->is_string() && !node.value->get_ref<const std::string&>().empty())
+            return node.value->get<std::string>();
+        expected(node, "a text that is not empty");
+        return {};
+    }
+
+    std::string requiredText(const Node& owner, const std::string& name) {
+        const Node node = owner.member(name);
+        if (node) return text(node);
+        missing(owner, name);
+        return {};
+    }
+
+    std::optional<double> number(const Node& node) {
+        if (!node) return std::nullopt;
+        if (node.value->is_number()) return node.value->get<double>();
+        expected(node, "a number");
+        return std::nullopt;
+    }
+
+    bool isObject(const Node& node, std::string_view what) {
+        if (!node) return false;
+        if (!node.value->is_object()) expected(node, what);
+        return node.value->is_object();
+    }
+
+    void keepUnknown(const Node& owner, const std::vector<std::string>& known, std::string_view what, Json& kept) {
+        for (const auto& [name, value] : owner.value->items()) {
+            if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+            kept[name] = value;
+            const std::string alike = suggestion(name, known);
+            warnings_.push_back(
+                warning(fmt::format("\"{}\" is no member of {}; it is kept and has no effect", name, what),
+                        places_.name(owner.pointer + '/' + JsonPlaces::escape(name)),
+                        alike.empty() ? "" : fmt::format("Did you mean \"{}\"?", alike)));
+        }
+    }
+
+    void readFormat(const Node& root) {
+        const std::string format = requiredText(root, "format");
+        if (!format.empty() && format != formatName)
+            fault(root.member("format"), fmt::format("the format \"{}\" is not known", format),
+                  fmt::format("This program reads \"{}\".", formatName));
+    }
+
+    void readExperiments(const Node& root) {
+        const Node list = root.member("experiments");
+        if (!list) return missing(root, "experiments");
+        if (!list.value->is_array()) return expected(list, "a list […] of experiments");
+        for (std::size_t i = 0; i < list.value->size(); ++i) {
+            const Node node = list.element(i);
+            if (!isObject(node, "an experiment {…}")) continue;
+            StudyExperiment experiment = readExperiment(node);
+            for (const StudyExperiment& other : study_.experiments)
+                if (other.name == experiment.name && !other.name.empty())
+                    fault(node.member("name"), fmt::format("there are two experiments named '{}'", other.name),
+                          "Give each experiment its own name.");
+            Json kept;
+            keepUnknown(node, {"name", "role", "file", "time", "range", "inputs", "outputs", "initial"},
+                        "an experiment", kept);
+            if (!kept.empty()) extra_["experiments"][experiment.name] = kept;
+            study_.experiments.push_back(std::move(experiment));
+        }
+    }
+
+    StudyExperiment readExperiment(const Node& node) {
+        StudyExperiment experiment;
+        experiment.name = requiredText(node, "name");
+        experiment.file = requiredText(node, "file");
+        experiment.timeColumn = requiredText(node, "time");
+        if (const Node role = node.member("role")) {
+            const std::string text = role.value->is_string() ? role.value->get<std::string>() : "";
+            if (text != "fit" && text != "validate") expected(role, "\"fit\" or \"validate\"");
+            experiment.role = text == "validate" ? Role::Validate : Role::Fit;
+        }
+        if (const Node range = node.member("range")) experiment.range = readRange(range);
+        experiment.inputs = readMappings(node, "inputs");
+        experiment.outputs = readMappings(node, "outputs");
+        if (const Node initial = node.member("initial"); isObject(initial, "start values {parameter: value}"))
+            for (const auto& [name, value] : initial.value->items())
+                if (const auto start = readStart(initial.member(name))) experiment.initial[name] = *start;
+        return experiment;
+    }
+
+    std::optional<std::pair<double, double>> readRange(const Node& node) {
+        const Json& list = *node.value;
+        if (!list.is_array() || list.size() != 2 || !list[0].is_number() || !list[1].is_number()) {
+            expected(node, "two times [from, to] in seconds");
+            return std::nullopt;
+        }
+        const auto range = std::make_pair(list[0].get<double>(), list[1].get<double>());
+        if (range.first < range.second) return range;
+        fault(node,
+              fmt::format("{}: the range ends at {} before it begins at {}", path(node), range.second, range.first));
+        return std::nullopt;
+    }
+
+    std::map<std::string, ChannelMapping> readMappings(const Node& owner, const std::string& name) {
+        std::map<std::string, ChannelMapping> mappings;
+        const Node node = owner.member(name);
+        if (!isObject(node, "an object {model signal: column}")) return mappings;
+        for (const auto& [signal, value] : node.value->items()) mappings[signal] = readMapping(node.member(signal));
+        return mappings;
+    }
+
+    ChannelMapping readMapping(const Node& node) {
+        ChannelMapping mapping;
+        if (!node.value->is_object()) {
+            if (node.value->is_string()) {
+                mapping.column = text(node);
+            } else {
+                expected(node, "the name of a column, or {\"column\": …, \"unit\": …}");
+            }
+            return mapping;
+        }
+        mapping.column = requiredText(node, "column");
+        if (const Node unit = node.member("unit")) mapping.unit = text(unit);
+        mapping.scale = number(node.member("scale")).value_or(1);
+        mapping.offset = number(node.member("offset")).value_or(0);
+        mapping.weight = number(node.member("weight")).value_or(1);
+        if (mapping.scale == 0)
+            fault(node.member("scale"), fmt::format("{}: a scale of 0 wipes the column out", path(node)));
+        if (mapping.weight < 0)
+            fault(node.member("weight"), fmt::format("{}: a weight cannot be negative", path(node)));
+        Json kept;
+        keepUnknown(node, {"column", "unit", "scale", "offset", "weight"}, "a mapped column", kept);
+        return mapping;
+    }
+
+    std::optional<StudyStart> readStart(const Node& node) {
+        if (node.value->is_number()) return node.value->get<double>();
+        if (!node.value->is_string() || node.value->get_ref<const std::string&>().empty()) {
+            expected(node, "a number, \"fit\" or the name of a column");
+            return std::nullopt;
+        }
+        const std::string text = node.value->get<std::string>();
+        if (text == "fit") return FittedStart{};
+        return ColumnStart{text};
+    }
+
+    void readParameters(const Node& root) {
+        const Node parameters = root.member("parameters");
+        if (!isObject(parameters, "an object {parameter: {…}}")) return;
+        for (const auto& [name, value] : parameters.value->items()) {
+            const Node node = parameters.member(name);
+            if (!isObject(node, "an object, as {\"fit\": true, \"min\": 0}")) continue;
+            study_.parameters[name] = readParameter(node);
+            Json kept;
+            keepUnknown(node, {"fit", "value", "min", "max", "scale"}, "a parameter", kept);
+            if (!kept.empty()) extra_["parameters"][name] = kept;
+        }
+    }
+
+    StudyParameter readParameter(const Node& node) {
+        StudyParameter parameter;
+        if (const Node fit = node.member("fit")) {
+            if (!fit.value->is_boolean()) expected(fit, "true or false");
+            parameter.fit = fit.value->is_boolean() && fit.value->get<bool>();
+        }
+        parameter.value = number(node.member("value"));
+        parameter.min = number(node.member("min"));
+        parameter.max = number(node.member("max"));
+        if (const Node scale = node.member("scale")) {
+            const std::string text = scale.value->is_string() ? scale.value->get<std::string>() : "";
+            if (text != "lin" && text != "log") expected(scale, "\"lin\" or \"log\"");
+            parameter.scale = text == "log" ? ParameterScale::Logarithmic : ParameterScale::Linear;
+        }
+        if (parameter.min && parameter.max && *parameter.min >= *parameter.max)
+            fault(node.member("min"), fmt::format("{}: the lower bound {} is not below the upper bound {}", path(node),
+                                                  *parameter.min, *parameter.max));
+        if (parameter.scale == ParameterScale::Logarithmic && parameter.min && *parameter.min <= 0)
+            fault(node.member("min"), fmt::format("{}: a logarithmic scale needs a lower bound above 0", path(node)),
+                  "Raise \"min\", or use \"scale\": \"lin\".");
+        return parameter;
+    }
+
+    void readLibrary(const Node& root) {
+        const Node library = root.member("library");
+        if (!library) return;
+        if (!library.value->is_array()) return expected(library, "a list […] of paths");
+        for (std::size_t i = 0; i < library.value->size(); ++i) study_.libraryPaths.push_back(text(library.element(i)));
+    }
+
+    const Json& json_;
+    const JsonPlaces& places_;
+    Study study_;
+    Json extra_;
+    Diagnostics faults_, warnings_;
+};
+
+/// The parser's own words without its number and counted position.
+std::string reason(const std::string& what) {
+    const std::size_t dash = what.find(" - ");
+    const std::size_t colon = what.rfind(": ");
+    std::string text = dash != std::string::npos    ? what.substr(dash + 3)
+                       : colon != std::string::npos ? what.substr(colon + 2)
+                                                    : what;
+    if (const std::size_t last = text.find("; last read"); last != std::string::npos) {
+        const std::size_t next = text.find(';', last + 1);
+        text.erase(last, next == std::string::npos ? std::string::npos : next - last);
+    }
+    return text;
+}
+
+Json mappingJson(const ChannelMapping& mapping) {
+    const ChannelMapping plain;
+    if (mapping.unit.empty() && mapping.scale == plain.scale && mapping.offset == plain.offset &&
+        mapping.weight == plain.weight)
+        return mapping.column;
+    Json json{{"column", mapping.column}};
+    if (!mapping.unit.empty()) json["unit"] = mapping.unit;
+    if (mapping.scale != plain.scale) json["scale"] = mapping.scale;
+    if (mapping.offset != plain.offset) json["offset"] = mapping.offset;
+    if (mapping.weight != plain.weight) json["weight"] = mapping.weight;
+    return json;
+}
+
+Json mappingsJson(const std::map<std::string, ChannelMapping>& mappings) {
+    Json json = Json::object();
+    for (const auto& [name, mapping] : mappings) json[name] = mappingJson(mapping);
+    return json;
+}
+
+Json startJson(const StudyStart& start) {
+    if (const double* number = std::get_if<double>(&start)) return *number;
+    if (const ColumnStart* column = std::get_if<ColumnStart>(&start)) return column->column;
+    return "fit";
+}
+
+Json experimentJson(const StudyExperiment& experiment) {
+    Json json{{"name", experiment.name},
+              {"role", experiment.role == Role::Fit ? "fit" : "validate"},
+              {"file", experiment.file},
+              {"time", experiment.timeColumn}};
+    if (experiment.range) json["range"] = Json::array({experiment.range->first, experiment.range->second});
+    json["inputs"] = mappingsJson(experiment.inputs);
+    json["outputs"] = mappingsJson(experiment.outputs);
+    for (const auto& [name, start] : experiment.initial) json["initial"][name] = startJson(start);
+    return json;
+}
+
+Json parameterJson(const StudyParameter& parameter) {
+    Json json{{"fit", parameter.fit}};
+    if (parameter.value) json["value"] = *parameter.value;
+    if (parameter.min) json["min"] = *parameter.min;
+    if (parameter.max) json["max"] = *parameter.max;
+    if (parameter.scale == ParameterScale::Linear) json["scale"] = "lin";
+    if (parameter.scale == ParameterScale::Logarithmic) json["scale"] = "log";
+    return json;
+}
+
+/// Adds the members that we do not know where they stood.
+void addExtra(Json& json, const std::string& extraJson) {
+    const Json extra = Json::parse(extraJson, nullptr, false);
+    if (!extra.is_object()) return;
+    for (const auto& [name, value] : extra.items()) {
+        if (name == "experiments") {
+            for (Json& experiment : json["experiments"])
+                if (const auto kept = value.find(experiment["name"].get<std::string>()); kept != value.end())
+                    experiment.update(*kept);
+        } else if (name == "parameters") {
+            for (const auto& [parameter, kept] : value.items())
+                if (json["parameters"].contains(parameter)) json["parameters"][parameter].update(kept);
+        } else {
+            json[name] = value;
+        }
+    }
+}
+
+}  // namespace
+
+Outcome<Study> parseStudyJson(const SourcePtr& json) {
+    Json tree;
+    try {
+        tree = Json::parse(json->text());
+    } catch (const Json::parse_error& failure) {
+        const auto at = static_cast<std::uint32_t>(
+            std::min(failure.byte > 0 ? failure.byte - 1 : 0, json->text().empty() ? 0 : json->text().size() - 1));
+        return error(
+            fmt::format("this is not valid JSON: {}", reason(failure.what())),
+            Span{json.get(), at, std::min<std::uint32_t>(at + 1, static_cast<std::uint32_t>(json->text().size()))},
+            "A comma, bracket or quotation mark is missing or one too many near here.");
+    } catch (const Json::exception& failure) {
+        return fileError(fmt::format("this is not valid JSON: {}", reason(failure.what())), json->name());
+    }
+    const JsonPlaces places(json);
+    return StudyReader(tree, places).read();
+}
+
+std::string studyJson(const Study& study) {
+    Json json{{"format", formatName}, {"class", study.className}};
+    json["experiments"] = Json::array();
+    for (const StudyExperiment& experiment : study.experiments)
+        json["experiments"].push_back(experimentJson(experiment));
+    json["parameters"] = Json::object();
+    for (const auto& [name, parameter] : study.parameters) json["parameters"][name] = parameterJson(parameter);
+    if (!study.libraryPaths.empty()) json["library"] = study.libraryPaths;
+    if (!study.extraJson.empty()) addExtra(json, study.extraJson);
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace analogon

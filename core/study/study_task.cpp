@@ -1,0 +1,409 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/unit.hpp"
+#include "core/flat/flat_model.hpp"
+#include "core/study/json_places.hpp"
+#include "core/study/study.hpp"
+
+namespace analogon {
+
+namespace {
+
+std::string joined(const std::vector<std::string>& names) {
+    constexpr std::size_t shown = 20;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(shown, names.size()); ++i) text += (i > 0 ? ", " : "") + names[i];
+    return names.size() > shown ? text + ", …" : text;
+}
+
+std::string meantOrAvailable(const std::string& name, const std::vector<std::string>& names, std::string_view what) {
+    const std::string alike = suggestion(name, names);
+    if (!alike.empty()) return fmt::format("Did you mean '{}'?", alike);
+    return names.empty() ? fmt::format("There is no {}.", what) : fmt::format("Available: {}.", joined(names));
+}
+
+/// Messages that point into study.json as far as it is known.
+class StudyPlaces {
+public:
+    explicit StudyPlaces(const Study& study) {
+        if (study.json) places_.emplace(study.json);
+        file_ = study.directory.empty() ? "study.json" : (study.directory / "study.json").string();
+    }
+
+    Diagnostic fault(const std::string& pointer, std::string message, std::string hint = {}) const {
+        const Span span = places_ ? places_->value(pointer) : Span{};
+        return span.valid() ? error(std::move(message), span, std::move(hint))
+                            : fileError(std::move(message), file_, 0, 0, std::move(hint));
+    }
+
+private:
+    std::optional<JsonPlaces> places_;
+    std::string file_;
+};
+
+/// Top-level signals of the model with their units.
+struct ModelSignals {
+    std::map<std::string, std::string> inputs, outputs;  // name -> unit
+    std::vector<std::string> inputNames, outputNames;    // in the order of the model
+};
+
+/// A signal that was declared without a unit has that of what it is connected to.
+std::string unitOf(const FlatModel& model, const FlatVariable& variable) {
+    if (!variable.unit.empty()) return variable.unit;
+    if (const ConnectionSet* set = model.connectionOf(variable.name))
+        for (const std::string& connector : set->connectors)
+            if (const VariableId other = model.find(connector); other.valid() && !model[other].unit.empty())
+                return model[other].unit;
+    return {};
+}
+
+ModelSignals signalsOf(const FlatModel& model) {
+    ModelSignals signals;
+    for (const FlatVariable& variable : model.variables) {
+        if (variable.causality == FlatCausality::Input) {
+            signals.inputs[variable.name] = unitOf(model, variable);
+            signals.inputNames.push_back(variable.name);
+        } else if (variable.causality == FlatCausality::Output) {
+            signals.outputs[variable.name] = unitOf(model, variable);
+            signals.outputNames.push_back(variable.name);
+        }
+    }
+    return signals;
+}
+
+/// Builds the task experiment by experiment; collects every fault on the way.
+class TaskBuilder {
+public:
+    TaskBuilder(const Study& study, Library library, const FlatModel& model)
+        : study_(study), places_(study), model_(model), signals_(signalsOf(model)) {
+        task_.library = std::move(library);
+        task_.className = study.className;
+        task_.model = task_.library.find(study.className)->definition->source;
+        for (const FlatVariable& variable : model.variables)
+            if (variable.variability == FlatVariability::Parameter && variable.type == FlatType::Real &&
+                !variable.isFinal)
+                parameterNames_.push_back(variable.name);
+    }
+
+    Outcome<EstimationTask> build(Diagnostics warnings) {
+        warnings_ = std::move(warnings);
+        if (study_.experiments.empty())
+            fault("/experiments", "the study has no experiment", "Add a measurement to it.");
+        readParameters();
+        for (std::size_t i = 0; i < study_.experiments.size(); ++i)
+            readExperiment(study_.experiments[i], fmt::format("/experiments/{}", i));
+        if (!faults_.empty()) return faults_;
+        return {std::move(task_), std::move(warnings_)};
+    }
+
+private:
+    void fault(const std::string& pointer, std::string message, std::string hint = {}) {
+        faults_.push_back(places_.fault(pointer, std::move(message), std::move(hint)));
+    }
+
+    /// The variable when it is a parameter that may be set and fitted.
+    const FlatVariable* settable(const std::string& name, const std::string& pointer) {
+        const VariableId id = model_.find(name);
+        if (!id.valid()) {
+            fault(pointer, fmt::format("the model '{}' has no parameter '{}'", study_.className, name),
+                  meantOrAvailable(name, parameterNames_, "parameter"));
+            return nullptr;
+        }
+        const FlatVariable& variable = model_[id];
+        std::string reason;
+        if (variable.variability == FlatVariability::Continuous) reason = "a variable";
+        if (variable.variability == FlatVariability::Constant) reason = "a constant";
+        if (variable.type != FlatType::Real) reason = "no real number";
+        if (variable.isFinal) reason = "declared final";
+        if (reason.empty()) return &variable;
+        fault(pointer, fmt::format("'{}' cannot be set or fitted: it is {}", name, reason),
+              "Only real parameters that are not final can.");
+        return nullptr;
+    }
+
+    void readParameters() {
+        for (const auto& [name, parameter] : study_.parameters) {
+            const std::string pointer = "/parameters/" + JsonPlaces::escape(name);
+            const FlatVariable* variable = settable(name, pointer);
+            if (!variable) continue;
+            if (parameter.fit) {
+                readFitted(name, parameter, *variable, pointer);
+            } else if (parameter.value) {
+                fixed_.emplace_back(name, *parameter.value);
+            }
+        }
+    }
+
+    void readFitted(const std::string& name, const StudyParameter& parameter, const FlatVariable& variable,
+                    const std::string& pointer) {
+        const std::optional<double> start =
+            parameter.value ? parameter.value : model_.parameterValue(model_.find(name));
+        if (!start)
+            return fault(pointer, fmt::format("the parameter '{}' has no value to start from", name),
+                         "Give one in the model, or as \"value\" in the study.");
+        FitParameter fitted;
+        fitted.name = name;
+        fitted.unit = variable.unit;
+        fitted.start = *start;
+        fitted.scale = parameter.scale;
+        if (const auto min = parameter.min ? parameter.min : variable.min) fitted.min = *min;
+        if (const auto max = parameter.max ? parameter.max : variable.max) fitted.max = *max;
+        // A start that was itself fitted to a bound may lie beyond it by the last digit.
+        const double slack = 1e-9 * std::max(std::abs(*start), 1e-300);
+        if (*start < fitted.min - slack || *start > fitted.max + slack)
+            return fault(pointer,
+                         fmt::format("the start value {} of '{}' lies outside its bounds {} … {}", *start, name,
+                                     fitted.min, fitted.max),
+                         "Widen the bounds, or give another start as \"value\".");
+        fitted.start = std::clamp(*start, fitted.min, fitted.max);
+        if (fitted.scale == ParameterScale::Logarithmic && fitted.start <= 0)
+            return fault(pointer,
+                         fmt::format("'{}' starts at {}, where a logarithmic scale has no place", name, *start),
+                         "Start above 0, or use \"scale\": \"lin\".");
+        task_.parameters.push_back(std::move(fitted));
+    }
+
+    void readExperiment(const StudyExperiment& experiment, const std::string& pointer) {
+        const auto found = study_.tables.find(experiment.file);
+        if (found == study_.tables.end() || !found->second)
+            return fault(pointer + "/file", fmt::format("experiment '{}': the file '{}' has not been read",
+                                                        experiment.name, experiment.file));
+        const std::optional<Table> cut = cutToRange(*found->second, experiment, pointer);
+        if (!cut) return;
+        const Table& table = *cut;
+        const Outcome<std::vector<double>> time = readTime(table, experiment.timeColumn);
+        if (!keep(time)) return;
+
+        Recording recording;
+        recording.name = experiment.name;
+        recording.role = experiment.role;
+        recording.time = *time;
+        const bool complete = checkSignals(experiment, pointer);
+        recording.inputNames = mapped(experiment.inputs, signals_.inputNames);
+        recording.outputNames = mapped(experiment.outputs, signals_.outputNames);
+        const bool read = readRows(table, experiment, recording.inputNames, experiment.inputs, signals_.inputs,
+                                   pointer + "/inputs", recording.inputs) &
+                          readRows(table, experiment, recording.outputNames, experiment.outputs, signals_.outputs,
+                                   pointer + "/outputs", recording.outputs);
+        recording.weights.resize(static_cast<Eigen::Index>(recording.outputNames.size()));
+        for (std::size_t i = 0; i < recording.outputNames.size(); ++i)
+            recording.weights[static_cast<Eigen::Index>(i)] = experiment.outputs.at(recording.outputNames[i]).weight;
+        readStarts(table, experiment, pointer, recording);
+        addSpares(table, experiment, recording);
+        if (complete && read) task_.recordings.push_back(std::move(recording));
+    }
+
+    template <class T>
+    bool keep(const Outcome<T>& outcome) {
+        Diagnostics& to = outcome ? warnings_ : faults_;
+        to.insert(to.end(), outcome.diagnostics().begin(), outcome.diagnostics().end());
+        return outcome.hasValue();
+    }
+
+    bool hasColumn(const Table& table, const std::string& column, const StudyExperiment& experiment,
+                   const std::string& pointer) {
+        if (table.find(column)) return true;
+        fault(pointer,
+              fmt::format("experiment '{}': '{}' has no column '{}'", experiment.name, experiment.file, column),
+              meantOrAvailable(column, table.names(), "column"));
+        return false;
+    }
+
+    /// The rows within "range"; the times of the others are not looked at.
+    std::optional<Table> cutToRange(const Table& table, const StudyExperiment& experiment, const std::string& pointer) {
+        if (!hasColumn(table, experiment.timeColumn, experiment, pointer + "/time")) return std::nullopt;
+        if (!experiment.range) return table;
+        const Column& column = *table.find(experiment.timeColumn);
+        const Outcome<UnitConversion> seconds =
+            column.unit.empty() ? Outcome<UnitConversion>(UnitConversion{}) : convertUnit(column.unit, "s");
+        const UnitConversion convert = seconds ? *seconds : UnitConversion{};  // readTime names a wrong unit
+        const auto isInside = [&](double value) {
+            const double t = convert(value);
+            return t >= experiment.range->first && t <= experiment.range->second;
+        };
+        const auto first = std::find_if(column.values.begin(), column.values.end(), isInside);
+        const auto last = std::find_if(column.values.rbegin(), column.values.rend(), isInside).base();
+        if (last - first >= 2)
+            return table.slice(static_cast<std::size_t>(first - column.values.begin()),
+                               static_cast<std::size_t>(last - column.values.begin()));
+        fault(pointer + "/range",
+              fmt::format("experiment '{}': fewer than two samples lie between {} s and {} s", experiment.name,
+                          experiment.range->first, experiment.range->second),
+              fmt::format("The file runs from {:.6g} s to {:.6g} s.", convert(column.values.front()),
+                          convert(column.values.back())));
+        return std::nullopt;
+    }
+
+    /// Every mapped signal exists, every input of the model is mapped, some output is.
+    bool checkSignals(const StudyExperiment& experiment, const std::string& pointer) {
+        const std::size_t before = faults_.size();
+        const auto check = [&](const auto& mappings, const auto& own, const auto& other, const std::string& side,
+                               const std::string& otherSide, const std::vector<std::string>& names) {
+            for (const auto& [name, mapping] : mappings) {
+                if (own.contains(name)) continue;
+                std::string hint = meantOrAvailable(name, names, "such signal");
+                if (other.contains(name))
+                    hint = fmt::format("It is an {} of the model: list it under \"{}s\".", otherSide, otherSide);
+                fault(fmt::format("{}/{}s/{}", pointer, side, JsonPlaces::escape(name)),
+                      fmt::format("experiment '{}': the model '{}' has no {} '{}'", experiment.name, study_.className,
+                                  side, name),
+                      std::move(hint));
+            }
+        };
+        check(experiment.inputs, signals_.inputs, signals_.outputs, "input", "output", signals_.inputNames);
+        check(experiment.outputs, signals_.outputs, signals_.inputs, "output", "input", signals_.outputNames);
+        if (faults_.size() > before) return false;
+        for (const std::string& name : signals_.inputNames)
+            if (!experiment.inputs.contains(name))
+                fault(pointer + "/inputs",
+                      fmt::format("experiment '{}': the input '{}' of the model has no column", experiment.name, name),
+                      fmt::format("Add \"{}\": \"COLUMN\" to \"inputs\". {}", name,
+                                  meantOrAvailable(name, study_.tables.at(experiment.file)->names(), "column")));
+        if (experiment.outputs.empty())
+            fault(pointer + "/outputs", fmt::format("experiment '{}' measures no output of the model", experiment.name),
+                  fmt::format("Map at least one of: {}.", joined(signals_.outputNames)));
+        return faults_.size() == before;
+    }
+
+    static std::vector<std::string> mapped(const std::map<std::string, ChannelMapping>& mappings,
+                                           const std::vector<std::string>& names) {
+        std::vector<std::string> out;
+        for (const std::string& name : names)
+            if (mappings.contains(name)) out.push_back(name);
+        return out;
+    }
+
+    bool readRows(const Table& table, const StudyExperiment& experiment, const std::vector<std::string>& names,
+                  const std::map<std::string, ChannelMapping>& mappings,
+                  const std::map<std::string, std::string>& units, const std::string& pointer, Eigen::MatrixXd& rows) {
+        rows.resize(static_cast<Eigen::Index>(names.size()), static_cast<Eigen::Index>(table.rows()));
+        bool complete = true;
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const ChannelMapping& mapping = mappings.at(names[i]);
+            const std::string place = pointer + '/' + JsonPlaces::escape(names[i]);
+            if (!hasColumn(table, mapping.column, experiment, place)) {
+                complete = false;
+                continue;
+            }
+            if (!mapping.unit.empty() && !isKnownUnit(mapping.unit)) {
+                fault(place,
+                      fmt::format("experiment '{}': the unit '{}' of '{}' is not known", experiment.name, mapping.unit,
+                                  mapping.column),
+                      fmt::format("The model wants '{}'.", units.at(names[i])));
+                complete = false;
+                continue;
+            }
+            const Outcome<std::vector<double>> values = readChannel(table, mapping, units.at(names[i]));
+            if (!keep(values)) {
+                complete = false;
+                continue;
+            }
+            rows.row(static_cast<Eigen::Index>(i)) =
+                Eigen::Map<const Eigen::RowVectorXd>(values->data(), static_cast<Eigen::Index>(values->size()));
+        }
+        return complete;
+    }
+
+    void readStarts(const Table& table, const StudyExperiment& experiment, const std::string& pointer,
+                    Recording& recording) {
+        for (const auto& [name, value] : fixed_)
+            if (!experiment.initial.contains(name)) recording.starts.push_back({name, value, false});
+        for (const auto& [name, start] : experiment.initial) {
+            const std::string place = pointer + "/initial/" + JsonPlaces::escape(name);
+            const FlatVariable* variable = settable(name, place);
+            if (!variable) continue;
+            if (const double* number = std::get_if<double>(&start)) {
+                recording.starts.push_back({name, *number, false});
+            } else if (const ColumnStart* column = std::get_if<ColumnStart>(&start)) {
+                if (!hasColumn(table, column->column, experiment, place)) continue;
+                ChannelMapping mapping;
+                mapping.column = column->column;
+                const Outcome<std::vector<double>> first = readChannel(table.slice(0, 1), mapping, variable->unit);
+                if (keep(first)) recording.starts.push_back({name, first->front(), false});
+            } else {
+                const auto own = model_.parameterValue(model_.find(name));
+                const auto given = study_.parameters.find(name);
+                const bool isGiven = given != study_.parameters.end() && given->second.value;
+                const auto value = isGiven ? given->second.value : own;
+                if (value) {
+                    recording.starts.push_back({name, *value, true});
+                } else {
+                    fault(place, fmt::format("'{}' has no value to start from", name), "Give one in the model.");
+                }
+            }
+        }
+    }
+
+    /// Columns that the model does not use; those with missing values cannot be a cause and are left out.
+    static void addSpares(const Table& table, const StudyExperiment& experiment, Recording& recording) {
+        const auto isUsed = [&](const Column& column) {
+            const auto uses = [&](const auto& mapping) { return table.find(mapping.second.column) == &column; };
+            return table.find(experiment.timeColumn) == &column ||
+                   std::any_of(experiment.inputs.begin(), experiment.inputs.end(), uses) ||
+                   std::any_of(experiment.outputs.begin(), experiment.outputs.end(), uses);
+        };
+        for (const Column& column : table.columns)
+            if (!isUsed(column) && column.blanks.empty())
+                recording.spares.push_back({column.name, column.unit, column.values});
+    }
+
+    const Study& study_;
+    StudyPlaces places_;
+    const FlatModel& model_;
+    ModelSignals signals_;
+    std::vector<std::string> parameterNames_;
+    std::vector<std::pair<std::string, double>> fixed_;  // set by the study, not fitted
+    EstimationTask task_;
+    Diagnostics faults_, warnings_;
+};
+
+}  // namespace
+
+Outcome<Library> studyLibrary(const Study& study) {
+    Outcome<Library> library = builtInLibrary();
+    if (!library) return library;
+    Diagnostics faults, warnings;
+    const auto keep = [&](Outcome<Library> next) {
+        Diagnostics& to = next ? warnings : faults;
+        to.insert(to.end(), next.diagnostics().begin(), next.diagnostics().end());
+        if (next) library = std::move(next);
+    };
+    for (const std::string& path : study.libraryPaths) keep(library->withPath(study.directory / path));
+    const auto add = [&](const std::string& name, const std::string& text) {
+        const std::string shown = study.directory.empty() ? name : (study.directory / name).string();
+        keep(library->withSource(std::make_shared<const Source>(shown, text)));
+    };
+    for (const auto& [name, text] : study.models)
+        if (name != study.modelFile) add(name, text);
+    if (const auto model = study.models.find(study.modelFile); model != study.models.end())
+        add(model->first, model->second);
+    if (!faults.empty()) return faults;
+    return {std::move(*library), std::move(warnings)};
+}
+
+Outcome<EstimationTask> estimationTask(const Study& study) {
+    Outcome<Library> library = studyLibrary(study);
+    if (!library) return library.diagnostics();
+    if (!library->find(study.className)) {
+        std::vector<std::string> own;
+        for (const LibraryClass* known : library->classes())
+            if (!known->qualifiedName.starts_with("Analogon.") && known->qualifiedName != "Analogon")
+                own.push_back(known->qualifiedName);
+        if (study.models.empty())
+            return StudyPlaces(study).fault("/class", fmt::format("the study has no model of '{}'", study.className),
+                                            "Put the model's text beside study.json as model.mo.");
+        return StudyPlaces(study).fault(
+            "/class", fmt::format("there is no class '{}' in the models of the study", study.className),
+            meantOrAvailable(study.className, own, "class"));
+    }
+    const Outcome<FlatModel> model = flatten(*library, study.className);
+    if (!model) return model.diagnostics();
+    Diagnostics warnings = library.diagnostics();
+    warnings.insert(warnings.end(), model.diagnostics().begin(), model.diagnostics().end());
+    return TaskBuilder(study, std::move(*library), *model).build(std::move(warnings));
+}
+
+}  // namespace analogon

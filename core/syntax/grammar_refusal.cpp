@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "core/syntax/grammar.hpp"
+
+namespace analogon::syntax {
+
+void Grammar::refuse(std::string_view construct, std::string hint) {
+    cursor_.report(error(fmt::format("{} not supported", construct), cursor_.here(), std::move(hint)));
+}
+
+/// Functions, operators and expandable connectors are skipped as a whole, behind their `;`.
+bool Grammar::refuseClassKind() {
+    std::size_t ahead = 0;
+    while (cursor_.at("encapsulated", ahead) || cursor_.at("partial", ahead) || cursor_.at("pure", ahead) ||
+           cursor_.at("impure", ahead)) {
+        ++ahead;
+    }
+    const bool isFunction = cursor_.at("function", ahead);
+    const bool isOperator = cursor_.at("operator", ahead);
+    const bool isExpandable = cursor_.at("expandable", ahead);
+    if (!isFunction && !isOperator && !isExpandable) return false;
+    cursor_.moveTo(cursor_.index() + ahead);
+    if (isFunction) refuse("functions are", "write the relation as equations of a block");
+    if (isOperator) refuse("operator classes are", "write the relation as equations of a block");
+    if (isExpandable) refuse("expandable connectors are", "list the variables in a plain connector");
+    cursor_.next();
+    while (cursor_.peek().kind == Token::Kind::Keyword && !cursor_.atEnd() && !cursor_.at("end")) cursor_.next();
+    skipClass();
+    cursor_.take(";");
+    return true;
+}
+
+/// From the name of a class to its `end Name`, or to the `;` of a short class, which is not consumed.
+void Grammar::skipClass() {
+    if (!cursor_.atIdentifier()) return;
+    const std::string name(cursor_.text());
+    const bool isShort = cursor_.at("=", 1);
+    while (!cursor_.atEnd()) {
+        if (isShort && cursor_.at(";")) return;
+        if (cursor_.at("end") && cursor_.atIdentifier(1) && cursor_.text(1) == name) {
+            cursor_.next();
+            cursor_.next();
+            return;
+        }
+        cursor_.next();
+    }
+}
+
+/// Whether a section of imperative or foreign code began here: it is reported and skipped.
+bool Grammar::refuseSection() {
+    const bool isInitial = cursor_.at("initial");
+    if (cursor_.at("algorithm") || (isInitial && cursor_.at("algorithm", 1))) {
+        refuse(isInitial ? "initial algorithm sections are" : "algorithm sections are",
+               "write the relations as equations");
+        skipAlgorithm();
+        return true;
+    }
+    if (cursor_.at("external")) {
+        refuse("external functions are", "write the relation as equations");
+        while (!cursor_.atEnd() && !cursor_.at(";") && !closesClass()) cursor_.next();
+        cursor_.take(";");
+        return true;
+    }
+    return false;
+}
+
+void Grammar::skipAlgorithm() {
+    cursor_.take("initial");
+    cursor_.next();
+    bool startsStatement = true;
+    while (!cursor_.atEnd() && !atSection() && !closesClass()) {
+        if (startsStatement && cursor_.at("annotation")) return;
+        startsStatement = cursor_.at(";");
+        cursor_.next();
+    }
+}
+
+/// Prefixes of the language that this subset leaves out; the fault skips the declaration.
+void Grammar::refuseElementPrefix() {
+    if (cursor_.at("inner") || cursor_.at("outer")) {
+        cursor_.fault(fmt::format("\"{}\" components are not supported", cursor_.text()), cursor_.here(),
+                      "connect the component explicitly");
+    }
+    if (cursor_.at("stream")) {
+        cursor_.fault("stream variables are not supported", cursor_.here(), "use a potential and a flow variable");
+    }
+}
+
+}  // namespace analogon::syntax

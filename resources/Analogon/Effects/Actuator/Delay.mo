@@ -1,0 +1,20 @@
+within Analogon.Effects.Actuator;
+block Delay "Input channel that comes late by a dead time"
+  extends Analogon.Effects.Signals.PartialDelay;
+  annotation (
+    __Analogon(effect(
+      kind = "actuator.delay",
+      way = "insert",
+      ports = {"u", "y"},
+      at = "input",
+      strength = "T",
+      oneSided = true,
+      secant = {"2*sample", "8*sample"})),
+    Icon(coordinateSystem(extent={{-100,-100},{100,100}})),
+    Documentation(info="<html>
+<p>An error of an actuator or its driver: inserted behind an input.</p>
+<pre>
+  y(t) = u(t - T)
+</pre>
+</html>"));
+end Delay;

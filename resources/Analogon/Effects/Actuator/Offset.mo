@@ -1,0 +1,18 @@
+within Analogon.Effects.Actuator;
+block Offset "Input channel that is off by a constant"
+  extends Analogon.Effects.Signals.PartialOffset;
+  annotation (
+    __Analogon(effect(
+      kind = "actuator.offset",
+      way = "insert",
+      ports = {"u", "y"},
+      at = "input",
+      strength = "b")),
+    Icon(coordinateSystem(extent={{-100,-100},{100,100}})),
+    Documentation(info="<html>
+<p>An error of an actuator or its driver: inserted behind an input.</p>
+<pre>
+  y = u + b
+</pre>
+</html>"));
+end Offset;

@@ -1,0 +1,28 @@
+within Analogon.Effects.Actuator;
+block Saturation "Input channel that is limited"
+  extends Analogon.Interfaces.PartialSignal;
+  parameter Real s(min=0) = 0 "1/limit (0: no limit)"
+    annotation (Dialog(group="Effect"));
+equation
+  y = u/(1 + ((s*u)^2)^16)^(1/32);
+  annotation (
+    __Analogon(effect(
+      kind = "actuator.saturation",
+      way = "insert",
+      ports = {"u", "y"},
+      at = "input",
+      strength = "s",
+      oneSided = true,
+      secant = {"1/(0.9*maxabs(u))", "1/(0.7*maxabs(u))"})),
+    Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
+        Line(points={{-80,0},{85,0}}, color={128,128,128}),
+        Line(points={{0,80},{0,-80}}, color={128,128,128}),
+        Line(points={{-75,-50},{-40,-50},{40,50},{75,50}}, color={0,0,127}, thickness=0.75)}),
+    Documentation(info="<html>
+<p>An error of an actuator or its driver: inserted behind an input.</p>
+<pre>
+  y = u          up to the limit 1/s
+  y = +-1/s       beyond
+</pre>
+</html>"));
+end Saturation;

@@ -1,0 +1,13 @@
+within Analogon.Effects;
+package Thermal "Effects at a place that exchanges heat"
+  annotation (
+    Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
+        Rectangle(extent={{-100,-100},{80,60}}, lineColor={128,128,128}, fillColor={240,240,240}, fillPattern=FillPattern.Solid),
+        Polygon(points={{-100,60},{-80,80},{100,80},{80,60}}, lineColor={128,128,128}, fillColor={225,225,225}, fillPattern=FillPattern.Solid),
+        Polygon(points={{80,60},{100,80},{100,-80},{80,-100}}, lineColor={128,128,128}, fillColor={210,210,210}, fillPattern=FillPattern.Solid),
+        Rectangle(extent={{-60,-60},{0,20}}, lineColor={191,0,0}, fillColor={250,224,216}, fillPattern=FillPattern.Solid),
+        Line(points={{0,-20},{60,-20}}, color={213,94,0}, thickness=1, arrow={Arrow.None,Arrow.Filled})}),
+    Documentation(info="<html>
+<p>Losses, radiation and masses attached to a heat port, and resistances between two.</p>
+</html>"));
+end Thermal;

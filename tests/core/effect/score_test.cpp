@@ -1,0 +1,127 @@
+#include "core/effect/score.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace analogon {
+namespace {
+
+Eigen::VectorXd gaussian(int n, std::uint64_t seed) {
+    std::mt19937_64 generator(seed);
+    std::normal_distribution<double> normal;
+    Eigen::VectorXd x(n);
+    for (double& v : x) v = normal(generator);
+    return x;
+}
+
+Eigen::VectorXd wave(int n, double periods) {
+    Eigen::VectorXd x(n);
+    for (int k = 0; k < n; ++k) x[k] = std::sin(2 * M_PI * periods * k / n);
+    return x;
+}
+
+ResidualChannel oneChannel(int n) {
+    ResidualChannel c{0, 0, 0, n, {}};
+    for (int k = 0; k < n; ++k) c.samples.push_back(k);
+    return c;
+}
+
+TEST(ResidualChannels, LeaveOutWhatWasNotMeasuredOrHasNoWeight) {
+    FitExperiment e;
+    e.measured = Eigen::MatrixXd::Ones(3, 5);
+    e.measured(0, 2) = std::nan("");
+    e.weights = Eigen::Vector3d(1, 0, 2);
+    FitProblem problem;
+    problem.experiments.push_back(e);
+    const std::vector<ResidualChannel> channels = residualChannels(problem);
+    ASSERT_EQ(channels.size(), 2u);
+    EXPECT_EQ(channels[0].samples, (std::vector<int>{0, 1, 3, 4}));
+    EXPECT_EQ(channels[1].output, 2);
+    EXPECT_EQ(channels[1].begin, 4);
+    EXPECT_EQ(channels[1].end, 9);
+}
+
+TEST(Complement, TakesOutWhatTheParametersCanImitate) {
+    const int n = 500;
+    Eigen::MatrixXd jacobian(n, 2);
+    jacobian << 1e-9 * wave(n, 1), 1e6 * wave(n, 2);  // any magnitude counts alike
+    const Complement complement(jacobian);
+    EXPECT_EQ(complement.rank(), 2);
+    const Eigen::VectorXd imitated = 3 * wave(n, 1) - 2 * wave(n, 2);
+    EXPECT_LT(complement(Eigen::MatrixXd(imitated)).norm() / imitated.norm(), 1e-12);
+    const Eigen::VectorXd coefficients = complement.coefficients(imitated);
+    EXPECT_NEAR(coefficients[0], 3e9, 1);
+    EXPECT_NEAR(coefficients[1], -2e-6, 1e-12);
+}
+
+TEST(Complement, CountsAColumnTwiceInTheJacobianOnce) {
+    Eigen::MatrixXd jacobian(100, 2);
+    jacobian << wave(100, 1), 2 * wave(100, 1);
+    EXPECT_EQ(Complement(jacobian).rank(), 1);
+}
+
+TEST(ScoreColumns, FindsStrengthAndExplainedSquares) {
+    const int n = 2000;
+    const Complement complement(wave(n, 1));
+    const Eigen::VectorXd trace = wave(n, 3);
+    const Eigen::VectorXd residual = gaussian(n, 1) - 0.5 * trace;  // simulated minus measured: the effect is missing
+    const ColumnScore s = scoreColumns(complement, residual, trace, true);
+    EXPECT_NEAR(s.visible, 1, 1e-9);
+    EXPECT_NEAR(s.strengths[0], 0.5, 0.1);
+    EXPECT_NEAR(s.explained, 0.25 * n / 2, 60);
+    EXPECT_FALSE(s.wrongSign);
+    EXPECT_TRUE(scoreColumns(complement, -residual, trace, true).wrongSign);
+    EXPECT_FALSE(scoreColumns(complement, -residual, trace, false).wrongSign);
+}
+
+TEST(ScoreColumns, SaysHowLittleOfAnAbsorbedEffectIsVisible) {
+    const int n = 1000;
+    const Eigen::VectorXd trace = wave(n, 1) + 1e-3 * wave(n, 5);
+    const ColumnScore s = scoreColumns(Complement(wave(n, 1)), gaussian(n, 2), trace, false);
+    EXPECT_NEAR(s.visible, 1e-3, 1e-5);
+}
+
+TEST(Whitener, MakesAnAutoregressiveResidualWhite) {
+    const int n = 4000;
+    Eigen::VectorXd r = gaussian(n, 3);
+    for (int k = 1; k < n; ++k) r[k] += 0.9 * r[k - 1];
+    const std::vector<ResidualChannel> channels{oneChannel(n)};
+    const Eigen::VectorXd white = Whitener(channels, r)(r);
+    EXPECT_NEAR(white.squaredNorm() / n, 1, 0.05);
+    EXPECT_LT(std::abs(autocorrelation(white, 1)[1]), 0.05);
+}
+
+TEST(NoiseThreshold, GrowsWithTheNumberOfUnlikeCandidates) {
+    const int n = 400;
+    std::vector<Eigen::MatrixXd> alike, unlike;
+    for (int k = 0; k < 50; ++k) {
+        alike.push_back(gaussian(n, 7).normalized());
+        unlike.push_back(gaussian(n, 100 + static_cast<std::uint64_t>(k)).normalized());
+    }
+    const double one = noiseThreshold(alike, 0, 0.99, 1);
+    EXPECT_NEAR(one, 6.63, 1.0);  // chi-square with one degree of freedom at 99 %
+    EXPECT_GT(noiseThreshold(unlike, 0, 0.99, 1), one + 4);
+}
+
+TEST(HeldOutGain, IsNearOneForATrueEffectAndNegativeForAFalseOne) {
+    const int n = 1000;
+    const std::vector<ResidualChannel> channels{oneChannel(n)};
+    const Eigen::VectorXd noise = gaussian(n, 5);
+    const Eigen::VectorXd truth = wave(n, 7), wrong = gaussian(n, 6);
+    const auto fitted = [](const Eigen::VectorXd& r, const Eigen::MatrixXd& jacobian) {
+        Linearisation l;
+        l.ok = true;
+        l.jacobian = jacobian;
+        l.residuals = Complement(jacobian)(Eigen::MatrixXd(r));
+        return l;
+    };
+    const Eigen::VectorXd r = noise - truth;
+    const Linearisation none = fitted(r, Eigen::MatrixXd(n, 0));
+    EXPECT_GT(heldOutGain(channels, none, fitted(r, truth), 5), 0.8);
+    EXPECT_LT(heldOutGain(channels, fitted(noise, Eigen::MatrixXd(n, 0)), fitted(noise, wrong), 5), 0.5);
+}
+
+}  // namespace
+}  // namespace analogon

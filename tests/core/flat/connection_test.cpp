@@ -1,0 +1,131 @@
+#include "tests/core/flat/flat_support.hpp"
+
+namespace analogon {
+namespace {
+
+using namespace test;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsNull;
+using ::testing::NotNull;
+
+TEST(Connect, PotentialsAreEqualAndFlowsSumToZero) {
+    const FlatModel m = flatOf(R"(
+        model M
+          Parts.Inertia i1, i2; Parts.SpringDamper s(c = 10); Parts.SpeedSensor sensor;
+          Parts.RealOutput w;
+        equation
+          connect(i1.b, s.a);
+          connect(s.b, i2.a);
+          connect(i2.a, sensor.flange);
+          connect(sensor.w, w);
+        end M;)");
+    EXPECT_THAT(equations(m), Contains("s.a.phi = i1.b.phi"));
+    EXPECT_THAT(equations(m), Contains("i1.b.tau + s.a.tau = 0"));
+    EXPECT_THAT(equations(m), Contains("s.b.tau + i2.a.tau + sensor.flange.tau = 0"));
+    EXPECT_THAT(equations(m), Contains("i1.a.tau = 0"));
+    EXPECT_THAT(equations(m), Contains("w = sensor.w"));
+    ASSERT_EQ(m.connections.size(), 3u);
+    EXPECT_THAT(m.connections[1].connectors, ElementsAre("s.b", "i2.a", "sensor.flange"));
+    EXPECT_EQ(m.connections[1].connectorClass, "Parts.Flange");
+    EXPECT_THAT(m.connections[2].connectors, ElementsAre("sensor.w", "w"));
+    EXPECT_THAT(m.connectionOf("sensor.flange"), NotNull());
+    EXPECT_THAT(m.connectionOf("i1.a"), IsNull());
+    for (const FlatEquation& e : m.equations)
+        if (text(m, e.left) == "s.b.tau + i2.a.tau + sensor.flange.tau") {
+            EXPECT_TRUE(e.fromConnection);
+            EXPECT_EQ(e.component, "s.b");
+            EXPECT_EQ(e.span.text(), "connect(s.b, i2.a);");
+        }
+}
+
+TEST(Connect, AnOutsideConnectorCountsWithTheOtherSign) {
+    const FlatModel m = flatOf(R"(
+        model Train
+          Parts.Flange in_, out; Parts.Inertia first, second;
+        equation
+          connect(in_, first.a); connect(first.b, second.a); connect(second.b, out);
+        end Train;
+        model M Train t; Parts.Inertia load; Parts.Fixed wall;
+        equation connect(t.out, load.a); connect(load.b, wall.flange); end M;)");
+    EXPECT_THAT(equations(m), Contains("t.first.a.tau - t.in_.tau = 0"));
+    EXPECT_THAT(equations(m), Contains("t.out.tau + load.a.tau = 0"));
+    EXPECT_THAT(equations(m), Contains("t.in_.tau = 0"));  // nothing is connected from outside
+    ASSERT_NE(m.connectionOf("load.a"), nullptr);
+    // One node through the border of the component.
+    EXPECT_THAT(m.connectionOf("load.a")->connectors, ElementsAre("t.out", "load.a", "t.second.b"));
+}
+
+TEST(Connect, SignalsRunFromTheirSource) {
+    const FlatModel m = flatOf(R"(
+        model M
+          Parts.RealInput u(unit = "V"); Parts.RealOutput y; Parts.Gain g1, g2(k = 3);
+        equation
+          connect(g2.y, y); connect(g1.u, u); connect(u, g2.u);
+        end M;)");
+    EXPECT_EQ(variable(m, "u").causality, FlatCausality::Input);
+    EXPECT_EQ(variable(m, "u").unit, "V");
+    EXPECT_EQ(variable(m, "y").causality, FlatCausality::Output);
+    EXPECT_EQ(variable(m, "g1.u").causality, FlatCausality::Local);
+    EXPECT_THAT(equations(m), ElementsAre("g1.y = g1.k*g1.u", "g2.y = g2.k*g2.u", "y = g2.y", "g1.u = u", "g2.u = u"));
+}
+
+TEST(Connect, AnInputMayHaveAValueInstead) {
+    EXPECT_THAT(equations(flatOf("model M Parts.Gain g(u = 2*time); end M;")),
+                ElementsAre("g.u = 2*time", "g.y = g.k*g.u"));
+}
+
+TEST(Connect, ConnectorsOfDifferentKindsAreNamedWithTheirVariables) {
+    EXPECT_THAT(faultsOf(R"(
+        model M Parts.Inertia i; Parts.HeatCapacitor c(C = 1); equation connect(i.a, c.port); end M;)"),
+                ElementsAre("connect(i.a, c.port): the connectors do not fit: 'i.a' (Parts.Flange) has phi, tau, "
+                            "'c.port' (Parts.HeatPort) has T, Q_flow | connect connectors of the same kind"));
+    EXPECT_THAT(faultsOf(R"(
+        model M Parts.RealInput u(unit = "V"); Parts.Torque t; equation connect(u, t.tau); end M;)"),
+                ElementsAre(HasSubstr("connect(u, t.tau): the units differ: 'u' is in V, 't.tau' in N.m")));
+    EXPECT_THAT(faultsOf("model M Parts.RealInput u; Parts.Fixed f; equation connect(u, f.flange); end M;"),
+                ElementsAre(HasSubstr("'u' (Parts.RealInput) is a signal, 'f.flange' (Parts.Flange) has phi, tau")));
+}
+
+TEST(Connect, WrongEndsAreNamedWithASuggestion) {
+    EXPECT_THAT(faultsOf("model M Parts.Fixed f; Parts.Inertia i; equation connect(f.flnge, i.a); end M;"),
+                ElementsAre("component 'f' (Parts.Fixed) has no member 'flnge' | did you mean 'flange'?"));
+    EXPECT_THAT(faultsOf("model M Parts.Inertia rotor; Parts.Fixed f; equation connect(roter.a, f.flange); end M;"),
+                ElementsAre("'roter' is not declared in model 'M' | did you mean 'rotor'?"));
+    EXPECT_THAT(faultsOf("model M Parts.Inertia i, j; equation connect(i.w, j.a); end M;"),
+                ElementsAre(HasSubstr("connect: 'i.w' is a Real variable, not a connector")));
+    EXPECT_THAT(faultsOf("model M Parts.Inertia i, j; equation connect(i, j.a); end M;"),
+                ElementsAre(HasSubstr("connect: 'i' is a component of class Parts.Inertia, not a connector")));
+    EXPECT_THAT(faultsOf(R"(
+        model N Parts.Inertia inner_; end N;
+        model M N n; Parts.Fixed f; equation connect(n.inner_.a, f.flange); end M;)"),
+                ElementsAre(HasSubstr("'n.inner_.a' lies inside a component")));
+}
+
+TEST(Connect, EveryInputNeedsOneSource) {
+    EXPECT_THAT(faultsOf("model M Parts.Gain g; end M;"),
+                ElementsAre("the input 'g.u' of component 'g' (Parts.Gain) is not connected | connect it to an "
+                            "output or a top-level input"));
+    EXPECT_THAT(faultsOf("model M Parts.Gain g, h, k; equation connect(g.y, k.u); connect(h.y, k.u); "
+                         "connect(g.u, g.y); connect(h.u, h.y); end M;"),
+                ElementsAre(HasSubstr("two signals drive each other: 'g.y' and 'h.y' are both sources")));
+    EXPECT_THAT(faultsOf("model M Parts.Gain g, h; equation connect(g.u, h.u); end M;"),
+                ElementsAre(HasSubstr("the input 'g.u' is connected to inputs only")));
+    EXPECT_THAT(faultsOf("model M Parts.Gain g(u = 1), h(u = 2); equation connect(g.y, h.u); end M;"),
+                ElementsAre(HasSubstr("the input 'h.u' is connected and has a value as well")));
+}
+
+TEST(Connect, HierarchicalConnectorsMatchMemberByMember) {
+    const FlatModel m = flatOf(R"(
+        connector Plug Parts.Flange shaft; Parts.HeatPort heat; end Plug;
+        model Left Plug p; equation p.shaft.phi = time; p.heat.T = 300; end Left;
+        model Right Plug p; equation p.shaft.tau = 1; p.heat.Q_flow = 2; end Right;
+        model M Left l; Right r; equation connect(l.p, r.p); end M;)");
+    EXPECT_THAT(equations(m), Contains("l.p.heat.Q_flow + r.p.heat.Q_flow = 0"));
+    EXPECT_THAT(equations(m), Contains("r.p.shaft.phi = l.p.shaft.phi"));
+    EXPECT_EQ(m.connections.size(), 1u);
+}
+
+}  // namespace
+}  // namespace analogon

@@ -1,0 +1,122 @@
+#include "tests/core/flat/flat_support.hpp"
+
+namespace analogon {
+namespace {
+
+using namespace test;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+TEST(Modification, TheOuterOneOverridesTheInnerOne) {
+    const FlatModel m = flatOf(R"(
+        model Shaft Parts.Inertia rotor(J = 2, w(start = 1)); end Shaft;
+        model Machine extends Shaft(rotor(J = 3)); end Machine;
+        model M Machine a; Machine b(rotor(J = 4, w(start = 9))); end M;)");
+    EXPECT_EQ(valueOf(m, "a.rotor.J"), 3);
+    EXPECT_EQ(text(m, variable(m, "a.rotor.w").start), "1");
+    EXPECT_EQ(valueOf(m, "b.rotor.J"), 4);
+    EXPECT_EQ(text(m, variable(m, "b.rotor.w").start), "9");
+}
+
+TEST(Modification, NamesInItBelongToTheClassThatWritesIt) {
+    const FlatModel m = flatOf(R"(
+        model Shaft parameter Real J = 5; Parts.Inertia rotor(J = 2*J); end Shaft;
+        model M parameter Real J = 7; Shaft s(J = J + 1); end M;)");
+    EXPECT_EQ(text(m, variable(m, "s.J").binding), "J + 1");
+    EXPECT_EQ(text(m, variable(m, "s.rotor.J").binding), "2*s.J");
+    EXPECT_EQ(valueOf(m, "s.rotor.J"), 16);
+}
+
+TEST(Modification, FinalIsRespected) {
+    const std::string source = "model Shaft Parts.Inertia rotor(final J = 2); end Shaft;";
+    EXPECT_TRUE(variable(flatOf(source + "model M Shaft s; end M;"), "s.rotor.J").isFinal);
+    EXPECT_THAT(faultsOf(source + "model M Shaft s(rotor(J = 3)); end M;"),
+                ElementsAre(HasSubstr("'J' is final and cannot be modified")));
+    EXPECT_THAT(faultsOf("model M Parts.Fixed f(phi0(quantity = \"x\")); end M;"),
+                ElementsAre(HasSubstr("'quantity' is final")));
+    EXPECT_TRUE(variable(flatOf("model M final parameter Real p = 1; end M;"), "p").isFinal);
+    EXPECT_TRUE(variable(flatOf("model M final Parts.Inertia i(J = 2); end M;"), "i.J").isFinal);
+}
+
+TEST(Modification, UnknownNamesAreNamedWithASuggestion) {
+    EXPECT_THAT(faultsOf("model M Parts.HeatCapacitor rotor(T_stat = 3, C = 1); end M;"),
+                ElementsAre("'Parts.HeatCapacitor' has no element 'T_stat' to modify | did you mean 'T_start'?"));
+    EXPECT_THAT(faultsOf("model N extends Parts.Inertia(Q = 3); end N; model M N n; end M;"),
+                ElementsAre(HasSubstr("'N' has no element 'Q' to modify")));
+    EXPECT_THAT(faultsOf("model M Real x(strat = 3) = 1; end M;"),
+                ElementsAre("'strat' is not an attribute of Real | did you mean 'start'?"));
+}
+
+TEST(Modification, ProtectedElementsAreClosedToOthers) {
+    const std::string source = "model P protected parameter Real k = 1; end P; model Q extends P(k = 2); end Q;";
+    EXPECT_EQ(valueOf(flatOf(source + "model M Q q; end M;"), "q.k"), 2);
+    EXPECT_TRUE(variable(flatOf(source + "model M Q q; end M;"), "q.k").isProtected);
+    EXPECT_THAT(faultsOf(source + "model M P p(k = 3); end M;"),
+                ElementsAre(HasSubstr("'k' of 'P' is protected and cannot be modified")));
+    EXPECT_THAT(faultsOf(source + "model M P p; Real x = p.k; end M;"),
+                ElementsAre(HasSubstr("'k' of component 'p' (P) is protected")));
+}
+
+TEST(Redeclaration, ReplacesAComponentAndKeepsItsModifications) {
+    const std::string source = R"(
+        partial model Load Parts.Flange flange; parameter Real b = 1; end Load;
+        model Viscous extends Load; equation flange.tau = b*der(flange.phi); end Viscous;
+        model Quadratic extends Load; parameter Real k = 0;
+        equation flange.tau = b*der(flange.phi)*abs(der(flange.phi)) + k; end Quadratic;
+        model Drive replaceable Viscous load(b = 5) constrainedby Load(b = 6); Parts.Inertia i;
+        equation connect(load.flange, i.b); end Drive;
+        model Open replaceable Load load(b = 8); end Open;)";
+    const FlatModel m = flatOf(source + "model M Drive d(redeclare Quadratic load(k = 3)); end M;");
+    EXPECT_EQ(valueOf(m, "d.load.k"), 3);
+    EXPECT_EQ(valueOf(m, "d.load.b"), 6);
+    EXPECT_EQ(m.components[1].className, "Quadratic");
+    const FlatModel inherited = flatOf(source + "model M extends Open; redeclare Viscous load; end M;");
+    EXPECT_EQ(valueOf(inherited, "load.b"), 8);
+    EXPECT_EQ(inherited.components[0].className, "Viscous");
+    EXPECT_THAT(faultsOf(source + "model M Open o; end M;"),
+                ElementsAre(HasSubstr("'o.load' is of the partial class Load")));
+    EXPECT_THAT(faultsOf(source + "model N Viscous load; end N; model M N n(redeclare Quadratic load); end M;"),
+                ElementsAre(HasSubstr("'load' of 'N' is not replaceable")));
+}
+
+TEST(Redeclaration, ReplacesALocalClass) {
+    const std::string source = R"(
+        model Small parameter Real J = 1; end Small;
+        model Large parameter Real J = 100; parameter Real extra = 1; end Large;
+        model Drive replaceable model Rotor = Small(J = 2); Rotor first; Rotor second(J = 3); end Drive;)";
+    const FlatModel plain = flatOf(source + "model M Drive d; end M;");
+    EXPECT_EQ(valueOf(plain, "d.first.J"), 2);
+    EXPECT_EQ(valueOf(plain, "d.second.J"), 3);
+    const FlatModel m = flatOf(source + "model M Drive d(redeclare model Rotor = Large(extra = 7)); end M;");
+    EXPECT_EQ(valueOf(m, "d.first.J"), 100);
+    EXPECT_EQ(valueOf(m, "d.second.extra"), 7);
+    const FlatModel derived =
+        flatOf(source + "model M extends Drive; redeclare model Rotor = Large(extra = 9); end M;");
+    EXPECT_EQ(valueOf(derived, "first.extra"), 9);
+}
+
+TEST(Redeclaration, AShortClassMayUseParametersOfItsModel) {
+    const FlatModel m = flatOf(R"(
+        model Small parameter Real J = 1; end Small;
+        model M parameter Real j = 4; model Rotor = Small(J = j); Rotor r; end M;)");
+    EXPECT_EQ(valueOf(m, "r.J"), 4);
+}
+
+TEST(Inheritance, DifferentDeclarationsOfOneNameAreRefused) {
+    EXPECT_THAT(faultsOf(R"(
+        partial model A Real x = 1; end A;
+        model M extends A; parameter Real x = 2; end M;)"),
+                ElementsAre(HasSubstr("'x' is declared in 'A' and, differently, in 'M'")));
+    // The same declaration through two paths is one.
+    EXPECT_EQ(flatOf(R"(
+        partial model A parameter Real x = 1; end A;
+        partial model B extends A; end B;
+        partial model C extends A; end C;
+        model M extends B; extends C; end M;)")
+                  .variables.size(),
+              1u);
+}
+
+}  // namespace
+}  // namespace analogon

@@ -1,0 +1,116 @@
+#include "core/measure/channel.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+using namespace analogon;
+using testing::DoubleNear;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+namespace {
+
+Table table(std::string_view text) {
+    Outcome<Table> out = readCsvText(text, "run.csv");
+    EXPECT_TRUE(out.hasValue()) << format(out.diagnostics());
+    return out ? *out : Table{};
+}
+
+ChannelMapping column(std::string name, std::string unit = {}) {
+    ChannelMapping mapping;
+    mapping.column = std::move(name);
+    mapping.unit = std::move(unit);
+    return mapping;
+}
+
+template <class T>
+Diagnostic faultOf(const Outcome<T>& outcome) {
+    EXPECT_FALSE(outcome.hasValue());
+    return outcome ? Diagnostic{} : outcome.diagnostics().front();
+}
+
+}  // namespace
+
+TEST(Channel, ConvertsToTheUnitOfTheModel) {
+    const Table file = table("t [s],T [degC],I [mA],duty [%],n [rpm]\n0,20,1500,50,60\n");
+    EXPECT_THAT(*readChannel(file, column("T"), "K"), ElementsAre(DoubleNear(293.15, 1e-9)));
+    EXPECT_THAT(*readChannel(file, column("I"), "A"), ElementsAre(DoubleNear(1.5, 1e-12)));
+    EXPECT_THAT(*readChannel(file, column("duty"), "1"), ElementsAre(DoubleNear(0.5, 1e-12)));
+    EXPECT_THAT(*readChannel(file, column("n"), "rad/s"), ElementsAre(DoubleNear(6.283185307179586, 1e-9)));
+}
+
+TEST(Channel, PutsTheMappingsUnitAboveTheFiles) {
+    const Table file = table("t [s],T [K]\n0,20\n");
+    EXPECT_THAT(*readChannel(file, column("T", "degC"), "K"), ElementsAre(DoubleNear(293.15, 1e-9)));
+}
+
+TEST(Channel, TakesAColumnWithoutUnitAsItIs) {
+    const Table file = table("t,u\n0,3\n");
+    EXPECT_THAT(*readChannel(file, column("u"), "V"), ElementsAre(3));
+}
+
+TEST(Channel, ScalesAndShiftsBehindTheConversion) {
+    const Table file = table("t,I [mA]\n0,1000\n");
+    ChannelMapping mapping = column("I");
+    mapping.scale = -2;
+    mapping.offset = 0.5;
+    EXPECT_THAT(*readChannel(file, mapping, "A"), ElementsAre(DoubleNear(-1.5, 1e-12)));
+}
+
+TEST(Channel, IsFoundByItsWholeHeaderToo) {
+    const Table file = table("t [s],T [K],T [degC]\n0,300,27\n");
+    EXPECT_THAT(*readChannel(file, column("T [K]"), "K"), ElementsAre(300));
+}
+
+TEST(Channel, SuggestsTheNameThatWasMeant) {
+    const Diagnostic fault = faultOf(readChannel(table("t,u_heater\n0,1\n"), column("u_heatr"), "V"));
+    EXPECT_EQ(fault.message, "there is no column 'u_heatr'");
+    EXPECT_THAT(fault.hint, HasSubstr("'u_heater'"));
+    EXPECT_EQ(fault.place.file, "run.csv");
+}
+
+TEST(Channel, NamesUnknownAndInconvertibleUnits) {
+    const Table file = table("t [s],a [blorb],b [V]\n0,1,2\n");
+    EXPECT_EQ(faultOf(readChannel(file, column("a"), "K")).message, "the unit 'blorb' of column 'a' is not known");
+    const Diagnostic fault = faultOf(readChannel(file, column("b"), "K"));
+    EXPECT_EQ(fault.message, "column 'b' is in 'V', which cannot be converted to the 'K' of the model");
+}
+
+TEST(Channel, NamesTheFirstCellWithoutANumber) {
+    const Diagnostic fault = faultOf(readChannel(table("t,u\n0,1\n1,\n2,3\n3,nan\n"), column("u"), ""));
+    EXPECT_EQ(fault.place.line, 3);
+    EXPECT_EQ(fault.place.column, 3);
+    EXPECT_EQ(fault.message, "column 'u' has no number here (data row 2; 2 cells in all, the last in line 5)");
+    EXPECT_THAT(faultOf(readChannel(table("t,u\n0,inf\n"), column("u"), "")).message, HasSubstr("infinite"));
+}
+
+TEST(Channel, ForgetsBlankCellsThatWereCutOff) {
+    const Table file = table("t,u\n0,\n1,5\n2,6\n").slice(1, 3);
+    EXPECT_THAT(*readChannel(file, column("u"), ""), ElementsAre(5, 6));
+    const Table later = table("t,u\n0,1\n1,5\n2,\n").slice(1, 3);
+    EXPECT_EQ(faultOf(readChannel(later, column("u"), "")).place.line, 4);
+}
+
+TEST(Time, IsReadInSeconds) {
+    EXPECT_THAT(*readTime(table("t [ms],u\n0,1\n500,2\n"), "t"), ElementsAre(0, 0.5));
+    EXPECT_THAT(*readTime(table("t [min],u\n0,1\n1,2\n"), "t"), ElementsAre(0, 60));
+}
+
+TEST(Time, RefusesFallingRepeatedAndConstantStamps) {
+    const Diagnostic falling = faultOf(readTime(table("t,u\n0,1\n1,2\n0.5,3\n2,4\n"), "t"));
+    EXPECT_EQ(falling.message, "the time in column 't' goes back (data row 3): 0.5 after 1");
+    EXPECT_EQ(falling.place.line, 4);
+    EXPECT_THAT(faultOf(readTime(table("t,u\n0,1\n1,2\n1,3\n"), "t")).message, HasSubstr("repeats"));
+    EXPECT_THAT(faultOf(readTime(table("t,u\n1,1\n1,2\n1,3\n"), "t")).message, HasSubstr("stands still"));
+    EXPECT_THAT(faultOf(readTime(table("t,u\n1,1\n"), "t")).message, HasSubstr("only one row"));
+}
+
+TEST(Time, WarnsOfGapsOnce) {
+    const Outcome<std::vector<double>> time =
+        readTime(table("t,u\n0,1\n1,1\n2,1\n3,1\n4,1\n104,1\n105,1\n205,1\n"), "t");
+    ASSERT_TRUE(time.hasValue());
+    ASSERT_EQ(time.diagnostics().size(), 1u);
+    EXPECT_EQ(time.diagnostics()[0].severity, Severity::Warning);
+    EXPECT_EQ(time.diagnostics()[0].place.line, 7);
+    EXPECT_THAT(time.diagnostics()[0].message, HasSubstr("2 such gaps"));
+}

@@ -1,0 +1,227 @@
+#include "core/report/report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "core/report/number_text.hpp"
+#include "core/report/words.hpp"
+#include "sample_finding.hpp"
+
+using namespace analogon;
+using analogon::testing::sampleFinding;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+namespace {
+
+const ReportContext discoverContext{"Sensor <1>", "discover", "1.2.3"};
+
+std::size_t occurrences(const std::string& text, const std::string& what) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;
+    return count;
+}
+
+Finding fitOnly() {
+    Finding finding;
+    finding.baseline = analogon::testing::sampleState(0.02);
+    finding.final = finding.baseline;
+    return finding;
+}
+
+}  // namespace
+
+TEST(ReportJson, HasTheShapeOfTheFormat) {
+    const auto json = nlohmann::json::parse(reportJson(sampleFinding(), discoverContext));
+    EXPECT_EQ(json["format"], "analogon-report-1");
+    EXPECT_EQ(json["finding"], "effect");
+    const auto& parameter = json["baseline"]["parameters"]["heater.R"];
+    EXPECT_DOUBLE_EQ(parameter["value"], 3.0961);
+    EXPECT_DOUBLE_EQ(parameter["std"], 0.0213);
+    EXPECT_EQ(parameter["unit"], "Ohm");
+    EXPECT_EQ(parameter["at_bound"], false);
+    const auto& experiment = json["baseline"]["experiments"]["warm-up"];
+    EXPECT_EQ(experiment["role"], "fit");
+    for (const char* figure : {"rmse", "error_percent", "relative_rms_percent", "fit_percent", "max_abs"})
+        EXPECT_TRUE(experiment["outputs"]["i_mod"][figure].is_number()) << figure;
+    EXPECT_EQ(json["baseline"]["experiments"]["drive cycle <2>"]["role"], "validate");
+    EXPECT_EQ(json["baseline"]["residual"]["i_mod"]["white"], true);
+    EXPECT_DOUBLE_EQ(json["baseline"]["residual"]["i_mod"]["noise_std"], 0.0231);
+    EXPECT_TRUE(json["final"]["parameters"].contains("radiation.k_r"));
+    EXPECT_LT(json["final"]["experiments"]["warm-up"]["error_percent"].get<double>(),
+              json["baseline"]["experiments"]["warm-up"]["error_percent"].get<double>());
+}
+
+TEST(ReportJson, TellsEffectsCandidatesAndNextExperiment) {
+    const auto json = nlohmann::json::parse(reportJson(sampleFinding(), discoverContext));
+    const auto& effect = json["effects"][0];
+    EXPECT_EQ(effect["kind"], "thermal.radiation");
+    EXPECT_EQ(effect["way"], "attach");
+    EXPECT_EQ(effect["at"], "element.solid");
+    EXPECT_DOUBLE_EQ(effect["parameters"]["k_r"]["std"], 3.1e-13);
+    EXPECT_DOUBLE_EQ(effect["evidence"]["delta_bic"], -1540.2);
+    EXPECT_EQ(effect["alternatives"][1]["equivalent"], true);
+    EXPECT_EQ(json["candidates"].size(), 7u);
+    EXPECT_EQ(json["candidates"][4]["verdict"], "not significant");
+    EXPECT_FALSE(json["candidates"][4].contains("absorbed_by"));
+    EXPECT_EQ(json["candidates"][5]["absorbed_by"][0], "element.C");
+    EXPECT_TRUE(json["next_experiment"].is_string());
+    EXPECT_FALSE(json.contains("remainder"));
+}
+
+TEST(ReportJson, WritesNullForWhatIsNotFinite) {
+    Finding finding = sampleFinding();
+    finding.final.experiments[0].outputs[0].figures.rmse = std::numeric_limits<double>::infinity();
+    const auto json = nlohmann::json::parse(reportJson(finding, discoverContext));
+    EXPECT_TRUE(json["baseline"]["parameters"]["element.C"]["std"].is_null());
+    EXPECT_TRUE(json["final"]["experiments"]["warm-up"]["outputs"]["i_mod"]["rmse"].is_null());
+}
+
+TEST(ReportJson, NamesTheRemainder) {
+    Finding finding = sampleFinding();
+    finding.kind = FindingKind::Unexplained;
+    finding.effects.clear();
+    finding.remainders.push_back({"i_mod", "element.solid", 33, 3, 8, "warm-up", {{"T_air", 0.83}}, "0.1*T_air"});
+    const auto json = nlohmann::json::parse(reportJson(finding, discoverContext));
+    EXPECT_EQ(json["finding"], "unexplained");
+    EXPECT_EQ(json["remainder"]["output"], "i_mod");
+    EXPECT_EQ(json["remainder"]["moves_with"][0]["variable"], "T_air");
+    EXPECT_DOUBLE_EQ(json["remainder"]["to"], 8);
+    EXPECT_EQ(json["remainder"]["proposed_equation"], "0.1*T_air");
+}
+
+TEST(ReportJson, KeepsStartValuesOfExperimentsApart) {
+    Finding finding = fitOnly();
+    finding.final.parameters.push_back({"element.T_start", "K", 291, 0.1, false, 0});
+    const auto json = nlohmann::json::parse(reportJson(finding, {"x", "fit", "1"}));
+    EXPECT_EQ(json["final"]["parameters"]["element.T_start (warm-up)"]["experiment"], "warm-up");
+    EXPECT_TRUE(json["finding"].is_null());
+}
+
+TEST(ReportHtml, IsOneFileWithoutAnythingFromOutside) {
+    const std::string html = reportHtml(sampleFinding(), discoverContext);
+    EXPECT_THAT(html, HasSubstr("<!DOCTYPE html>"));
+    EXPECT_THAT(html, Not(HasSubstr("http")));
+    EXPECT_THAT(html, Not(HasSubstr("<script")));
+    EXPECT_THAT(html, Not(HasSubstr("src=")));
+    EXPECT_THAT(html, HasSubstr("prefers-color-scheme: dark"));
+}
+
+TEST(ReportHtml, EscapesEveryText) {
+    Finding finding = sampleFinding();
+    finding.baseline.experiments[0].name = finding.final.experiments[0].name = "<img onerror=alert(1)>";
+    finding.candidates[0].at = "\"><b>";
+    finding.effects[0].description = "a & b <i>";
+    finding.baseline.experiments[0].outputs[0].unit = "<u>";
+    const std::string html = reportHtml(finding, {"<h1>", "discover", "<v>"});
+    for (const char* raw : {"<img", "<b>", "<i>", "<u>", "<h1><", "<v>"}) EXPECT_THAT(html, Not(HasSubstr(raw))) << raw;
+    EXPECT_THAT(html, HasSubstr("a &amp; b &lt;i&gt;"));
+}
+
+TEST(ReportHtml, ShowsEverySection) {
+    const std::string html = reportHtml(sampleFinding(), discoverContext);
+    for (const char* heading : {"How well the model follows", "The effect that was missing", "Next experiment",
+                                "Measured and simulated", "Parameters", "What is left", "What was tried", "Warnings"})
+        EXPECT_THAT(html, HasSubstr(heading));
+    EXPECT_EQ(occurrences(html, "<svg"), 4u);
+    EXPECT_EQ(occurrences(html, "class=\"trace before\""), 8u);  // signal and residual of four plots
+    EXPECT_THAT(html, HasSubstr("at its bound"));
+    EXPECT_THAT(html, HasSubstr("not determined"));
+    EXPECT_THAT(html, HasSubstr("(2.103 ± 0.031)·10<sup>−11</sup>"));
+}
+
+TEST(ReportHtml, ShowsOneModelWhenNothingWasAdded) {
+    const std::string html = reportHtml(fitOnly(), {"x", "fit", "1"});
+    EXPECT_EQ(occurrences(html, "class=\"trace before\""), 0u);
+    EXPECT_THAT(html, Not(HasSubstr("What was tried")));
+    EXPECT_THAT(html, Not(HasSubstr("Effects added")));
+}
+
+TEST(ReportHtml, StaysSmallForLongRecordings) {
+    Finding finding = fitOnly();
+    ExperimentState& experiment = finding.baseline.experiments[0];
+    experiment.time.clear();
+    for (int k = 0; k < 200000; ++k) experiment.time.push_back(k * 1e-3);
+    experiment.outputs.resize(1);
+    experiment.outputs[0] = analogon::testing::sampleOutput(experiment.time, 0.1, 0.1);
+    finding.baseline.experiments.resize(1);
+    finding.final = finding.baseline;
+    EXPECT_LT(reportHtml(finding, {"x", "fit", "1"}).size(), 120000u);
+}
+
+TEST(Traces, HoldMeasuredBeforeAndAfter) {
+    Finding finding = sampleFinding();
+    std::istringstream lines(tracesCsv(finding));
+    std::string header, first;
+    std::getline(lines, header);
+    std::getline(lines, first);
+    EXPECT_EQ(header,
+              "experiment,time [s],i_mod measured [A],i_mod before [A],i_mod after [A],T_element measured [K],"
+              "T_element before [K],T_element after [K]");
+    EXPECT_THAT(first, ::testing::StartsWith("warm-up,0,"));
+    EXPECT_EQ(std::count(first.begin(), first.end(), ','), 7);
+    const std::string all = tracesCsv(finding);
+    EXPECT_EQ(static_cast<std::size_t>(std::count(all.begin(), all.end(), '\n')), 1u + 4000 + 900);
+}
+
+TEST(Traces, EscapeFormulasAndLeaveGapsEmpty) {
+    Finding finding = fitOnly();
+    finding.baseline.experiments[0].outputs[0].name = "=1+1";
+    finding.baseline.experiments[0].outputs[0].measured[0] = std::nan("");
+    finding.baseline.experiments[0].name = "@SUM(A1)";
+    const std::string csv = tracesCsv(finding);
+    EXPECT_THAT(csv, HasSubstr("\"'=1+1 measured [A]\""));
+    EXPECT_THAT(csv, HasSubstr("\"'@SUM(A1)\",0,,"));
+}
+
+TEST(Summary, AlignsTheTableAndTellsTheFinding) {
+    const std::string text = summaryText(sampleFinding());
+    EXPECT_THAT(text,
+                HasSubstr("Finding: effect. The model lacked radiation to the surroundings (thermal.radiation) at "
+                          "element.solid."));
+    EXPECT_THAT(text, HasSubstr("what is left is noise"));
+    std::istringstream lines(text);
+    std::vector<std::size_t> ends;
+    for (std::string line; std::getline(lines, line);)
+        if (line.find(" %") != std::string::npos && line.find("Finding") == std::string::npos)
+            ends.push_back(displayWidth(line));
+    ASSERT_EQ(ends.size(), 6u);
+    for (const std::size_t end : ends) EXPECT_EQ(end, ends[0]);
+}
+
+TEST(Summary, NamesWhereASimulationStopped) {
+    Finding finding = fitOnly();
+    finding.final.experiments[0].failure = {true, 1.25, "heater.T", "not finite"};
+    EXPECT_THAT(summaryText(finding),
+                HasSubstr("The simulation of 'warm-up' stopped at 1.25 s: not finite in heater.T."));
+}
+
+TEST(Words, TellEachKindOfFinding) {
+    Finding finding = sampleFinding();
+    finding.effects.clear();
+    finding.kind = FindingKind::Adequate;
+    EXPECT_THAT(summaryWords(finding, "discover"), HasSubstr("what is left is noise, and nothing was added"));
+    finding.kind = FindingKind::Unexplained;
+    EXPECT_THAT(summaryWords(finding, "discover"), HasSubstr("no known effect explains it"));
+    finding = sampleFinding();
+    finding.kind = FindingKind::Partial;
+    EXPECT_THAT(summaryWords(finding, "discover"), HasSubstr("still has a structure"));
+    EXPECT_THAT(summaryWords(finding, "simulate"), HasSubstr("simulated as it stands"));
+}
+
+TEST(Numbers, CarryTheDigitsTheyAreWorth) {
+    EXPECT_EQ(numberText(0.03120), "0.0312");
+    EXPECT_EQ(numberText(2.1e-11), "2.1e-11");
+    EXPECT_EQ(numberText(std::nan("")), "–");
+    EXPECT_EQ(numberText(12345.678), "12346");
+    EXPECT_EQ(valueText(3.0961, 0.0213), "3.096 ± 0.021");
+    EXPECT_EQ(valueText(0.0, 0.5), "0.00 ± 0.50");
+    EXPECT_EQ(valueText(2.1034e-11, 3.1e-13), "(2.103 ± 0.031)e-11");
+    EXPECT_EQ(valueText(1.5, std::nan("")), "1.5");
+    EXPECT_EQ(percentText(8.6), "8.60 %");
+    EXPECT_EQ(percentText(0.012345), "0.0123 %");
+    EXPECT_EQ(percentText(123.4), "123 %");
+}

@@ -1,0 +1,82 @@
+#include "core/report/svg_plot.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace analogon;
+using ::testing::ElementsAre;
+using ::testing::Not;
+
+namespace {
+
+std::vector<double> times(int count) {
+    std::vector<double> time;
+    for (int i = 0; i < count; ++i) time.push_back(0.1 * i);
+    return time;
+}
+
+}  // namespace
+
+TEST(Thinning, KeepsShortTracesWhole) {
+    EXPECT_THAT(thinned(times(3), Eigen::Vector3d(1, 2, 3), 100), ElementsAre(0, 1, 2));
+}
+
+TEST(Thinning, KeepsTheExtremesOfEveryColumn) {
+    Eigen::VectorXd values = Eigen::VectorXd::Zero(10000);
+    values[1234] = 5;
+    values[7777] = -3;
+    const auto kept = thinned(times(10000), values, 50);
+    EXPECT_LE(kept.size(), 102u);
+    EXPECT_THAT(kept, ::testing::Contains(1234u));
+    EXPECT_THAT(kept, ::testing::Contains(7777u));
+    EXPECT_EQ(kept.front(), 0u);
+    EXPECT_EQ(kept.back(), 9999u);
+    EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
+}
+
+TEST(Thinning, KeepsGapsOpen) {
+    Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(10000, 0, 1);
+    for (int i = 4000; i < 4010; ++i) values[i] = std::nan("");
+    const auto kept = thinned(times(10000), values, 50);
+    EXPECT_THAT(kept, ::testing::Contains(4000u));
+    EXPECT_THAT(kept, ::testing::Contains(4010u));
+}
+
+TEST(Ticks, AreRoundAndInside) {
+    EXPECT_THAT(ticks(0, 10, 5), ElementsAre(0, 2, 4, 6, 8, 10));
+    EXPECT_THAT(ticks(0.03, 0.31, 3), ElementsAre(::testing::DoubleNear(0.1, 1e-12), ::testing::DoubleNear(0.2, 1e-12),
+                                                  ::testing::DoubleNear(0.3, 1e-12)));
+    EXPECT_TRUE(ticks(1, 1, 5).empty());
+    EXPECT_TRUE(ticks(0, std::nan(""), 5).empty());
+}
+
+TEST(Plot, HasNoNumberThatIsNone) {
+    SignalPlot plot;
+    plot.id = "p1";
+    plot.label = "i [A]";
+    plot.time = times(100);
+    Eigen::VectorXd values = Eigen::VectorXd::Constant(100, 2);
+    Eigen::VectorXd broken = values;
+    for (int i = 50; i < 100; ++i) broken[i] = i % 2 ? std::nan("") : 1e300;
+    plot.signals = {{"measured", values}, {"after", broken}};
+    plot.residuals = {{"after", values - broken}};
+    const std::string svg = svgPlot(plot);
+    EXPECT_THAT(svg, Not(::testing::HasSubstr("nan")));
+    EXPECT_THAT(svg, Not(::testing::HasSubstr("inf")));
+}
+
+TEST(Plot, BreaksTheLineAtAGap) {
+    SignalPlot plot;
+    plot.id = "p1";
+    plot.time = times(5);
+    Eigen::VectorXd values(5);
+    values << 1, 2, std::nan(""), 3, 4;
+    plot.signals = {{"measured", values}};
+    const std::string svg = svgPlot(plot);
+    const std::string path = svg.substr(svg.find("class=\"trace measured\""));
+    EXPECT_EQ(std::count(path.begin(), path.end(), 'M'), 2);
+}
+
+TEST(Html, IsEscaped) { EXPECT_EQ(escapeHtml("a<b>&\"'\x01"), "a&lt;b&gt;&amp;&quot;&#39;"); }

@@ -1,0 +1,127 @@
+#include "core/residual/noise.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace analogon {
+namespace {
+
+Eigen::VectorXd gaussian(int count, double sigma, unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal(0.0, sigma);
+    Eigen::VectorXd result(count);
+    for (double& value : result) value = normal(random);
+    return result;
+}
+
+Eigen::VectorXd slow(int count) {
+    Eigen::VectorXd result(count);
+    for (int k = 0; k < count; ++k) result[k] = 20.0 + 5.0 * std::sin(0.005 * k) + (k / 700) % 2 * 3.0;
+    return result;
+}
+
+TEST(NoiseFromDifferences, IsRightOnWhiteNoiseOverASlowSignalWithSteps) {
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+        const Eigen::VectorXd signal = slow(8000) + gaussian(8000, 0.2, seed);
+        EXPECT_NEAR(noiseFromDifferences(signal), 0.2, 0.03 * 0.2) << seed;
+    }
+}
+
+TEST(NoiseFromDifferences, LeavesGapsOut) {
+    Eigen::VectorXd signal = gaussian(6000, 1.0, 7);
+    for (int k = 500; k < 6000; k += 500) signal.segment(k, 20).setConstant(std::numeric_limits<double>::quiet_NaN());
+    EXPECT_NEAR(noiseFromDifferences(signal), 1.0, 0.04);
+}
+
+TEST(NoiseFromDifferences, IsZeroForASmoothSignalAndForOneWithFewSteps) {
+    Eigen::VectorXd steps(3000);
+    for (int k = 0; k < 3000; ++k) steps[k] = (k / 1000) * 2.0;
+    EXPECT_EQ(noiseFromDifferences(steps), 0.0);
+    Eigen::VectorXd smooth(3000);
+    for (int k = 0; k < 3000; ++k) smooth[k] = std::sin(0.002 * k);
+    EXPECT_LT(noiseFromDifferences(smooth), 1e-6);
+}
+
+TEST(NoiseFromDifferences, SeesQuantisationOfASlowSignal) {
+    // A slow temperature in steps of 0.1: most neighbours are equal.
+    Eigen::VectorXd quantised(5000), residual(5000);
+    for (int k = 0; k < 5000; ++k) {
+        const double exact = 25.0 + 6.0 * std::sin(0.003 * k);
+        quantised[k] = 0.1 * std::round(exact / 0.1);
+        residual[k] = quantised[k] - exact;
+    }
+    EXPECT_NEAR(noiseFromDifferences(quantised), 0.1 / std::sqrt(12.0), 0.15 * 0.1 / std::sqrt(12.0));
+    EXPECT_NEAR(noiseFromDifferences(residual), 0.1 / std::sqrt(12.0), 0.15 * 0.1 / std::sqrt(12.0));
+}
+
+TEST(NoiseFromDifferences, AddsNoiseAndQuantisationOfTheSameSize) {
+    // Sheppard: sigma^2 + q^2 / 12.
+    const Eigen::VectorXd noise = gaussian(8000, 0.1, 3);
+    Eigen::VectorXd signal(8000);
+    for (int k = 0; k < 8000; ++k) signal[k] = 0.1 * std::round((30.0 + 4.0 * std::sin(0.002 * k) + noise[k]) / 0.1);
+    const double expected = std::sqrt(0.01 + 0.01 / 12.0);
+    EXPECT_NEAR(noiseFromDifferences(signal), expected, 0.05 * expected);
+}
+
+TEST(Autoregressive, FindsOrderAndCoefficientsOfAKnownProcess) {
+    const Eigen::VectorXd w = gaussian(20000, 0.5, 11);
+    Eigen::VectorXd e = w;
+    for (int k = 2; k < e.size(); ++k) e[k] = 1.2 * e[k - 1] - 0.5 * e[k - 2] + w[k];
+    const AutoregressiveModel model = fitAutoregressive(e, 10);
+    ASSERT_GE(model.coefficients.size(), 2u);
+    ASSERT_LE(model.coefficients.size(), 3u);
+    EXPECT_NEAR(model.coefficients[0], 1.2, 0.03);
+    EXPECT_NEAR(model.coefficients[1], -0.5, 0.03);
+    EXPECT_NEAR(model.innovation, 0.5, 0.01);
+    const Eigen::VectorXd white = model.whiten(e);
+    EXPECT_LT(autocorrelation(white.tail(white.size() - 10), 5).tail(5).cwiseAbs().maxCoeff(), 0.03);
+}
+
+TEST(Autoregressive, KeepsWhiteNoiseAsItIs) {
+    const Eigen::VectorXd w = gaussian(5000, 2.0, 5);
+    const AutoregressiveModel model = fitAutoregressive(w, 10);
+    EXPECT_TRUE(model.coefficients.empty());
+    EXPECT_NEAR(model.innovation, 2.0, 0.1);
+    EXPECT_EQ(model.whiten(w), w);
+}
+
+TEST(Autocorrelation, MatchesASumByHand) {
+    const Eigen::VectorXd signal = (Eigen::VectorXd(4) << 1.0, 3.0, 2.0, 6.0).finished();  // mean 3: -2 0 -1 3
+    const Eigen::VectorXd rho = autocorrelation(signal, 3);
+    EXPECT_DOUBLE_EQ(rho[0], 1.0);
+    EXPECT_DOUBLE_EQ(rho[1], -3.0 / 14.0);
+    EXPECT_DOUBLE_EQ(rho[2], 2.0 / 14.0);
+    EXPECT_DOUBLE_EQ(rho[3], -6.0 / 14.0);
+}
+
+TEST(ResidualSummary, CallsWhiteNoiseWhite) {
+    int white = 0;
+    for (unsigned seed = 1; seed <= 40; ++seed) white += summarise(gaussian(2000, 0.3, seed)).white;
+    EXPECT_GE(white, 37);
+    const ResidualSummary summary = summarise(gaussian(20000, 0.3, 99));
+    EXPECT_NEAR(summary.noiseStd, 0.3, 0.01);
+    EXPECT_NEAR(summary.standardDeviation, 0.3, 0.01);
+    EXPECT_NEAR(summary.autocorrelationTime, 1.0, 0.15);
+}
+
+TEST(ResidualSummary, SeesALeftOverTrendAndAnOffset) {
+    Eigen::VectorXd trend = gaussian(4000, 0.3, 2);
+    for (int k = 0; k < 4000; ++k) trend[k] += 0.2 * std::sin(0.01 * k);
+    const ResidualSummary summary = summarise(trend);
+    EXPECT_FALSE(summary.white);
+    EXPECT_NEAR(summary.noiseStd, 0.3, 0.02);
+    EXPECT_GT(summary.autocorrelationTime, 5.0);
+    EXPECT_FALSE(summarise((gaussian(4000, 0.3, 4).array() + 0.1).matrix()).white);
+}
+
+TEST(ResidualSummary, IntegratesTheAutocorrelationOfAFirstOrderProcess) {
+    Eigen::VectorXd e = gaussian(40000, 1.0, 8);
+    for (int k = 1; k < e.size(); ++k) e[k] += 0.8 * e[k - 1];
+    EXPECT_NEAR(summarise(e).autocorrelationTime, (1.0 + 0.8) / (1.0 - 0.8), 1.2);
+}
+
+}  // namespace
+}  // namespace analogon

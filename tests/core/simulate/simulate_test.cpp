@@ -1,0 +1,195 @@
+#include "core/simulate/simulate.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/core/simulate/text_models.hpp"
+
+namespace analogon {
+namespace {
+
+using test::compileText;
+using test::ownParameters;
+
+SampledInputs oneInput(int count, double step, const std::function<double(double)>& u) {
+    SampledInputs inputs;
+    inputs.values.resize(1, count);
+    for (int k = 0; k < count; ++k) {
+        inputs.time.push_back(k * step);
+        inputs.values(0, k) = u(k * step);
+    }
+    return inputs;
+}
+
+SimulationTask taskOf(const SystemPtr& system, const SampledInputs& inputs, bool withTangents = false) {
+    SimulationTask task;
+    task.system = system.get();
+    task.inputs = &inputs;
+    task.parameters = ownParameters(*system);
+    if (withTangents) task.directions = Eigen::MatrixXd::Identity(system->parameterCount(), system->parameterCount());
+    return task;
+}
+
+SampledInputs noisyVoltage(int count) {
+    std::mt19937 random(4);
+    std::normal_distribution<double> normal;
+    return oneInput(count, 1e-3, [&](double t) {
+        return 6.0 * (std::sin(9.0 * t) > 0 ? 1.0 : -0.5) + 0.2 * normal(random);
+    });
+}
+
+TEST(Simulate, GridAndAdaptiveEnginesAgreeOnAMotorWithNoisyVoltage) {
+    const SystemPtr system = compileText(test::motorText, "Motor", {"R", "k", "J2"});
+    ASSERT_TRUE(system);
+    const SampledInputs inputs = noisyVoltage(1500);
+    const SimulationTask task = taskOf(system, inputs, true);
+    const Trajectory grid = simulate(task);
+    ASSERT_FALSE(grid.failure.failed) << grid.failure.reason;
+    EXPECT_EQ(grid.engine, Engine::Grid);
+    EXPECT_LT(grid.plan.errorEstimate, 2e-5);
+    SimulationOptions tight;
+    tight.relativeTolerance = 1e-8;
+    tight.absoluteTolerance = 1e-11;
+    const Trajectory reference = simulateAdaptive(task, tight);
+    ASSERT_FALSE(reference.failure.failed) << reference.failure.reason;
+    for (Eigen::Index o = 0; o < 2; ++o) {
+        const double range = reference.outputs.row(o).maxCoeff() - reference.outputs.row(o).minCoeff();
+        EXPECT_LT((grid.outputs - reference.outputs).row(o).cwiseAbs().maxCoeff(), 5e-5 * range);
+        const Eigen::MatrixXd& expected = reference.tangents[static_cast<std::size_t>(o)];
+        const Eigen::MatrixXd gap = grid.tangents[static_cast<std::size_t>(o)] - expected;
+        for (Eigen::Index k = 0; k < 3; ++k) {
+            EXPECT_LT(gap.col(k).cwiseAbs().maxCoeff(), 1e-3 * expected.col(k).cwiseAbs().maxCoeff());
+        }
+    }
+}
+
+TEST(Simulate, TakesTheImplicitMethodForAStiffMotor) {
+    const SystemPtr system = compileText(test::motorText, "Motor", {"L"});
+    ASSERT_TRUE(system);
+    const SampledInputs inputs = noisyVoltage(4000);
+    SimulationTask task = taskOf(system, inputs, true);
+    task.parameters = {1e-7};
+    const Trajectory y = simulate(task);
+    ASSERT_FALSE(y.failure.failed) << y.failure.reason;
+    EXPECT_EQ(y.plan.method, GridMethod::Esdirk);
+    EXPECT_TRUE(y.tangents[1].allFinite());
+}
+
+TEST(Simulate, KeepsStatesAndObservesVariables) {
+    const SystemPtr system = compileText(test::motorText, "Motor");
+    ASSERT_TRUE(system);
+    const SampledInputs inputs = noisyVoltage(300);
+    SimulationTask task = taskOf(system, inputs);
+    task.keepStates = true;
+    task.observe = {"tau", "no.such.variable", "w2"};
+    const Trajectory y = simulate(task);
+    ASSERT_FALSE(y.failure.failed);
+    ASSERT_EQ(y.states.rows(), 5);
+    ASSERT_EQ(y.observed.rows(), 3);
+    EXPECT_TRUE(y.observed.row(0).allFinite());
+    EXPECT_GT(y.observed.row(0).cwiseAbs().maxCoeff(), 0.0);
+    EXPECT_TRUE(std::isnan(y.observed(1, 10)));
+    EXPECT_LT((y.observed.row(2) - y.outputs.row(1)).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(Simulate, LocatesTheEventWhereATankRunsEmpty) {
+    const SystemPtr system = compileText(R"(
+model Tank
+  output Real y;
+  parameter Real a = 0.1;
+  Real h(start = 1, fixed = true);
+equation
+  der(h) = if h > 0 then -a*sqrt(max(h, 0)) else 0;
+  y = h;
+end Tank;
+)",
+                                         "Tank", {"a"});
+    ASSERT_TRUE(system);
+    const SampledInputs inputs = [] {
+        SampledInputs empty;
+        for (int k = 0; k < 61; ++k) empty.time.push_back(0.5 * k);
+        empty.values.resize(0, 61);
+        return empty;
+    }();
+    const Trajectory y = simulateAdaptive(taskOf(system, inputs));
+    ASSERT_FALSE(y.failure.failed) << y.failure.reason << " at " << y.failure.time;
+    for (int k = 0; k < 61; ++k) {
+        const double root = std::max(0.0, 1.0 - 0.05 * 0.5 * k);  // sqrt(h) falls with a / 2, empty at 20 s
+        EXPECT_NEAR(y.outputs(0, k), root * root, 1e-5) << k;
+    }
+}
+
+TEST(Simulate, DelaysInputsAndOutputs) {
+    const SystemPtr system = compileText(R"(
+model Delays
+  input Real u;
+  output Real y;
+  output Real z;
+  parameter Real T = 0.35;
+  parameter Real T2 = 0.2;
+  Real x(start = 0, fixed = true);
+  Real ud;
+equation
+  ud = delay(u, T2);
+  der(x) = ud - x;
+  y = x;
+  z = delay(y, T);
+end Delays;
+)",
+                                         "Delays", {"T", "T2"});
+    ASSERT_TRUE(system);
+    const SampledInputs inputs = oneInput(200, 0.05, [](double t) { return t; });
+    const SimulationTask task = taskOf(system, inputs, true);
+    for (const Trajectory& trajectory : {simulate(task), simulateAdaptive(task)}) {
+        ASSERT_FALSE(trajectory.failure.failed) << trajectory.failure.reason;
+        double worst[3]{};
+        for (int k = 0; k < 200; ++k) {
+            const double s = std::max(0.0, 0.05 * k - 0.55);
+            const double x = s - 1.0 + std::exp(-s);
+            const double slope = s > 0 ? std::exp(-s) - 1.0 : 0.0;  // of z in either delay
+            worst[0] = std::max(worst[0], std::abs(trajectory.outputs(1, k) - x));
+            worst[1] = std::max(worst[1], std::abs(trajectory.tangents[1](k, 0) - slope));
+            worst[2] = std::max(worst[2], std::abs(trajectory.tangents[1](k, 1) - slope));
+        }
+        EXPECT_LT(worst[0], 1e-5);
+        EXPECT_LT(worst[1], 1e-4);
+        EXPECT_LT(worst[2], 1e-4);
+    }
+}
+
+TEST(Simulate, RefusesInputsThatDoNotFit) {
+    const SystemPtr system = compileText(test::motorText, "Motor");
+    ASSERT_TRUE(system);
+    SampledInputs inputs = noisyVoltage(10);
+    inputs.values(0, 4) = std::nan("");
+    EXPECT_EQ(simulate(taskOf(system, inputs)).failure.reason, "an input is not finite");
+    inputs.values.resize(2, 10);
+    EXPECT_TRUE(simulate(taskOf(system, inputs)).failure.failed);
+}
+
+TEST(Simulate, NamesTheVariableThatFails) {
+    const SystemPtr system = compileText(R"(
+model Root
+  input Real u;
+  output Real y;
+  Real x(start = 1, fixed = true);
+equation
+  der(x) = -1;
+  y = sqrt(x) + 0*u;
+end Root;
+)",
+                                         "Root");
+    ASSERT_TRUE(system);
+    const SampledInputs inputs = oneInput(30, 0.1, [](double) { return 0.0; });
+    const Trajectory y = simulate(taskOf(system, inputs));
+    EXPECT_TRUE(y.failure.failed);
+    EXPECT_NEAR(y.failure.time, 1.1, 0.11);
+    EXPECT_EQ(y.failure.reason, "not finite");
+    EXPECT_THAT(y.failure.variable, ::testing::HasSubstr("y"));
+}
+
+}  // namespace
+}  // namespace analogon

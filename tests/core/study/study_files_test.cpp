@@ -1,0 +1,116 @@
+#include "study_fixture.hpp"
+
+using namespace analogon;
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+using StudyFiles = analogon::testing::StudyTest;
+
+TEST_F(StudyFiles, AreReadFromTheDirectoryOrItsStudyJson) {
+    putHeater();
+    put("extra.mo", "model Extra\nend Extra;\n");
+    const Study study = read();
+    EXPECT_EQ(study.className, "Heater");
+    EXPECT_EQ(study.name, directory_.filename().string());
+    EXPECT_EQ(study.modelFile, "model.mo");
+    EXPECT_EQ(study.models.size(), 2u);
+    EXPECT_EQ(study.tables.at("train.csv")->rows(), 4u);
+    EXPECT_TRUE(readStudy(directory_ / "study.json").hasValue());
+}
+
+TEST_F(StudyFiles, FindTheFileThatDeclaresTheClass) {
+    putHeater();
+    fs::rename(directory_ / "model.mo", directory_ / "heater.mo");
+    put("another.mo", "model Other\nend Other;\n");
+    EXPECT_EQ(read().modelFile, "heater.mo");
+}
+
+TEST_F(StudyFiles, NameWhatIsMissing) {
+    EXPECT_THAT(readFault().message, HasSubstr("no study.json"));
+    EXPECT_THAT(readStudy(directory_ / "nowhere").diagnostics()[0].message, HasSubstr("no such file"));
+    put("x.analogon", "PK");
+    EXPECT_THAT(readStudy(directory_ / "x.analogon").diagnostics()[0].hint, HasSubstr("Unpack"));
+    putHeater();
+    change("train.csv", "trian.csv");
+    const Diagnostic fault = readFault();
+    EXPECT_EQ(fault.message, "experiment 'warm-up': there is no file 'trian.csv'");
+    EXPECT_EQ(fault.hint, "Did you mean 'train.csv'?");
+    EXPECT_EQ(fault.place.line, 5);
+    EXPECT_GT(fault.place.column, 40);
+}
+
+TEST_F(StudyFiles, PassOnTheFaultsOfATable) {
+    putHeater();
+    put("train.csv", "t,u\n0,1\n1,on\n");
+    const Diagnostic fault = readFault();
+    EXPECT_EQ(fault.place.file, (directory_ / "train.csv").string());
+    EXPECT_EQ(fault.place.line, 3);
+}
+
+TEST_F(StudyFiles, AreWrittenAndReadBack) {
+    putHeater();
+    const Study study = read();
+    const fs::path copy = directory_ / "out" / "study";
+    const Outcome<Done> done = writeStudy(study, copy);
+    ASSERT_TRUE(done.hasValue()) << format(done.diagnostics());
+    const Outcome<Study> again = readStudy(copy);
+    ASSERT_TRUE(again.hasValue()) << format(again.diagnostics());
+    EXPECT_EQ(studyJson(*again), studyJson(study));
+    EXPECT_EQ(again->models, study.models);
+    EXPECT_EQ(get(copy / "train.csv"), get(directory_ / "train.csv"));
+    for (const auto& entry : fs::directory_iterator(directory_ / "out")) EXPECT_EQ(entry.path().filename(), "study");
+}
+
+TEST_F(StudyFiles, BringMeasurementsFromElsewhereAlong) {
+    putHeater();
+    fs::create_directories(directory_ / "inner");
+    for (const char* file : {"study.json", "model.mo"}) fs::rename(directory_ / file, directory_ / "inner" / file);
+    put("inner/study.json",
+        std::string(heaterJson).replace(std::string(heaterJson).find("train.csv"), 9, "../train.csv"));
+    const Outcome<Study> study = readStudy(directory_ / "inner");
+    ASSERT_TRUE(study.hasValue()) << format(study.diagnostics());
+    ASSERT_TRUE(writeStudy(*study, directory_ / "copy").hasValue());
+    EXPECT_TRUE(fs::exists(directory_ / "copy" / "train.csv"));
+    EXPECT_EQ(readStudy(directory_ / "copy")->experiments[0].file, "train.csv");
+}
+
+TEST_F(StudyFiles, AreSavedInPlaceWithoutTouchingOthers) {
+    putHeater();
+    put("notes.txt", "keep me");
+    Study study = read();
+    study.models["model.mo"] += "// changed\n";
+    ASSERT_TRUE(writeStudy(study, directory_).hasValue());
+    EXPECT_THAT(get(directory_ / "model.mo"), HasSubstr("// changed"));
+    EXPECT_EQ(get(directory_ / "notes.txt"), "keep me");
+    EXPECT_TRUE(fs::exists(directory_ / "train.csv"));
+}
+
+TEST_F(StudyFiles, ReplaceAnEarlierStudyWithItsBlocks) {
+    putHeater();
+    put("old/study.json", "{}");
+    put("old/stale.mo", "model Stale\nend Stale;\n");
+    ASSERT_TRUE(writeStudy(read(), directory_ / "old").hasValue());
+    EXPECT_FALSE(fs::exists(directory_ / "old" / "stale.mo"));
+    EXPECT_TRUE(readStudy(directory_ / "old").hasValue());
+}
+
+TEST_F(StudyFiles, ComeFromMemoryWhenTheMeasurementIsNotOnDisk) {
+    putHeater();
+    Study study = read();
+    study.directory.clear();
+    ASSERT_TRUE(writeStudy(study, directory_ / "copy").hasValue());
+    const Outcome<Study> again = readStudy(directory_ / "copy");
+    ASSERT_TRUE(again.hasValue());
+    EXPECT_EQ(again->tables.at("train.csv")->columns[1].values, study.tables.at("train.csv")->columns[1].values);
+}
+
+TEST_F(StudyFiles, LeaveNothingHalfWritten) {
+    putHeater();
+    Study study = read();
+    study.directory.clear();
+    study.tables.clear();  // the measurement is nowhere
+    EXPECT_FALSE(writeStudy(study, directory_ / "copy").hasValue());
+    EXPECT_FALSE(fs::exists(directory_ / "copy"));
+    for (const auto& entry : fs::directory_iterator(directory_))
+        EXPECT_THAT(entry.path().filename().string(), ::testing::Not(HasSubstr("writing")));
+}

@@ -1,0 +1,136 @@
+#include "core/study/json_places.hpp"
+#include "study_fixture.hpp"
+
+using namespace analogon;
+using ::testing::HasSubstr;
+
+namespace {
+
+Outcome<Study> parse(const std::string& text) {
+    return parseStudyJson(std::make_shared<const Source>("study.json", text));
+}
+
+std::string withExperiment(const std::string& members) {
+    return "{\"format\": \"analogon-study-1\", \"class\": \"M\", \"experiments\": [\n{\"name\": \"a\", \"role\": "
+           "\"fit\", "
+           "\"file\": \"a.csv\", \"time\": \"t\"" +
+           members + "}]}";
+}
+
+Diagnostic faultOf(const std::string& text) {
+    const Outcome<Study> study = parse(text);
+    EXPECT_FALSE(study.hasValue()) << text;
+    return study ? Diagnostic{} : study.diagnostics().front();
+}
+
+}  // namespace
+
+TEST(StudyJson, ReadsEveryMember) {
+    const Outcome<Study> study = parse(R"({"format": "analogon-study-1", "class": "M", "library": ["../blocks"],
+      "experiments": [{"name": "a", "role": "validate", "file": "a.csv", "time": "t", "range": [1, 2.5],
+        "inputs": {"u": {"column": "U", "unit": "mV", "scale": 2, "offset": -1}},
+        "outputs": {"y": {"column": "Y", "weight": 0.5}},
+        "initial": {"b.T": "fit", "b.w": 3, "b.x": "T_air"}}],
+      "parameters": {"b.R": {"fit": false, "value": 2}, "b.k": {"min": 0, "max": 1, "scale": "lin"}}})");
+    ASSERT_TRUE(study.hasValue()) << format(study.diagnostics());
+    EXPECT_TRUE(study.diagnostics().empty());
+    const StudyExperiment& experiment = study->experiments.at(0);
+    EXPECT_EQ(experiment.role, Role::Validate);
+    EXPECT_EQ(experiment.range->second, 2.5);
+    EXPECT_EQ(experiment.inputs.at("u").unit, "mV");
+    EXPECT_EQ(experiment.inputs.at("u").scale, 2);
+    EXPECT_EQ(experiment.inputs.at("u").offset, -1);
+    EXPECT_EQ(experiment.outputs.at("y").weight, 0.5);
+    EXPECT_TRUE(std::holds_alternative<FittedStart>(experiment.initial.at("b.T")));
+    EXPECT_EQ(std::get<double>(experiment.initial.at("b.w")), 3);
+    EXPECT_EQ(std::get<ColumnStart>(experiment.initial.at("b.x")).column, "T_air");
+    EXPECT_FALSE(study->parameters.at("b.R").fit);
+    EXPECT_EQ(*study->parameters.at("b.R").value, 2);
+    EXPECT_TRUE(study->parameters.at("b.k").fit);
+    EXPECT_EQ(study->parameters.at("b.k").scale, ParameterScale::Linear);
+    EXPECT_EQ(study->libraryPaths.at(0), "../blocks");
+}
+
+TEST(StudyJson, WritesWhatItReads) {
+    const std::string text = R"({"format": "analogon-study-1", "class": "M", "note": {"by": "x"},
+      "experiments": [{"name": "a", "role": "fit", "file": "a.csv", "time": "t", "range": [1, 2], "rig": 4,
+        "inputs": {"u": {"column": "U", "unit": "mV", "scale": 0.1}}, "outputs": {"y": "Y"},
+        "initial": {"b.T": "fit", "b.w": 3.25, "b.x": "T"}}],
+      "parameters": {"b.R": {"fit": true, "min": 1e-12, "max": 20, "scale": "log", "why": "data sheet"}}})";
+    const Outcome<Study> first = parse(text);
+    ASSERT_TRUE(first.hasValue()) << format(first.diagnostics());
+    const std::string written = studyJson(*first);
+    const Outcome<Study> second = parse(written);
+    ASSERT_TRUE(second.hasValue()) << format(second.diagnostics());
+    EXPECT_EQ(studyJson(*second), written);
+    EXPECT_EQ(second->experiments[0].inputs.at("u").scale, 0.1);
+    EXPECT_EQ(*second->parameters.at("b.R").min, 1e-12);
+    for (const char* kept : {"\"note\"", "\"rig\": 4", "\"data sheet\"", "\"y\": \"Y\""})
+        EXPECT_THAT(written, HasSubstr(kept));
+}
+
+TEST(StudyJson, WarnsOfMembersItDoesNotKnow) {
+    const Outcome<Study> study = parse(withExperiment(", \"inital\": {}"));
+    ASSERT_TRUE(study.hasValue());
+    ASSERT_EQ(study.diagnostics().size(), 1u);
+    EXPECT_EQ(study.diagnostics()[0].severity, Severity::Warning);
+    EXPECT_EQ(study.diagnostics()[0].hint, "Did you mean \"initial\"?");
+    EXPECT_EQ(study.diagnostics()[0].place.line, 2);
+}
+
+TEST(StudyJson, PointsAtBrokenJson) {
+    const Diagnostic fault = faultOf("{\n  \"format\": \"analogon-study-1\",\n  \"class\" \"M\"\n}\n");
+    EXPECT_EQ(fault.place.line, 3);
+    EXPECT_GE(fault.place.column, 11);
+    EXPECT_THAT(fault.message, HasSubstr("not valid JSON"));
+    EXPECT_THAT(faultOf("").message, HasSubstr("not valid JSON"));
+    EXPECT_THAT(faultOf("{\"a\": 1e999}").message, HasSubstr("not valid JSON"));
+    EXPECT_THAT(faultOf("[]").message, HasSubstr("expected an object"));
+}
+
+TEST(StudyJson, NamesMissingMembersAndWrongTypes) {
+    EXPECT_THAT(faultOf("{\"format\": \"analogon-study-1\", \"experiments\": []}").message,
+                HasSubstr("\"class\" is missing"));
+    const Diagnostic type = faultOf(withExperiment(", \"range\": \"all\""));
+    EXPECT_EQ(type.message, "experiments/0/range: expected two times [from, to] in seconds, found the text \"all\"");
+    EXPECT_EQ(type.place.line, 2);
+    EXPECT_THAT(faultOf(withExperiment(", \"inputs\": {\"u\": 3}")).message, HasSubstr("found the number 3"));
+    EXPECT_THAT(faultOf(withExperiment(", \"role\": \"fit\"")).message, HasSubstr("given twice"));
+    EXPECT_THAT(faultOf(withExperiment(", \"range\": [3, 1]")).message, HasSubstr("before it begins"));
+    EXPECT_THAT(faultOf("{\"format\": \"analogon-study-9\", \"class\": \"M\", \"experiments\": []}").message,
+                HasSubstr("\"analogon-study-9\" is not known"));
+}
+
+TEST(StudyJson, RefusesBoundsThatCannotBe) {
+    const auto withParameter = [](const std::string& text) {
+        return "{\"format\": \"analogon-study-1\", \"class\": \"M\", \"experiments\": [],\n\"parameters\": {\"R\": " +
+               text + "}}";
+    };
+    EXPECT_THAT(faultOf(withParameter("{\"min\": 3, \"max\": 1}")).message, HasSubstr("not below the upper bound"));
+    EXPECT_THAT(faultOf(withParameter("{\"min\": 0, \"scale\": \"log\"}")).message, HasSubstr("above 0"));
+    EXPECT_THAT(faultOf(withParameter("{\"scale\": \"square\"}")).message, HasSubstr("\"lin\" or \"log\""));
+    EXPECT_EQ(faultOf(withParameter("{\"fit\": 1}")).place.line, 2);
+}
+
+TEST(StudyJson, RefusesTwoExperimentsOfOneName) {
+    const std::string one = "{\"name\": \"a\", \"role\": \"fit\", \"file\": \"a.csv\", \"time\": \"t\"}";
+    EXPECT_THAT(
+        faultOf("{\"format\": \"analogon-study-1\", \"class\": \"M\", \"experiments\": [" + one + ",\n" + one + "]}")
+            .message,
+        HasSubstr("two experiments named 'a'"));
+}
+
+TEST(JsonPlaces, FindsValuesAndNames) {
+    const auto source =
+        std::make_shared<const Source>("x", "{\"a\": [1, {\"b/c\": \"x,]}\\\"\"}, []], \"d\": {}, \"e\": -1.5e3}");
+    const JsonPlaces places(source);
+    EXPECT_EQ(places.value("/a/0").text(), "1");
+    EXPECT_EQ(places.value("/a/1/b~1c").text(), "\"x,]}\\\"\"");
+    EXPECT_EQ(places.name("/a/1/b~1c").text(), "\"b/c\"");
+    EXPECT_EQ(places.value("/a/2").text(), "[]");
+    EXPECT_EQ(places.value("/d").text(), "{}");
+    EXPECT_EQ(places.value("/e").text(), "-1.5e3");
+    EXPECT_EQ(places.value("/d/missing").text(), "{}");
+    EXPECT_EQ(places.value("").text(), source->text());
+    EXPECT_FALSE(places.name("/a/0").valid());
+}

@@ -1,0 +1,205 @@
+#include "study_fixture.hpp"
+
+using namespace analogon;
+using ::testing::DoubleNear;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class StudyTask : public analogon::testing::StudyTest {
+protected:
+    EstimationTask task() const {
+        Outcome<EstimationTask> result = estimationTask(read());
+        EXPECT_TRUE(result.hasValue()) << format(result.diagnostics());
+        return result ? *result : EstimationTask{};
+    }
+};
+
+TEST_F(StudyTask, HoldsChannelsInTheUnitsOfTheModel) {
+    putHeater();
+    const EstimationTask result = task();
+    EXPECT_EQ(result.className, "Heater");
+    ASSERT_EQ(result.recordings.size(), 1u);
+    const Recording& recording = result.recordings[0];
+    EXPECT_EQ(recording.name, "warm-up");
+    EXPECT_THAT(recording.time, ElementsAre(0, 0.5, 1, 1.5));
+    EXPECT_THAT(recording.inputNames, ElementsAre("u", "T_amb"));
+    EXPECT_NEAR(recording.inputs(0, 3), 2, 1e-12);
+    EXPECT_NEAR(recording.inputs(1, 2), 294.15, 1e-9);
+    EXPECT_THAT(recording.outputNames, ElementsAre("i"));
+    EXPECT_NEAR(recording.outputs(0, 3), 0.667, 1e-12);
+    EXPECT_EQ(recording.weights[0], 1);
+    EXPECT_THAT(result.model->text(), HasSubstr("model Heater"));
+}
+
+TEST_F(StudyTask, KeepsUnusedColumnsThatAreComplete) {
+    putHeater();
+    const EstimationTask result = task();
+    const auto& spares = result.recordings.at(0).spares;
+    ASSERT_EQ(spares.size(), 1u);
+    EXPECT_EQ(spares[0].name, "flow");
+    EXPECT_EQ(spares[0].unit, "l/min");
+    EXPECT_THAT(spares[0].values, ElementsAre(1, 2, 3, 4));
+}
+
+TEST_F(StudyTask, TakesStartBoundsAndScaleOfParameters) {
+    putHeater();
+    change("\"R\": {\"fit\": true, \"min\": 0.1, \"max\": 20.0}",
+           "\"R\": {\"fit\": true, \"value\": 5, \"max\": 20.0}");
+    const EstimationTask result = task();
+    ASSERT_EQ(result.parameters.size(), 2u);
+    const FitParameter& c = result.parameters[0];
+    EXPECT_EQ(c.name, "C");
+    EXPECT_EQ(c.start, 10);
+    EXPECT_EQ(c.min, 1);
+    EXPECT_EQ(c.scale, ParameterScale::Logarithmic);
+    const FitParameter& r = result.parameters[1];
+    EXPECT_EQ(r.start, 5);
+    EXPECT_EQ(r.min, 0);  // of the model
+    EXPECT_EQ(r.max, 20);
+    EXPECT_EQ(r.unit, "Ohm");
+}
+
+TEST_F(StudyTask, SetsWhatIsNotFitted) {
+    putHeater();
+    change("\"C\": {\"fit\": true, \"min\": 1", "\"C\": {\"fit\": false, \"value\": 7, \"min\": 1");
+    const EstimationTask result = task();
+    EXPECT_EQ(result.parameters.size(), 1u);
+    ASSERT_EQ(result.recordings.at(0).starts.size(), 1u);
+    EXPECT_EQ(result.recordings[0].starts[0].parameter, "C");
+    EXPECT_EQ(result.recordings[0].starts[0].value, 7);
+    EXPECT_FALSE(result.recordings[0].starts[0].isFitted);
+}
+
+TEST_F(StudyTask, ReadsStartValuesOfAnExperiment) {
+    putHeater();
+    change("\"outputs\": {\"i\": \"current\"}",
+           "\"outputs\": {\"i\": \"current\"}, \"initial\": {\"T_start\": \"T_air\", \"G\": \"fit\", \"C\": 4}");
+    const EstimationTask result = task();
+    const auto& starts = result.recordings.at(0).starts;
+    ASSERT_EQ(starts.size(), 3u);
+    EXPECT_EQ(starts[0].parameter, "C");
+    EXPECT_EQ(starts[0].value, 4);
+    EXPECT_TRUE(starts[1].isFitted);
+    EXPECT_DOUBLE_EQ(starts[1].value, 0.1);
+    EXPECT_NEAR(starts[2].value, 293.15, 1e-9);
+}
+
+TEST_F(StudyTask, CutsToTheRange) {
+    putHeater();
+    change("\"time\": \"t\"", "\"time\": \"t\", \"range\": [0.4, 1.2]");
+    EXPECT_THAT(task().recordings.at(0).time, ElementsAre(0.5, 1));
+    change("[0.4, 1.2]", "[5, 6]");
+    const Diagnostic fault = taskFault();
+    EXPECT_THAT(fault.message, HasSubstr("fewer than two samples lie between 5 s and 6 s"));
+    EXPECT_EQ(fault.place.line, 5);
+    EXPECT_THAT(fault.hint, HasSubstr("0 s to 1.5 s"));
+}
+
+TEST_F(StudyTask, LeavesBlankCellsOutsideTheRangeAlone) {
+    putHeater();
+    put("train.csv", "t [s],u_heater,T_air,current\n0,,20,0\n1,2,20,1\n2,2,20,1\n");
+    const Diagnostic fault = taskFault();
+    EXPECT_EQ(fault.place.line, 2);
+    EXPECT_EQ(fault.place.column, 3);
+    EXPECT_THAT(fault.hint, HasSubstr("range"));
+    change("\"time\": \"t\"", "\"time\": \"t\", \"range\": [1, 2]");
+    EXPECT_EQ(task().recordings.at(0).time.size(), 2u);
+}
+
+TEST_F(StudyTask, PointsAtAColumnThatIsNotThere) {
+    putHeater();
+    change("u_heater", "u_heatr");
+    const Diagnostic fault = taskFault();
+    EXPECT_EQ(fault.message, "experiment 'warm-up': 'train.csv' has no column 'u_heatr'");
+    EXPECT_EQ(fault.hint, "Did you mean 'u_heater'?");
+    EXPECT_EQ(fault.place.file, (directory_ / "study.json").string());
+    EXPECT_EQ(fault.place.line, 6);
+}
+
+TEST_F(StudyTask, NamesInconvertibleAndUnknownUnits) {
+    putHeater();
+    change("\"u\": \"u_heater\"", "\"u\": \"T_air\"");
+    EXPECT_THAT(taskFault().message, HasSubstr("column 'T_air' is in 'degC', which cannot be converted to the 'V'"));
+    change("\"u\": \"T_air\"", "\"u\": {\"column\": \"u_heater\", \"unit\": \"blorb\"}");
+    const Diagnostic fault = taskFault();
+    EXPECT_THAT(fault.message, HasSubstr("unit 'blorb'"));
+    EXPECT_EQ(fault.place.line, 6);
+}
+
+TEST_F(StudyTask, NamesSignalsThatTheModelDoesNotHave) {
+    putHeater();
+    change("\"T_amb\": \"T_air\"", "\"T_ambient\": \"T_air\"");
+    Diagnostic fault = taskFault();
+    EXPECT_EQ(fault.message, "experiment 'warm-up': the model 'Heater' has no input 'T_ambient'");
+    EXPECT_THAT(fault.hint, HasSubstr("T_amb"));
+    change(", \"T_ambient\": \"T_air\"", "");
+    fault = taskFault();
+    EXPECT_EQ(fault.message, "experiment 'warm-up': the input 'T_amb' of the model has no column");
+    change("\"inputs\": {\"u\": \"u_heater\"}", "\"inputs\": {\"u\": \"u_heater\", \"i\": \"current\"}");
+    EXPECT_THAT(taskFault().hint, HasSubstr("list it under \"outputs\""));
+}
+
+TEST_F(StudyTask, WantsAnOutput) {
+    putHeater();
+    change("{\"i\": \"current\"}", "{}");
+    EXPECT_THAT(taskFault().message, HasSubstr("measures no output"));
+}
+
+TEST_F(StudyTask, NamesParametersThatCannotBeFitted) {
+    putHeater();
+    change("\"C\": {", "\"Cc\": {");
+    Diagnostic fault = taskFault();
+    EXPECT_EQ(fault.message, "the model 'Heater' has no parameter 'Cc'");
+    EXPECT_EQ(fault.place.line, 11);
+    for (const auto& [name, reason] :
+         {std::pair("T", "a variable"), {"k", "declared final"}, {"n", "no real number"}}) {
+        putHeater();
+        change("\"C\": {", std::string("\"") + name + "\": {");
+        EXPECT_THAT(taskFault().message, HasSubstr(reason));
+    }
+    putHeater();
+    change("\"max\": 20.0", "\"max\": 2.0");
+    EXPECT_THAT(taskFault().message, HasSubstr("the start value 3 of 'R' lies outside its bounds 0.1 … 2"));
+}
+
+TEST_F(StudyTask, SuggestsTheClassThatWasMeant) {
+    putHeater();
+    change("\"class\": \"Heater\"", "\"class\": \"Heatr\"");
+    const Diagnostic fault = taskFault();
+    EXPECT_EQ(fault.message, "there is no class 'Heatr' in the models of the study");
+    EXPECT_EQ(fault.hint, "Did you mean 'Heater'?");
+    EXPECT_EQ(fault.place.line, 3);
+}
+
+TEST_F(StudyTask, PassesOnTheFaultsOfTheModel) {
+    putHeater();
+    put("model.mo", "model Heater\n  Reel x;\nequation\n  x = 1;\nend Heater;\n");
+    const Diagnostic fault = taskFault();
+    EXPECT_EQ(fault.place.line, 2);
+    EXPECT_EQ(fault.place.file, (directory_ / "model.mo").string());
+}
+
+TEST_F(StudyTask, UsesBlocksThatLieBeside) {
+    putHeater();
+    put("blocks.mo",
+        "model Base\n  input Real u(unit=\"V\");\n  input Real T_amb(unit=\"K\");\n  output Real i(unit=\"A\");\n"
+        "  parameter Real R = 2;\n  parameter Real C = 3;\nequation\n  i = u/R + 0*T_amb*C;\nend Base;\n");
+    put("model.mo", "model Heater\n  extends Base;\nend Heater;\n");
+    EXPECT_EQ(task().parameters.size(), 2u);
+}
+
+TEST_F(StudyTask, ReadsEveryPublicCase) {
+    const std::filesystem::path cases = ANALOGON_ROOT "/../shared/cases";
+    if (!std::filesystem::exists(cases)) GTEST_SKIP() << "the shared cases are not here";
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(cases)) {
+        if (!entry.is_directory()) continue;
+        const Outcome<Study> study = readStudy(entry.path());
+        ASSERT_TRUE(study.hasValue()) << format(study.diagnostics());
+        const Outcome<EstimationTask> result = estimationTask(*study);
+        ASSERT_TRUE(result.hasValue()) << format(result.diagnostics());
+        EXPECT_EQ(result->recordings.size(), 2u);
+        ++count;
+    }
+    EXPECT_GE(count, 14);
+}

@@ -1,0 +1,383 @@
+#include "ui/window/main_window.hpp"
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QSettings>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QTableView>
+#include <QTest>
+#include <QToolBar>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "core/syntax/parser.hpp"
+#include "ui/canvas/block_item.hpp"
+#include "ui/canvas/diagram_scene.hpp"
+#include "ui/canvas/diagram_view.hpp"
+#include "ui/document/document.hpp"
+#include "ui/effect/result_panel.hpp"
+#include "ui/fit/run_bar.hpp"
+#include "ui/fit/run_controller.hpp"
+#include "ui/inspector/parameter_model.hpp"
+#include "ui/inspector/parameter_panel.hpp"
+#include "ui/measurement/measurement_panel.hpp"
+#include "ui/messages/message_panel.hpp"
+#include "ui/plot/plot_panel.hpp"
+#include "ui/style/style.hpp"
+#include "ui/text/text_view.hpp"
+#include "ui/window/start_page.hpp"
+
+namespace analogon::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A body that is heated by a known power and loses heat to the ambient through a conductor: G (T - T_amb).
+const char* const heatedBody = R"(model HeatedBody "A body that is heated and cools through its mount"
+  Analogon.Interfaces.RealInput power(unit="W") annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
+  Analogon.Interfaces.RealOutput T(unit="K") annotation (Placement(transformation(extent={{90,30},{110,50}})));
+  Analogon.Sources.PrescribedHeatFlow heater annotation (Placement(transformation(extent={{-70,-10},{-50,10}})));
+  Analogon.Thermal.HeatCapacitor body(C=20, T_start=293.15) annotation (Placement(transformation(extent={{-20,0},{0,20}})));
+  Analogon.Thermal.ThermalConductor mount(G=0.05) annotation (Placement(transformation(extent={{20,-10},{40,10}})));
+  Analogon.Sources.FixedTemperature ambient(T=293.15) annotation (Placement(transformation(extent={{80,-10},{60,10}})));
+  Analogon.Sensors.TemperatureSensor sensor annotation (Placement(transformation(extent={{20,30},{40,50}})));
+  // the wires
+equation
+  connect(power, heater.Q_flow) annotation (Line(points={{-90,0},{-70,0}}, color={0,0,127}));
+  connect(heater.port, body.port) annotation (Line(points={{-50,0},{-10,0}}, color={191,0,0}));
+  connect(body.port, mount.port_a) annotation (Line(points={{-10,0},{20,0}}, color={191,0,0}));
+  connect(mount.port_b, ambient.port) annotation (Line(points={{40,0},{60,0}}, color={191,0,0}));
+  connect(body.port, sensor.port) annotation (Line(points={{-10,0},{10,0},{10,40},{20,40}}, color={191,0,0}));
+  connect(sensor.T, T) annotation (Line(points={{40,40},{90,40}}, color={0,0,127}));
+end HeatedBody;
+)";
+
+const char* const studyJsonText = R"({
+  "format": "analogon-study-1",
+  "class": "HeatedBody",
+  "experiments": [
+    {"name": "heating", "role": "fit", "file": "train.csv", "time": "t",
+     "inputs": {"power": "P"}, "outputs": {"T": "T_body"}},
+    {"name": "cycle", "role": "validate", "file": "check.csv", "time": "t",
+     "inputs": {"power": "P"}, "outputs": {"T": "T_body"}}
+  ],
+  "parameters": {
+    "body.C": {"fit": true, "min": 1, "max": 500},
+    "mount.G": {"fit": true, "min": 0.001, "max": 5}
+  }
+})";
+
+/// Integrates C T' = P - G (T - T_amb) - k (T^4 - T_amb^4) with small Euler steps and adds noise of 0.05 K.
+void writeRecording(const fs::path& file, double radiation, double period, unsigned seed) {
+    constexpr double capacity = 30, conductance = 0.08, ambient = 293.15, step = 0.5, end = 1500;
+    std::mt19937 generator(seed);
+    std::normal_distribution<double> noise(0, 0.05);
+    std::ofstream stream(file);
+    stream << "t [s],P [W],T_body [degC],unused [V]\n";
+    const auto power = [period](double t) { return std::fmod(t, period) < 0.6 * period ? 60.0 : 0.0; };
+    double temperature = ambient;
+    for (int i = 0; i * step <= end; ++i) {
+        const double t = i * step;
+        stream << t << ',' << power(t) << ',' << temperature - 273.15 + noise(generator) << ",1\n";
+        constexpr int substeps = 50;
+        for (int k = 0; k < substeps; ++k) {
+            const double between = power(t) + (power(t + step) - power(t)) * (k + 0.5) / substeps;
+            const double loss = conductance * (temperature - ambient) +
+                                radiation * (std::pow(temperature, 4) - std::pow(ambient, 4));
+            temperature += step / substeps * (between - loss) / capacity;
+        }
+    }
+}
+
+fs::path makeStudy(const std::string& name, double radiation, const std::string& model = heatedBody) {
+    const fs::path directory = fs::path(QDir::tempPath().toStdString()) / "analogon-ui-test" / name;
+    fs::remove_all(directory);
+    fs::create_directories(directory);
+    std::ofstream(directory / "study.json") << studyJsonText;
+    std::ofstream(directory / "model.mo") << model;
+    writeRecording(directory / "train.csv", radiation, 700, 1);
+    writeRecording(directory / "check.csv", radiation, 330, 2);
+    return directory;
+}
+
+/// Processes events until it holds; false after the time is up.
+template <class Condition>
+bool waitUntil(Condition condition, int milliseconds = 60000) {
+    return QTest::qWaitFor(condition, milliseconds);
+}
+
+class Window : public testing::Test {
+protected:
+    void SetUp() override {
+        window.resize(1440, 900);
+        window.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    }
+    ~Window() override { QTest::qWait(1); }
+
+    Document& document() { return window.document(); }
+    template <class T>
+    T* panel() const {
+        return window.findChild<T*>();
+    }
+    void open(const fs::path& study) {
+        window.open(QString::fromStdString(study.string()));
+        ASSERT_TRUE(waitUntil([&] { return document().isOpen() && !document().isReading(); }));
+        ASSERT_TRUE(waitUntil([&] { return !document().facts().parameters.empty(); }));
+    }
+    /// Clicks a button of the toolbar, as a user does.
+    void clickTool(const char* action) {
+        auto* bar = window.findChild<QToolBar*>("main");
+        QWidget* button = bar->widgetForAction(window.findChild<QAction*>(action));
+        ASSERT_TRUE(button && button->isEnabled()) << action;
+        QTest::mouseClick(button, Qt::LeftButton);
+    }
+    void run(const char* action) {
+        clickTool(action);
+        ASSERT_TRUE(window.controller().isRunning());
+        ASSERT_TRUE(waitUntil([&] { return !window.controller().isRunning(); }, 180000));
+    }
+    void grab(const std::string& name) {
+        QTest::qWait(30);
+        const QDir pictures(QStringLiteral(ANALOGON_PICTURES));
+        pictures.mkpath(".");
+        ASSERT_TRUE(window.grab().save(pictures.filePath(QString::fromStdString(name + ".png"))));
+    }
+
+    MainWindow window;
+};
+
+TEST_F(Window, OffersExamplesWhileNothingIsOpen) {
+    EXPECT_FALSE(document().isOpen());
+    auto* start = panel<StartPage>();
+    ASSERT_TRUE(start && start->isVisible());
+    EXPECT_FALSE(window.findChild<QAction*>("fit")->isEnabled());
+    const auto examples = findExamples();
+    ASSERT_FALSE(examples.empty());
+    QAbstractButton* first = nullptr;
+    for (QAbstractButton* b : start->findChildren<QAbstractButton*>())
+        if (b->text() == examples.front().title) first = b;
+    ASSERT_TRUE(first) << "each example is a button";
+    grab("start-page");
+    QTest::mouseClick(first, Qt::LeftButton);
+    EXPECT_TRUE(waitUntil([&] { return document().isOpen(); }));
+    EXPECT_FALSE(start->isVisible());
+}
+
+TEST_F(Window, ShowsWhyAStudyCannotBeRead) {
+    window.open("/nowhere/at/all");
+    ASSERT_TRUE(waitUntil([&] { return !document().isReading() && !document().messages().empty(); }));
+    EXPECT_FALSE(document().isOpen());
+    bool isTold = false;
+    for (QLabel* label : panel<StartPage>()->findChildren<QLabel*>())
+        isTold = isTold || (label->isVisible() && label->text().contains("/nowhere/at/all"));
+    EXPECT_TRUE(isTold);
+}
+
+TEST_F(Window, DrawsTheDiagramAndListsParametersAndChannels) {
+    open(makeStudy("plain", 0));
+    auto* scene = panel<DiagramScene>();
+    for (const char* name : {"power", "T", "heater", "body", "mount", "ambient", "sensor"})
+        EXPECT_TRUE(scene->block(name)) << name;
+    ParameterModel* parameters = panel<ParameterPanel>()->model();
+    ASSERT_GE(parameters->rowOf("mount.G"), 0);
+    const auto text = [&](const char* name, int column) {
+        return parameters->index(parameters->rowOf(name), column).data().toString();
+    };
+    EXPECT_EQ(text("mount.G", ParameterModel::Value), "0.05");
+    EXPECT_EQ(text("mount.G", ParameterModel::Unit), "W/K");
+    EXPECT_EQ(text("mount.G", ParameterModel::Max), "5");
+    QTreeWidget* tree = panel<MeasurementPanel>()->tree();
+    ASSERT_EQ(tree->topLevelItemCount(), 2);
+    EXPECT_EQ(tree->topLevelItem(0)->text(0), "heating");
+    EXPECT_EQ(tree->topLevelItem(1)->text(1), "validate");
+    EXPECT_FALSE(tree->findItems("T_body  [degC]", Qt::MatchExactly | Qt::MatchRecursive, 1).isEmpty());
+    EXPECT_FALSE(tree->findItems("not used", Qt::MatchExactly | Qt::MatchRecursive, 0).isEmpty());
+
+    // The model as it stands is simulated without being asked.
+    ASSERT_TRUE(waitUntil([&] { return !panel<PlotPanel>()->plots().empty(); }));
+    EXPECT_TRUE(panel<PlotPanel>()->plots().front()->legendText(TraceRole::Before).startsWith("simulated"));
+    grab("opened");
+}
+
+TEST_F(Window, FollowsTheBlockThatIsClicked) {
+    open(makeStudy("plain", 0));
+    auto* scene = panel<DiagramScene>();
+    auto* view = panel<DiagramView>();
+    QTest::qWait(50);
+    const QPoint at = view->mapFromScene(scene->block("mount")->body().center());
+    QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, at);
+    EXPECT_EQ(scene->selectedBlock(), "mount");
+    ParameterModel* parameters = panel<ParameterPanel>()->model();
+    EXPECT_EQ(parameters->rowCount(), 1);
+    EXPECT_EQ(parameters->rowOf("mount.G"), 0);
+    QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, QPoint(5, 5));
+    EXPECT_TRUE(scene->selectedBlock().isEmpty());
+    EXPECT_GT(parameters->rowCount(), 1);
+}
+
+TEST_F(Window, ZoomsAboutThePointerAndFitsAgainWithSpace) {
+    open(makeStudy("plain", 0));
+    auto* view = panel<DiagramView>();
+    QTest::qWait(50);
+    const double fitted = view->zoom();
+    const QPoint pointer(200, 120);
+    const QPointF under = view->mapToScene(pointer);
+    QWheelEvent wheel(pointer, view->viewport()->mapToGlobal(pointer), {}, QPoint(0, 240), Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(view->viewport(), &wheel);
+    EXPECT_GT(view->zoom(), 1.2 * fitted);
+    EXPECT_NEAR(view->mapToScene(pointer).x(), under.x(), 1.5);
+    view->setFocus();
+    QTest::keyClick(view, Qt::Key_Space);
+    EXPECT_NEAR(view->zoom(), fitted, 1e-6);
+}
+
+TEST_F(Window, EditsOfParametersAreEditsOfTheTextAndCanBeUndone) {
+    open(makeStudy("plain", 0));
+    const QString original = document().modelText();
+    QTableView* table = panel<ParameterPanel>()->table();
+    ParameterModel* parameters = panel<ParameterPanel>()->model();
+    const auto edit = [&](const char* name, int column, const char* typed) {
+        const QModelIndex index = parameters->index(parameters->rowOf(name), column);
+        table->setCurrentIndex(index);
+        table->edit(index);
+        auto* editor = table->findChild<QLineEdit*>();
+        ASSERT_TRUE(editor);
+        editor->selectAll();
+        QTest::keyClicks(editor, typed);
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTest::qWait(10);
+    };
+    edit("mount.G", ParameterModel::Value, "0.125");
+    EXPECT_TRUE(document().modelText().contains("mount(G=0.125)"));
+    EXPECT_TRUE(document().modelText().contains("// the wires"));
+    edit("mount.G", ParameterModel::Value, "nonsense");
+    EXPECT_TRUE(document().modelText().contains("mount(G=0.125)")) << "what is no number changes nothing";
+    edit("mount.G", ParameterModel::Max, "2");
+    EXPECT_EQ(document().study().parameters.at("mount.G").max, 2.0);
+    const QModelIndex check = parameters->index(parameters->rowOf("body.C"), ParameterModel::Name);
+    EXPECT_TRUE(parameters->setData(check, Qt::Unchecked, Qt::CheckStateRole));
+    EXPECT_FALSE(document().study().parameters.at("body.C").fit);
+    EXPECT_TRUE(window.isWindowModified());
+
+    for (int i = 0; i < 3; ++i) QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(document().modelText(), original) << "byte for byte";
+    EXPECT_EQ(document().study().parameters.at("mount.G").max, 5.0);
+    EXPECT_TRUE(document().study().parameters.at("body.C").fit);
+    EXPECT_FALSE(window.isWindowModified());
+}
+
+TEST_F(Window, FitsFromTheToolbarAndShowsErrorsAndStandardErrors) {
+    open(makeStudy("plain", 0));
+    ASSERT_TRUE(waitUntil([&] { return document().before() != nullptr; }));
+    const double errorBefore = document().before()->experiments.front().errorPercent;
+    run("fit");
+    ASSERT_TRUE(document().after()) << (document().messages().empty() ? "" : document().messages().front().diagnostic.message);
+    EXPECT_LT(document().after()->experiments.front().errorPercent, 0.3 * errorBefore);
+    ParameterModel* parameters = panel<ParameterPanel>()->model();
+    const QString result =
+        parameters->index(parameters->rowOf("mount.G"), ParameterModel::Result).data().toString();
+    EXPECT_TRUE(result.contains("±")) << result.toStdString();
+    EXPECT_NEAR(result.section(' ', 0, 0).toDouble(), 0.08, 0.004);
+    const OutputPlot& plot = *panel<PlotPanel>()->plots().front();
+    EXPECT_TRUE(plot.legendText(TraceRole::Before).startsWith("before"));
+    EXPECT_TRUE(plot.legendText(TraceRole::After).startsWith("after"));
+    EXPECT_TRUE(plot.legendText(TraceRole::After).endsWith("%"));
+    grab("fitted");
+}
+
+TEST_F(Window, FindsTheMissingEffectAndShowsItOnTheDiagram) {
+    open(makeStudy("radiating", 3e-9));
+    const QString original = document().modelText();
+    run("discover");
+    ASSERT_TRUE(document().finding()) << (document().messages().empty() ? "" : document().messages().front().diagnostic.message);
+    ASSERT_FALSE(document().finding()->effects.empty());
+    const AddedEffect& effect = document().finding()->effects.front();
+    EXPECT_EQ(effect.kind, "thermal.radiation");
+    BlockItem* item = panel<DiagramScene>()->block(effect.instance);
+    ASSERT_TRUE(item) << "the effect is a block of the diagram";
+    EXPECT_TRUE(item->isMarked());
+    EXPECT_TRUE(document().modelText().contains(QString::fromStdString(effect.className)));
+    EXPECT_TRUE(panel<ResultPanel>()->headline().contains(QString::fromStdString(effect.at)));
+    ASSERT_TRUE(panel<ResultPanel>()->candidates());
+    EXPECT_FALSE(panel<ResultPanel>()->candidates()->findItems("chosen", Qt::MatchExactly, 4).isEmpty());
+    ASSERT_TRUE(panel<ResultPanel>()->comparison());
+    EXPECT_EQ(panel<ResultPanel>()->comparison()->topLevelItemCount(), 2);
+    grab("discovered");
+
+    QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(document().modelText(), original) << "taken back byte for byte";
+    EXPECT_FALSE(panel<DiagramScene>()->block(effect.instance));
+    QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_TRUE(panel<DiagramScene>()->block(effect.instance));
+}
+
+TEST_F(Window, CancelStopsTheSearchSoonAndKeepsTheStudy) {
+    open(makeStudy("radiating", 3e-9));
+    const QString original = document().modelText();
+    clickTool("discover");
+    ASSERT_TRUE(window.controller().isRunning());
+    QToolButton* cancel = panel<RunBar>()->cancelButton();
+    ASSERT_TRUE(waitUntil([&] { return cancel->isVisible(); }, 2000));
+    QTest::qWait(100);
+    grab("running");
+    QElapsedTimer timer;
+    timer.start();
+    QTest::mouseClick(cancel, Qt::LeftButton);
+    ASSERT_TRUE(waitUntil([&] { return !window.controller().isRunning(); }, 10000));
+    EXPECT_LT(timer.elapsed(), 2000);
+    if (!document().isResultAdopted()) EXPECT_EQ(document().modelText(), original);
+    EXPECT_TRUE(window.findChild<QAction*>("discover")->isEnabled());
+}
+
+TEST_F(Window, DropsTheResultOfAStudyThatWasChangedDuringTheRun) {
+    open(makeStudy("radiating", 3e-9));
+    clickTool("discover");
+    StudyParameter changed = document().study().parameters.at("mount.G");
+    changed.max = 3;
+    document().setStudyParameter("mount.G", changed, "Set the bound");
+    ASSERT_TRUE(waitUntil([&] { return !window.controller().isRunning(); }, 180000));
+    EXPECT_EQ(document().finding(), nullptr);
+}
+
+TEST_F(Window, LeadsFromAMessageToItsPlaceInTheText) {
+    std::string broken = heatedBody;
+    broken.replace(broken.find("mount(G="), 8, "mount(Gg=");
+    window.open(QString::fromStdString(makeStudy("broken", 0, broken).string()));
+    QListWidget* list = panel<MessagePanel>()->list();
+    ASSERT_TRUE(waitUntil([&] { return document().isOpen() && list->count() > 0; }));
+    EXPECT_TRUE(list->item(0)->text().contains("Gg")) << list->item(0)->text().toStdString();
+    grab("broken-model");
+    const QRect item = list->visualItemRect(list->item(0));
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, item.center());
+    auto* text = panel<TextView>();
+    EXPECT_TRUE(text->isVisible());
+    EXPECT_EQ(text->textCursor().blockNumber() + 1, document().messages().front().diagnostic.place.line);
+}
+
+TEST_F(Window, ShowsEverythingInTheDarkThemeToo) {
+    style::apply(*qApp, style::Theme::Dark);
+    open(makeStudy("radiating", 3e-9));
+    run("discover");
+    grab("discovered-dark");
+    const QImage picture = window.grab().toImage();
+    // Neither the diagram nor the traces keep a white sheet.
+    const auto at = [&](QWidget* w) { return picture.pixelColor(w->mapTo(&window, QPoint(4, w->height() - 4))); };
+    EXPECT_LT(at(panel<DiagramView>()->viewport()).lightness(), 60);
+    EXPECT_LT(at(panel<PlotPanel>()->plots().front()->values()).lightness(), 60);
+    style::apply(*qApp, style::Theme::Light);
+}
+
+}  // namespace
+}  // namespace analogon::ui

@@ -1,0 +1,203 @@
+#include "ui/canvas/block_item.hpp"
+
+#include <QGraphicsScene>
+#include <QGraphicsSceneHoverEvent>
+#include <QPainter>
+#include <QStyleOptionGraphicsItem>
+#include <cmath>
+
+#include "ui/canvas/icon_painter.hpp"
+#include "ui/style/style.hpp"
+
+namespace analogon::ui {
+
+namespace {
+
+constexpr double outlineGap = 3;  // [diagram units] between a block and the outline around it
+
+QRectF coordinatesRect(const Extent& e) {
+    return QRectF(QPointF(e.p1.x, e.p1.y), QPointF(e.p2.x, e.p2.y)).normalized();
+}
+
+}  // namespace
+
+/// The label of a found effect: readable at every zoom.
+class BlockItem::EffectLabel : public QGraphicsItem {
+public:
+    EffectLabel(QGraphicsItem* parent, QString text) : QGraphicsItem(parent), text_(std::move(text)) {
+        setFlag(ItemIgnoresTransformations);
+        setZValue(10);
+        setAcceptedMouseButtons(Qt::NoButton);
+    }
+    const QString& text() const { return text_; }
+    QRectF boundingRect() const override {
+        const QFontMetricsF metrics(font());
+        const double width = metrics.horizontalAdvance(text_) + 20, height = metrics.height() + 8;
+        return {-width / 2, -height - 4, width, height};
+    }
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget* widget) override {
+        const QPalette palette = widget ? widget->palette() : QPalette();
+        const QRectF box = boundingRect();
+        painter->setRenderHint(QPainter::Antialiasing);
+        painter->setPen(Qt::NoPen);
+        painter->setBrush(style::accent(palette));
+        painter->drawRoundedRect(box, box.height() / 2, box.height() / 2);
+        painter->setFont(font());
+        painter->setPen(palette.color(QPalette::Active, QPalette::HighlightedText));
+        painter->drawText(box, Qt::AlignCenter, text_);
+    }
+
+private:
+    QFont font() const {
+        QFont f = scene() ? scene()->font() : QFont();
+        f.setPointSizeF(f.pointSizeF() * 0.95);
+        f.setWeight(QFont::DemiBold);
+        return f;
+    }
+    QString text_;
+};
+
+BlockItem::BlockItem(const Block& block) : block_(block) {
+    transform_ = toScene(block_.placement, block_.icon.coordinates);
+    body_ = transform_.mapRect(coordinatesRect(block_.icon.coordinates));
+    for (const Port& port : block_.ports) {
+        // The port's own icon stands in the block's icon, which stands in the diagram.
+        const Extent& e = port.icon.coordinates;
+        const QPolygonF from{QVector<QPointF>{{e.p1.x, e.p1.y}, {e.p2.x, e.p1.y}, {e.p2.x, e.p2.y}, {e.p1.x, e.p2.y}}};
+        QPolygonF to;
+        for (const QPointF& corner : from) {
+            const Point inIcon = map(port.placement, e, {corner.x(), corner.y()});
+            to << transform_.map(QPointF(inIcon.x, inIcon.y));
+        }
+        PortShape shape{&port, {}, to.boundingRect()};
+        QTransform::quadToQuad(from, to, shape.transform);
+        ports_.push_back(shape);
+    }
+    bounds_ = body_ | boundsOf(block_.icon.primitives, transform_);
+    for (const PortShape& port : ports_) bounds_ |= port.rect;
+    bounds_.adjust(-outlineGap - 2, -outlineGap - 2, outlineGap + 2, outlineGap + 2);
+    // A name that is longer than its icon overhangs on both sides.
+    const double overhang = std::max(0.0, 3.0 * static_cast<double>(block_.name.size()) - bounds_.width()) / 2;
+    bounds_.adjust(-overhang, 0, overhang, 0);
+    setFlag(ItemIsSelectable);
+    setAcceptHoverEvents(true);
+    setZValue(1);
+}
+
+void BlockItem::setEffect(const QString& label) {
+    delete label_;
+    label_ = nullptr;
+    if (!label.isEmpty()) {
+        label_ = new EffectLabel(this, label);
+        label_->setPos(body_.center().x(), body_.top() - outlineGap);
+    }
+    setZValue(label_ ? 2 : 1);
+    update();
+}
+
+QString BlockItem::effectLabel() const { return label_ ? label_->text() : QString(); }
+
+QPainterPath BlockItem::shape() const {
+    QPainterPath path;
+    path.addRect(body_);
+    for (const PortShape& port : ports_) path.addRect(port.rect);
+    return path;
+}
+
+QString BlockItem::macro(const QString& name) const {
+    if (name == "name") return QString::fromStdString(block_.name);
+    if (name == "class") return QString::fromStdString(block_.className).section('.', -1);
+    for (const auto& [parameter, text] : block_.parameters)
+        if (name == QString::fromStdString(parameter)) return QString::fromStdString(text);
+    return name;
+}
+
+void BlockItem::paintUnresolved(QPainter& painter, const QPalette& palette) const {
+    painter.setPen(QPen(style::fault(palette), 0.6, Qt::DashLine));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(body_, 1, 1);
+    Primitive name;
+    name.kind = Primitive::Kind::Text;
+    name.text = "%name";
+    name.extent = {{-150, -110}, {150, -150}};
+    paintPrimitives(painter, {name}, transform_, [this](const QString& m) { return macro(m); }, palette);
+}
+
+void BlockItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) {
+    const QPalette palette = widget ? widget->palette() : QPalette();
+    painter->setRenderHint(QPainter::Antialiasing);
+    const QColor accent = style::accent(palette);
+    const QRectF around = body_.adjusted(-outlineGap, -outlineGap, outlineGap, outlineGap);
+    const double pixel = 1.0 / std::max(0.01, std::sqrt(std::abs(painter->worldTransform().determinant())));
+    const bool isSelected = option->state & QStyle::State_Selected;
+    if (label_) {
+        QColor tint = accent;
+        tint.setAlphaF(0.14f);
+        painter->setPen(QPen(accent, 2 * pixel));
+        painter->setBrush(tint);
+        painter->drawRoundedRect(around, 2, 2);
+    } else if (isSelected || isHovered_) {
+        QColor tint = accent;
+        tint.setAlphaF(isSelected ? 0.12f : 0.06f);
+        painter->setPen(isSelected ? QPen(accent, 1.5 * pixel) : QPen(Qt::NoPen));
+        painter->setBrush(tint);
+        painter->drawRoundedRect(around, 2, 2);
+    }
+    if (!block_.isResolved) return paintUnresolved(*painter, palette);
+    const auto macros = [this](const QString& name) { return macro(name); };
+    paintPrimitives(*painter, block_.icon.primitives, transform_, macros, palette);
+    for (const PortShape& port : ports_) {
+        // A port is a place to connect to; its name would only clutter the block.
+        std::vector<Primitive> shapes;
+        for (const Primitive& p : port.port->icon.primitives)
+            if (p.kind != Primitive::Kind::Text) shapes.push_back(p);
+        paintPrimitives(*painter, shapes, port.transform, macros, palette);
+        if (&port == hovered_) {
+            painter->setPen(QPen(accent, 2 * pixel));
+            painter->setBrush(Qt::NoBrush);
+            painter->drawEllipse(port.rect.center(), port.rect.width() * 0.9, port.rect.height() * 0.9);
+        }
+    }
+}
+
+const BlockItem::PortShape* BlockItem::portAt(QPointF at) const {
+    for (const PortShape& port : ports_)
+        if (port.rect.adjusted(-1, -1, 1, 1).contains(at)) return &port;
+    return nullptr;
+}
+
+QString BlockItem::tooltip(const PortShape* port) const {
+    const auto text = [](const std::string& s) { return QString::fromStdString(s).toHtmlEscaped(); };
+    if (port) {
+        QString tip = QStringLiteral("<b>%1.%2</b><br>%3")
+                          .arg(text(block_.name), text(port->port->name), text(port->port->className));
+        if (!port->port->description.empty()) tip += "<br>" + text(port->port->description);
+        return tip;
+    }
+    QString tip = QStringLiteral("<b>%1</b><br>%2").arg(text(block_.name), text(block_.className));
+    if (!block_.isResolved) tip += "<br>This class is not known.";
+    if (!block_.description.empty()) tip += "<br>" + text(block_.description);
+    for (const auto& [name, value] : block_.parameters) tip += "<br>" + text(name) + " = " + text(value);
+    return tip;
+}
+
+void BlockItem::hoverEnterEvent(QGraphicsSceneHoverEvent* event) {
+    isHovered_ = true;
+    hoverMoveEvent(event);
+    update();
+}
+
+void BlockItem::hoverMoveEvent(QGraphicsSceneHoverEvent* event) {
+    const PortShape* port = portAt(event->pos());
+    if (port != hovered_) update();
+    hovered_ = port;
+    setToolTip(tooltip(port));
+}
+
+void BlockItem::hoverLeaveEvent(QGraphicsSceneHoverEvent*) {
+    isHovered_ = false;
+    hovered_ = nullptr;
+    update();
+}
+
+}  // namespace analogon::ui

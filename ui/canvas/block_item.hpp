@@ -1,0 +1,55 @@
+#pragma once
+
+#include <QGraphicsItem>
+#include <QTransform>
+
+#include "core/diagram/diagram.hpp"
+
+namespace analogon::ui {
+
+/// A block of the diagram, or a top-level connector: its icon, its ports, its name.
+class BlockItem : public QGraphicsItem {
+public:
+    enum { Type = UserType + 1 };
+    explicit BlockItem(const Block& block);
+
+    const Block& block() const { return block_; }
+    /// Marks a block that was found to be missing: outline and label in the accent colour.
+    void setEffect(const QString& label);
+    bool isMarked() const { return label_ != nullptr; }
+    QString effectLabel() const;
+    /// The body without texts and outline.
+    QRectF body() const { return body_; }
+
+    int type() const override { return Type; }
+    QRectF boundingRect() const override { return bounds_; }
+    QPainterPath shape() const override;
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+protected:
+    void hoverEnterEvent(QGraphicsSceneHoverEvent* event) override;
+    void hoverMoveEvent(QGraphicsSceneHoverEvent* event) override;
+    void hoverLeaveEvent(QGraphicsSceneHoverEvent* event) override;
+
+private:
+    class EffectLabel;
+    struct PortShape {
+        const Port* port;
+        QTransform transform;
+        QRectF rect;
+    };
+    void paintUnresolved(QPainter& painter, const QPalette& palette) const;
+    QString tooltip(const PortShape* port) const;
+    QString macro(const QString& name) const;
+    const PortShape* portAt(QPointF at) const;
+
+    Block block_;
+    QTransform transform_;
+    QRectF body_, bounds_;
+    std::vector<PortShape> ports_;
+    const PortShape* hovered_{};
+    EffectLabel* label_{};
+    bool isHovered_{};
+};
+
+}  // namespace analogon::ui

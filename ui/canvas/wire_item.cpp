@@ -1,0 +1,72 @@
+#include "ui/canvas/wire_item.hpp"
+
+#include <QPainter>
+#include <QPainterPathStroker>
+#include <QStyleOptionGraphicsItem>
+#include <QWidget>
+#include <cmath>
+
+#include "ui/canvas/icon_painter.hpp"
+#include "ui/style/style.hpp"
+
+namespace analogon::ui {
+
+WireItem::WireItem(const Wire& wire) : wire_(wire) {
+    for (std::size_t i = 0; i < wire_.points.size(); ++i) {
+        const QPointF p = toScene(wire_.points[i]);
+        if (i == 0)
+            path_.moveTo(p);
+        else
+            path_.lineTo(p);
+    }
+    setFlag(ItemIsSelectable);
+    setAcceptHoverEvents(true);
+    const auto text = [](const std::string& s) { return QString::fromStdString(s).toHtmlEscaped(); };
+    setToolTip(QStringLiteral("%1 – %2").arg(text(wire_.from), text(wire_.to)));
+}
+
+void WireItem::setMarked(bool marked) {
+    isMarked_ = marked;
+    setZValue(marked ? 0.5 : 0);
+    update();
+}
+
+void WireItem::setJunctions(std::vector<QPointF> junctions) {
+    junctions_ = std::move(junctions);
+    update();
+}
+
+QRectF WireItem::boundingRect() const { return path_.boundingRect().adjusted(-3, -3, 3, 3); }
+
+QPainterPath WireItem::shape() const {
+    QPainterPathStroker stroker;
+    stroker.setWidth(4);
+    return stroker.createStroke(path_);
+}
+
+void WireItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) {
+    const QPalette palette = widget ? widget->palette() : QPalette();
+    painter->setRenderHint(QPainter::Antialiasing);
+    const double pixel = 1.0 / std::max(0.01, std::sqrt(std::abs(painter->worldTransform().determinant())));
+    const bool isStrong = isMarked_ || isHovered_ || (option->state & QStyle::State_Selected);
+    const QColor colour = isStrong ? style::accent(palette) : style::onCanvas(toColour(wire_.colour), palette);
+    const double width = std::max(wire_.thickness * 1.6, (isStrong ? 2.2 : 1.3) * pixel);
+    painter->setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter->setBrush(Qt::NoBrush);
+    painter->drawPath(path_);
+    painter->setPen(Qt::NoPen);
+    painter->setBrush(colour);
+    for (const QPointF& p : junctions_) painter->drawEllipse(p, 1.1 + width / 4, 1.1 + width / 4);
+}
+
+void WireItem::hoverEnterEvent(QGraphicsSceneHoverEvent*) {
+    isHovered_ = true;
+    update();
+}
+
+void WireItem::hoverLeaveEvent(QGraphicsSceneHoverEvent*) {
+    isHovered_ = false;
+    update();
+}
+
+}  // namespace analogon::ui

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "core/diagram/diagram.hpp"
+#include "core/diagram/edit.hpp"
+#include "core/study/run.hpp"
+#include "ui/document/model_facts.hpp"
+#include "ui/job/job.hpp"
+
+namespace analogon::ui {
+
+enum class RunKind { Simulate, Fit, Discover };
+
+/// A message with the part of the work it came from; opening a study or changing the model replaces its own.
+struct Message {
+    enum class Origin { Study, Model, Run };
+    Origin origin{Origin::Study};
+    Diagnostic diagnostic;
+};
+
+/// What the screen shows: one study, the picture of its model, and what was found. The only owner of state.
+/// The model's text is the truth: the diagram is read from it after every change, and each change is an
+/// undoable edit with its exact inverse.
+class Document : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Document(QObject* parent = nullptr);
+    ~Document() override;
+
+    /// Reads a study in the background: a directory, its study.json or an archive.
+    void open(const QString& path);
+    bool isOpen() const { return study_.has_value(); }
+    bool isReading() const { return reader_.isBusy(); }
+
+    const Study& study() const { return *study_; }
+    QString title() const;
+    QString modelText() const;
+    const Library& library() const { return library_; }
+    const Diagram& diagram() const { return diagram_; }
+    const ModelFacts& facts() const { return facts_; }
+    /// Definition of the composed model; null when its text does not parse.
+    const syntax::ClassDefinition* definition() const;
+    QUndoStack& undoStack() { return undo_; }
+    /// Counts every change of the study; results of an older revision are stale.
+    unsigned long revision() const { return revision_; }
+
+    // Changes, each undoable.
+    void applyEdit(syntax::TextEdit edit);
+    /// The value a run starts from: the study's own when it has one, else the text of the model.
+    void setParameterValue(const std::string& name, double value);
+    void setStudyParameter(const std::string& name, const StudyParameter& parameter, const QString& what);
+    /// Takes a run's completed study over: effects wired in, fitted values.
+    void adoptCompleted(const QString& what);
+
+    std::optional<double> parameterValue(const std::string& name) const;
+
+    // Results. They are kept while the study moves on; isResultStale() tells.
+    void setSimulated(ModelState state);  // the model as it stands
+    void setResult(RunKind kind, RunResult result, const Study& ranOn);
+    const Finding* finding() const { return result_ ? &result_->finding : nullptr; }
+    const RunResult* result() const { return result_.get(); }
+    RunKind resultKind() const { return resultKind_; }
+    bool isResultStale() const;
+    /// The completed study is the current one.
+    bool isResultAdopted() const;
+    /// Traces to show: as it stood before, and with what was found (null: there is none).
+    const ModelState* before() const;
+    const ModelState* after() const;
+
+    void setRunMessages(Diagnostics messages);
+    const std::vector<Message>& messages() const { return messages_; }
+
+Q_SIGNALS:
+    void readingChanged();
+    void opened();        // another study; everything below has changed
+    void modelChanged();  // text and diagram
+    void factsChanged();
+    void parametersChanged();  // the study's own settings of parameters
+    void resultChanged();
+    void messagesChanged();
+
+private:
+    friend class TextCommand;
+    friend class StudyCommand;
+    struct Opened;
+    void show(Opened opened);
+    void readModel();  // library and diagram from the texts
+    void modelTextChanged();
+    void setMessages(Message::Origin origin, const Diagnostics& diagnostics);
+
+    std::optional<Study> study_;
+    Library library_;
+    Diagram diagram_;
+    ModelFacts facts_;
+    Diagnostics modelFaults_;  // found while reading the diagram
+    std::optional<ModelState> simulated_;
+    std::unique_ptr<RunResult> result_;
+    std::optional<Study> resultStudy_;  // the study the result was computed for
+    std::optional<ModelState> beforeFit_;
+    RunKind resultKind_{RunKind::Simulate};
+    std::vector<Message> messages_;
+    unsigned long revision_{};
+    QUndoStack undo_;
+    JobRunner reader_;
+    JobRunner analyser_;
+};
+
+}  // namespace analogon::ui

@@ -1,0 +1,28 @@
+#include "ui/document/model_facts.hpp"
+
+#include "core/flat/flat_model.hpp"
+
+namespace analogon::ui {
+
+ModelFacts modelFacts(const Study& study) {
+    ModelFacts facts;
+    const Outcome<Library> library = studyLibrary(study);
+    facts.messages = library.diagnostics();
+    if (!library) return facts;
+    const Outcome<FlatModel> flat = flatten(*library, study.className);
+    facts.messages.insert(facts.messages.end(), flat.diagnostics().begin(), flat.diagnostics().end());
+    if (!flat) return facts;
+    for (std::size_t i = 0; i < flat->variables.size(); ++i) {
+        const FlatVariable& v = flat->variables[i];
+        if (v.causality == FlatCausality::Input) facts.inputs.push_back({v.name, v.unit, v.description});
+        if (v.causality == FlatCausality::Output) facts.outputs.push_back({v.name, v.unit, v.description});
+        const bool isListed = v.variability == FlatVariability::Parameter && v.type == FlatType::Real && !v.isFinal &&
+                              !v.isProtected;
+        if (!isListed) continue;
+        const auto value = flat->parameterValue(VariableId{static_cast<std::uint32_t>(i)});
+        facts.parameters.push_back({v.name, v.unit, v.description, value, v.min, v.max});
+    }
+    return facts;
+}
+
+}  // namespace analogon::ui

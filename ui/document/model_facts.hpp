@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/diagnostic.hpp"
+#include "core/study/study.hpp"
+
+namespace analogon::ui {
+
+/// A parameter of the flat model, as the inspector lists it.
+struct ParameterFact {
+    std::string name;  // "heater.R"
+    std::string unit;
+    std::string description;
+    std::optional<double> value;  // the model's own
+    std::optional<double> min, max;
+};
+
+struct SignalFact {
+    std::string name;
+    std::string unit;
+    std::string description;
+};
+
+/// What the lists need to know of a study's model; empty lists when it cannot be flattened.
+struct ModelFacts {
+    std::vector<ParameterFact> parameters;
+    std::vector<SignalFact> inputs, outputs;
+    Diagnostics messages;
+};
+
+ModelFacts modelFacts(const Study& study);
+
+}  // namespace analogon::ui

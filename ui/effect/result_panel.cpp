@@ -1,0 +1,326 @@
+#include "ui/effect/result_panel.hpp"
+
+#include <QFrame>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/document/document.hpp"
+#include "ui/inspector/parameter_model.hpp"
+#include "ui/style/style.hpp"
+
+namespace analogon::ui {
+
+namespace {
+
+QString text(const std::string& s) { return QString::fromStdString(s); }
+
+QString percent(double value) {
+    if (!std::isfinite(value)) return QStringLiteral("–");
+    return QStringLiteral("%1 %").arg(value, 0, 'f', std::abs(value) < 9.995 ? 2 : 1);
+}
+
+/// A table that is as high as its rows and scrolls with the page.
+QTreeWidget* makeTable(const QStringList& headers, QWidget* parent) {
+    auto* table = new QTreeWidget(parent);
+    table->setHeaderLabels(headers);
+    table->setRootIsDecorated(false);
+    table->setFrameShape(QFrame::NoFrame);
+    table->setSelectionMode(QAbstractItemView::NoSelection);
+    table->setFocusPolicy(Qt::NoFocus);
+    table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    table->setUniformRowHeights(true);
+    table->header()->setStretchLastSection(false);
+    table->header()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    return table;
+}
+
+void fitHeight(QTreeWidget* table) {
+    const int row = table->topLevelItemCount() > 0 ? table->visualItemRect(table->topLevelItem(0)).height()
+                                                   : table->fontMetrics().height() + 4;
+    const int height = std::max(row, table->fontMetrics().height() + 4) * table->topLevelItemCount() +
+                       table->header()->sizeHint().height() + 4;
+    table->setFixedHeight(height);
+}
+
+void alignRight(QTreeWidgetItem* item, std::initializer_list<int> columns) {
+    for (const int c : columns) item->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
+}
+
+QString joined(const std::vector<std::string>& names) {
+    QStringList list;
+    for (const std::string& n : names) list << text(n);
+    return list.join(", ");
+}
+
+struct Headline {
+    QString title, sentence;
+    QColor colour;
+};
+
+Headline headlineOf(const Finding& finding, RunKind kind, const QPalette& palette) {
+    const auto tr = [](const char* s) { return ResultPanel::tr(s); };
+    if (kind == RunKind::Fit) {
+        const bool converged = finding.final.status == FitStatus::Converged;
+        const QString message = text(finding.final.message);
+        if (finding.interrupted || finding.final.status == FitStatus::Cancelled)
+            return {tr("Fit stopped"), tr("The best parameters so far are shown."), style::caution(palette)};
+        return {converged ? tr("Parameters fitted") : tr("Fit did not converge"), message,
+                converged ? style::good(palette) : style::caution(palette)};
+    }
+    if (finding.interrupted)
+        return {tr("Search stopped"), tr("What was found until then is shown; the rest was not tried."),
+                style::caution(palette)};
+    const QString found = finding.effects.empty()       ? QString()
+                          : finding.effects.size() == 1 ? effectTitle(finding.effects.front())
+                                                        : tr("%1 effects").arg(finding.effects.size());
+    switch (finding.kind) {
+        case FindingKind::Adequate:
+            return {tr("The model is adequate"), tr("What is left between model and measurement is noise. Nothing was added."),
+                    style::good(palette)};
+        case FindingKind::Effect:
+            return {found, tr("Added to the model and refitted. What is left is noise."), style::good(palette)};
+        case FindingKind::Partial:
+            return {found, tr("Added to the model and refitted. Some structure remains that no candidate explains."),
+                    style::caution(palette)};
+        case FindingKind::Unexplained: break;
+    }
+    return {tr("Unexplained structure"), tr("The residual is not noise, and no effect of the library explains it."),
+            style::caution(palette)};
+}
+
+QString verdictTip(const CandidateResult& candidate) {
+    switch (candidate.verdict) {
+        case Verdict::Absorbed:
+            return ResultPanel::tr("The data cannot show it: it only shifts %1").arg(joined(candidate.absorbedBy));
+        case Verdict::Equivalent: return ResultPanel::tr("This data cannot tell it from the chosen effect");
+        case Verdict::FailsHeldOut: return ResultPanel::tr("It does not help on data that was left out of the fit");
+        case Verdict::WrongSign: return ResultPanel::tr("It would need a strength of the wrong physical sign");
+        default: return {};
+    }
+}
+
+}  // namespace
+
+QString effectTitle(const AddedEffect& effect) {
+    QString what = text(effect.description.empty() ? effect.kind : effect.description);
+    what = what.section(QRegularExpression("[,;:.(]"), 0, 0).trimmed();
+    return ResultPanel::tr("%1 at %2").arg(what, text(effect.at));
+}
+
+ResultPanel::ResultPanel(Document& document, QWidget* parent) : QScrollArea(parent), document_(document) {
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    connect(&document, &Document::resultChanged, this, &ResultPanel::refresh);
+    connect(&document, &Document::modelChanged, this, &ResultPanel::refresh);
+    connect(&document, &Document::parametersChanged, this, &ResultPanel::refresh);
+    refresh();
+}
+
+QString ResultPanel::headline() const { return headline_ ? headline_->text() : QString(); }
+
+QLabel* ResultPanel::addText(const QString& content, bool isCaption) {
+    auto* label = new QLabel(content, body_);
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    if (isCaption) style::makeCaption(label);
+    column_->addWidget(label);
+    return label;
+}
+
+void ResultPanel::addHeading(const QString& content) {
+    column_->addSpacing(2 * style::unit);
+    auto* label = new QLabel(content, body_);
+    style::makeHeading(label, 1.0);
+    column_->addWidget(label);
+}
+
+void ResultPanel::refresh() {
+    headline_ = nullptr;
+    candidates_ = comparison_ = nullptr;
+    body_ = new QWidget;
+    body_->setBackgroundRole(QPalette::Base);
+    body_->setAutoFillBackground(true);
+    column_ = new QVBoxLayout(body_);
+    column_->setContentsMargins(style::margin, style::margin, style::margin, style::margin);
+    column_->setSpacing(style::unit);
+    const Finding* finding = document_.finding();
+    if (!document_.isOpen() || !finding || document_.resultKind() == RunKind::Simulate) {
+        addEmptyState();
+    } else {
+        addHeadline(*finding);
+        addAdoption();
+        addComparison(*finding);
+        for (const AddedEffect& effect : finding->effects) addEffect(effect);
+        addRemainder(*finding);
+        if (!finding->candidates.empty()) addCandidates(*finding);
+    }
+    column_->addStretch(1);
+    setWidget(body_);  // deletes the old page
+}
+
+void ResultPanel::addEmptyState() {
+    column_->addStretch(1);
+    auto* label = addText(document_.isOpen() ? tr("<b>Fit</b> estimates the parameters.<br><b>Find effects</b> also asks "
+                                                  "what the model lacks, adds it and shows the evidence here.")
+                                             : tr("Results appear here once a study is open."),
+                          true);
+    label->setAlignment(Qt::AlignCenter);
+}
+
+void ResultPanel::addHeadline(const Finding& finding) {
+    const Headline h = headlineOf(finding, document_.resultKind(), palette());
+    headline_ = new QLabel(h.title, body_);
+    headline_->setWordWrap(true);
+    style::makeHeading(headline_, 1.3);
+    QPalette tinted = headline_->palette();
+    tinted.setColor(QPalette::WindowText, h.colour);
+    headline_->setPalette(tinted);
+    column_->addWidget(headline_);
+    addText(h.sentence);
+    if (document_.isResultStale()) {
+        auto* stale = addText(tr("The study has been changed since. Run again to see what holds now."), true);
+        QPalette p = stale->palette();
+        p.setColor(QPalette::PlaceholderText, style::caution(p));
+        stale->setPalette(p);
+    }
+}
+
+void ResultPanel::addAdoption() {
+    if (document_.isResultStale() || document_.isResultAdopted()) return;
+    const bool isFit = document_.resultKind() == RunKind::Fit;
+    if (!isFit && document_.finding()->effects.empty()) return;
+    auto* button = new QPushButton(isFit ? tr("Write fitted values into the model") : tr("Add it to the model again"), body_);
+    button->setIcon(style::icon("apply"));
+    connect(button, &QPushButton::clicked, this, [this, isFit] {
+        document_.adoptCompleted(isFit ? tr("Write fitted values") : tr("Add what was found"));
+    });
+    column_->addSpacing(style::unit);
+    auto* row = new QHBoxLayout;
+    row->addWidget(button);
+    row->addStretch(1);
+    column_->addLayout(row);
+}
+
+void ResultPanel::addComparison(const Finding& finding) {
+    const bool isDiscover = document_.resultKind() == RunKind::Discover;
+    const ModelState* before = isDiscover ? &finding.baseline : document_.before();
+    comparison_ = makeTable({tr("Error"), tr("Role"), tr("Before"), tr("After")}, body_);
+    for (const ExperimentState& after : finding.final.experiments) {
+        double was = std::nan("");
+        if (before)
+            for (const ExperimentState& b : before->experiments)
+                if (b.name == after.name) was = b.errorPercent;
+        auto* item = new QTreeWidgetItem(comparison_, {text(after.name), after.role == Role::Fit ? tr("fit") : tr("validate"),
+                                                       percent(was), percent(after.errorPercent)});
+        alignRight(item, {2, 3});
+        QFont bold = item->font(3);
+        bold.setWeight(QFont::DemiBold);
+        item->setFont(3, bold);
+        item->setForeground(1, style::mutedText(palette()));
+        item->setToolTip(0, tr("Root mean square error in percent of the measured range, over all outputs"));
+    }
+    for (const int c : {2, 3}) comparison_->headerItem()->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
+    comparison_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    comparison_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    column_->addSpacing(2 * style::unit);
+    column_->addWidget(comparison_);
+    fitHeight(comparison_);
+}
+
+void ResultPanel::addEffect(const AddedEffect& effect) {
+    addHeading(effectTitle(effect));
+    addText(QStringLiteral("%1 · %2").arg(text(effect.kind), text(effect.className)), true);
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(3 * style::unit);
+    grid->setVerticalSpacing(style::unit / 2);
+    grid->setColumnStretch(1, 1);
+    int row = 0;
+    const auto add = [&](const QString& name, const QString& value, const QString& tip = {}) {
+        auto* key = new QLabel(name, body_);
+        style::makeCaption(key);
+        auto* label = new QLabel(value, body_);
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        for (QLabel* l : {key, label}) l->setToolTip(tip);
+        grid->addWidget(key, row, 0);
+        grid->addWidget(label, row++, 1);
+    };
+    for (const EffectValue& p : effect.parameters) {
+        QString value = numberText(p.value, 4);
+        if (std::isfinite(p.standardError) && p.standardError > 0) value += " ± " + numberText(p.standardError, 2);
+        add(text(p.name), value + " " + text(p.unit));
+    }
+    const Evidence& e = effect.evidence;
+    add(tr("Error"), percent(e.errorPercentBefore) + " → " + percent(e.errorPercentAfter), tr("Over the fitted experiments"));
+    add(tr("Score"), numberText(e.score, 4), tr("Squared signal-to-noise ratio of the effect in the residual"));
+    add(tr("ΔBIC"), numberText(e.deltaBic, 4), tr("Negative: the fit gains more than the added parameters cost"));
+    add(tr("Held-out blocks"), numberText(e.heldOut, 2), tr("+1: the gain holds on data left out of the fit; −1: it does not"));
+    column_->addLayout(grid);
+
+    QStringList equivalent;
+    for (const Alternative& a : effect.alternatives)
+        if (a.equivalent) equivalent << tr("%1 at %2").arg(text(a.kind), text(a.at));
+    if (!equivalent.isEmpty())
+        addText(tr("This data cannot tell it from: %1.").arg(equivalent.join("; ")), true);
+    auto* show = new QPushButton(tr("Show in the diagram"), body_);
+    connect(show, &QPushButton::clicked, this, [this, instance = text(effect.instance)] { Q_EMIT effectChosen(instance); });
+    auto* line = new QHBoxLayout;
+    line->addWidget(show);
+    line->addStretch(1);
+    column_->addLayout(line);
+}
+
+void ResultPanel::addRemainder(const Finding& finding) {
+    for (const Remainder& r : finding.remainders) {
+        addHeading(tr("What remains on %1").arg(text(r.output)));
+        QString sentence = tr("Between %1 and %2 s").arg(numberText(r.from, 4), numberText(r.to, 4));
+        if (!r.experiment.empty()) sentence += tr(" of %1").arg(text(r.experiment));
+        if (!r.node.empty()) sentence += tr(", acting at %1").arg(text(r.node));
+        addText(sentence + ".");
+        QStringList moves;
+        for (const Correlate& c : r.movesWith) moves << QStringLiteral("%1 (%2)").arg(text(c.variable), numberText(c.correlation, 2));
+        if (!moves.isEmpty()) addText(tr("It moves with %1.").arg(moves.join(", ")), true);
+        if (!r.proposedEquation.empty()) addText(text(r.proposedEquation), true);
+    }
+    if (!finding.nextExperiment.empty()) {
+        addHeading(tr("Next experiment"));
+        addText(text(finding.nextExperiment));
+    }
+}
+
+void ResultPanel::addCandidates(const Finding& finding) {
+    addHeading(tr("What was tried"));
+    candidates_ = makeTable({tr("Effect"), tr("At"), tr("Score"), tr("ΔBIC"), tr("Verdict")}, body_);
+    for (const CandidateResult& c : finding.candidates) {
+        auto* item = new QTreeWidgetItem(candidates_, {text(c.kind), text(c.at), numberText(c.score, 3),
+                                                       c.deltaBic ? numberText(*c.deltaBic, 4) : QString(),
+                                                       text(name(c.verdict))});
+        alignRight(item, {2, 3});
+        item->setToolTip(4, verdictTip(c));
+        if (c.verdict == Verdict::Chosen) {
+            for (int i = 0; i < 5; ++i) {
+                QFont bold = item->font(i);
+                bold.setWeight(QFont::DemiBold);
+                item->setFont(i, bold);
+            }
+            item->setForeground(4, style::good(palette()));
+        } else if (c.verdict != Verdict::Equivalent) {
+            for (int i = 0; i < 5; ++i) item->setForeground(i, style::mutedText(palette()));
+        }
+    }
+    for (const int c : {2, 3}) candidates_->headerItem()->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
+    candidates_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    candidates_->header()->setSectionResizeMode(1, QHeaderView::Stretch);
+    column_->addWidget(candidates_);
+    fitHeight(candidates_);
+}
+
+}  // namespace analogon::ui

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <QScrollArea>
+
+class QLabel;
+class QTreeWidget;
+class QVBoxLayout;
+
+namespace analogon {
+struct AddedEffect;
+struct Finding;
+}  // namespace analogon
+
+namespace analogon::ui {
+
+class Document;
+
+/// What the last run came to, in the order of the questions: what was found, how much better it is, on what
+/// evidence, and what else was tried.
+class ResultPanel : public QScrollArea {
+    Q_OBJECT
+
+public:
+    explicit ResultPanel(Document& document, QWidget* parent = nullptr);
+
+    QString headline() const;
+    QTreeWidget* candidates() const { return candidates_; }  // null: none
+    QTreeWidget* comparison() const { return comparison_; }
+
+Q_SIGNALS:
+    void effectChosen(const QString& instance);
+
+private:
+    void refresh();
+    void addEmptyState();
+    void addHeadline(const Finding& finding);
+    void addAdoption();
+    void addComparison(const Finding& finding);
+    void addEffect(const AddedEffect& effect);
+    void addRemainder(const Finding& finding);
+    void addCandidates(const Finding& finding);
+    QLabel* addText(const QString& text, bool isCaption = false);
+    void addHeading(const QString& text);
+
+    Document& document_;
+    QWidget* body_{};
+    QVBoxLayout* column_{};
+    QLabel* headline_{};
+    QTreeWidget* candidates_{};
+    QTreeWidget* comparison_{};
+};
+
+/// "Dry friction at rotor.flange_b", for headings, labels on the diagram and the undo list.
+QString effectTitle(const AddedEffect& effect);
+
+}  // namespace analogon::ui

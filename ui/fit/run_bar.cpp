@@ -1,0 +1,66 @@
+#include "ui/fit/run_bar.hpp"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QToolButton>
+
+#include "ui/fit/run_controller.hpp"
+#include "ui/style/style.hpp"
+
+namespace analogon::ui {
+
+RunBar::RunBar(RunController& controller, QWidget* parent)
+    : QWidget(parent),
+      controller_(controller),
+      text_(new QLabel(this)),
+      bar_(new QProgressBar(this)),
+      cancel_(new QToolButton(this)) {
+    style::makeCaption(text_);
+    text_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    text_->setMinimumWidth(60);
+    text_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    bar_->setTextVisible(false);
+    bar_->setFixedSize(160, 8);
+    bar_->setRange(0, 1000);
+    cancel_->setIcon(style::icon("cancel"));
+    cancel_->setText(tr("Cancel"));
+    cancel_->setToolTip(tr("Stop; the best result so far is kept (Esc)"));
+    cancel_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    cancel_->setShortcut(Qt::Key_Escape);
+    cancel_->setAutoRaise(true);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(style::margin, 0, style::unit, 0);
+    layout->setSpacing(2 * style::unit);
+    layout->addWidget(text_, 1);
+    layout->addWidget(bar_);
+    layout->addWidget(cancel_);
+
+    connect(cancel_, &QToolButton::clicked, this, [this] {
+        controller_.cancel();
+        cancel_->setEnabled(false);
+        text_->setText(tr("Stopping …"));
+    });
+    connect(&controller, &RunController::runningChanged, this, [this] {
+        const bool isRunning = controller_.isRunning();
+        text_->setText(isRunning ? controller_.job().what() + QStringLiteral(" …") : QString());
+        bar_->setRange(0, 0);
+        bar_->setVisible(isRunning);
+        cancel_->setVisible(isRunning);
+        cancel_->setEnabled(true);
+    });
+    connect(&controller, &RunController::progressed, this,
+            [this](const QString& stage, const QString& detail, double fraction, double error) {
+                if (controller_.job().isCancelling()) return;
+                QString text = detail.isEmpty() ? stage : stage + QStringLiteral(" · ") + detail;
+                if (error >= 0) text += QStringLiteral(" · ") + tr("error %1 %").arg(error, 0, 'g', 3);
+                text_->setText(text_->fontMetrics().elidedText(text, Qt::ElideMiddle, text_->width()));
+                text_->setToolTip(text);
+                bar_->setRange(0, fraction < 0 ? 0 : 1000);
+                if (fraction >= 0) bar_->setValue(static_cast<int>(fraction * 1000));
+            });
+    bar_->hide();
+    cancel_->hide();
+}
+
+}  // namespace analogon::ui

@@ -1,0 +1,115 @@
+#include "ui/fit/run_controller.hpp"
+
+namespace analogon::ui {
+
+namespace {
+
+Outcome<RunResult> run(RunKind kind, const Study& study, const RunOptions& options, const Progress& progress) {
+    switch (kind) {
+        case RunKind::Simulate: return runSimulate(study, options, progress);
+        case RunKind::Fit: return runFit(study, options, progress);
+        case RunKind::Discover: break;
+    }
+    return runDiscover(study, options, progress);
+}
+
+Diagnostics messagesOf(const RunResult& result) {
+    Diagnostics messages;
+    for (const std::string& text : result.finding.warnings) messages.push_back(warning(text));
+    for (const std::string& text : result.finding.final.remarks) {
+        Diagnostic note = warning(text);
+        note.severity = Severity::Note;
+        messages.push_back(std::move(note));
+    }
+    return messages;
+}
+
+}  // namespace
+
+QString runName(RunKind kind) {
+    switch (kind) {
+        case RunKind::Simulate: return RunController::tr("Simulation");
+        case RunKind::Fit: return RunController::tr("Fit");
+        case RunKind::Discover: break;
+    }
+    return RunController::tr("Search for effects");
+}
+
+const char* commandName(RunKind kind) {
+    switch (kind) {
+        case RunKind::Simulate: return "simulate";
+        case RunKind::Fit: return "fit";
+        case RunKind::Discover: break;
+    }
+    return "discover";
+}
+
+RunController::RunController(Document& document, QObject* parent) : QObject(parent), document_(document) {
+    connect(&run_, &JobRunner::started, this, &RunController::runningChanged);
+    connect(&run_, &JobRunner::finished, this, &RunController::runningChanged);
+    connect(&run_, &JobRunner::progressed, this, &RunController::progressed);
+    previewDelay_.setSingleShot(true);
+    previewDelay_.setInterval(150);
+    connect(&previewDelay_, &QTimer::timeout, this, &RunController::preview);
+    const auto soon = [this] { previewDelay_.start(); };
+    connect(&document, &Document::modelChanged, this, soon);
+    connect(&document, &Document::parametersChanged, this, soon);
+    connect(&document, &Document::opened, this, [this] { run_.drop(); });
+}
+
+void RunController::start(RunKind kind) {
+    if (!document_.isOpen() || run_.isBusy()) return;
+    document_.setRunMessages({});
+    preview_.drop();
+    const Study study = document_.study();
+    const unsigned long revision = document_.revision();
+    run_.start<Outcome<RunResult>>(
+        runName(kind),
+        [kind, study, options = options_](const Progress& progress) { return run(kind, study, options, progress); },
+        [this, kind, study, revision](Outcome<RunResult> outcome) {
+            conclude(kind, study, revision, std::move(outcome));
+        });
+}
+
+void RunController::cancel() { run_.cancel(); }
+
+void RunController::conclude(RunKind kind, const Study& ranOn, unsigned long revision, Outcome<RunResult> outcome) {
+    const QString name = runName(kind);
+    if (!outcome) {
+        if (run_.isCancelling()) return Q_EMIT concluded(tr("%1 stopped.").arg(name));
+        document_.setRunMessages(outcome.diagnostics());
+        return Q_EMIT concluded(tr("%1 failed: see the messages.").arg(name));
+    }
+    if (revision != document_.revision()) {
+        document_.setRunMessages({warning("the study was changed during the run; its result does not belong to what is "
+                                          "shown and was dropped")});
+        return Q_EMIT concluded(tr("%1: the study changed meanwhile, result dropped.").arg(name));
+    }
+    const bool interrupted = outcome->finding.interrupted || run_.isCancelling();
+    const double seconds = outcome->finding.seconds;
+    const bool hasEffects = !outcome->finding.effects.empty();
+    Diagnostics messages = messagesOf(*outcome);
+    for (const Diagnostic& d : outcome.diagnostics()) messages.push_back(d);
+    document_.setResult(kind, std::move(*outcome), ranOn);
+    document_.setRunMessages(std::move(messages));
+    if (kind == RunKind::Discover && hasEffects) document_.adoptCompleted(tr("Add what was found"));
+    Q_EMIT concluded(interrupted ? tr("%1 stopped; best result so far is shown.").arg(name)
+                                 : tr("%1 done in %2 s.").arg(name).arg(seconds, 0, 'g', 3));
+}
+
+void RunController::preview() {
+    if (!document_.isOpen() || run_.isBusy() || document_.definition() == nullptr) return;
+    if (document_.result() && !document_.isResultStale()) return;  // its traces are what is shown
+    const Study study = document_.study();
+    preview_.start<Outcome<RunResult>>(
+        tr("Simulation"),
+        [study, options = options_](const Progress& progress) { return runSimulate(study, options, progress); },
+        [this](Outcome<RunResult> outcome) {
+            if (outcome)
+                document_.setSimulated(std::move(outcome->finding.baseline));
+            else
+                document_.setRunMessages(outcome.diagnostics());
+        });
+}
+
+}  // namespace analogon::ui

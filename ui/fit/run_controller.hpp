@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+
+#include "ui/document/document.hpp"
+#include "ui/job/job.hpp"
+
+namespace analogon::ui {
+
+/// Starts runs on the open study and hands their results to the document. A result for a study that has been
+/// changed meanwhile is dropped, with a message.
+class RunController : public QObject {
+    Q_OBJECT
+
+public:
+    RunController(Document& document, QObject* parent = nullptr);
+
+    void start(RunKind kind);
+    void cancel();
+    bool isRunning() const { return run_.isBusy(); }
+    const JobRunner& job() const { return run_; }
+    RunOptions& options() { return options_; }
+
+Q_SIGNALS:
+    void runningChanged();
+    void progressed(const QString& stage, const QString& detail, double fraction, double error);
+    /// For the status line: "Fitted in 1.2 s".
+    void concluded(const QString& sentence);
+
+private:
+    void preview();
+    void conclude(RunKind kind, const Study& ranOn, unsigned long revision, Outcome<RunResult> outcome);
+
+    Document& document_;
+    RunOptions options_;
+    JobRunner run_;
+    JobRunner preview_;   // simulates the model as it stands whenever it has changed
+    QTimer previewDelay_;
+};
+
+QString runName(RunKind kind);
+/// Its name on the command line and in a report: "fit".
+const char* commandName(RunKind kind);
+
+}  // namespace analogon::ui

@@ -1,0 +1,132 @@
+#include "ui/inspector/parameter_panel.hpp"
+
+#include <QDoubleValidator>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QStackedLayout>
+#include <QStyledItemDelegate>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/document/document.hpp"
+#include "ui/inspector/parameter_model.hpp"
+#include "ui/style/style.hpp"
+
+namespace analogon::ui {
+
+namespace {
+
+/// Takes numbers only; says so at once instead of dropping what was typed.
+class NumberDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const override {
+        auto* editor = new QLineEdit(parent);
+        editor->setFrame(false);
+        editor->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        if (index.column() != ParameterModel::Value) editor->setPlaceholderText(tr("none"));
+        QObject::connect(editor, &QLineEdit::textEdited, editor, [editor](const QString& text) {
+            bool isNumber = text.trimmed().isEmpty();
+            if (!isNumber) QString(text).trimmed().replace(',', '.').toDouble(&isNumber);
+            QPalette palette = editor->parentWidget()->palette();
+            if (!isNumber) palette.setColor(QPalette::Text, style::fault(palette));
+            editor->setPalette(palette);
+        });
+        return editor;
+    }
+};
+
+}  // namespace
+
+ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      model_(new ParameterModel(document, this)),
+      table_(new QTableView(this)),
+      search_(new QLineEdit(this)),
+      chip_(new QToolButton(this)),
+      onlyFitted_(new QToolButton(this)),
+      pages_(new QStackedLayout),
+      empty_(new QLabel(this)) {
+    search_->setPlaceholderText(tr("Search parameters"));
+    search_->setClearButtonEnabled(true);
+    chip_->setIcon(style::icon("close"));
+    chip_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    chip_->setIconSize({12, 12});
+    chip_->setToolTip(tr("Show the parameters of all components"));
+    chip_->hide();
+    onlyFitted_->setText(tr("Fitted only"));
+    onlyFitted_->setCheckable(true);
+    onlyFitted_->setToolTip(tr("Hide parameters that are not fitted"));
+
+    table_->setModel(model_);
+    table_->setItemDelegate(new NumberDelegate(table_));
+    table_->setFrameShape(QFrame::NoFrame);
+    table_->setShowGrid(false);
+    table_->setAlternatingRowColors(true);
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setSelectionMode(QAbstractItemView::SingleSelection);
+    table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                            QAbstractItemView::AnyKeyPressed);
+    table_->setWordWrap(false);
+    table_->verticalHeader()->hide();
+    table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 2 * style::unit + 2);
+    table_->horizontalHeader()->setHighlightSections(false);
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table_->horizontalHeader()->setStretchLastSection(true);
+    table_->setAccessibleName(tr("Parameters"));
+
+    empty_->setAlignment(Qt::AlignCenter);
+    empty_->setWordWrap(true);
+    empty_->setMargin(style::margin);
+    style::makeCaption(empty_);
+
+    auto* bar = new QHBoxLayout;
+    bar->setContentsMargins(2 * style::unit, 2 * style::unit, 2 * style::unit, 2 * style::unit);
+    bar->setSpacing(2 * style::unit);
+    bar->addWidget(search_, 1);
+    bar->addWidget(chip_);
+    bar->addWidget(onlyFitted_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addLayout(bar);
+    layout->addLayout(pages_, 1);
+    pages_->addWidget(table_);
+    pages_->addWidget(empty_);
+
+    connect(search_, &QLineEdit::textChanged, model_, &ParameterModel::setFilter);
+    connect(onlyFitted_, &QToolButton::toggled, model_, &ParameterModel::setOnlyFitted);
+    connect(chip_, &QToolButton::clicked, this, [this] {
+        showComponent({});
+        Q_EMIT componentCleared();
+    });
+    connect(model_, &QAbstractItemModel::modelReset, this, &ParameterPanel::updateState);
+    connect(model_, &QAbstractItemModel::dataChanged, this, &ParameterPanel::updateState);
+    updateState();
+}
+
+void ParameterPanel::showComponent(const QString& component) {
+    component_ = component;
+    model_->setComponent(component);
+    chip_->setText(component);
+    chip_->setVisible(!component.isEmpty());
+    updateState();
+}
+
+void ParameterPanel::updateState() {
+    if (model_->rowCount() > 0) return pages_->setCurrentWidget(table_);
+    if (!document_.isOpen())
+        empty_->setText(tr("The parameters of the open study appear here."));
+    else if (!component_.isEmpty())
+        empty_->setText(tr("%1 has no parameters.").arg(component_));
+    else if (!search_->text().isEmpty() || onlyFitted_->isChecked())
+        empty_->setText(tr("No parameter matches. Clear the search or the filter."));
+    else
+        empty_->setText(tr("No parameters to show. See the messages if the model could not be read."));
+    pages_->setCurrentWidget(empty_);
+}
+
+}  // namespace analogon::ui

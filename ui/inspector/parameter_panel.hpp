@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QLineEdit;
+class QStackedLayout;
+class QTableView;
+class QToolButton;
+
+namespace analogon::ui {
+
+class Document;
+class ParameterModel;
+
+/// Table of parameters with a search field; follows the block that is selected in the diagram.
+class ParameterPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ParameterPanel(Document& document, QWidget* parent = nullptr);
+
+    void showComponent(const QString& component);
+    QTableView* table() const { return table_; }
+    ParameterModel* model() const { return model_; }
+
+private:
+    void updateState();
+
+    Document& document_;
+    ParameterModel* model_;
+    QTableView* table_;
+    QLineEdit* search_;
+    QToolButton* chip_;  // the selected component; a click shows all again
+    QToolButton* onlyFitted_;
+    QStackedLayout* pages_;
+    QLabel* empty_;
+    QString component_;
+
+Q_SIGNALS:
+    void componentCleared();
+};
+
+}  // namespace analogon::ui

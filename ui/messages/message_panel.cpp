@@ -1,0 +1,74 @@
+#include "ui/messages/message_panel.hpp"
+
+#include <QLabel>
+#include <QListWidget>
+#include <QStackedLayout>
+
+#include "ui/document/document.hpp"
+#include "ui/style/style.hpp"
+
+namespace analogon::ui {
+
+namespace {
+
+QString iconName(Severity severity) {
+    switch (severity) {
+        case Severity::Error: return QStringLiteral("error");
+        case Severity::Warning: return QStringLiteral("warning");
+        case Severity::Note: break;
+    }
+    return QStringLiteral("note");
+}
+
+QString placeText(const Place& place) {
+    QString text = QString::fromStdString(place.file);
+    if (place.line > 0) text += QStringLiteral(":%1").arg(place.line);
+    if (place.column > 0) text += QStringLiteral(":%1").arg(place.column);
+    return text;
+}
+
+}  // namespace
+
+MessagePanel::MessagePanel(Document& document, QWidget* parent)
+    : QWidget(parent), document_(document), list_(new QListWidget(this)), pages_(new QStackedLayout(this)) {
+    auto* empty = new QLabel(tr("No messages."), this);
+    empty->setAlignment(Qt::AlignCenter);
+    style::makeCaption(empty);
+    list_->setFrameShape(QFrame::NoFrame);
+    list_->setWordWrap(true);
+    list_->setSpacing(style::unit / 2);
+    list_->setIconSize({18, 18});
+    list_->setAccessibleName(tr("Messages"));
+    pages_->addWidget(empty);
+    pages_->addWidget(list_);
+    connect(&document, &Document::messagesChanged, this, &MessagePanel::refresh);
+    const auto choose = [this](QListWidgetItem* item) {
+        const auto row = static_cast<std::size_t>(list_->row(item));
+        if (row < document_.messages().size()) Q_EMIT placeChosen(document_.messages()[row].diagnostic.place);
+    };
+    connect(list_, &QListWidget::itemClicked, this, choose);
+    connect(list_, &QListWidget::itemActivated, this, choose);
+}
+
+void MessagePanel::refresh() {
+    list_->clear();
+    int errors = 0;
+    for (const Message& message : document_.messages()) {
+        const Diagnostic& d = message.diagnostic;
+        QString text = QString::fromStdString(d.message);
+        const QString place = placeText(d.place);
+        if (!place.isEmpty()) text = place + "  " + text;
+        if (!d.hint.empty()) text += "\n" + QString::fromStdString(d.hint);
+        auto* item = new QListWidgetItem(style::icon(iconName(d.severity)), text, list_);
+        if (d.severity == Severity::Error) {
+            ++errors;
+            item->setForeground(style::fault(palette()));
+        }
+        if (d.place.line > 0) item->setToolTip(tr("Click to see the place"));
+    }
+    const int count = list_->count();
+    pages_->setCurrentIndex(count > 0 ? 1 : 0);
+    Q_EMIT countChanged(errors, count - errors);
+}
+
+}  // namespace analogon::ui

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QListWidget;
+class QStackedLayout;
+
+namespace analogon {
+struct Place;
+}
+
+namespace analogon::ui {
+
+class Document;
+
+/// What is wrong or worth knowing. A click leads to the place.
+class MessagePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit MessagePanel(Document& document, QWidget* parent = nullptr);
+    QListWidget* list() const { return list_; }
+
+Q_SIGNALS:
+    void placeChosen(const analogon::Place& place);
+    void countChanged(int errors, int others);
+
+private:
+    void refresh();
+
+    Document& document_;
+    QListWidget* list_;
+    QStackedLayout* pages_;
+};
+
+}  // namespace analogon::ui

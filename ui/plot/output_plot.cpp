@@ -1,0 +1,158 @@
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/plot/plot_panel.hpp"
+#include "ui/style/style.hpp"
+
+namespace analogon::ui {
+
+/// A trace's colour and name; a click hides and shows it.
+class OutputPlot::LegendEntry : public QAbstractButton {
+public:
+    LegendEntry(TraceRole role, QWidget* parent) : QAbstractButton(parent), role_(role) {
+        setCheckable(true);
+        setChecked(true);
+        setFocusPolicy(Qt::TabFocus);
+        setCursor(Qt::PointingHandCursor);
+        setToolTip(tr("Click to hide or show this trace"));
+        setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    }
+    TraceRole role() const { return role_; }
+    QSize sizeHint() const override {
+        const QFontMetrics metrics(font());
+        return {metrics.horizontalAdvance(text()) + swatch + 3 * style::unit, metrics.height() + style::unit};
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        QColor colour = traceColour(role_, palette());
+        QColor ink = palette().color(QPalette::WindowText);
+        if (!isChecked()) colour = ink = style::mix(ink, palette().color(QPalette::Window), 0.65);
+        painter.setPen(QPen(colour, 2.4, Qt::SolidLine, Qt::RoundCap));
+        const double middle = height() / 2.0;
+        painter.drawLine(QPointF(2, middle), QPointF(swatch - 2, middle));
+        painter.setPen(ink);
+        painter.drawText(rect().adjusted(swatch + style::unit, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, text());
+        if (hasFocus()) {
+            painter.setPen(style::accent(palette()));
+            painter.drawLine(swatch + style::unit, height() - 1, width() - 2 * style::unit, height() - 1);
+        }
+    }
+
+private:
+    static constexpr int swatch = 18;
+    TraceRole role_;
+};
+
+OutputPlot::OutputPlot(QWidget* parent)
+    : QWidget(parent),
+      name_(new QLabel(this)),
+      readout_(new QLabel(this)),
+      values_(new TimePlot(this)),
+      residual_(new TimePlot(this)) {
+    auto* heading = new QHBoxLayout;
+    heading->setContentsMargins(style::margin, style::unit, style::margin, 0);
+    heading->setSpacing(3 * style::unit);
+    style::makeHeading(name_, 1.0);
+    heading->addWidget(name_);
+    for (const TraceRole role : {TraceRole::Measured, TraceRole::Before, TraceRole::After}) {
+        auto* entry = new LegendEntry(role, this);
+        legend_.push_back(entry);
+        heading->addWidget(entry);
+        connect(entry, &QAbstractButton::toggled, this, [this, role](bool isShown) {
+            values_->setVisible(role, isShown);
+            residual_->setVisible(role, isShown);
+        });
+    }
+    heading->addStretch(1);
+    style::makeCaption(readout_);
+    heading->addWidget(readout_);
+
+    values_->setTimeLabels(false);
+    values_->setMinimumHeight(110);
+    residual_->setSymmetric(true);
+    residual_->setCaption(tr("measured − simulated"));
+    residual_->setMinimumHeight(76);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(heading);
+    column->addWidget(values_, 5);
+    column->addWidget(residual_, 3);
+    for (TimePlot* plot : {values_, residual_}) {
+        connect(plot, &TimePlot::timeRangeWanted, this, &OutputPlot::timeRangeWanted);
+        connect(plot, &TimePlot::allWanted, this, &OutputPlot::allWanted);
+        connect(plot, &TimePlot::pointedAt, this, &OutputPlot::pointedAt);
+        connect(plot, &TimePlot::pointerLeft, this, &OutputPlot::pointerLeft);
+    }
+}
+
+void OutputPlot::setLegend(TraceRole role, const QString& text) {
+    for (LegendEntry* entry : legend_) {
+        if (entry->role() != role) continue;
+        entry->setText(text);
+        entry->setVisible(!text.isEmpty());
+        entry->updateGeometry();
+    }
+}
+
+QString OutputPlot::legendText(TraceRole role) const {
+    for (const LegendEntry* entry : legend_)
+        if (entry->role() == role) return entry->text();
+    return {};
+}
+
+void OutputPlot::show(Content content) {
+    content_ = std::move(content);
+    name_->setText(content_.unit.isEmpty() ? content_.name : content_.name + "  [" + content_.unit + "]");
+    setLegend(TraceRole::Measured, tr("measured"));
+    setLegend(TraceRole::Before, content_.before.empty() ? QString() : content_.beforeLabel);
+    setLegend(TraceRole::After, content_.after.empty() ? QString() : content_.afterLabel);
+
+    std::vector<Trace> values{{TraceRole::Measured, content_.measured}};
+    std::vector<Trace> residuals;
+    const auto add = [&](TraceRole role, const std::vector<double>& simulated) {
+        if (simulated.empty()) return;
+        values.push_back({role, simulated});
+        std::vector<double> residual(simulated.size());
+        for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = content_.measured[i] - simulated[i];
+        residuals.push_back({role, std::move(residual)});
+    };
+    add(TraceRole::Before, content_.before);
+    add(TraceRole::After, content_.after);
+    values_->setTraces(content_.time, std::move(values));
+    residual_->setTraces(content_.time, std::move(residuals));
+}
+
+void OutputPlot::setTimeRange(double from, double to) {
+    values_->setTimeRange(from, to);
+    residual_->setTimeRange(from, to);
+}
+
+void OutputPlot::pointAt(std::optional<double> time) {
+    values_->setCursorTime(time);
+    residual_->setCursorTime(time);
+    readout_->clear();
+    if (!time || !content_.time || content_.time->empty()) return;
+    const auto& stamps = *content_.time;
+    const auto at = std::lower_bound(stamps.begin(), stamps.end(), *time);
+    const auto i = static_cast<std::size_t>(std::min<std::ptrdiff_t>(
+        at - stamps.begin(), static_cast<std::ptrdiff_t>(stamps.size()) - 1));
+    QString text = tr("%1 s").arg(stamps[i], 0, 'g', 6);
+    const auto add = [&](const QString& name, const std::vector<double>& values) {
+        if (i < values.size() && std::isfinite(values[i]))
+            text += QStringLiteral("   %1 %2").arg(name).arg(values[i], 0, 'g', 5);
+    };
+    add(tr("measured"), content_.measured);
+    add(content_.beforeLabel.section(' ', 0, 0), content_.before);
+    add(content_.afterLabel.section(' ', 0, 0), content_.after);
+    readout_->setText(text);
+}
+
+}  // namespace analogon::ui

@@ -1,0 +1,174 @@
+#include "ui/plot/plot_panel.hpp"
+
+#include <QLabel>
+#include <QScrollArea>
+#include <QStackedLayout>
+#include <QTabBar>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/document/document.hpp"
+#include "ui/style/style.hpp"
+
+namespace analogon::ui {
+
+namespace {
+
+std::vector<double> toVector(const Eigen::VectorXd& values) { return {values.data(), values.data() + values.size()}; }
+
+const ExperimentState* experimentOf(const ModelState* state, const std::string& name) {
+    if (!state) return nullptr;
+    for (const ExperimentState& e : state->experiments)
+        if (e.name == name) return &e;
+    return nullptr;
+}
+
+const OutputState* outputOf(const ExperimentState* experiment, const std::string& name) {
+    if (!experiment) return nullptr;
+    for (const OutputState& o : experiment->outputs)
+        if (o.name == name) return &o;
+    return nullptr;
+}
+
+QString percent(double value) { return QStringLiteral("%1 %").arg(value, 0, 'f', value < 9.995 ? 2 : 1); }
+
+}  // namespace
+
+PlotPanel::PlotPanel(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      experiments_(new QTabBar(this)),
+      pages_(new QStackedLayout),
+      empty_(new QLabel(this)),
+      area_(new QScrollArea(this)) {
+    experiments_->setDrawBase(false);
+    experiments_->setExpanding(false);
+    experiments_->setDocumentMode(true);
+    experiments_->setAccessibleName(tr("Experiments"));
+    empty_->setAlignment(Qt::AlignCenter);
+    empty_->setWordWrap(true);
+    style::makeCaption(empty_);
+    auto* body = new QWidget;
+    body->setBackgroundRole(QPalette::Base);
+    body->setAutoFillBackground(true);
+    column_ = new QVBoxLayout(body);
+    column_->setContentsMargins(0, 0, 0, style::unit);
+    column_->setSpacing(2 * style::unit);
+    area_->setWidget(body);
+    area_->setWidgetResizable(true);
+    area_->setFrameShape(QFrame::NoFrame);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(experiments_);
+    layout->addLayout(pages_, 1);
+    pages_->addWidget(empty_);
+    pages_->addWidget(area_);
+    connect(experiments_, &QTabBar::currentChanged, this, &PlotPanel::rebuild);
+    connect(&document, &Document::opened, this, [this] { shown_.clear(); });
+    connect(&document, &Document::resultChanged, this, &PlotPanel::refresh);
+    refresh();
+}
+
+void PlotPanel::showExperiment(const QString& name) {
+    for (std::size_t i = 0; i < names_.size(); ++i)
+        if (QString::fromStdString(names_[i]) == name) experiments_->setCurrentIndex(static_cast<int>(i));
+}
+
+void PlotPanel::refresh() {
+    const ModelState* shown = document_.after() ? document_.after() : document_.before();
+    std::vector<std::string> names;
+    if (shown)
+        for (const ExperimentState& e : shown->experiments) names.push_back(e.name);
+    if (names != names_) {
+        const QSignalBlocker blocker(experiments_);
+        while (experiments_->count() > 0) experiments_->removeTab(0);
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const bool isFit = shown->experiments[i].role == Role::Fit;
+            experiments_->addTab(QString::fromStdString(names[i]) + (isFit ? tr("  ·  fit") : tr("  ·  validate")));
+        }
+        names_ = names;
+    }
+    experiments_->setVisible(!names_.empty());
+    rebuild();
+}
+
+void PlotPanel::rebuild() {
+    const int index = experiments_->currentIndex();
+    if (names_.empty() || index < 0) {
+        empty_->setText(document_.isOpen() ? tr("Simulating the model as it stands …")
+                                           : tr("Open a study to see its measurements here."));
+        pages_->setCurrentWidget(empty_);
+        return;
+    }
+    const std::string& name = names_[static_cast<std::size_t>(index)];
+    const ExperimentState* before = experimentOf(document_.before(), name);
+    const ExperimentState* after = experimentOf(document_.after(), name);
+    const ExperimentState* any = after ? after : before;
+    if (!any) return;
+    const auto time = std::make_shared<const std::vector<double>>(any->time);
+    while (plots_.size() > any->outputs.size()) {
+        delete plots_.back();
+        plots_.pop_back();
+    }
+    while (plots_.size() < any->outputs.size()) {
+        auto* plot = new OutputPlot;
+        connect(plot, &OutputPlot::timeRangeWanted, this, &PlotPanel::setTimeRange);
+        connect(plot, &OutputPlot::allWanted, this, &PlotPanel::showAll);
+        connect(plot, &OutputPlot::pointedAt, this, &PlotPanel::pointAt);
+        connect(plot, &OutputPlot::pointerLeft, this, &PlotPanel::leave);
+        column_->addWidget(plot, 1);
+        plots_.push_back(plot);
+    }
+    const QString beforeWord = document_.after() ? tr("before") : tr("simulated");
+    for (std::size_t i = 0; i < any->outputs.size(); ++i) {
+        const OutputState& output = any->outputs[i];
+        OutputPlot::Content content;
+        content.name = QString::fromStdString(output.name);
+        content.unit = QString::fromStdString(output.unit);
+        content.time = time;
+        content.measured = toVector(output.measured);
+        if (const OutputState* o = outputOf(before, output.name)) {
+            content.before = toVector(o->simulated);
+            content.beforeLabel = beforeWord + " " + percent(o->figures.errorPercent);
+        }
+        if (const OutputState* o = outputOf(after, output.name)) {
+            content.after = toVector(o->simulated);
+            content.afterLabel = tr("after") + " " + percent(o->figures.errorPercent);
+        }
+        plots_[i]->show(std::move(content));
+    }
+    first_ = any->time.empty() ? 0 : any->time.front();
+    last_ = any->time.empty() ? 1 : any->time.back();
+    const QString key = QString::fromStdString(name);
+    if (shown_ != key) {
+        shown_ = key;
+        from_ = first_;
+        to_ = last_;
+    }
+    setTimeRange(from_, to_);
+    pages_->setCurrentWidget(area_);
+}
+
+void PlotPanel::setTimeRange(double from, double to) {
+    const double whole = last_ - first_;
+    double span = std::clamp(to - from, whole * 1e-5, whole);
+    from = std::clamp(from, first_, last_ - span);
+    from_ = from;
+    to_ = from + span;
+    for (OutputPlot* plot : plots_) plot->setTimeRange(from_, to_);
+}
+
+void PlotPanel::showAll() { setTimeRange(first_, last_); }
+
+void PlotPanel::pointAt(double time) {
+    for (OutputPlot* plot : plots_) plot->pointAt(time);
+}
+
+void PlotPanel::leave() {
+    for (OutputPlot* plot : plots_) plot->pointAt(std::nullopt);
+}
+
+}  // namespace analogon::ui

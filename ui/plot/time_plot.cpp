@@ -1,0 +1,266 @@
+#include "ui/plot/time_plot.hpp"
+
+#include <QChart>
+#include <QChartView>
+#include <QGraphicsLayout>
+#include <QGraphicsLineItem>
+#include <QGraphicsSimpleTextItem>
+#include <QLineSeries>
+#include <QValueAxis>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/plot/decimate.hpp"
+#include "ui/style/style.hpp"
+
+namespace analogon::ui {
+
+namespace {
+
+constexpr double leftMargin = 64, rightMargin = 14, topMargin = 6;  // [px] equal, so that stacked plots line up
+
+}  // namespace
+
+QColor traceColour(TraceRole role, const QPalette& palette) {
+    switch (role) {
+        case TraceRole::Measured: return style::measuredTrace(palette);
+        case TraceRole::Before: return style::beforeTrace(palette);
+        case TraceRole::After: break;
+    }
+    return style::afterTrace(palette);
+}
+
+struct TimePlot::Chart {
+    QChart* chart{new QChart};
+    QChartView* view{};  // owns the chart
+    QValueAxis* time{new QValueAxis};
+    QValueAxis* value{new QValueAxis};
+    std::vector<QLineSeries*> series;
+    QGraphicsLineItem* cursor{};
+    QGraphicsSimpleTextItem* caption{};
+    int points{};
+};
+
+TimePlot::TimePlot(QWidget* parent) : QWidget(parent), chart_(std::make_unique<Chart>()) {
+    Chart& c = *chart_;
+    c.view = new QChartView(c.chart, this);
+    c.view->setRenderHint(QPainter::Antialiasing);
+    c.view->setFrameShape(QFrame::NoFrame);
+    c.view->setBackgroundRole(QPalette::Base);
+    c.view->viewport()->setMouseTracking(true);
+    c.view->viewport()->installEventFilter(this);
+    c.chart->legend()->hide();
+    c.chart->setBackgroundRoundness(0);
+    c.chart->setMargins({0, 0, 0, 0});
+    c.chart->layout()->setContentsMargins(0, 0, 0, 0);
+    c.chart->addAxis(c.time, Qt::AlignBottom);
+    c.chart->addAxis(c.value, Qt::AlignLeft);
+    for (QValueAxis* axis : {c.time, c.value}) {
+        axis->setTickType(QValueAxis::TicksDynamic);
+        axis->setLabelFormat("%g");
+        axis->setMinorTickCount(0);
+        QFont font = axis->labelsFont();
+        font.setPointSizeF(this->font().pointSizeF() * 0.85);
+        axis->setLabelsFont(font);
+    }
+    c.cursor = new QGraphicsLineItem(c.chart);
+    c.cursor->setZValue(20);
+    c.cursor->hide();
+    c.caption = new QGraphicsSimpleTextItem(c.chart);
+    c.caption->setZValue(20);
+    QFont font = this->font();
+    font.setPointSizeF(font.pointSizeF() * 0.85);
+    c.caption->setFont(font);
+    recolour();
+}
+
+TimePlot::~TimePlot() = default;
+
+void TimePlot::setTraces(std::shared_ptr<const std::vector<double>> time, std::vector<Trace> traces) {
+    time_ = std::move(time);
+    traces_ = std::move(traces);
+    Chart& c = *chart_;
+    for (QLineSeries* series : c.series) {
+        c.chart->removeSeries(series);
+        delete series;
+    }
+    c.series.clear();
+    for (std::size_t i = 0; i < traces_.size(); ++i) {
+        auto* series = new QLineSeries;
+        c.chart->addSeries(series);
+        series->attachAxis(c.time);
+        series->attachAxis(c.value);
+        c.series.push_back(series);
+    }
+    recolour();
+    fitValues();
+    refresh();
+}
+
+void TimePlot::setVisible(TraceRole role, bool isVisible) {
+    std::erase(hidden_, role);
+    if (!isVisible) hidden_.push_back(role);
+    fitValues();
+    refresh();
+}
+
+void TimePlot::setTimeRange(double from, double to) {
+    from_ = from;
+    to_ = to;
+    refresh();
+}
+
+void TimePlot::setTimeLabels(bool isShown) {
+    hasTimeLabels_ = isShown;
+    chart_->time->setLabelsVisible(isShown);
+    layOut();
+}
+
+void TimePlot::setSymmetric(bool isSymmetric) {
+    isSymmetric_ = isSymmetric;
+    fitValues();
+}
+
+void TimePlot::setCaption(const QString& caption) {
+    chart_->caption->setText(caption);
+    layOut();
+}
+
+void TimePlot::setCursorTime(std::optional<double> time) {
+    const QRectF area = chart_->chart->plotArea();
+    const bool isShown = time && *time >= from_ && *time <= to_;
+    chart_->cursor->setVisible(isShown);
+    if (!isShown) return;
+    const double x = area.left() + (*time - from_) / (to_ - from_) * area.width();
+    chart_->cursor->setLine(x, area.top(), x, area.bottom());
+}
+
+int TimePlot::paintedPoints() const { return chart_->points; }
+
+std::pair<double, double> TimePlot::valueRange() const { return {chart_->value->min(), chart_->value->max()}; }
+
+void TimePlot::fitValues() {
+    double low = 1e300, high = -1e300;
+    for (const Trace& trace : traces_) {
+        if (std::find(hidden_.begin(), hidden_.end(), trace.role) != hidden_.end()) continue;
+        for (const double v : trace.values) {
+            if (!std::isfinite(v)) continue;
+            low = std::min(low, v);
+            high = std::max(high, v);
+        }
+    }
+    if (low > high) low = 0, high = 1;
+    if (isSymmetric_) {
+        high = std::max(std::abs(low), std::abs(high));
+        low = -high;
+    }
+    if (high == low) {
+        const double around = low == 0 ? 1 : std::abs(low) * 0.1;
+        low -= around;
+        high += around;
+    }
+    const double pad = (high - low) * 0.06;
+    chart_->value->setRange(low - pad, high + pad);
+    layOut();
+}
+
+void TimePlot::refresh() {
+    Chart& c = *chart_;
+    c.points = 0;
+    if (!time_ || !(to_ > from_)) return;
+    c.time->setRange(from_, to_);
+    c.time->setTickInterval(niceStep(to_ - from_, std::max(2, width() / 110)));
+    const int pixels = std::max(1, static_cast<int>(c.chart->plotArea().width()));
+    for (std::size_t i = 0; i < traces_.size(); ++i) {
+        const bool isHidden = std::find(hidden_.begin(), hidden_.end(), traces_[i].role) != hidden_.end();
+        c.series[i]->setVisible(!isHidden);
+        if (isHidden) continue;
+        const QVector<QPointF> points = decimate(*time_, traces_[i].values, from_, to_, pixels);
+        c.points += static_cast<int>(points.size());
+        c.series[i]->replace(points);
+    }
+}
+
+void TimePlot::recolour() {
+    Chart& c = *chart_;
+    const QPalette p = palette();
+    c.chart->setBackgroundBrush(p.color(QPalette::Base));
+    c.chart->setBackgroundPen(Qt::NoPen);
+    c.chart->setPlotAreaBackgroundVisible(false);
+    const QColor grid = style::mix(p.color(QPalette::Base), p.color(QPalette::Text), 0.10);
+    const QColor label = style::mix(p.color(QPalette::Text), p.color(QPalette::Base), 0.35);
+    for (QValueAxis* axis : {c.time, c.value}) {
+        axis->setGridLineColor(grid);
+        axis->setLinePen(QPen(style::mix(p.color(QPalette::Base), p.color(QPalette::Text), 0.25), 1));
+        axis->setLabelsColor(label);
+    }
+    c.cursor->setPen(QPen(label, 1));
+    c.caption->setBrush(label);
+    for (std::size_t i = 0; i < c.series.size(); ++i) {
+        QPen pen(traceColour(traces_[i].role, p), traces_[i].role == TraceRole::Measured ? 1.0 : 1.6);
+        pen.setJoinStyle(Qt::RoundJoin);
+        c.series[i]->setPen(pen);
+    }
+}
+
+void TimePlot::layOut() {
+    Chart& c = *chart_;
+    c.view->setGeometry(rect());
+    const double bottom = hasTimeLabels_ ? fontMetrics().height() + 8 : 8;
+    c.chart->setPlotArea(QRectF(leftMargin, topMargin, std::max(10.0, width() - leftMargin - rightMargin),
+                                std::max(10.0, height() - topMargin - bottom)));
+    c.value->setTickInterval(niceStep(c.value->max() - c.value->min(), std::max(1, height() / 45)));
+    c.caption->setPos(leftMargin + 6, topMargin);
+}
+
+void TimePlot::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    layOut();
+    refresh();
+}
+
+void TimePlot::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) recolour();
+}
+
+double TimePlot::timeAt(double x) const {
+    const QRectF area = chart_->chart->plotArea();
+    return from_ + (x - area.left()) / area.width() * (to_ - from_);
+}
+
+bool TimePlot::eventFilter(QObject* watched, QEvent* event) {
+    switch (event->type()) {
+        case QEvent::Wheel: {
+            auto* wheel = static_cast<QWheelEvent*>(event);
+            if (wheel->modifiers() & Qt::ShiftModifier) break;  // scrolls the list of plots
+            const double about = timeAt(wheel->position().x());
+            const double factor = std::pow(0.9985, wheel->angleDelta().y());
+            Q_EMIT timeRangeWanted(about - (about - from_) * factor, about + (to_ - about) * factor);
+            return true;
+        }
+        case QEvent::MouseButtonPress: {
+            auto* mouse = static_cast<QMouseEvent*>(event);
+            if (mouse->button() == Qt::LeftButton) dragFrom_ = mouse->position().x();
+            return true;
+        }
+        case QEvent::MouseMove: {
+            auto* mouse = static_cast<QMouseEvent*>(event);
+            if (dragFrom_) {
+                const double shift = timeAt(*dragFrom_) - timeAt(mouse->position().x());
+                dragFrom_ = mouse->position().x();
+                Q_EMIT timeRangeWanted(from_ + shift, to_ + shift);
+            }
+            Q_EMIT pointedAt(timeAt(mouse->position().x()));
+            return true;
+        }
+        case QEvent::MouseButtonRelease: dragFrom_.reset(); return true;
+        case QEvent::MouseButtonDblClick: Q_EMIT allWanted(); return true;
+        case QEvent::Leave: Q_EMIT pointerLeft(); break;
+        default: break;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace analogon::ui

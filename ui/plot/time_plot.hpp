@@ -1,0 +1,70 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace analogon::ui {
+
+enum class TraceRole { Measured, Before, After };
+
+struct Trace {
+    TraceRole role{TraceRole::Measured};
+    std::vector<double> values;  // one per time stamp; NaN: none
+};
+
+QColor traceColour(TraceRole role, const QPalette& palette);
+
+/// One axis area over time. The only place that knows the chart library; every trace is decimated to the width
+/// it is shown at. Wheel zooms the time axis about the pointer, dragging moves it, a double click shows all; the
+/// range itself is the owner's, who links several plots.
+class TimePlot : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit TimePlot(QWidget* parent = nullptr);
+    ~TimePlot() override;
+
+    void setTraces(std::shared_ptr<const std::vector<double>> time, std::vector<Trace> traces);
+    void setVisible(TraceRole role, bool isVisible);
+    void setTimeRange(double from, double to);
+    void setTimeLabels(bool isShown);
+    /// Zero in the middle, as a residual is looked at.
+    void setSymmetric(bool isSymmetric);
+    /// Name at the upper left corner of the area.
+    void setCaption(const QString& caption);
+    void setCursorTime(std::optional<double> time);
+    /// How many points the chart was given for the range shown.
+    int paintedPoints() const;
+    std::pair<double, double> valueRange() const;
+
+Q_SIGNALS:
+    void timeRangeWanted(double from, double to);
+    void allWanted();
+    void pointedAt(double time);
+    void pointerLeft();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void refresh();
+    void recolour();
+    void layOut();
+    void fitValues();
+    double timeAt(double x) const;
+
+    struct Chart;
+    std::unique_ptr<Chart> chart_;
+    std::shared_ptr<const std::vector<double>> time_;
+    std::vector<Trace> traces_;
+    std::vector<TraceRole> hidden_;
+    double from_{0}, to_{1};
+    bool isSymmetric_{}, hasTimeLabels_{true};
+    std::optional<double> dragFrom_;  // [px]
+};
+
+}  // namespace analogon::ui

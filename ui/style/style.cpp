@@ -1,0 +1,177 @@
+#include "ui/style/style.hpp"
+
+#include <QFile>
+#include <QGuiApplication>
+#include <QIconEngine>
+#include <QPixmap>
+#include <QStyleFactory>
+#include <QSvgRenderer>
+#include <QWidget>
+
+namespace analogon::ui::style {
+
+namespace {
+
+Theme chosen = Theme::System;  // the program's one look, set by apply()
+
+QPalette lightPalette() {
+    QPalette p;
+    const QColor text(0x1d, 0x24, 0x2e), muted(0x9a, 0xa3, 0xae);
+    p.setColor(QPalette::Window, QColor(0xf3, 0xf4, 0xf6));
+    p.setColor(QPalette::WindowText, text);
+    p.setColor(QPalette::Base, QColor(0xff, 0xff, 0xff));
+    p.setColor(QPalette::AlternateBase, QColor(0xf8, 0xf9, 0xfa));
+    p.setColor(QPalette::Text, text);
+    p.setColor(QPalette::PlaceholderText, QColor(0x8b, 0x94, 0xa0));
+    p.setColor(QPalette::Button, QColor(0xf7, 0xf8, 0xf9));
+    p.setColor(QPalette::ButtonText, text);
+    p.setColor(QPalette::BrightText, Qt::white);
+    p.setColor(QPalette::ToolTipBase, QColor(0x2a, 0x31, 0x3c));
+    p.setColor(QPalette::ToolTipText, QColor(0xf3, 0xf4, 0xf6));
+    p.setColor(QPalette::Highlight, QColor(0x1f, 0x6f, 0xc4));
+    p.setColor(QPalette::HighlightedText, Qt::white);
+    p.setColor(QPalette::Link, QColor(0x1f, 0x6f, 0xc4));
+    p.setColor(QPalette::Light, Qt::white);
+    p.setColor(QPalette::Midlight, QColor(0xe9, 0xeb, 0xee));
+    p.setColor(QPalette::Mid, QColor(0xcf, 0xd4, 0xda));
+    p.setColor(QPalette::Dark, QColor(0xa8, 0xb0, 0xba));
+    p.setColor(QPalette::Shadow, QColor(0x6d, 0x76, 0x82));
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        p.setColor(QPalette::Disabled, role, muted);
+    p.setColor(QPalette::Disabled, QPalette::Highlight, QColor(0xcf, 0xd4, 0xda));
+    return p;
+}
+
+QPalette darkPalette() {
+    QPalette p;
+    const QColor text(0xe2, 0xe6, 0xeb), muted(0x6c, 0x76, 0x82);
+    p.setColor(QPalette::Window, QColor(0x20, 0x24, 0x2a));
+    p.setColor(QPalette::WindowText, text);
+    p.setColor(QPalette::Base, QColor(0x18, 0x1b, 0x20));
+    p.setColor(QPalette::AlternateBase, QColor(0x1d, 0x21, 0x26));
+    p.setColor(QPalette::Text, text);
+    p.setColor(QPalette::PlaceholderText, QColor(0x7d, 0x87, 0x93));
+    p.setColor(QPalette::Button, QColor(0x2a, 0x2f, 0x36));
+    p.setColor(QPalette::ButtonText, text);
+    p.setColor(QPalette::BrightText, Qt::white);
+    p.setColor(QPalette::ToolTipBase, QColor(0x3a, 0x41, 0x4b));
+    p.setColor(QPalette::ToolTipText, text);
+    p.setColor(QPalette::Highlight, QColor(0x3d, 0x8b, 0xdd));
+    p.setColor(QPalette::HighlightedText, Qt::white);
+    p.setColor(QPalette::Link, QColor(0x6a, 0xad, 0xf0));
+    p.setColor(QPalette::Light, QColor(0x3a, 0x41, 0x4a));
+    p.setColor(QPalette::Midlight, QColor(0x30, 0x36, 0x3e));
+    p.setColor(QPalette::Mid, QColor(0x3a, 0x41, 0x4a));
+    p.setColor(QPalette::Dark, QColor(0x12, 0x15, 0x19));
+    p.setColor(QPalette::Shadow, QColor(0x0a, 0x0c, 0x0e));
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        p.setColor(QPalette::Disabled, role, muted);
+    p.setColor(QPalette::Disabled, QPalette::Highlight, QColor(0x3a, 0x41, 0x4a));
+    return p;
+}
+
+/// Paints an SVG of :/icons whose strokes are `currentColor` in the palette's colour of the moment.
+class TintedIcon : public QIconEngine {
+public:
+    explicit TintedIcon(QString name) : name_(std::move(name)) {}
+
+    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
+        QFile file(":/icons/" + name_ + ".svg");
+        if (!file.open(QIODevice::ReadOnly)) return;
+        const QPalette palette = QGuiApplication::palette();
+        const QColor colour = mode == QIcon::Disabled
+                                  ? palette.color(QPalette::Disabled, QPalette::ButtonText)
+                                  : mix(palette.color(QPalette::ButtonText), palette.color(QPalette::Window), 0.15);
+        QByteArray svg = file.readAll();
+        svg.replace("currentColor", colour.name().toLatin1());
+        svg.replace("accentColor", (mode == QIcon::Disabled ? colour : accent(palette)).name().toLatin1());
+        QSvgRenderer(svg).render(painter, rect);
+    }
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+        QPixmap result(size);
+        result.fill(Qt::transparent);
+        QPainter painter(&result);
+        paint(&painter, QRect({}, size), mode, state);
+        return result;
+    }
+    QIconEngine* clone() const override { return new TintedIcon(name_); }
+
+private:
+    QString name_;
+};
+
+}  // namespace
+
+bool isDark(const QPalette& palette) { return palette.color(QPalette::Base).lightness() < 128; }
+
+void apply(QApplication& application, Theme theme) {
+    static const QPalette desktop = QGuiApplication::palette();  // before we set our own
+    chosen = theme;
+    const bool dark = theme == Theme::Dark || (theme == Theme::System && isDark(desktop));
+    if (application.style()->objectName() != "fusion") QApplication::setStyle(QStyleFactory::create("Fusion"));
+    QApplication::setPalette(dark ? darkPalette() : lightPalette());
+}
+
+Theme current() { return chosen; }
+
+QColor mix(const QColor& a, const QColor& b, double t) {
+    const auto between = [t](double x, double y) { return x * (1 - t) + y * t; };
+    return QColor::fromRgbF(between(a.redF(), b.redF()), between(a.greenF(), b.greenF()), between(a.blueF(), b.blueF()),
+                            between(a.alphaF(), b.alphaF()));
+}
+
+QColor accent(const QPalette& palette) { return palette.color(QPalette::Active, QPalette::Highlight); }
+
+QColor mutedText(const QPalette& palette) {
+    return mix(palette.color(QPalette::WindowText), palette.color(QPalette::Window), 0.4);
+}
+
+QColor hairline(const QPalette& palette) {
+    return mix(palette.color(QPalette::Window), palette.color(QPalette::WindowText), 0.14);
+}
+
+QColor canvas(const QPalette& palette) {
+    return isDark(palette) ? palette.color(QPalette::Base) : QColor(0xfd, 0xfd, 0xfe);
+}
+
+QColor good(const QPalette& palette) { return isDark(palette) ? QColor(0x5f, 0xc2, 0x8a) : QColor(0x1d, 0x7f, 0x4c); }
+QColor caution(const QPalette& palette) { return isDark(palette) ? QColor(0xe5, 0xb0, 0x54) : QColor(0xa8, 0x66, 0x00); }
+QColor fault(const QPalette& palette) { return isDark(palette) ? QColor(0xf0, 0x7b, 0x72) : QColor(0xc0, 0x2f, 0x2a); }
+
+QColor measuredTrace(const QPalette& palette) {
+    return isDark(palette) ? QColor(0xa9, 0xb2, 0xbd) : QColor(0x79, 0x83, 0x90);
+}
+QColor beforeTrace(const QPalette& palette) {
+    return isDark(palette) ? QColor(0xe8, 0xa0, 0x4a) : QColor(0xd9, 0x7f, 0x1c);
+}
+QColor afterTrace(const QPalette& palette) {
+    return isDark(palette) ? QColor(0x57, 0xa6, 0xf2) : QColor(0x14, 0x62, 0xb5);
+}
+
+QColor onCanvas(const QColor& paper, const QPalette& palette) {
+    if (!isDark(palette)) return paper;
+    float h, s, l, a;
+    paper.getHslF(&h, &s, &l, &a);
+    // White paper turns into the canvas, black ink into light grey; strong hues keep their strength.
+    const double turned = 0.10 + (1.0 - l) * 0.76;
+    const double floor = s > 0.4 && l < 0.6 ? std::max(turned, 0.62) : turned;
+    return QColor::fromHslF(std::max(h, 0.0f), s * 0.85f, static_cast<float>(floor), a);
+}
+
+QIcon icon(const QString& name) { return QIcon(new TintedIcon(name)); }
+
+void makeCaption(QWidget* label) {
+    QFont font = label->font();
+    font.setPointSizeF(font.pointSizeF() * 0.9);
+    label->setFont(font);
+    label->setForegroundRole(QPalette::PlaceholderText);
+}
+
+void makeHeading(QWidget* label, double scale) {
+    QFont font = label->font();
+    font.setPointSizeF(font.pointSizeF() * scale);
+    font.setWeight(QFont::DemiBold);
+    label->setFont(font);
+}
+
+}  // namespace analogon::ui::style

@@ -1,0 +1,62 @@
+#include "ui/text/highlighter.hpp"
+
+#include <QRegularExpression>
+#include <QSet>
+
+#include "ui/style/style.hpp"
+
+namespace analogon::ui {
+
+namespace {
+
+const QSet<QString>& keywords() {
+    static const QSet<QString> words{
+        "within",  "package",  "model",    "block",       "connector", "type",      "record",    "partial", "final",
+        "extends", "redeclare", "replaceable", "protected", "public",  "parameter", "constant",  "input",   "output",
+        "flow",    "equation", "initial",  "connect",     "if",        "then",      "else",      "elseif",  "for",
+        "loop",    "in",       "end",      "der",         "time",      "annotation", "constrainedby", "each", "import"};
+    return words;
+}
+
+enum State { Normal = 0, InComment = 1 };
+
+}  // namespace
+
+void Highlighter::highlightBlock(const QString& text) {
+    static const QRegularExpression token(
+        R"re((?<comment>//.*$)|(?<open>/\*)|(?<string>"(?:\\.|[^"\\])*"?)|(?<number>\b\d+(?:\.\d*)?(?:[eE][+-]?\d+)?)|(?<word>[A-Za-z_][A-Za-z0-9_]*))re");
+    const QColor comment = style::mix(palette_.color(QPalette::Text), palette_.color(QPalette::Base), 0.5);
+    const QColor string = style::good(palette_);
+    const QColor number = style::caution(palette_);
+    QTextCharFormat keyword;
+    keyword.setForeground(style::accent(palette_));
+    keyword.setFontWeight(QFont::DemiBold);
+
+    setCurrentBlockState(Normal);
+    qsizetype at = 0;
+    const auto comments = [&](qsizetype from) {  // to the end of a /* comment */, which may lie on a later line
+        const qsizetype close = text.indexOf("*/", from);
+        const qsizetype end = close < 0 ? text.size() : close + 2;
+        setFormat(static_cast<int>(from), static_cast<int>(end - from), comment);
+        if (close < 0) setCurrentBlockState(InComment);
+        return end;
+    };
+    if (previousBlockState() == InComment) at = comments(0);
+    while (at < text.size()) {
+        const QRegularExpressionMatch match = token.match(text, at);
+        if (!match.hasMatch()) return;
+        const int begin = static_cast<int>(match.capturedStart()), length = static_cast<int>(match.capturedLength());
+        at = match.capturedEnd();
+        if (match.hasCaptured("comment")) setFormat(begin, length, comment);
+        if (match.hasCaptured("open")) at = comments(begin);
+        if (match.hasCaptured("string")) setFormat(begin, length, string);
+        if (match.hasCaptured("number")) setFormat(begin, length, number);
+        if (match.hasCaptured("word") && keywords().contains(match.captured())) setFormat(begin, length, keyword);
+        if (match.captured() == "annotation") {  // drawing data: kept in view, but quiet
+            setFormat(begin, static_cast<int>(text.size()) - begin, comment);
+            return;
+        }
+    }
+}
+
+}  // namespace analogon::ui

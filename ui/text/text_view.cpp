@@ -1,0 +1,106 @@
+#include "ui/text/text_view.hpp"
+
+#include <QFontDatabase>
+#include <QPainter>
+#include <QTextBlock>
+
+#include "ui/document/document.hpp"
+#include "ui/style/style.hpp"
+#include "ui/text/highlighter.hpp"
+
+namespace analogon::ui {
+
+class TextView::LineNumbers : public QWidget {
+public:
+    explicit LineNumbers(TextView& view) : QWidget(&view), view_(view) {}
+
+protected:
+    void paintEvent(QPaintEvent* event) override { view_.paintLineNumbers(event); }
+
+private:
+    TextView& view_;
+};
+
+TextView::TextView(Document& document, QWidget* parent)
+    : QPlainTextEdit(parent), document_(document), lineNumbers_(new LineNumbers(*this)) {
+    setReadOnly(true);
+    setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    setFrameShape(NoFrame);
+    setLineWrapMode(NoWrap);
+    QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    fixed.setPointSizeF(font().pointSizeF());
+    setFont(fixed);
+    setAccessibleName(tr("Model text"));
+    (new Highlighter(this->document()))->setObjectName("highlighter");
+    connect(this, &QPlainTextEdit::updateRequest, lineNumbers_, [this] { lineNumbers_->update(); });
+    connect(this, &QPlainTextEdit::blockCountChanged, this, &TextView::updateMargins);
+    connect(&document, &Document::modelChanged, this, &TextView::refresh);
+    refresh();
+    updateMargins();
+}
+
+void TextView::refresh() {
+    const QString text = document_.modelText();
+    if (toPlainText() != text) setPlainText(text);
+    setExtraSelections({});
+    for (QObject* child : this->document()->children())
+        if (auto* highlighter = dynamic_cast<Highlighter*>(child)) highlighter->setPalette(palette());
+}
+
+void TextView::showPlace(int line, int column, int length) {
+    const QTextBlock block = this->document()->findBlockByNumber(line - 1);
+    if (!block.isValid()) return;
+    const auto characters = [&](int bytes) {
+        return static_cast<int>(QString::fromUtf8(block.text().toUtf8().left(std::max(0, bytes))).size());
+    };
+    QTextCursor cursor(block);
+    QTextEdit::ExtraSelection mark;
+    mark.format.setBackground(style::mix(palette().color(QPalette::Base), style::caution(palette()), 0.3));
+    if (column > 0) {
+        const int begin = characters(column - 1);
+        cursor.setPosition(block.position() + begin);
+        setTextCursor(cursor);
+        cursor.setPosition(block.position() + std::max(begin + 1, characters(column - 1 + length)),
+                           QTextCursor::KeepAnchor);
+    } else {
+        setTextCursor(cursor);
+        mark.format.setProperty(QTextFormat::FullWidthSelection, true);
+    }
+    mark.cursor = cursor;
+    setExtraSelections({mark});
+    centerCursor();
+}
+
+int TextView::lineNumberWidth() const {
+    const int digits = std::max(2, static_cast<int>(QString::number(blockCount()).size()));
+    return fontMetrics().horizontalAdvance(QLatin1Char('9')) * digits + 5 * style::unit;
+}
+
+void TextView::updateMargins() { setViewportMargins(lineNumberWidth(), 0, 0, 0); }
+
+void TextView::resizeEvent(QResizeEvent* event) {
+    QPlainTextEdit::resizeEvent(event);
+    const QRect inside = contentsRect();
+    lineNumbers_->setGeometry(inside.left(), inside.top(), lineNumberWidth(), inside.height());
+}
+
+void TextView::changeEvent(QEvent* event) {
+    QPlainTextEdit::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) refresh();
+}
+
+void TextView::paintLineNumbers(QPaintEvent* event) {
+    QPainter painter(lineNumbers_);
+    painter.fillRect(event->rect(), palette().color(QPalette::Base));
+    painter.setFont(font());
+    painter.setPen(style::mix(palette().color(QPalette::Text), palette().color(QPalette::Base), 0.6));
+    const int width = lineNumbers_->width() - 3 * style::unit;
+    for (QTextBlock block = firstVisibleBlock(); block.isValid(); block = block.next()) {
+        const QRectF line = blockBoundingGeometry(block).translated(contentOffset());
+        if (line.top() > event->rect().bottom()) break;
+        painter.drawText(QRectF(0, line.top(), width, line.height()), Qt::AlignRight | Qt::AlignVCenter,
+                         QString::number(block.blockNumber() + 1));
+    }
+}
+
+}  // namespace analogon::ui

@@ -1,0 +1,406 @@
+#include "ui/window/main_window.hpp"
+
+#include <QActionGroup>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QTabWidget>
+#include <QToolBar>
+#include <QUrl>
+
+#include "ui/canvas/diagram_scene.hpp"
+#include "ui/canvas/diagram_view.hpp"
+#include "ui/document/document.hpp"
+#include "ui/effect/result_panel.hpp"
+#include "ui/fit/run_bar.hpp"
+#include "ui/fit/run_controller.hpp"
+#include "ui/inspector/parameter_panel.hpp"
+#include "ui/job/job.hpp"
+#include "ui/measurement/measurement_panel.hpp"
+#include "ui/messages/message_panel.hpp"
+#include "ui/plot/plot_panel.hpp"
+#include "ui/style/style.hpp"
+#include "ui/text/text_view.hpp"
+#include "ui/window/start_page.hpp"
+
+namespace analogon::ui {
+
+namespace {
+
+constexpr int layoutVersion = 1;  // raised when docks are added, so that an old layout is not restored
+
+/// Heading of a dock: a quiet line of text instead of the style's frame. Drags like the built-in one.
+class DockTitle : public QLabel {
+public:
+    DockTitle(const QString& text, QWidget* parent) : QLabel(text, parent) {
+        setMargin(0);
+        setContentsMargins(style::margin, 2 * style::unit, style::margin, 2 * style::unit);
+        QFont bold = font();
+        bold.setWeight(QFont::DemiBold);
+        setFont(bold);
+    }
+
+protected:
+    // A title bar must leave its mouse events to the dock.
+    void mousePressEvent(QMouseEvent* event) override { event->ignore(); }
+    void mouseMoveEvent(QMouseEvent* event) override { event->ignore(); }
+    void mouseReleaseEvent(QMouseEvent* event) override { event->ignore(); }
+};
+
+}  // namespace
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent),
+      document_(new Document(this)),
+      controller_(new RunController(*document_, this)),
+      writer_(new JobRunner(this)) {
+    setAcceptDrops(true);
+    setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    setDocumentMode(true);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    createPanels();
+    createActions();
+    createMenus();
+    createToolBar();
+    connectPanels();
+    resize(1440, 900);
+    resetLayout();
+    restoreLayout();
+    showStudy();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::createPanels() {
+    scene_ = new DiagramScene(this);
+    view_ = new DiagramView(*scene_);
+    text_ = new TextView(*document_);
+    centre_ = new QTabWidget;
+    centre_->setDocumentMode(true);
+    centre_->addTab(view_, tr("Diagram"));
+    centre_->addTab(text_, tr("Model text"));
+    start_ = new StartPage(findExamples());
+    pages_ = new QStackedWidget(this);
+    pages_->addWidget(start_);
+    pages_->addWidget(centre_);
+    setCentralWidget(pages_);
+
+    measurements_ = new MeasurementPanel(*document_);
+    parameters_ = new ParameterPanel(*document_);
+    results_ = new ResultPanel(*document_);
+    plots_ = new PlotPanel(*document_);
+    messages_ = new MessagePanel(*document_);
+    measurementDock_ = addDock("measurements", tr("Measurements"), measurements_, Qt::LeftDockWidgetArea);
+    parameterDock_ = addDock("parameters", tr("Parameters"), parameters_, Qt::RightDockWidgetArea);
+    resultDock_ = addDock("result", tr("Result"), results_, Qt::RightDockWidgetArea);
+    plotDock_ = addDock("traces", tr("Measured and simulated"), plots_, Qt::BottomDockWidgetArea);
+    messageDock_ = addDock("messages", tr("Messages"), messages_, Qt::BottomDockWidgetArea);
+}
+
+QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName(name);
+    dock->setWidget(panel);
+    dock->setTitleBarWidget(new DockTitle(title, dock));
+    addDockWidget(area, dock);
+    return dock;
+}
+
+void MainWindow::createActions() {
+    const auto make = [this](const QString& text, const QString& icon, const QKeySequence& keys, const QString& tip) {
+        auto* action = new QAction(text, this);
+        if (!icon.isEmpty()) action->setIcon(style::icon(icon));
+        action->setShortcut(keys);
+        const QString shortcut = action->shortcut().toString(QKeySequence::NativeText);
+        action->setToolTip(shortcut.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, shortcut));
+        addAction(action);
+        return action;
+    };
+    openAction_ = make(tr("Open …"), "open", QKeySequence::Open, tr("Open a study directory"));
+    openFileAction_ = make(tr("Open study file …"), {}, Qt::CTRL | Qt::SHIFT | Qt::Key_O,
+                           tr("Open a study.json or an .analogon file"));
+    saveAction_ = make(tr("Save study as …"), "save", QKeySequence::SaveAs, tr("Write the study into a directory"));
+    reportAction_ = make(tr("Write report …"), "report", Qt::CTRL | Qt::Key_E,
+                         tr("Write report, traces and the completed study into a directory"));
+    quitAction_ = make(tr("Quit"), {}, QKeySequence::Quit, tr("Quit"));
+    undoAction_ = document_->undoStack().createUndoAction(this, tr("Undo"));
+    undoAction_->setIcon(style::icon("undo"));
+    undoAction_->setShortcut(QKeySequence::Undo);
+    redoAction_ = document_->undoStack().createRedoAction(this, tr("Redo"));
+    redoAction_->setIcon(style::icon("redo"));
+    redoAction_->setShortcut(QKeySequence::Redo);
+    fitAction_ = make(tr("Fit"), "fit", Qt::Key_F5, tr("Estimate the checked parameters"));
+    fitAction_->setObjectName("fit");
+    discoverAction_ = make(tr("Find effects"), "discover", Qt::Key_F6,
+                           tr("Fit, find the effect that the model lacks, add it and refit"));
+    discoverAction_->setObjectName("discover");
+    fitViewAction_ = make(tr("Show all"), "fit-view", {}, tr("Show the whole diagram (Space)"));
+
+    connect(openAction_, &QAction::triggered, this, [this] { askForStudy(true); });
+    connect(openFileAction_, &QAction::triggered, this, [this] { askForStudy(false); });
+    connect(saveAction_, &QAction::triggered, this, &MainWindow::askWhereToSave);
+    connect(reportAction_, &QAction::triggered, this, &MainWindow::askWhereToReport);
+    connect(quitAction_, &QAction::triggered, this, &QWidget::close);
+    connect(fitAction_, &QAction::triggered, this, [this] { controller_->start(RunKind::Fit); });
+    connect(discoverAction_, &QAction::triggered, this, [this] { controller_->start(RunKind::Discover); });
+    connect(fitViewAction_, &QAction::triggered, view_, &DiagramView::fitView);
+}
+
+void MainWindow::createMenus() {
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    file->addActions({openAction_, openFileAction_});
+    file->addSeparator();
+    file->addActions({saveAction_, reportAction_});
+    file->addSeparator();
+    file->addAction(quitAction_);
+    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    edit->addActions({undoAction_, redoAction_});
+    QMenu* run = menuBar()->addMenu(tr("&Run"));
+    run->addActions({fitAction_, discoverAction_});
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    view->addAction(fitViewAction_);
+    view->addSeparator();
+    for (QDockWidget* dock : {measurementDock_, parameterDock_, resultDock_, plotDock_, messageDock_})
+        view->addAction(dock->toggleViewAction());
+    view->addAction(tr("Reset layout"), this, &MainWindow::resetLayout);
+    view->addSeparator();
+    QMenu* theme = view->addMenu(tr("Theme"));
+    auto* group = new QActionGroup(this);
+    const QStringList names{tr("As the desktop"), tr("Light"), tr("Dark")};
+    for (int i = 0; i < names.size(); ++i) {
+        QAction* action = theme->addAction(names[i], this, [this, i] { setTheme(i); });
+        action->setCheckable(true);
+        action->setChecked(i == static_cast<int>(style::current()));
+        group->addAction(action);
+    }
+}
+
+void MainWindow::createToolBar() {
+    QToolBar* bar = addToolBar(tr("Main"));
+    bar->setObjectName("main");
+    bar->setMovable(false);
+    bar->setIconSize({20, 20});
+    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    bar->setContentsMargins(style::unit, style::unit / 2, style::unit, style::unit / 2);
+    bar->addAction(openAction_);
+    bar->addSeparator();
+    bar->addAction(undoAction_);
+    bar->addAction(redoAction_);
+    for (QAction* a : {undoAction_, redoAction_})
+        if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(a)))
+            button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    bar->addSeparator();
+    bar->addAction(fitAction_);
+    bar->addAction(discoverAction_);
+    bar->addSeparator();
+    bar->addAction(fitViewAction_);
+    runBar_ = new RunBar(*controller_, bar);
+    bar->addWidget(runBar_);
+    statusBar()->setSizeGripEnabled(false);
+}
+
+void MainWindow::connectPanels() {
+    connect(document_, &Document::opened, this, &MainWindow::showStudy);
+    connect(document_, &Document::modelChanged, this, &MainWindow::showModel);
+    connect(document_, &Document::resultChanged, this, [this] {
+        showEffects();
+        updateActions();
+    });
+    connect(document_, &Document::readingChanged, this, [this] {
+        if (document_->isReading()) statusBar()->showMessage(tr("Reading the study …"));
+        updateActions();
+    });
+    connect(document_, &Document::messagesChanged, this, [this] {
+        if (document_->isOpen() || document_->messages().empty()) return;
+        start_->showFault(QString::fromStdString(format(document_->messages().front().diagnostic)));
+    });
+    connect(&document_->undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
+    connect(controller_, &RunController::runningChanged, this, [this] {
+        if (controller_->isRunning()) statusBar()->clearMessage();
+        updateActions();
+    });
+    connect(controller_, &RunController::concluded, statusBar(), [this](const QString& s) { statusBar()->showMessage(s); });
+    connect(measurements_, &MeasurementPanel::experimentChosen, plots_, &PlotPanel::showExperiment);
+    connect(scene_, &DiagramScene::blockSelected, parameters_, &ParameterPanel::showComponent);
+    connect(parameters_, &ParameterPanel::componentCleared, scene_, &QGraphicsScene::clearSelection);
+    connect(results_, &ResultPanel::effectChosen, this, [this](const QString& instance) {
+        centre_->setCurrentWidget(view_);
+        scene_->select(instance.toStdString());
+    });
+    connect(messages_, &MessagePanel::placeChosen, this, &MainWindow::showPlace);
+    connect(messages_, &MessagePanel::countChanged, this, [this](int errors, int others) {
+        const int count = errors + others;
+        const QString title = count > 0 ? tr("Messages (%1)").arg(count) : tr("Messages");
+        messageDock_->setWindowTitle(title);
+        if (auto* label = qobject_cast<QLabel*>(messageDock_->titleBarWidget())) label->setText(title);
+        if (errors > 0) messageDock_->raise();
+    });
+    connect(start_, &StartPage::openWanted, openAction_, &QAction::trigger);
+    connect(start_, &StartPage::exampleChosen, this, &MainWindow::open);
+}
+
+void MainWindow::resetLayout() {
+    addDockWidget(Qt::LeftDockWidgetArea, measurementDock_);
+    addDockWidget(Qt::RightDockWidgetArea, parameterDock_);
+    addDockWidget(Qt::RightDockWidgetArea, resultDock_);
+    splitDockWidget(parameterDock_, resultDock_, Qt::Vertical);
+    addDockWidget(Qt::BottomDockWidgetArea, plotDock_);
+    addDockWidget(Qt::BottomDockWidgetArea, messageDock_);
+    tabifyDockWidget(plotDock_, messageDock_);
+    plotDock_->raise();
+    resizeDocks({measurementDock_, parameterDock_}, {270, 420}, Qt::Horizontal);
+    resizeDocks({plotDock_}, {400}, Qt::Vertical);
+    resizeDocks({parameterDock_, resultDock_}, {300, 480}, Qt::Vertical);
+}
+
+void MainWindow::restoreLayout() {
+    const QSettings settings;
+    restoreGeometry(settings.value("window/geometry").toByteArray());
+    restoreState(settings.value("window/state").toByteArray(), layoutVersion);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (document_->isOpen()) {  // the start page hides the docks: nothing worth remembering
+        QSettings settings;
+        settings.setValue("window/geometry", saveGeometry());
+        settings.setValue("window/state", saveState(layoutVersion));
+    }
+    controller_->cancel();
+    QMainWindow::closeEvent(event);
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && scene_) scene_->update();
+}
+
+void MainWindow::setTheme(int theme) {
+    style::apply(*qApp, static_cast<style::Theme>(theme));
+    QSettings().setValue("window/theme", theme);
+}
+
+void MainWindow::open(const QString& path) { document_->open(path); }
+
+void MainWindow::showStudy() {
+    const bool isOpen = document_->isOpen();
+    pages_->setCurrentWidget(isOpen ? static_cast<QWidget*>(centre_) : start_);
+    for (QDockWidget* dock : {measurementDock_, parameterDock_, resultDock_, plotDock_, messageDock_})
+        dock->setVisible(isOpen);
+    if (isOpen) {
+        plotDock_->raise();
+        start_->showFault({});
+        statusBar()->clearMessage();
+        scene_->clearSelection();
+        parameters_->showComponent({});
+    }
+    updateTitle();
+    updateActions();
+    if (isOpen) QTimer::singleShot(0, view_, &DiagramView::fitView);  // once the docks have their sizes
+}
+
+void MainWindow::showModel() {
+    scene_->show(document_->diagram());
+    showEffects();
+}
+
+void MainWindow::showEffects() {
+    std::vector<EffectMark> marks;
+    if (const Finding* finding = document_->finding())
+        for (const AddedEffect& effect : finding->effects) {
+            const Block* block = document_->diagram().find(effect.instance);
+            // Taken back by undo, a component may still be there, but with its old class.
+            if (block && (block->className == effect.className || block->isEffect))
+                marks.push_back({effect.instance, effectTitle(effect).section(tr(" at "), 0, 0)});
+        }
+    scene_->mark(marks);
+}
+
+void MainWindow::showPlace(const Place& place) {
+    if (place.line <= 0 || !document_->isOpen()) return;
+    const QString file = QFileInfo(QString::fromStdString(place.file)).fileName();
+    if (file != QString::fromStdString(document_->study().modelFile)) return;
+    centre_->setCurrentWidget(text_);
+    text_->showPlace(place.line, place.column, place.length);
+}
+
+void MainWindow::updateActions() {
+    const bool isReady = document_->isOpen() && !controller_->isRunning() && !document_->isReading();
+    fitAction_->setEnabled(isReady);
+    discoverAction_->setEnabled(isReady);
+    saveAction_->setEnabled(document_->isOpen());
+    reportAction_->setEnabled(isReady && document_->result());
+    fitViewAction_->setEnabled(document_->isOpen());
+}
+
+void MainWindow::updateTitle() {
+    setWindowTitle(document_->isOpen() ? document_->title() + "[*] – Analogon" : QStringLiteral("Analogon"));
+    setWindowModified(document_->isOpen() && !document_->undoStack().isClean());
+}
+
+void MainWindow::askForStudy(bool isDirectory) {
+    auto* dialog = new QFileDialog(this, tr("Open a study"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setModal(false);
+    dialog->setFileMode(isDirectory ? QFileDialog::Directory : QFileDialog::ExistingFile);
+    if (!isDirectory) dialog->setNameFilter(tr("Studies (study.json *.analogon)"));
+    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::open);
+    dialog->show();
+}
+
+void MainWindow::askWhereToSave() {
+    auto* dialog = new QFileDialog(this, tr("Save the study into a directory"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setModal(false);
+    dialog->setFileMode(QFileDialog::Directory);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        const std::filesystem::path directory = path.toStdString();
+        writer_->start<Outcome<Done>>(
+            tr("Saving"), [study = document_->study(), directory](const Progress&) { return writeStudy(study, directory); },
+            [this, path](Outcome<Done> done) {
+                document_->setRunMessages(done.diagnostics());
+                if (done) document_->undoStack().setClean();
+                statusBar()->showMessage(done ? tr("Saved to %1.").arg(path) : tr("Not saved: see the messages."));
+            });
+    });
+    dialog->show();
+}
+
+void MainWindow::askWhereToReport() {
+    auto* dialog = new QFileDialog(this, tr("Write the report into a directory"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setModal(false);
+    dialog->setFileMode(QFileDialog::Directory);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        if (!document_->result()) return;
+        const std::filesystem::path directory = path.toStdString();
+        writer_->start<Outcome<Done>>(
+            tr("Writing the report"),
+            [result = *document_->result(), kind = document_->resultKind(), directory](const Progress&) { return writeResults(result, commandName(kind), directory); },
+            [this, path](Outcome<Done> done) {
+                document_->setRunMessages(done.diagnostics());
+                statusBar()->showMessage(done ? tr("Report written to %1/report.html.").arg(path)
+                                              : tr("No report written: see the messages."));
+            });
+    });
+    dialog->show();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    if (!event->mimeData()->hasUrls()) return;
+    event->acceptProposedAction();
+    open(event->mimeData()->urls().front().toLocalFile());
+}
+
+}  // namespace analogon::ui

@@ -1,0 +1,180 @@
+#include "ui/window/start_page.hpp"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QTextStream>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/style/style.hpp"
+
+namespace analogon::ui {
+
+namespace {
+
+QDir examplesDirectory() {
+    const QStringList places{qEnvironmentVariable("ANALOGON_EXAMPLES"),
+                             QCoreApplication::applicationDirPath() + "/../share/analogon/examples",
+                             QStringLiteral(ANALOGON_SOURCE_EXAMPLES)};
+    for (const QString& place : places)
+        if (!place.isEmpty() && QDir(place).exists()) return QDir(place);
+    return QDir();
+}
+
+/// Heading and first paragraph of a README.
+void describe(const QString& readme, Example& example) {
+    QFile file(readme);
+    if (!file.open(QIODevice::ReadOnly | QIODevice::Text)) return;
+    QTextStream stream(&file);
+    QString paragraph;
+    while (!stream.atEnd()) {
+        const QString line = stream.readLine().trimmed();
+        if (line.startsWith("# ") && paragraph.isEmpty())
+            example.title = line.mid(2);
+        else if (line.isEmpty() && !paragraph.isEmpty())
+            break;
+        else if (!line.isEmpty() && !line.startsWith('#'))
+            paragraph += (paragraph.isEmpty() ? "" : " ") + line;
+    }
+    paragraph.remove('`');
+    const auto end = paragraph.indexOf(". ");
+    example.description = end > 0 ? paragraph.left(end + 1) : paragraph;
+}
+
+/// An example as a card: the whole of it is the button.
+class Card : public QAbstractButton {
+public:
+    Card(const Example& example, QWidget* parent) : QAbstractButton(parent), example_(example) {
+        setText(example.title);
+        setAccessibleDescription(example.description);
+        setCursor(Qt::PointingHandCursor);
+        setFocusPolicy(Qt::StrongFocus);
+        setAttribute(Qt::WA_Hover);
+        setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    }
+    QSize sizeHint() const override {
+        const int line = fontMetrics().height();
+        return {440, 3 * line + 2 * style::margin + style::unit};
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        const bool isActive = underMouse() || hasFocus();
+        const QPalette& p = palette();
+        painter.setPen(QPen(isActive ? style::accent(p) : style::hairline(p), 1));
+        painter.setBrush(isDown() ? p.color(QPalette::AlternateBase) : p.color(QPalette::Base));
+        painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
+        const int icon = 28;
+        const QRect iconBox(style::margin + style::unit, (height() - icon) / 2, icon, icon);
+        style::icon("example").paint(&painter, iconBox);
+        const QRect box = rect().adjusted(iconBox.right() + style::margin + style::unit, style::margin, -style::margin,
+                                          -style::margin);
+        QFont bold = font();
+        bold.setWeight(QFont::DemiBold);
+        painter.setFont(bold);
+        painter.setPen(p.color(QPalette::Text));
+        painter.drawText(box, Qt::AlignLeft | Qt::AlignTop, example_.title);
+        painter.setFont(font());
+        painter.setPen(style::mutedText(p));
+        const QRect below = box.adjusted(0, fontMetrics().height() + style::unit / 2, 0, 0);
+        const QString text = elided(example_.description, below.width());
+        painter.drawText(below, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, text);
+    }
+
+private:
+    /// Cuts a text to two lines.
+    QString elided(const QString& text, int width) const {
+        const QFontMetrics metrics(font());
+        QString result = text;
+        while (metrics.boundingRect(QRect(0, 0, width, 1000), Qt::TextWordWrap, result).height() >
+                   2 * metrics.lineSpacing() + 2 &&
+               result.size() > 8)
+            result = result.left(result.lastIndexOf(' ', -3)) + QStringLiteral(" …");
+        return result;
+    }
+    Example example_;
+};
+
+}  // namespace
+
+std::vector<Example> findExamples() {
+    std::vector<Example> examples;
+    const QDir directory = examplesDirectory();
+    for (const QFileInfo& entry : directory.entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name)) {
+        Example example;
+        for (const QString& place : {entry.filePath() + "/study", entry.filePath()})
+            if (QFile::exists(place + "/study.json")) example.path = place;
+        if (example.path.isEmpty()) continue;
+        example.title = entry.fileName();
+        describe(entry.filePath() + "/README.md", example);
+        examples.push_back(example);
+    }
+    return examples;
+}
+
+StartPage::StartPage(std::vector<Example> examples, QWidget* parent) : QWidget(parent), fault_(new QLabel(this)) {
+    auto* title = new QLabel(QStringLiteral("Analogon"), this);
+    style::makeHeading(title, 2.4);
+    auto* subtitle = new QLabel(tr("Physical models from test-bench measurements: fit the parameters, find the effect the "
+                                   "model lacks, see the evidence."),
+                                this);
+    subtitle->setWordWrap(true);
+    auto* open = new QPushButton(tr("Open a study …"), this);
+    open->setIcon(style::icon("open"));
+    open->setDefault(true);
+    open->setMinimumHeight(8 * style::unit);
+    auto* hint = new QLabel(tr("or drop a study directory, its study.json or an .analogon file here"), this);
+    style::makeCaption(hint);
+    fault_->setWordWrap(true);
+    fault_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    fault_->hide();
+
+    auto* column = new QVBoxLayout;
+    column->setSpacing(2 * style::unit);
+    column->addStretch(2);
+    column->addWidget(title);
+    column->addWidget(subtitle);
+    column->addSpacing(3 * style::unit);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(3 * style::unit);
+    row->addWidget(open);
+    row->addWidget(hint);
+    row->addStretch(1);
+    column->addLayout(row);
+    column->addWidget(fault_);
+    column->addSpacing(5 * style::unit);
+    auto* heading = new QLabel(examples.empty() ? QString() : tr("Examples"), this);
+    style::makeHeading(heading);
+    column->addWidget(heading);
+    for (const Example& example : examples) {
+        auto* card = new Card(example, this);
+        connect(card, &QAbstractButton::clicked, this, [this, path = example.path] { Q_EMIT exampleChosen(path); });
+        column->addWidget(card);
+    }
+    column->addStretch(3);
+    auto* outer = new QHBoxLayout(this);
+    outer->addStretch(1);
+    auto* holder = new QWidget(this);
+    holder->setMaximumWidth(640);
+    holder->setMinimumWidth(360);
+    column->setContentsMargins(0, 0, 0, 0);
+    holder->setLayout(column);
+    outer->addWidget(holder, 8);
+    outer->addStretch(1);
+    connect(open, &QPushButton::clicked, this, &StartPage::openWanted);
+}
+
+void StartPage::showFault(const QString& text) {
+    fault_->setText(text);
+    fault_->setVisible(!text.isEmpty());
+    QPalette p = palette();
+    p.setColor(QPalette::WindowText, style::fault(p));
+    fault_->setPalette(p);
+}
+
+}  // namespace analogon::ui
