@@ -9,6 +9,7 @@
 #include <map>
 
 #include "app/analogon-cli/check.hpp"
+#include "app/analogon-cli/generate.hpp"
 #include "app/analogon-cli/interrupt.hpp"
 #include "app/analogon-cli/progress_view.hpp"
 #include "core/report/report.hpp"
@@ -92,7 +93,7 @@ int execute(const Options& options) {
         case Command::Simulate:
         case Command::Fit:
         case Command::Discover: return runStudy(options);
-        case Command::Generate:
+        case Command::Generate: return generate(options, std::cout, std::cerr);
         case Command::Export:
         case Command::Pack:
         case Command::Unpack: break;
@@ -169,8 +170,12 @@ void describe(CLI::App& app, Options& options) {
         ->required()
         ->delimiter(',')
         ->type_name("DOMAIN,…");
-    generate->add_option("--data", options.data, "The measurement")->required()->type_name("FILE");
+    generate->add_option("--data", options.data, "The measurement; of several the last one validates")
+        ->required()
+        ->type_name("FILE");
     generate->add_option("--out", options.out, "The study to write")->required()->type_name("STUDY");
+    generate->add_option("--class", options.className, "Name of the model (default: Component)")->type_name("NAME");
+    addCommon(*generate, options);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ struct Options {
     std::string method{"least-squares"};         // or nelder-mead
     std::vector<std::string> kinds;              // of effects; empty: all
     std::vector<std::string> domains;            // generate
-    std::filesystem::path data;                  // generate
+    std::vector<std::filesystem::path> data;     // generate: one, or several of which the last validates
 };
 
 /// The whole program: reads the arguments, does the work, returns the exit status.

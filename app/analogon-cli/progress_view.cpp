@@ -21,6 +21,9 @@ Progress::Sink ProgressView::sink() {
 
 void ProgressView::show(const Progress::Report& report) {
     const std::lock_guard lock(mutex_);
+    // The fits of single candidates, side by side, say nothing of how far the search is: a bar would jump about.
+    isSearching_ = isSearching_ || (report.stage != "fit" && report.stage != "simulate");
+    if (kind_ == ProgressKind::Bar && isSearching_ && report.stage == "fit") return;
     const auto now = std::chrono::steady_clock::now();
     // A new stage is always shown; within one, ten times a second is enough for anybody.
     if (report.stage == lastStage_ && now - lastShown_ < std::chrono::milliseconds(100)) return;

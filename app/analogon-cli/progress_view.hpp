@@ -31,7 +31,7 @@ private:
     std::ostream& stream_;
     std::chrono::steady_clock::time_point lastShown_{};
     std::string lastStage_;
-    bool hasBar_{};
+    bool hasBar_{}, isSearching_{};
 };
 
 /// One report as a JSON object, without the line end.

@@ -22,6 +22,9 @@ constexpr double twinCorrelation = 0.999;  // projected traces more alike than t
 constexpr double largeResidual = 1.2;      // in units of the noise: above it, first-order scores may mislead
 constexpr double falseAlarmQuantile = 0.99;
 constexpr int startsPerTrial = 2;
+constexpr int trialIterations = 12;   // a trial must show what it is worth; the winner is refitted to convergence
+constexpr int glanceIterations = 5;   // of the whole catalogue, to see who deserves a trial
+constexpr double trialTolerance = 1e-6;
 
 /// Noise of every output from what the model leaves, in the units of the output.
 std::vector<Eigen::VectorXd> noiseOf(const EstimationTask& task, const PreparedTask& prepared, const FitResult& fit) {
@@ -48,12 +51,17 @@ std::vector<Eigen::VectorXd> noiseOf(const EstimationTask& task, const PreparedT
     return noise;
 }
 
-Outcome<NullModel> fitNull(const Variant& start, const std::vector<Eigen::VectorXd>& noise, const FitOptions& options,
-                           const Progress& progress) {
+/// Whether a fit keeps the noise level it is given, or finds it anew from what it leaves.
+enum class NoiseLevel { Keep, Estimate };
+
+Outcome<NullModel> fitNull(const Variant& start, const std::vector<Eigen::VectorXd>& noise, NoiseLevel level,
+                           const FitOptions& options, const Progress& progress) {
     NullModel null;
     null.variant = start;
     null.noise = noise;
-    for (int pass = 0; pass < (noise.empty() ? 3 : 1); ++pass) {
+    // without any noise level the first fit weighs by range, and its residual is that of a poorer optimum
+    const int passes = level == NoiseLevel::Keep ? 1 : noise.empty() ? 3 : 2;
+    for (int pass = 0; pass < passes; ++pass) {
         Outcome<PreparedTask> prepared = prepareAt(null.variant, null.noise);
         if (!prepared) return prepared.diagnostics();
         if (prepared->problem.experiments.empty())
@@ -62,7 +70,7 @@ Outcome<NullModel> fitNull(const Variant& start, const std::vector<Eigen::Vector
         if (!null.fit.optimum.ok) return numericalError(null.fit.message, "give other start values, or narrower bounds");
         null.variant.values = valuesOf(null.fit);
         null.channels = residualChannels(prepared->problem);
-        if (noise.empty() && pass < 2) null.noise = noiseOf(null.variant.task, *prepared, null.fit);
+        if (pass + 1 < passes) null.noise = noiseOf(null.variant.task, *prepared, null.fit);
     }
     null.whitener = Whitener(null.channels, null.fit.optimum.residuals);
     return null;
@@ -92,7 +100,9 @@ private:
 
     std::vector<Screened> screenAll(const NullModel& null);
     std::vector<Trial> tryBest(const NullModel& null, std::vector<Screened>& screened);
-    std::vector<Trial> tryThese(const NullModel& null, const std::vector<const Screened*>& chosen);
+    std::vector<Trial> tryThese(const NullModel& null, const std::vector<const Screened*>& chosen, int iterations,
+                                int starts);
+    void continueBest(const NullModel& null, std::vector<Trial>& trials);
     std::optional<Step> round(const NullModel& null);
     std::vector<std::size_t> equivalents(const NullModel& null, const std::vector<Trial>& trials, std::size_t best) const;
     void removeUnneeded(NullModel& null);
@@ -124,13 +134,18 @@ std::vector<Screened> Search::screenAll(const NullModel& null) {
     return screened;
 }
 
-std::vector<Trial> Search::tryThese(const NullModel& null, const std::vector<const Screened*>& chosen) {
+std::vector<Trial> Search::tryThese(const NullModel& null, const std::vector<const Screened*>& chosen, int iterations,
+                                    int starts) {
+    FitOptions quick = options_.fit;
+    quick.maxIterations = iterations;
+    quick.costTolerance = trialTolerance;
+    quick.simulation = limited(null, quick.simulation);
     std::vector<Trial> trials(chosen.size());
     parallelFor(static_cast<int>(chosen.size()), options_.threads, [&](int i) {
         const Screened& s = *chosen[static_cast<std::size_t>(i)];
         say("trial", s.candidate.effect.kind + " at " + s.candidate.place.at,
             static_cast<double>(i) / static_cast<double>(chosen.size()));
-        trials[static_cast<std::size_t>(i)] = refit(null, s, options_.fit, startsPerTrial, progress_);
+        trials[static_cast<std::size_t>(i)] = refit(null, s, quick, starts, progress_);
     });
     return trials;
 }
@@ -155,7 +170,7 @@ std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>&
     };
     choose(order, options_.refitted);
     choose(byWhitened, options_.refitted / 2);
-    std::vector<Trial> trials = tryThese(null, chosen);
+    std::vector<Trial> trials = tryThese(null, chosen, trialIterations, startsPerTrial);
 
     double least = null.sumOfSquares();
     for (const Trial& t : trials)
@@ -164,10 +179,26 @@ std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>&
     if (level > largeResidual && !progress_.stopRequested()) {
         const std::size_t before = chosen.size();
         choose(order, static_cast<int>(order.size()));
-        std::vector<Trial> others = tryThese(null, {chosen.begin() + static_cast<std::ptrdiff_t>(before), chosen.end()});
+        std::vector<Trial> others = tryThese(null, {chosen.begin() + static_cast<std::ptrdiff_t>(before), chosen.end()},
+                                             glanceIterations, 1);
         trials.insert(trials.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
+        continueBest(null, trials);
     }
     return trials;
+}
+
+/// Takes the trials that a short fit brought to the front further.
+void Search::continueBest(const NullModel& null, std::vector<Trial>& trials) {
+    rank(null, trials);
+    FitOptions options = options_.fit;
+    options.maxIterations = 2 * trialIterations;
+    options.costTolerance = trialTolerance;
+    options.simulation = limited(null, options.simulation);
+    const int count = std::min<int>(options_.refitted, static_cast<int>(trials.size()));
+    parallelFor(count, options_.threads, [&](int i) {
+        Trial& t = trials[static_cast<std::size_t>(i)];
+        if (t.ok && t.fit.status == FitStatus::IterationLimit) proceed(null, t, options, progress_);
+    });
 }
 
 std::vector<std::size_t> Search::equivalents(const NullModel& null, const std::vector<Trial>& trials,
@@ -300,7 +331,7 @@ void Search::removeUnneeded(NullModel& null) {
             continue;
         }
         say("remove", null.variant.effects[i].effect.kind + " at " + null.variant.effects[i].place.at, -1);
-        Outcome<NullModel> refitted = fitNull(*without, null.noise, options_.fit, progress_);
+        Outcome<NullModel> refitted = fitNull(*without, null.noise, NoiseLevel::Keep, options_.fit, progress_);
         if (!refitted) {
             ++i;
             continue;
@@ -362,7 +393,7 @@ Outcome<Finding> Search::run() {
         });
 
     say("fit", base_.task.className, 0);
-    Outcome<NullModel> null = fitNull(base_, {}, options_.fit, progress_);
+    Outcome<NullModel> null = fitNull(base_, {}, NoiseLevel::Estimate, options_.fit, progress_);
     if (!null) return null.diagnostics();
     Outcome<ModelState> state = stateOf(null->variant, null->fit, options_.fit.simulation, progress_);
     if (!state) return state.diagnostics();
@@ -377,9 +408,8 @@ Outcome<Finding> Search::run() {
         Variant wider = step->winner.variant;
         steps_.push_back(std::move(*step));
         // the noise shows better with every effect that is explained
-        wider.task.parameters = step->winner.variant.task.parameters;
-        Outcome<NullModel> next = fitNull(wider, {}, options_.fit, progress_);
-        if (!next) break;
+        Outcome<NullModel> next = fitNull(wider, null->noise, NoiseLevel::Estimate, options_.fit, progress_);
+        if (!next) return next.diagnostics();
         null = std::move(next);
         removeUnneeded(*null);
         Outcome<ModelState> after = stateOf(null->variant, null->fit, options_.fit.simulation, progress_);
@@ -407,7 +437,7 @@ Outcome<Finding> Search::run() {
 }  // namespace
 
 Outcome<ModelState> fitModel(const EstimationTask& task, const FitOptions& options, const Progress& progress) {
-    Outcome<NullModel> null = fitNull({task, {}, {}}, {}, options, progress);
+    Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, options, progress);
     if (!null) return null.diagnostics();
     return stateOf(null->variant, null->fit, options.simulation, progress);
 }

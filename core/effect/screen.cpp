@@ -12,6 +12,7 @@ namespace analogon {
 namespace {
 
 constexpr double visibleThreshold = 3e-3;
+constexpr long evaluationsPerSample = 600;  // a candidate that needs more is no model of this recording
 
 /// Series of variables over the fitted experiments, simulated with the effect off.
 class Observations {
@@ -107,7 +108,9 @@ Outcome<Observations> observe(const NullModel& null, const Variant& off, const S
         task.inputs = &experiment.inputs;
         task.parameters = experiment.parameters;
         task.observe = names;
-        const Trajectory t = simulateGrid(task, null.fit.plans[e], simulation);
+        Trajectory t = simulateGrid(task, null.fit.plans[e], simulation);
+        // switched off, an inserted block may still be stiff
+        if (t.failure.failed) t = simulateGrid(task, planGrid(task, simulation), simulation);
         times.push_back(experiment.inputs.time);
         std::size_t row = 0;
         for (const std::string& v : variables) {
@@ -305,8 +308,17 @@ Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std:
     return candidates;
 }
 
-Screened screen(const NullModel& null, const Candidate& candidate, const SimulationOptions& simulation,
+SimulationOptions limited(const NullModel& null, SimulationOptions simulation) {
+    long longest = 0;
+    for (const Recording& r : null.variant.task.recordings)
+        if (r.role == Role::Fit) longest = std::max(longest, static_cast<long>(r.time.size()));
+    simulation.evaluationLimit = longest * evaluationsPerSample;
+    return simulation;
+}
+
+Screened screen(const NullModel& null, const Candidate& candidate, const SimulationOptions& options,
                 const Progress& progress) {
+    const SimulationOptions simulation = limited(null, options);
     Screened result;
     result.candidate = candidate;
     const EffectClass& effect = candidate.effect;

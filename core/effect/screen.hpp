@@ -56,6 +56,10 @@ struct Screened {
 /// Every effect of the catalogue at every place where it fits.
 Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std::vector<EffectClass>& catalogue);
 
+/// The options with a limit on the effort of one simulation, the same on any machine: a candidate that is far too
+/// stiff for the recording is given up.
+SimulationOptions limited(const NullModel& null, SimulationOptions simulation);
+
 /// Takes a candidate's traces and scores them (Rao's score test; secants where the slope at 0 misleads).
 Screened screen(const NullModel& null, const Candidate& candidate, const SimulationOptions& simulation,
                 const Progress& progress);

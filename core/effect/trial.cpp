@@ -109,6 +109,15 @@ Trial refit(const NullModel& null, const Screened& screened, const FitOptions& o
     return best;
 }
 
+void proceed(const NullModel& null, Trial& trial, const FitOptions& options, const Progress& progress) {
+    Outcome<PreparedTask> prepared = prepareAt(trial.variant, null.noise);
+    if (!prepared) return;
+    FitResult result = fit(prepared->problem, options, progress);
+    if (!result.optimum.ok || result.cost > trial.fit.cost) return;
+    trial.variant.values = valuesOf(result);
+    trial.fit = std::move(result);
+}
+
 void rank(const NullModel& null, std::vector<Trial>& trials) {
     const auto best = std::min_element(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) {
         return (a.ok ? a.sumOfSquares() : 1e300) < (b.ok ? b.sumOfSquares() : 1e300);

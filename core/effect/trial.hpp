@@ -21,6 +21,9 @@ struct Trial {
 Trial refit(const NullModel& null, const Screened& screened, const FitOptions& options, int starts,
             const Progress& progress);
 
+/// Goes on with the fit of a trial from where it stopped.
+void proceed(const NullModel& null, Trial& trial, const FitOptions& options, const Progress& progress);
+
 /// Sorts by evidence, best first; the noise level and N_eff are those of the residual of the best fit among them.
 void rank(const NullModel& null, std::vector<Trial>& trials);
 

@@ -91,39 +91,6 @@ void indexBlocks(const std::vector<SolutionBlock>& blocks, std::vector<int>& blo
 
 }  // namespace
 
-int registerOperands(Opcode opcode) {
-    switch (opcode) {
-        case Opcode::LoadConstant:
-        case Opcode::SolveLinear:
-        case Opcode::SolveNonlinear:
-            return 0;
-        case Opcode::Select:
-            return 3;
-        case Opcode::Add:
-        case Opcode::Subtract:
-        case Opcode::Multiply:
-        case Opcode::Divide:
-        case Opcode::Power:
-        case Opcode::Less:
-        case Opcode::LessEqual:
-        case Opcode::Greater:
-        case Opcode::GreaterEqual:
-        case Opcode::Equal:
-        case Opcode::NotEqual:
-        case Opcode::And:
-        case Opcode::Or:
-        case Opcode::Atan2:
-        case Opcode::Min:
-        case Opcode::Max:
-        case Opcode::Mod:
-        case Opcode::Rem:
-        case Opcode::Div:
-            return 2;
-        default:
-            return 1;
-    }
-}
-
 Lowering::Lowering(const Structure& structure, const InputLayout& layout, ProgramTables& tables)
     : structure_(structure), layout_(layout), tables_(&tables), pool_(*structure.pool), collect_(pool_) {
     shared_.assign(pool_.size(), none);
@@ -210,9 +177,8 @@ std::uint32_t Lowering::constant(double value) {
     if (!isNew) return at->second;
     if (isPreludeClosed_) {
         const std::uint32_t reg = newRegister({.stage = RegisterInfo::Parameter, .isOwn = true});
-        program_.code.push_back({.opcode = Opcode::LoadConstant,
-                                 .dst = reg,
-                                 .a = static_cast<std::uint32_t>(program_.constants.size())});
+        program_.code.push_back(
+            {.opcode = Opcode::LoadConstant, .dst = reg, .a = static_cast<std::uint32_t>(program_.constants.size())});
         program_.constants.push_back(value);
         return at->second = reg;
     }
@@ -354,6 +320,7 @@ std::uint32_t Lowering::emit(Opcode opcode, std::uint32_t a, std::uint32_t b, st
                 info.active[mode] = 1;
             }
     }
+    for (std::size_t mode = 0; mode < 2; ++mode) instruction.kernel[mode] = kernelOf(opcode, instruction.active[mode]);
     info.degree = degreeOf(instruction);
     info.isOwn = info.stage == RegisterInfo::Dynamic || isPreludeClosed_;
     instruction.dst = newRegister(info);
@@ -368,8 +335,7 @@ std::string Lowering::nameOf(ExpressionId node) const {
 }
 
 void Lowering::require(std::span<const ExpressionId> expressions) {
-    const std::vector<SolutionBlock>& blocks =
-        given_ == Given::States ? structure_.blocks : structure_.initialBlocks;
+    const std::vector<SolutionBlock>& blocks = given_ == Given::States ? structure_.blocks : structure_.initialBlocks;
     const std::vector<int>& blockOf = given_ == Given::States ? blockOf_ : initialBlockOf_;
     std::vector<int> needed;
     std::vector<char> isListed(blocks.size(), 0);
@@ -515,15 +481,6 @@ void Lowering::finish(Program& program) {
     }
     for (auto& [reg, name] : program.watched) reg = place(reg);
     program.registerCount += sharedCount_;
-}
-
-const char* nameOf(Opcode opcode) {
-    static constexpr const char* names[] = {
-        "const", "copy", "neg",  "add",  "sub", "mul",  "div",  "pow",   "sqr",    "lt",    "le",   "gt",
-        "ge",    "eq",   "ne",   "and",  "or",  "not",  "sel",  "abs",   "sign",   "sqrt",  "exp",  "log",
-        "log10", "sin",  "cos",  "tan",  "asin", "acos", "atan", "atan2", "sinh",   "cosh",  "tanh", "min",
-        "max",   "floor", "ceil", "mod", "rem", "idiv", "table", "dtable", "linear", "newton"};
-    return names[static_cast<std::size_t>(opcode)];
 }
 
 }  // namespace analogon

@@ -21,11 +21,11 @@ struct RegisterInfo {
 
 /// A delayed signal as it enters the programs.
 struct DelaySlot {
-    ExpressionId signal;     // what is delayed: an input variable, or any expression (a tap)
-    ExpressionId time;       // delay time, over parameters
-    int slot{};              // position in u
+    ExpressionId signal;  // what is delayed: an input variable, or any expression (a tap)
+    ExpressionId time;    // delay time, over parameters
+    int slot{};           // position in u
     int input{-1}, tap{-1};
-    bool isNegated{};        // the signal is minus the input
+    bool isNegated{};  // the signal is minus the input
 };
 
 /// The order of u.
@@ -113,8 +113,8 @@ private:
     std::vector<ExpressionId> scopedNodes_;      // those of the nonlinear block under way
     std::vector<std::int8_t> isPure_;            // by node: over parameters alone; -1 not asked yet
     std::vector<ExpressionId> variableNode_, derivativeNode_;  // by variable; invalid: no such node
-    std::vector<int> blockOf_, initialBlockOf_;  // by node: the block that solves for it; -1 none
-    std::vector<char> isLowered_;                // by block, in the program under way
+    std::vector<int> blockOf_, initialBlockOf_;                // by node: the block that solves for it; -1 none
+    std::vector<char> isLowered_;                              // by block, in the program under way
     std::unordered_map<std::uint32_t, const StartValue*> startOf_;
     std::unordered_map<std::uint32_t, const SolutionBlock*> parameterBlockOf_;
     std::unordered_map<std::uint32_t, int> delayOf_;
@@ -131,8 +131,5 @@ private:
     std::vector<const SolutionBlock*> used_;
     std::vector<int> usedTapDelays_;
 };
-
-/// How many of the operands a, b, c are registers.
-int registerOperands(Opcode opcode);
 
 }  // namespace analogon

@@ -6,7 +6,7 @@
 namespace analogon {
 namespace {
 
-/// Value of an instruction that is neither a block nor a constant.
+/// Value of an instruction that is no block.
 inline double valueOf(const Instruction& i, const double* v, const ProgramTables& tables, const double* constants) {
     const double a = v[i.a];
     switch (i.opcode) {
@@ -113,105 +113,184 @@ inline Slopes slopesOf(const Instruction& i, const double* v, const ProgramTable
         case Opcode::Mod: return {1, -std::floor(a / v[i.b])};
         case Opcode::Rem: return {1, -std::trunc(a / v[i.b])};
         case Opcode::Table: return {tables.lookups[i.b].derivative(a), 0};
-        case Opcode::TableDerivative: {
-            LookupTable slope = tables.lookups[i.b];
-            ++slope.order;
-            return {slope.derivative(a), 0};
-        }
+        case Opcode::TableDerivative: return {tables.slopes[i.b].derivative(a), 0};
         default: return {};
             // clang-format on
     }
 }
 
-/// out := sa * da + sb * db over the lanes; L > 0 fixes their number for the compiler.
+/// The instructions of `code` on values and tangents; L > 0 fixes the number of lanes for the compiler, 0 takes
+/// it from the registers. Always inlined, so that it takes the instruction set of the function around it.
 template <int L>
-struct Lanes {
-    int count;
-    int width() const { return L > 0 ? L : count; }
-    void zero(double* __restrict out) const {
-        for (int k = 0; k < width(); ++k) out[k] = 0;
-    }
-    void copy(double* __restrict out, const double* __restrict a) const {
-        for (int k = 0; k < width(); ++k) out[k] = a[k];
-    }
-    void scale(double* __restrict out, double s, const double* __restrict a) const {
-        for (int k = 0; k < width(); ++k) out[k] = s * a[k];
-    }
-    void combine(double* __restrict out, double s, const double* __restrict a, double t,
-                 const double* __restrict b) const {
-        for (int k = 0; k < width(); ++k) out[k] = s * a[k] + t * b[k];
-    }
-};
-
-template <int L>
-inline void stepTangents(const Instruction& i, unsigned active, double* v, double* d, Lanes<L> lanes,
-                         const ProgramTables& tables) {
-    const double value = valueOf(i, v, tables, nullptr);
-    v[i.dst] = value;
-    const auto at = [&](std::uint32_t reg) {
-        return d + static_cast<std::size_t>(reg) * static_cast<std::size_t>(lanes.width());
-    };
-    double* out = at(i.dst);
-    switch (i.opcode) {  // the bulk of every program
-        case Opcode::Add:
-            if (active == 3) return lanes.combine(out, 1, at(i.a), 1, at(i.b));
-            return lanes.copy(out, at(active == 1 ? i.a : i.b));
-        case Opcode::Multiply:
-            if (active == 3) return lanes.combine(out, v[i.b], at(i.a), v[i.a], at(i.b));
-            return active == 1 ? lanes.scale(out, v[i.b], at(i.a)) : lanes.scale(out, v[i.a], at(i.b));
-        case Opcode::Select: {
-            const bool first = v[i.a] != 0;
-            if (!(active & (first ? 2u : 4u))) return lanes.zero(out);
-            return lanes.copy(out, at(first ? i.b : i.c));
-        }
-        default:
-            break;
-    }
-    const Slopes s = slopesOf(i, v, tables, value);
-    switch (active) {
-        case 1:
-            return lanes.scale(out, s.a, at(i.a));
-        case 2:
-            return lanes.scale(out, s.b, at(i.b));
-        default:
-            return lanes.combine(out, s.a, at(i.a), s.b, at(i.b));
-    }
-}
-
-template <int L>
-bool runWith(const std::vector<Instruction>& code, const std::vector<double>& constants, const ProgramTables& tables,
-             Registers& registers, TangentMode mode) {
+[[gnu::always_inline]] inline bool runLoop(const std::vector<Instruction>& code, const double* constants,
+                                           const ProgramTables& tables, Registers& registers, TangentMode mode) {
     double* const v = registers.values.data();
     double* const d = registers.tangents.data();
-    const Lanes<L> lanes{registers.lanes};
+    const std::size_t n = L > 0 ? static_cast<std::size_t>(L) : static_cast<std::size_t>(registers.lanes);
     for (const Instruction& i : code) {
-        if (i.opcode == Opcode::SolveLinear) {
-            if (!solveLinear(tables.linear[i.a], registers, mode)) return false;
-        } else if (i.opcode == Opcode::SolveNonlinear) {
-            if (!solveNonlinear(tables.nonlinear[i.a], tables, registers, mode)) return false;
-        } else if (const unsigned active = i.active[mode]) {
-            stepTangents(i, active, v, d, lanes, tables);
-        } else {
-            v[i.dst] = valueOf(i, v, tables, constants.data());
+        double* __restrict const out = d + i.dst * n;
+        const double* __restrict const da = d + i.a * n;
+        const double* __restrict const db = d + i.b * n;
+        switch (i.kernel[mode]) {
+            case Kernel::Value:
+                if (i.opcode == Opcode::SolveLinear) {
+                    if (!solveLinear(tables.linear[i.a], registers, mode)) return false;
+                } else if (i.opcode == Opcode::SolveNonlinear) {
+                    if (!solveNonlinear(tables.nonlinear[i.a], tables, registers, mode)) return false;
+                } else {
+                    v[i.dst] = valueOf(i, v, tables, constants);
+                }
+                break;
+            case Kernel::AddBoth:
+                v[i.dst] = v[i.a] + v[i.b];
+                for (std::size_t k = 0; k < n; ++k) out[k] = da[k] + db[k];
+                break;
+            case Kernel::AddOne: {
+                v[i.dst] = v[i.a] + v[i.b];
+                const double* __restrict const from = i.active[mode] == 1 ? da : db;
+                for (std::size_t k = 0; k < n; ++k) out[k] = from[k];
+                break;
+            }
+            case Kernel::SubtractBoth:
+                v[i.dst] = v[i.a] - v[i.b];
+                for (std::size_t k = 0; k < n; ++k) out[k] = da[k] - db[k];
+                break;
+            case Kernel::SubtractFirst:
+                v[i.dst] = v[i.a] - v[i.b];
+                for (std::size_t k = 0; k < n; ++k) out[k] = da[k];
+                break;
+            case Kernel::SubtractSecond:
+                v[i.dst] = v[i.a] - v[i.b];
+                for (std::size_t k = 0; k < n; ++k) out[k] = -db[k];
+                break;
+            case Kernel::MultiplyBoth: {
+                const double a = v[i.a], b = v[i.b];
+                v[i.dst] = a * b;
+                for (std::size_t k = 0; k < n; ++k) out[k] = b * da[k] + a * db[k];
+                break;
+            }
+            case Kernel::MultiplyOne: {
+                const bool isFirst = i.active[mode] == 1;
+                const double factor = isFirst ? v[i.b] : v[i.a];
+                v[i.dst] = v[i.a] * v[i.b];
+                const double* __restrict const from = isFirst ? da : db;
+                for (std::size_t k = 0; k < n; ++k) out[k] = factor * from[k];
+                break;
+            }
+            case Kernel::DivideBoth: {
+                const double value = v[i.a] / v[i.b], r = 1 / v[i.b];
+                v[i.dst] = value;
+                for (std::size_t k = 0; k < n; ++k) out[k] = r * (da[k] - value * db[k]);
+                break;
+            }
+            case Kernel::DivideFirst: {
+                const double r = 1 / v[i.b];
+                v[i.dst] = v[i.a] / v[i.b];
+                for (std::size_t k = 0; k < n; ++k) out[k] = r * da[k];
+                break;
+            }
+            case Kernel::DivideSecond: {
+                const double value = v[i.a] / v[i.b], s = -value / v[i.b];
+                v[i.dst] = value;
+                for (std::size_t k = 0; k < n; ++k) out[k] = s * db[k];
+                break;
+            }
+            case Kernel::Negate:
+                v[i.dst] = -v[i.a];
+                for (std::size_t k = 0; k < n; ++k) out[k] = -da[k];
+                break;
+            case Kernel::Square: {
+                const double s = 2 * v[i.a];
+                v[i.dst] = v[i.a] * v[i.a];
+                for (std::size_t k = 0; k < n; ++k) out[k] = s * da[k];
+                break;
+            }
+            case Kernel::Select: {
+                const bool isFirst = v[i.a] != 0;
+                v[i.dst] = isFirst ? v[i.b] : v[i.c];
+                const double* __restrict const from = isFirst ? db : d + i.c * n;
+                const bool moves = (i.active[mode] & (isFirst ? 2u : 4u)) != 0;
+                for (std::size_t k = 0; k < n; ++k) out[k] = moves ? from[k] : 0;
+                break;
+            }
+            case Kernel::Unary: {
+                const double value = valueOf(i, v, tables, constants);
+                const double s = slopesOf(i, v, tables, value).a;
+                v[i.dst] = value;
+                for (std::size_t k = 0; k < n; ++k) out[k] = s * da[k];
+                break;
+            }
+            case Kernel::Binary: {
+                const double value = valueOf(i, v, tables, constants);
+                const Slopes s = slopesOf(i, v, tables, value);
+                const unsigned active = i.active[mode];
+                v[i.dst] = value;
+                if (active == 1)
+                    for (std::size_t k = 0; k < n; ++k) out[k] = s.a * da[k];
+                else if (active == 2)
+                    for (std::size_t k = 0; k < n; ++k) out[k] = s.b * db[k];
+                else
+                    for (std::size_t k = 0; k < n; ++k) out[k] = s.a * da[k] + s.b * db[k];
+                break;
+            }
         }
     }
     return true;
 }
 
+using TangentRun = bool (*)(const std::vector<Instruction>&, const double*, const ProgramTables&, Registers&,
+                            TangentMode);
+
+template <int L>
+bool runPlain(const std::vector<Instruction>& code, const double* constants, const ProgramTables& tables,
+              Registers& registers, TangentMode mode) {
+    return runLoop<L>(code, constants, tables, registers, mode);
+}
+
+#if defined(__x86_64__) && defined(__GNUC__)
+// Wider vectors where the processor has them. Without fused multiply-add, so that results are the same
+// everywhere to the last bit.
+template <int L>
+[[gnu::target("avx2")]] bool runWide(const std::vector<Instruction>& code, const double* constants,
+                                     const ProgramTables& tables, Registers& registers, TangentMode mode) {
+    return runLoop<L>(code, constants, tables, registers, mode);
+}
+bool hasWideVectors() { return __builtin_cpu_supports("avx2"); }
+#else
+template <int L>
+bool runWide(const std::vector<Instruction>& code, const double* constants, const ProgramTables& tables,
+             Registers& registers, TangentMode mode) {
+    return runLoop<L>(code, constants, tables, registers, mode);
+}
+bool hasWideVectors() { return false; }
+#endif
+
+template <int L>
+TangentRun chooseRun() {
+    static const TangentRun run = hasWideVectors() ? runWide<L> : runPlain<L>;
+    return run;
+}
+
 bool dispatch(const std::vector<Instruction>& code, const std::vector<double>& constants, const ProgramTables& tables,
               Registers& registers, TangentMode mode) {
+    TangentRun run{};
     switch (registers.lanes) {
         case 4:
-            return runWith<4>(code, constants, tables, registers, mode);
+            run = chooseRun<4>();
+            break;
         case 8:
-            return runWith<8>(code, constants, tables, registers, mode);
+            run = chooseRun<8>();
+            break;
         case 12:
-            return runWith<12>(code, constants, tables, registers, mode);
+            run = chooseRun<12>();
+            break;
         case 16:
-            return runWith<16>(code, constants, tables, registers, mode);
+            run = chooseRun<16>();
+            break;
         default:
-            return runWith<0>(code, constants, tables, registers, mode);
+            run = chooseRun<0>();
     }
+    return run(code, constants.data(), tables, registers, mode);
 }
 
 bool values(const std::vector<Instruction>& code, const std::vector<double>& constants, const ProgramTables& tables,

@@ -17,9 +17,10 @@ struct Registers {
     std::vector<double> tangents;  // register r, direction k at [r * lanes + k]
     std::vector<double> guesses;   // last solutions of the nonlinear blocks
     std::vector<char> hasGuess;    // by the same places
-    std::vector<double> matrix, vector, trial, scale, rows;  // scratch of the solvers
+    std::vector<double> matrix, vector, trial, start, scale, rowScale, rows;  // scratch of the solvers
     std::vector<int> pivots;
     std::string failure;
+    bool failedToSolve{};
 
     void resize(std::size_t registers, std::size_t guessCount);
 };

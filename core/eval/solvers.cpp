@@ -71,10 +71,17 @@ void reserveScratch(Registers& r, std::size_t n) {
     if (r.vector.size() < n) {
         r.vector.resize(n);
         r.trial.resize(n);
+        r.start.resize(n);
+        r.rowScale.resize(n);
         r.scale.resize(n);
         r.pivots.resize(n);
     }
     r.rows.resize(std::max(r.rows.size(), n * static_cast<std::size_t>(r.lanes)));
+}
+
+void fail(Registers& r, const std::string& name) {
+    r.failure = name;
+    r.failedToSolve = true;
 }
 
 double* tangentsAt(Registers& r, std::uint32_t reg) {
@@ -119,23 +126,21 @@ private:
     const ProgramTables& tables_;
     Registers& r_;
     std::size_t n_;
-    std::vector<double> rowScale_;
 };
 
 void NewtonIteration::setRowScale() {
-    rowScale_.assign(n_, 1);
     for (std::size_t i = 0; i < n_; ++i) {
         double largest = 0;
         for (std::size_t j = 0; j < n_; ++j)
             largest = std::max(largest, std::fabs(r_.matrix[i * n_ + j]) * block_.nominal[j]);
-        if (largest > 0 && std::isfinite(largest)) rowScale_[i] = 1 / largest;
+        r_.rowScale[i] = largest > 0 && std::isfinite(largest) ? 1 / largest : 1;
     }
 }
 
 double NewtonIteration::norm() const {
     double sum = 0;
     for (std::size_t i = 0; i < n_; ++i) {
-        const double scaled = residual(i) * rowScale_[i];
+        const double scaled = residual(i) * r_.rowScale[i];
         sum += scaled * scaled;
     }
     return std::sqrt(sum);
@@ -212,7 +217,7 @@ bool NewtonIteration::byBracket(double start) {
 /// The starts that are tried in turn: the last solution, the model's start values, and some way off them.
 bool iterate(const NonlinearBlock& block, NewtonIteration& newton, Registers& r) {
     const auto n = block.unknowns.size();
-    std::vector<double> start(n);
+    const std::span<double> start(r.start.data(), n);
     if (r.hasGuess[block.guess]) {
         for (std::size_t i = 0; i < n; ++i) start[i] = r.guesses[block.guess + i];
         if (newton.from(start)) return true;
@@ -233,7 +238,7 @@ bool solveLinear(const LinearBlock& block, Registers& r, int mode) {
     reserveScratch(r, n);
     for (std::size_t i = 0; i < n * n; ++i) r.matrix[i] = r.values[block.matrix[i]];
     if (!factorise({r.matrix.data(), n * n}, {r.pivots.data(), n}, {r.scale.data(), n})) {
-        r.failure = block.names.front();
+        fail(r, block.names.front());
         return false;
     }
     for (std::size_t i = 0; i < n; ++i) r.vector[i] = -r.values[block.constant[i]];
@@ -256,8 +261,7 @@ bool solveLinear(const LinearBlock& block, Registers& r, int mode) {
             if (block.activeOf[i * n + j][m]) subtract(block.matrix[i * n + j], r.vector[j]);
     }
     substitute({r.matrix.data(), n * n}, {r.pivots.data(), n}, r.rows.data(), r.lanes, r.lanes);
-    for (std::size_t i = 0; i < n; ++i)
-        std::copy_n(r.rows.data() + i * lanes, lanes, tangentsAt(r, block.unknowns[i]));
+    for (std::size_t i = 0; i < n; ++i) std::copy_n(r.rows.data() + i * lanes, lanes, tangentsAt(r, block.unknowns[i]));
     return true;
 }
 
@@ -265,7 +269,7 @@ bool solveNonlinear(const NonlinearBlock& block, const ProgramTables& tables, Re
     const auto n = block.unknowns.size();
     NewtonIteration newton(block, tables, r);
     if (!iterate(block, newton, r)) {
-        r.failure = block.names.front();
+        fail(r, block.names.front());
         return false;
     }
     for (std::size_t i = 0; i < n; ++i) {
@@ -289,13 +293,16 @@ bool solveNonlinear(const NonlinearBlock& block, const ProgramTables& tables, Re
         }
     }
     if (!isRegular && anyMoves) {
-        r.failure = block.names.front();
-        return false;
+        if (n > 1) {
+            fail(r, block.names.front());
+            return false;
+        }
+        // The solution moves infinitely fast (w of k*w*abs(w) = tau at standstill); as with the root at 0 the
+        // slope counts as 0.
+        std::fill_n(r.rows.data(), lanes, 0.0);
     }
-    if (isRegular)
-        substitute({r.matrix.data(), n * n}, {r.pivots.data(), n}, r.rows.data(), r.lanes, r.lanes);
-    for (std::size_t i = 0; i < n; ++i)
-        std::copy_n(r.rows.data() + i * lanes, lanes, tangentsAt(r, block.unknowns[i]));
+    if (isRegular) substitute({r.matrix.data(), n * n}, {r.pivots.data(), n}, r.rows.data(), r.lanes, r.lanes);
+    for (std::size_t i = 0; i < n; ++i) std::copy_n(r.rows.data() + i * lanes, lanes, tangentsAt(r, block.unknowns[i]));
     return true;
 }
 

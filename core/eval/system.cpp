@@ -115,6 +115,7 @@ bool storeValues(const Registers& r, const std::vector<ResultRegister>& from, st
 /// tangents are not.
 void blame(Registers& r, const Program& program, const std::vector<ResultRegister>& results,
            const std::vector<SignalInfo>& signals) {
+    r.failedToSolve = false;
     for (const auto& [reg, name] : program.watched)
         if (!std::isfinite(r.values[reg])) {
             r.failure = name;
@@ -292,5 +293,7 @@ bool System::observed(Workspace& w, double t, std::span<const double> x, std::sp
 }
 
 std::string System::failure(const Workspace& w) const { return w.data_ ? w.data_->registers.failure : std::string(); }
+
+bool System::failedToSolve(const Workspace& w) const { return w.data_ && w.data_->registers.failedToSolve; }
 
 }  // namespace analogon

@@ -15,9 +15,9 @@ namespace analogon {
 struct SignalInfo {
     std::string name;
     std::string unit;
-    double nominal{1};          // magnitude for tolerances; 1 when not given
+    double nominal{1};  // magnitude for tolerances; 1 when not given
     std::optional<double> min, max;
-    double value{};             // parameters: the model's own value; states: start value for the model's own parameters
+    double value{};  // parameters: the model's own value; states: start value for the model's own parameters
 };
 
 /// A `delay(z, T)` of the model. The value of z is taken at t - T from what was simulated before; a delay
@@ -57,12 +57,12 @@ public:
     static Outcome<std::shared_ptr<const System>> build(const Structure& structure);
 
     int stateCount() const;
-    int inputCount() const;      // sampled inputs
-    int slotCount() const;       // length of u
+    int inputCount() const;  // sampled inputs
+    int slotCount() const;   // length of u
     int outputCount() const;
     int parameterCount() const;
-    int tapCount() const;        // signals that are delayed somewhere
-    int rootCount() const;       // relations outside noEvent
+    int tapCount() const;   // signals that are delayed somewhere
+    int rootCount() const;  // relations outside noEvent
     const std::vector<SignalInfo>& states() const;
     const std::vector<SignalInfo>& inputs() const;
     const std::vector<SignalInfo>& outputs() const;
@@ -81,8 +81,8 @@ public:
     bool setParameters(Workspace& w, std::span<const double> p, std::span<const double> dp = {}) const;
 
     /// Consistent start: x0 (and its tangents) from u(t0) and the model's start values and initial equations.
-    bool initialise(Workspace& w, double t0, std::span<const double> u, std::span<double> x,
-                    std::span<double> dx = {}, std::span<const double> du = {}) const;
+    bool initialise(Workspace& w, double t0, std::span<const double> u, std::span<double> x, std::span<double> dx = {},
+                    std::span<const double> du = {}) const;
 
     bool derivatives(Workspace& w, double t, std::span<const double> x, std::span<const double> u,
                      std::span<double> xdot) const;
@@ -113,8 +113,11 @@ public:
 
     /// The variable at which the last evaluation in this workspace failed.
     std::string failure(const Workspace& w) const;
+    /// Whether that was an algebraic loop without a solution; otherwise a value that is not finite.
+    bool failedToSolve(const Workspace& w) const;
 
-    /// x' linear in x and u, with constant coefficients for fixed p, and free of time: the exact recurrence applies.
+    /// x' affine in x and u (input derivatives and delayed values are entries of u), with coefficients that are
+    /// constant for fixed p, and free of time: the exact recurrence applies.
     bool isLinearTimeInvariant() const;
 
     /// The program, one instruction a line.

@@ -257,9 +257,9 @@ void Builder::lowerDelayTimes() {
     for (const DelaySlot& delay : out_.layout.delays) {
         for (const ExpressionId leaf : collect.leaves(delay.time))
             if ((*s().model)[pool()[leaf].variable].variability == FlatVariability::Continuous) {
-                faults_.push_back(error(fmt::format("A delay time depends on '{}', which varies in time.",
-                                                    nameOf(pool()[leaf].variable)),
-                                        {}, "Use a parameter as the delay time."));
+                faults_.push_back(error(
+                    fmt::format("A delay time depends on '{}', which varies in time.", nameOf(pool()[leaf].variable)),
+                    {}, "Use a parameter as the delay time."));
                 return;
             }
         delayTimes_[static_cast<std::size_t>(delay.slot - sampled)] = lower.registerOf(delay.time);
@@ -295,7 +295,8 @@ void Builder::place() {
 
 Diagnostics Builder::run() {
     layOutInputs();
-    out_.tables.lookups = pool().tables();
+    out_.tables.lookups = out_.tables.slopes = pool().tables();
+    for (LookupTable& slope : out_.tables.slopes) ++slope.order;
     out_.lowering = std::make_unique<Lowering>(out_.structure, out_.layout, out_.tables);
     describeSignals();
     lowerInitial();
@@ -314,6 +315,7 @@ Diagnostics buildPrograms(const Structure& structure, SystemPrograms& out) { ret
 Observation buildObservation(const SystemPrograms& s) {
     Observation out;
     out.tables.lookups = s.tables.lookups;
+    out.tables.slopes = s.tables.slopes;
     Lowering& lower = *s.lowering;
     lower.useTables(out.tables);
     lower.begin(Lowering::Given::States);
@@ -325,8 +327,7 @@ Observation buildObservation(const SystemPrograms& s) {
         if (node.valid()) wanted.emplace_back(model.variables[i].name, node);
     }
     std::unordered_map<std::uint32_t, ExpressionId> aliasOf;
-    for (const auto& [variable, stand] : structure.aliases)
-        aliasOf.emplace(lower.variableNode(variable).value, stand);
+    for (const auto& [variable, stand] : structure.aliases) aliasOf.emplace(lower.variableNode(variable).value, stand);
     for (std::size_t i = 0; i < structure.states.size(); ++i)
         wanted.emplace_back(fmt::format("der({})", model[structure.states[i]].name), structure.stateDerivatives[i]);
     for (auto& [name, node] : wanted)
@@ -388,7 +389,8 @@ std::string print(const SystemPrograms& s) {
     std::string text;
     for (const auto& [reg, value] : s.preloads) text += fmt::format("r{} = {}\n", reg, value);
     const auto list = [&](const char* what, std::uint32_t first, const std::vector<SignalInfo>& signals) {
-        for (std::size_t i = 0; i < signals.size(); ++i) text += fmt::format("r{} = {} {}\n", first + i, what, signals[i].name);
+        for (std::size_t i = 0; i < signals.size(); ++i)
+            text += fmt::format("r{} = {} {}\n", first + i, what, signals[i].name);
     };
     list("parameter", s.firstParameter, s.parameters);
     text += fmt::format("r{} = time\n", s.timeRegister);

@@ -32,41 +32,59 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
     for (std::size_t i = 0; i < parameters.size(); ++i) parameters[i].start = start[static_cast<Eigen::Index>(i)];
     Coordinates coordinates(parameters);
     Misfit misfit(problem, options, progress);
-    misfit.replan(start);
-    misfit.rescaleLoss(start);
     Eigen::VectorXd origin = start;
     int iterations = 0, lossRounds = 0, planRounds = 0;
-    for (;;) {
-        const ReducedMisfit first = misfit.reduced(origin);
-        if (!first.ok) {
+    // Least squares goes most of the way with coarse steps; what they get wrong is far less than what is to be
+    // fitted there. The last part, and the simplex, take steps as fine as the options ask for.
+    constexpr double looseness = 30.0;
+    bool isRough = options.method == FitMethod::LeastSquares;
+    Eigen::VectorXd plannedAt = start;
+    const auto hasMoved = [&] {
+        return ((origin - plannedAt).array().abs() > 0.05 * plannedAt.array().abs()).any();
+    };
+    misfit.plan(start, isRough ? looseness : 1.0);
+    misfit.rescaleLoss(start);
+    for (bool isFirst = true;; isFirst = false) {
+        const ReducedMisfit here = misfit.reduced(origin);
+        if (!here.ok) {
             descent.minimum.values = origin;
             descent.minimum.status = misfit.isCancelled() ? FitStatus::Cancelled : FitStatus::Failed;
             descent.minimum.message = misfit.isCancelled() ? "cancelled" : misfit.failure();
             break;
         }
-        if (iterations == 0 && lossRounds + planRounds == 0) descent.startCost = first.cost();
+        if (isFirst) descent.startCost = here.cost();
         coordinates.moveOrigin(origin);
-        coordinates.scaleBy(first.jacobian.colwise().norm());
+        coordinates.scaleBy(here.jacobian.colwise().norm());
+        FitOptions now = options;
+        if (isRough) now.costTolerance = std::max(options.costTolerance, 1e-4);
         descent.minimum = options.method == FitMethod::NelderMead
-                              ? nelderMead(misfit, coordinates, options)
-                              : leastSquares(misfit, coordinates, options, options.maxIterations - iterations);
+                              ? nelderMead(misfit, coordinates, now)
+                              : leastSquares(misfit, coordinates, now, options.maxIterations - iterations);
         iterations += descent.minimum.iterations;
         if (descent.minimum.status == FitStatus::Cancelled || descent.minimum.status == FitStatus::IterationLimit) break;
         origin = descent.minimum.values;
-        // The scatter and the substeps were judged at the start: judge them again here, and go on if they changed.
-        bool goesOn = false;
+        // The scatter and the steps were judged at the start: judge them again here, and go on if they changed.
+        bool goesOn = isRough;
         if (options.loss != RobustLoss::None && lossRounds++ < 5) {
             const double before = misfit.lossScale();
             misfit.rescaleLoss(origin);
-            goesOn = std::abs(misfit.lossScale() - before) > 0.02 * before;
+            goesOn = goesOn || std::abs(misfit.lossScale() - before) > 0.02 * before;
         }
-        if (planRounds < 3 && misfit.replan(origin)) {
+        if (isRough) {
+            misfit.plan(origin);
+            plannedAt = origin;
+        } else if (planRounds < 3 && (hasMoved() || descent.minimum.status == FitStatus::Failed)) {
             ++planRounds;
-            goesOn = true;
+            goesOn = misfit.refinePlan(origin) || goesOn;
+            plannedAt = origin;
         }
+        isRough = false;
         if (!goesOn) break;
     }
     descent.minimum.iterations = iterations;
+    if (descent.minimum.status == FitStatus::Converged && options.method == FitMethod::LeastSquares) {
+        descent.minimum.message = fmt::format("converged after {} iterations", iterations);
+    }
     descent.plans = misfit.plans();
     descent.simulations = misfit.simulations();
     descent.failedSimulations = misfit.failedSimulations();

@@ -69,14 +69,11 @@ void Misfit::applyLoss(Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) co
 }
 
 const ReducedMisfit& Misfit::reduced(const Eigen::VectorXd& values) {
-    for (std::size_t i = 0; i < memory_.size(); ++i) {
-        if (memory_[i].values.size() == values.size() && memory_[i].values == values) {
-            oldest_ = static_cast<int>(1 - i);
-            return memory_[i].reduced;
-        }
+    for (const Point& point : memory_) {
+        if (point.values.size() == values.size() && point.values == values) return point.reduced;
     }
-    Point& point = memory_[static_cast<std::size_t>(oldest_)];
-    oldest_ = 1 - oldest_;
+    Point& point = memory_[oldest_];
+    oldest_ = (oldest_ + 1) % memory_.size();
     point.values = values;
     Linearisation line = simulate(values, true);
     if (!line.ok) {
@@ -110,22 +107,38 @@ void Misfit::rescaleLoss(const Eigen::VectorXd& values) {
     forgetBest();
 }
 
-bool Misfit::replan(const Eigen::VectorXd& values) {
-    if (options_.simulation.engine == Engine::Adaptive) return false;
+std::vector<GridPlan> Misfit::plansFor(const Eigen::VectorXd& values, double looseness) const {
+    SimulationOptions options = options_.simulation;
+    options.relativeTolerance *= looseness;
     std::vector<GridPlan> plans;
     for (std::size_t e = 0; e < problem_.experiments.size(); ++e) {
-        plans.push_back(planFor(problem_, static_cast<int>(e), values, options_.simulation));
+        plans.push_back(planFor(problem_, static_cast<int>(e), values, options));
     }
-    bool isFiner = plans_.size() != plans.size();
-    for (std::size_t e = 0; !isFiner && e < plans.size(); ++e) isFiner = workOf(plans[e]) > workOf(plans_[e]);
-    if (!isFiner) return false;
-    // Never coarser than before: costs must go on to compare.
-    for (std::size_t e = 0; e < plans.size() && e < plans_.size(); ++e) {
+    return plans;
+}
+
+bool Misfit::take(std::vector<GridPlan> plans) {
+    const bool isSame = std::equal(plans.begin(), plans.end(), plans_.begin(), plans_.end(),
+                                   [](const GridPlan& a, const GridPlan& b) {
+                                       return a.method == b.method && a.substeps == b.substeps;
+                                   });
+    plans_ = std::move(plans);
+    if (!isSame) forgetBest();
+    return !isSame;
+}
+
+bool Misfit::plan(const Eigen::VectorXd& values, double looseness) {
+    if (options_.simulation.engine == Engine::Adaptive) return false;
+    return take(plansFor(values, looseness));
+}
+
+bool Misfit::refinePlan(const Eigen::VectorXd& values) {
+    if (options_.simulation.engine == Engine::Adaptive) return false;
+    std::vector<GridPlan> plans = plansFor(values, 1.0);
+    for (std::size_t e = 0; e < plans.size(); ++e) {
         if (workOf(plans[e]) <= workOf(plans_[e])) plans[e] = plans_[e];
     }
-    plans_ = std::move(plans);
-    forgetBest();
-    return true;
+    return take(std::move(plans));
 }
 
 }  // namespace analogon

@@ -17,14 +17,16 @@ class Misfit {
 public:
     Misfit(const FitProblem& problem, const FitOptions& options, const Progress& progress);
 
-    /// Residuals and Jacobian (in own units) squeezed into a triangle; the last two points are remembered.
+    /// Residuals and Jacobian (in own units) squeezed into a triangle; the last few points are remembered.
     const ReducedMisfit& reduced(const Eigen::VectorXd& values);
     /// Cost alone; +inf when the simulation failed.
     double cost(const Eigen::VectorXd& values);
 
-    /// Grid plans for these parameters. True when they differ from those in force in a way that matters: finer, or
-    /// of another method.
-    bool replan(const Eigen::VectorXd& values);
+    /// Grid plans for these parameters, with an integration error that much larger than the options ask for. What
+    /// was in force is replaced: true when something changed.
+    bool plan(const Eigen::VectorXd& values, double looseness = 1.0);
+    /// As plan(), but only where these parameters need finer steps than those in force.
+    bool refinePlan(const Eigen::VectorXd& values);
     /// Robust losses are measured against the scatter of the residuals here.
     void rescaleLoss(const Eigen::VectorXd& values);
 
@@ -50,13 +52,15 @@ private:
     Linearisation simulate(const Eigen::VectorXd& values, bool withJacobian);
     void applyLoss(Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) const;
     void note(const Eigen::VectorXd& values, double cost);
+    std::vector<GridPlan> plansFor(const Eigen::VectorXd& values, double looseness) const;
+    bool take(std::vector<GridPlan> plans);
 
     const FitProblem& problem_;
     const FitOptions& options_;
     const Progress& progress_;
     std::vector<GridPlan> plans_;
-    std::array<Point, 2> memory_;
-    int oldest_{};
+    std::array<Point, 6> memory_;  // a line search comes back to points
+    std::size_t oldest_{};
     Eigen::VectorXd best_;
     double bestCost_{std::numeric_limits<double>::infinity()};
     double lossScale_{1};

@@ -122,6 +122,14 @@ void Binder::setAttribute(Instance& instance, Element& element, const std::strin
                              span);
         return;
     }
+    if (name == "start")
+        for (ExpressionId start : value->elements)
+            if (!work_.pool.isConstant(start) && !work_.translator->isParametric(start)) {
+                work_.messages.error(fmt::format("the start value of '{}' changes while the model runs",
+                                                 instance.memberName(element.declaration->name)),
+                                     span, "use numbers and parameters");
+                return;
+            }
     for (std::size_t k = 0; k < element.count(); ++k) {
         const std::size_t id = element.firstVariable.value + k;
         if (isText(name)) {

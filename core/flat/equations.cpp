@@ -71,6 +71,9 @@ void Equations::equality(const syntax::Equation& equation, const Scope& scope) {
             equation.span);
         return;
     }
+    if (work_.model.equations.size() + found_.size() + left->elements.size() > 2 * Instantiator::mostScalars)
+        return work_.messages.fatal(fmt::format("the model has more than {} equations", 2 * Instantiator::mostScalars),
+                                    equation.span);
     for (std::size_t k = 0; k < left->elements.size(); ++k)
         found_.push_back({left->elements[k], right->elements[k], equation.span, scope.instance->name, false});
 }
@@ -144,7 +147,7 @@ void Equations::loop(const syntax::Equation& equation, std::size_t iterator, con
     if (!values) return;
     for (int k = 1; k <= values->dimensions[0] && !work_.messages.full(); ++k) {
         if (++turns_ > 4 * Instantiator::mostScalars) {
-            work_.messages.error(
+            work_.messages.fatal(
                 fmt::format("the loops run through more than {} values", 4 * Instantiator::mostScalars), span);
             return;
         }

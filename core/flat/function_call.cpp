@@ -256,9 +256,22 @@ private:
         return Value::scalar(array->type, result);
     }
 
+    /// The array need not have a value: components have a size too.
+    std::optional<Value> sized() {
+        const syntax::Expression& operand = *expressions_[0];
+        const bool isComponent = operand.kind == syntax::Expression::Kind::Reference && scope_.instance &&
+                                 !operand.name.absolute && scope_.instance->find(operand.name.parts.front().identifier);
+        if (!isComponent) return any(0);
+        const auto slice = work_.translator->resolve(operand.name, scope_);
+        if (!slice) return std::nullopt;
+        Value value;
+        value.dimensions = slice->dimensions;
+        return value;
+    }
+
     std::optional<Value> size() {
         if (!take({"A", "i"}, 1)) return std::nullopt;
-        const auto array = any(0);
+        const auto array = sized();
         if (!array) return array;
         if (!expressions_[1]) {
             Value sizes;
@@ -293,6 +306,7 @@ private:
             if (count > Instantiator::mostScalars)
                 return fail(fmt::format("an array of more than {} elements", Instantiator::mostScalars));
         }
+        if (!work_.translator->spend(count, call_.span)) return std::nullopt;
         if (result.type == FlatType::String)
             result.texts.assign(count, value->texts[0]);
         else

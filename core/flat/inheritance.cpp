@@ -68,6 +68,8 @@ void Instantiator::collect(Instance& instance, const LibraryClass& definition, c
                              tree.nameSpan);
         return;
     }
+    if (instance.parts.size() > mostBases)
+        return work_.messages.fatal(fmt::format("'{}' inherits too many classes", instance.className), tree.nameSpan);
     path.push_back(&definition);
     work_.keepSource(tree);
     const Scope scope{&instance, &definition};
@@ -77,9 +79,12 @@ void Instantiator::collect(Instance& instance, const LibraryClass& definition, c
         collectBase(instance, definition, tree.shortBase, modifierOf(tree.shortModifications, outside, work_.messages),
                     outer, isProtected, path);
     }
-    for (const auto& base : tree.bases)
+    for (const auto& base : tree.bases) {
+        if (work_.messages.full()) break;
         collectBase(instance, definition, base.base, modifierOf(base.modifications, scope, work_.messages), outer,
                     isProtected || base.isProtected, path);
+    }
+    instance.elements.reserve(instance.elements.size() + tree.components.size());
     for (const auto& component : tree.components) addElement(instance, definition, component, outer, isProtected);
     instance.parts.push_back({&tree, &definition});
     path.pop_back();

@@ -141,6 +141,10 @@ bool Instantiator::prepare(Instance& instance, Element& element) {
     }
     auto type = resolveType(declaration.type, element.scope);
     if (!type) return false;
+    if (element.declaration != element.original) {
+        const syntax::Name& constraint = original.constrainedBy ? *original.constrainedBy : original.type;
+        if (!satisfies(*type, constraint, {&instance, element.owner}, declaration.typeSpan)) return false;
+    }
     element.type = std::move(*type);
     if (element.isVariable() && declaration.causality != syntax::Causality::None &&
         element.type.causality != syntax::Causality::None && element.type.causality != declaration.causality) {
@@ -211,7 +215,7 @@ bool Instantiator::reserve(const Element& element, const std::string& name) {
     const std::size_t most = element.isVariable() ? mostScalars : mostComponents;
     total += std::min(count, most + 1);
     if (total <= most) return true;
-    work_.messages.error(fmt::format("'{}{}' makes the model larger than {} {}", name, sizeText(element.dimensions),
+    work_.messages.fatal(fmt::format("'{}{}' makes the model larger than {} {}", name, sizeText(element.dimensions),
                                      most, element.isVariable() ? "scalars" : "components"),
                          element.declaration->nameSpan, "use a smaller size");
     return false;

@@ -13,7 +13,8 @@ class Instantiator {
 public:
     static constexpr std::size_t mostScalars = 1'000'000;
     static constexpr std::size_t mostComponents = 100'000;
-    static constexpr int deepest = 100;  // of nesting and of inheritance
+    static constexpr std::size_t mostBases = 1000;  // inherited by one class
+    static constexpr int deepest = 100;             // of nesting and of inheritance
 
     explicit Instantiator(Flattening& work) : work_(work) {}
 
@@ -51,6 +52,8 @@ private:
     void bindRecord(Instance& record, const Modifier& modifier);
 
     std::optional<ResolvedType> resolveType(const syntax::Name& name, const Scope& scope, int depth = 0);
+    bool satisfies(const ResolvedType& type, const syntax::Name& constraint, const Scope& scope, const Span& span);
+    void constrain(ResolvedType& type, Instance& instance, const std::string& name);
     std::optional<ResolvedType> followClass(const LibraryClass& definition, const Scope& scope, int depth);
     std::optional<ResolvedType> followShort(const syntax::ClassDefinition& definition, const Scope& scope,
                                             const std::string& className, int depth);

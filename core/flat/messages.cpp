@@ -13,6 +13,11 @@ void Messages::error(const std::string& message, const Span& span, const std::st
     if (isNew(message, span)) diagnostics_.push_back(analogon::error(message, span, hint));
 }
 
+void Messages::fatal(const std::string& message, const Span& span, const std::string& hint) {
+    error(message, span, hint);
+    isStopped_ = true;
+}
+
 void Messages::warning(const std::string& message, const Span& span, const std::string& hint) {
     if (isNew(message, span)) diagnostics_.push_back(analogon::warning(message, span, hint));
 }

@@ -15,11 +15,13 @@ public:
     static constexpr std::size_t most = 20;
 
     void error(const std::string& message, const Span& span, const std::string& hint = {});
+    /// An error after which nothing more is done: the model is too large to go on.
+    void fatal(const std::string& message, const Span& span, const std::string& hint = {});
     void warning(const std::string& message, const Span& span, const std::string& hint = {});
 
     bool hasErrors() const { return hasErrors_; }
     /// Nothing more will be taken: the work may stop.
-    bool full() const { return diagnostics_.size() >= most; }
+    bool full() const { return isStopped_ || diagnostics_.size() >= most; }
     const Diagnostics& diagnostics() const { return diagnostics_; }
 
 private:
@@ -27,6 +29,7 @@ private:
 
     Diagnostics diagnostics_;
     bool hasErrors_{};
+    bool isStopped_{};
     std::set<std::tuple<std::string, const Source*, std::uint32_t>> seen_;
 };
 

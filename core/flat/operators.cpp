@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "core/flat/translator.hpp"
@@ -39,12 +40,14 @@ std::optional<Symbol> symbolOf(const std::string& text) {
 }
 
 /// Inner products over the last dimension of a and the first of b: vectors and matrices.
-Value product(ExpressionPool& pool, const Value& a, const Value& b, FlatType type) {
+std::optional<Value> product(Flattening& work, const Span& span, const Value& a, const Value& b, FlatType type) {
+    ExpressionPool& pool = work.pool;
     Value result;
     result.type = type;
     const std::size_t inner = static_cast<std::size_t>(b.dimensions[0]);
     const std::size_t rows = a.dimensions.size() == 2 ? static_cast<std::size_t>(a.dimensions[0]) : 1;
     const std::size_t columns = b.dimensions.size() == 2 ? static_cast<std::size_t>(b.dimensions[1]) : 1;
+    if (!work.translator->spend(rows * columns * inner, span)) return std::nullopt;
     if (a.dimensions.size() == 2) result.dimensions.push_back(a.dimensions[0]);
     if (b.dimensions.size() == 2) result.dimensions.push_back(b.dimensions[1]);
     for (std::size_t i = 0; i < rows; ++i)
@@ -79,6 +82,7 @@ std::optional<Value> arithmetic(Flattening& work, const std::string& text, const
         return std::nullopt;
     };
     if (!a.isNumeric() || !b.isNumeric()) return refuse("both sides must be numbers");
+    if (!work.translator->spend(std::max(a.size(), b.size()), span)) return std::nullopt;
     const bool integer = a.type == FlatType::Integer && b.type == FlatType::Integer;
     const bool staysInteger = symbol.operation != Divide && symbol.operation != Power;
     const FlatType type = integer && staysInteger ? FlatType::Integer : FlatType::Real;
@@ -98,7 +102,7 @@ std::optional<Value> arithmetic(Flattening& work, const std::string& text, const
         case Multiply:
             if (a.isScalar() || b.isScalar()) return elementwise(work.pool, Multiply, a, b, type);
             if (a.dimensions.size() <= 2 && b.dimensions.size() <= 2 && a.dimensions.back() == b.dimensions.front())
-                return product(work.pool, a, b, type);
+                return product(work, span, a, b, type);
             return refuse("the inner sizes of a product must agree; '.*' multiplies element by element");
         case Divide:
             if (b.isScalar()) return elementwise(work.pool, Divide, a, b, type);

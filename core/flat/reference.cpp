@@ -247,6 +247,7 @@ std::optional<Value> Translator::valueOf(const Slice& slice) {
     Value value;
     value.type = element.type.builtin;
     value.dimensions = slice.dimensions;
+    if (!spend(slice.variables.size(), element.declaration->nameSpan)) return std::nullopt;
     if (element.type.enumeration) value.enumeration = element.type.className;
     for (VariableId id : slice.variables) {
         if (value.type != FlatType::String) {
@@ -279,6 +280,7 @@ std::optional<Value> Translator::enumerationLiteral(const LibraryClass& definiti
 std::optional<Value> Translator::namedConstant(const syntax::Name& name, const Scope& scope, bool& found) {
     const std::string& last = name.parts.back().identifier;
     std::optional<Value> value;
+    std::set<const LibraryClass*> seen;
     if (name.parts.size() > 1) {
         const std::string prefix = textUpTo(name, name.parts.size() - 1);
         const LibraryClass* definition =
@@ -288,7 +290,7 @@ std::optional<Value> Translator::namedConstant(const syntax::Name& name, const S
             found = true;
             return enumerationLiteral(*definition, last, name.span);
         }
-        value = constantOf(*definition, last, found);
+        value = constantOf(*definition, last, found, seen);
         if (!found) {
             found = true;
             std::vector<std::string> names;
@@ -299,7 +301,7 @@ std::optional<Value> Translator::namedConstant(const syntax::Name& name, const S
         }
     } else {
         for (const LibraryClass* outer = scope.lexical; outer && !found; outer = work_.library.find(outer->scope)) {
-            value = constantOf(*outer, last, found);
+            value = constantOf(*outer, last, found, seen);
             if (outer->scope.empty()) break;
         }
     }
@@ -308,8 +310,8 @@ std::optional<Value> Translator::namedConstant(const syntax::Name& name, const S
 }
 
 std::optional<Value> Translator::constantOf(const LibraryClass& definition, const std::string& name, bool& found,
-                                            int depth) {
-    if (depth > Instantiator::deepest) return std::nullopt;
+                                            std::set<const LibraryClass*>& seen) {
+    if (!seen.insert(&definition).second) return std::nullopt;
     for (const auto& component : definition.definition->components) {
         if (component.name != name) continue;
         if (component.variability != syntax::Variability::Constant) return std::nullopt;
@@ -330,8 +332,8 @@ std::optional<Value> Translator::constantOf(const LibraryClass& definition, cons
     }
     for (const auto& base : definition.definition->bases) {
         const LibraryClass* inherited = work_.lookup(base.base, work_.library.find(definition.scope));
-        if (!inherited || inherited == &definition) continue;
-        auto value = constantOf(*inherited, name, found, depth + 1);
+        if (!inherited) continue;
+        auto value = constantOf(*inherited, name, found, seen);
         if (found) return value;
     }
     return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -106,6 +107,14 @@ std::optional<Value> Translator::translate(const ModifierValue& modifier) {
     return value;
 }
 
+bool Translator::spend(std::size_t elements, const Span& span) {
+    constexpr std::size_t most = 10'000'000;
+    spent_ += elements;
+    if (spent_ <= most) return true;
+    work_.messages.fatal("the arrays of the model are too large to be worked out", span, "use smaller sizes");
+    return false;
+}
+
 std::optional<Value> Translator::unary(const Expression& expression, const Scope& scope) {
     auto value = translate(expression.operands[0], scope);
     if (!value) return value;
@@ -181,13 +190,13 @@ std::optional<Value> Translator::conditional(const Expression& expression, const
 
 std::optional<Value> Translator::array(const Expression& expression, const Scope& scope) {
     if (!expression.iterators.empty()) return comprehension(expression, scope, expression.iterators.size());
-    std::vector<Value> parts;
+    Value result;
+    result.dimensions = {0};
     for (const auto& operand : expression.operands) {
-        auto part = translate(operand, scope);
-        if (!part) return std::nullopt;
-        parts.push_back(std::move(*part));
+        const auto part = translate(operand, scope);
+        if (!part || !append(result, *part, operand.span)) return std::nullopt;
     }
-    return stack(std::move(parts), expression.span);
+    return result;
 }
 
 /// { e for i in a, j in b } is {{ e for i in a } for j in b } (section 10.4.1).
@@ -202,37 +211,40 @@ std::optional<Value> Translator::comprehension(const Expression& expression, con
     }
     const auto values = range(ranges[0], scope);
     if (!values) return std::nullopt;
-    std::vector<Value> parts;
+    Value result;
+    result.dimensions = {0};
     for (int k = 1; k <= values->dimensions[0]; ++k) {
         pushIterator(name, values->part(k));
-        auto part = comprehension(expression, scope, outermost - 1);
+        const auto part = comprehension(expression, scope, outermost - 1);
         popIterator();
-        if (!part || work_.messages.full()) return std::nullopt;
-        parts.push_back(std::move(*part));
-    }
-    return stack(std::move(parts), expression.span);
-}
-
-std::optional<Value> Translator::stack(std::vector<Value> parts, const Span& span) {
-    Value result;
-    result.dimensions.push_back(static_cast<int>(parts.size()));
-    if (parts.empty()) return result;
-    result.type = parts[0].type;
-    result.enumeration = parts[0].enumeration;
-    result.dimensions.insert(result.dimensions.end(), parts[0].dimensions.begin(), parts[0].dimensions.end());
-    for (const Value& part : parts) {
-        const bool bothNumeric = part.isNumeric() && result.isNumeric();
-        if (part.dimensions != parts[0].dimensions || (!bothNumeric && part.type != result.type)) {
-            work_.messages.error(
-                fmt::format("the elements of an array must be alike: {} and {}", typeText(parts[0]), typeText(part)),
-                span);
-            return std::nullopt;
-        }
-        if (part.type == FlatType::Real) result.type = FlatType::Real;
-        result.elements.insert(result.elements.end(), part.elements.begin(), part.elements.end());
-        result.texts.insert(result.texts.end(), part.texts.begin(), part.texts.end());
+        if (!part || !append(result, *part, expression.span)) return std::nullopt;
     }
     return result;
+}
+
+/// One more part of an array that is written down part by part; the first one says what the others are.
+bool Translator::append(Value& array, const Value& part, const Span& span) {
+    if (!spend(part.size() + 1, span)) return false;
+    if (array.dimensions[0] == 0) {
+        array.type = part.type;
+        array.enumeration = part.enumeration;
+        array.dimensions.insert(array.dimensions.end(), part.dimensions.begin(), part.dimensions.end());
+    }
+    const bool sameSize = std::equal(array.dimensions.begin() + 1, array.dimensions.end(), part.dimensions.begin(),
+                                     part.dimensions.end());
+    const bool bothNumeric = part.isNumeric() && array.isNumeric();
+    if (!sameSize || (!bothNumeric && (part.type != array.type || part.enumeration != array.enumeration))) {
+        Value first = array;
+        first.dimensions.erase(first.dimensions.begin());
+        work_.messages.error(
+            fmt::format("the elements of an array must be alike: {} and {}", typeText(first), typeText(part)), span);
+        return false;
+    }
+    ++array.dimensions[0];
+    if (part.type == FlatType::Real) array.type = FlatType::Real;
+    array.elements.insert(array.elements.end(), part.elements.begin(), part.elements.end());
+    array.texts.insert(array.texts.end(), part.texts.begin(), part.texts.end());
+    return true;
 }
 
 std::optional<Value> Translator::range(const Expression& expression, const Scope& scope) {
@@ -271,6 +283,7 @@ std::optional<Value> Translator::range(const Expression& expression, const Scope
     }
     const int count = steps < 0 ? 0 : static_cast<int>(steps) + 1;
     result.dimensions = {count};
+    if (!spend(static_cast<std::size_t>(count), expression.span)) return std::nullopt;
     for (int i = 0; i < count; ++i) result.elements.push_back(work_.pool.constant(first + i * step));
     return result;
 }

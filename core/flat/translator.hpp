@@ -47,6 +47,9 @@ public:
     void popIterator() { iterators_.pop_back(); }
 
     ExpressionId derivative(ExpressionId of, const Span& span);
+    /// Array elements worked on so far; false when it gets too much (reported): a text of a few lines can ask for
+    /// any amount of work.
+    bool spend(std::size_t elements, const Span& span);
 
 private:
     friend class FunctionCall;
@@ -57,7 +60,7 @@ private:
     std::optional<Value> valueOf(const Slice& slice);
     std::optional<Value> namedConstant(const syntax::Name& name, const Scope& scope, bool& found);
     std::optional<Value> constantOf(const LibraryClass& definition, const std::string& name, bool& found,
-                                    int depth = 0);
+                                    std::set<const LibraryClass*>& seen);
     std::optional<Value> enumerationLiteral(const LibraryClass& definition, const std::string& literal,
                                             const Span& span);
     void reportUnknown(const syntax::Name& name, const Scope& scope, const Span& span);
@@ -78,13 +81,14 @@ private:
     std::optional<Value> conditional(const Expression& expression, const Scope& scope);
     std::optional<Value> array(const Expression& expression, const Scope& scope);
     std::optional<Value> comprehension(const Expression& expression, const Scope& scope, std::size_t outermost);
-    std::optional<Value> stack(std::vector<Value> parts, const Span& span);
+    bool append(Value& array, const Value& part, const Span& span);
 
     Flattening& work_;
     std::vector<std::pair<std::string, Value>> iterators_;
     std::vector<int> ends_;  // extents of the dimensions in which `end` may stand
     std::set<std::pair<const LibraryClass*, std::string>> busyConstants_;
     int depth_{};
+    std::size_t spent_{};
 };
 
 /// Arithmetic, relations and logic on values (operator as written, ".*" included).

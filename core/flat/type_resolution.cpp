@@ -38,9 +38,14 @@ std::optional<ResolvedType> Instantiator::resolveType(const syntax::Name& name, 
         const auto replaced = scope.instance->redeclared.find(name.parts[0].identifier);
         if (replaced != scope.instance->redeclared.end()) {
             const Instance::RedeclaredClass& r = replaced->second;
-            if (r.asElement) return followClass(*r.asElement, r.scope, depth + 1);
-            if (r.definition->isShort && !r.definition->isEnumeration)
-                return followShort(*r.definition, r.scope, {}, depth + 1);
+            std::optional<ResolvedType> type;
+            const bool isShort = r.definition->isShort && !r.definition->isEnumeration;
+            if (r.asElement || isShort) {
+                type = r.asElement ? followClass(*r.asElement, r.scope, depth + 1)
+                                   : followShort(*r.definition, r.scope, {}, depth + 1);
+                if (type) constrain(*type, *scope.instance, name.parts[0].identifier);
+                return type;
+            }
             work_.messages.error(fmt::format("the class '{}' is redeclared by a class with a body", name.text()),
                                  r.span, "write: redeclare model NAME = CLASS");
             return std::nullopt;
@@ -55,6 +60,52 @@ std::optional<ResolvedType> Instantiator::resolveType(const syntax::Name& name, 
         return std::nullopt;
     }
     return followClass(*found, scope, depth + 1);
+}
+
+/// A class that takes the place of another has each of its public elements (section 6.4).
+bool Instantiator::satisfies(const ResolvedType& type, const syntax::Name& constraint, const Scope& scope,
+                             const Span& span) {
+    const auto required = resolveType(constraint, scope);
+    if (!required) return false;
+    const auto refuse = [&](const std::string& why) {
+        work_.messages.error(
+            fmt::format("{} cannot take the place of {}: {}", type.className, required->className, why), span,
+            fmt::format("use a class that extends {}", required->className));
+        return false;
+    };
+    if (type.isBuiltin || required->isBuiltin) {
+        const bool same = type.isBuiltin && required->isBuiltin && type.builtin == required->builtin;
+        return same || refuse("it is of another type");
+    }
+    if (work_.library.isDerived(type.definition->qualifiedName, required->definition->qualifiedName)) return true;
+    const auto elementsOf = [&](const LibraryClass& definition) -> Instance& {
+        Instance& scratch = newInstance(definition, {}, nullptr);
+        std::vector<const LibraryClass*> path;
+        collect(scratch, definition, {}, false, path);
+        return scratch;
+    };
+    Instance& offered = elementsOf(*type.definition);
+    for (const Element& element : elementsOf(*required->definition).elements)
+        if (!element.isProtected && !offered.find(element.declaration->name))
+            return refuse(fmt::format("it has no '{}'", element.declaration->name));
+    return true;
+}
+
+/// Modifications of the constraining clause, or of the replaced short class without one, stay in force below those
+/// of the redeclaration (section 7.3.2).
+void Instantiator::constrain(ResolvedType& type, Instance& instance, const std::string& name) {
+    const auto local = instance.localClasses.find(name);
+    if (local == instance.localClasses.end()) return;
+    const syntax::ClassDefinition& original = *local->second.definition;
+    const Scope scope{&instance, local->second.lexical};
+    if (original.constrainedBy || original.isShort)
+        satisfies(type, original.constrainedBy ? *original.constrainedBy : original.shortBase, scope,
+                  instance.redeclared.find(name)->second.span);
+    Modifier constraint =
+        modifierOf(original.constrainedBy ? original.constrainedByModifications : original.shortModifications, scope,
+                   work_.messages);
+    constraint.markEach();
+    type.modifier = merge(type.modifier, std::move(constraint), work_.messages, name);
 }
 
 std::optional<ResolvedType> Instantiator::followClass(const LibraryClass& definition, const Scope& scope, int depth) {

@@ -54,7 +54,8 @@ Outcome<UnitConversion> conversion(const Table& table, const Column& column, con
     if (from.empty() || to.empty()) return UnitConversion{};
     const std::string source = from == "-" ? "1" : from;
     Outcome<UnitConversion> result = convertUnit(source, to);
-    if (result) return result;
+    // A unit and its inverse (rpm and s) are related, but by no line.
+    if (result && std::isfinite(result->factor) && std::isfinite(result->offset)) return result;
     if (!isKnownUnit(source))
         return fileError(fmt::format("the unit '{}' of column '{}' is not known", from, column.name), table.file, 0, 0,
                          fmt::format("The model wants '{}'. Give the right unit in the header, or in the study as "

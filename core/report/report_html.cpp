@@ -36,6 +36,14 @@ std::string html(std::string text) {
 
 std::string unitHtml(const std::string& unit) { return unit.empty() || unit == "1" ? "" : " " + escapeHtml(unit); }
 
+/// Text in which a number stays with its percent sign.
+std::string prose(std::string_view text) {
+    std::string out = escapeHtml(text);
+    for (std::size_t at = out.find(" %"); at != std::string::npos; at = out.find(" %", at))
+        out.replace(at, 1, "&nbsp;");
+    return out;
+}
+
 std::string fitText(double value) { return std::isfinite(value) ? html(fmt::format("{:.1f} %", value)) : "–"; }
 
 std::string chip(std::string_view text, std::string_view tone) {
@@ -100,7 +108,7 @@ private:
             out_ += chip(name(finding_.kind), tone);
         }
         if (finding_.interrupted) out_ += chip("interrupted", "warn");
-        out_ += "</div>\n<p class=\"summary\">" + escapeHtml(summaryWords(finding_, context_.command)) + "</p>\n";
+        out_ += "</div>\n<p class=\"summary\">" + prose(summaryWords(finding_, context_.command)) + "</p>\n";
         out_ += "<div class=\"figures\">";
         figure("Error on validation data", Role::Validate);
         figure("Error on fitted data", Role::Fit);
@@ -403,7 +411,8 @@ private:
                                      : candidate->verdict == Verdict::Equivalent ? ""
                                                                                  : "plain";
             out_ += fmt::format(
-                "<tr>{}<td>{}</td><td>{}</td>{}{}{}<td>{}<span class=\"soft why\">{}</span></td></tr>\n",
+                "<tr>{}<td class=\"name\">{}</td><td class=\"name\">{}</td>{}{}{}<td>{} <span "
+                "class=\"soft\">{}</span></td></tr>\n",
                 number(fmt::format("{}", candidate->round)), code(candidate->kind), code(candidate->at),
                 number(html(numberText(candidate->score, 3))), number(html(numberText(candidate->strength, 3))),
                 number(candidate->deltaBic ? html(numberText(*candidate->deltaBic, 4)) : ""),

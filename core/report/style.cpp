@@ -58,7 +58,8 @@ tr:last-child > td { border-bottom: 0; }
 .n { text-align: right; white-space: nowrap; }
 tr.total td { font-weight: 600; }
 tr.group td { border-top: 2px solid var(--edge); }
-td .why { display: block; margin-top: 2px; }
+td.name { white-space: nowrap; }
+td .chip { margin-right: 4px; }
 .better { color: var(--good); }
 .worse { color: var(--bad); }
 .legend { display: flex; gap: 20px; flex-wrap: wrap; color: var(--soft); font-size: 13px; margin: 0 0 10px; }

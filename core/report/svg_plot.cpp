@@ -197,7 +197,7 @@ std::string svgPlot(const SignalPlot& plot) {
     std::string svg = fmt::format(
         "<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\"><defs>{}{}</defs>", pageWidth,
         pageHeight, escapeHtml(plot.title), clip(plot.id + "a", upper), clip(plot.id + "b", lower));
-    svg += axes(upper, 5, false) + axes(lower, 3, true);
+    svg += axes(upper, 6, false) + axes(lower, 4, true);
     svg += fmt::format("<text class=\"axis\" x=\"{}\" y=\"{}\">{}</text>", leftMargin, signalTop - 11,
                        escapeHtml(plot.label));
     svg +=

@@ -68,7 +68,7 @@ double errorPercent(const ModelState& state, Role role) {
 
 std::string effectWords(const AddedEffect& effect) {
     if (effect.description.empty()) return fmt::format("{} at {}", effect.kind, effect.at);
-    return fmt::format("{} ({}) at {}", lowerFirst(effect.description), effect.kind, effect.at);
+    return fmt::format("{} at {} ({})", effect.kind, effect.at, lowerFirst(effect.description));
 }
 
 std::string summaryWords(const Finding& finding, const std::string& command) {

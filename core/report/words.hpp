@@ -17,7 +17,7 @@ double errorPercent(const ModelState& state, Role role);
 /// One or two sentences: what was found, and what it did to the error.
 std::string summaryWords(const Finding& finding, const std::string& command);
 
-/// "dry friction (friction.coulomb) at rotor.flange_a"
+/// "friction.coulomb at rotor.flange_a (dry friction)"
 std::string effectWords(const AddedEffect& effect);
 
 /// Why a candidate was taken or not.

@@ -58,6 +58,7 @@ SystemDynamics::SystemDynamics(const SimulationTask& task, bool withDirections)
 }
 
 bool SystemDynamics::noted(bool ok, const Workspace& workspace) {
+    ++evaluations_;
     if (!ok) failed_ = &workspace;
     return ok;
 }

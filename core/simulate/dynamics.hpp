@@ -54,9 +54,13 @@ public:
     virtual int observedCount() const { return 0; }
     virtual bool observed(double, const double*, const double*, double*) { return true; }
     virtual std::string failure() const = 0;
+    /// How often the model was evaluated since this object was made: the measure of effort that is the same on
+    /// any machine.
+    long evaluations() const { return evaluations_; }
 
 protected:
     Shape shape_;
+    long evaluations_{};
 };
 
 /// A compiled system at the parameters of a task.

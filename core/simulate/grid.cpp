@@ -93,6 +93,7 @@ public:
         if (!begin()) return fail(run_.first, time(run_.first), recorder_.reason());
         const auto started = std::chrono::steady_clock::now();
         for (int k = run_.first; k < last_; ++k) {
+            if (dynamics_.evaluations() > options_.evaluationLimit) return fail(k + 1, time(k), "step limit");
             if ((k & 255) == 0) {
                 if (progress_.stopRequested()) return fail(k + 1, time(k), "cancelled");
                 const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started;

@@ -10,7 +10,7 @@ namespace analogon {
 
 namespace {
 
-constexpr int kLongestWindow = 1500;   // samples looked at in detail at the start and where the record is liveliest
+constexpr int kLongestWindow = 700;   // samples looked at in detail at the start and where the record is liveliest
 constexpr int kMostExplicit = 32;      // substeps beyond which an explicit method is not worth it
 constexpr int kMostImplicit = 64;
 
@@ -89,9 +89,12 @@ private:
         return plans;
     }
 
-    /// The cheapest plan that gets through the record at all: range of each output and where it is liveliest.
+    /// A plan that gets through the record at all: range of each output and where it is liveliest. Single steps
+    /// first; an explicit method at its limit of stability would show ranges that are not there.
     bool surveyWholeRecord() {
-        for (const GridPlan& plan : ladder()) {
+        std::vector<GridPlan> plans = ladder();
+        std::stable_partition(plans.begin(), plans.end(), [](const GridPlan& plan) { return plan.substeps == 1; });
+        for (const GridPlan& plan : plans) {
             const Trajectory whole = run(plan, wholeRecord(), true);
             if (whole.failure.failed || !isPlausible(whole)) continue;
             survey_ = plan;
@@ -217,23 +220,33 @@ private:
         return bestOf(judged);
     }
 
-    /// Where the solution is not smooth (sticking, dead zones) the last digits cost too much: with the error well
-    /// below any measurement noise, three more halvings are the most that is tried.
+    /// The cheapest plan with an error up to `factor` times the tolerance; null: none.
+    const GridPlan* cheapestWithin(const std::vector<GridPlan>& judged, double factor) const {
+        const GridPlan* best{};
+        for (const GridPlan& plan : judged) {
+            if (plan.errorEstimate <= factor * tolerance_ && (!best || costOf(plan) < costOf(*best))) best = &plan;
+        }
+        return best;
+    }
+
+    // Where the solution is not smooth (sticking, dead zones) the last digits cost too much: a tenfold error is taken
+    // when less would cost this many times as much. A hundred times the tolerance is still below any sensor noise.
+    static constexpr double worthIt_ = 5.0;
+
     bool isEnough(const std::vector<GridPlan>& judged, const GridPlan& current) const {
-        return std::any_of(judged.begin(), judged.end(), [&](const GridPlan& plan) {
-            return plan.errorEstimate <= 10.0 * tolerance_ && costOf(current) >= 8.0 * costOf(plan);
-        });
+        const GridPlan* known = cheapestWithin(judged, 100.0);
+        return known && costOf(current) >= worthIt_ * costOf(*known) &&
+               (!cheapestWithin(judged, 10.0) || costOf(current) >= worthIt_ * costOf(*cheapestWithin(judged, 10.0)));
     }
 
     GridPlan bestOf(const std::vector<GridPlan>& judged) const {
         if (judged.empty()) return fallback();
-        for (double accepted : {1.0, 10.0, 100.0}) {
-            const GridPlan* best{};
-            for (const GridPlan& plan : judged) {
-                if (plan.errorEstimate <= accepted * tolerance_ && (!best || costOf(plan) < costOf(*best))) best = &plan;
-            }
-            if (best) return *best;
+        const GridPlan* best{};
+        for (const double factor : {100.0, 10.0, 1.0}) {
+            const GridPlan* better = cheapestWithin(judged, factor);
+            if (better && (!best || costOf(*better) <= worthIt_ * costOf(*best))) best = better;
         }
+        if (best) return *best;
         return *std::min_element(judged.begin(), judged.end(), [](const GridPlan& a, const GridPlan& b) {
             return a.errorEstimate < b.errorEstimate;
         });

@@ -24,7 +24,8 @@ struct SimulationOptions {
     double relativeTolerance{1e-6};
     double absoluteTolerance{1e-9};  // times a state's nominal value
     double wallClockLimit{60};       // [s]
-    long stepLimit{20'000'000};
+    long stepLimit{20'000'000};        // adaptive engine
+    long evaluationLimit{2'000'000'000};  // of the model, in one grid run or in planning one
 };
 
 /// What a grid run was found to need; chosen once per experiment, then kept so that a misfit stays smooth.

@@ -65,7 +65,8 @@ private:
 };
 
 int AliasElimination::entityOf(ExpressionId node) {
-    if (node.value >= entityOfNode_.size()) entityOfNode_.resize(std::max<std::size_t>(pool_.size(), node.value + 1), -1);
+    if (node.value >= entityOfNode_.size())
+        entityOfNode_.resize(std::max<std::size_t>(pool_.size(), node.value + 1), -1);
     if (entityOfNode_[node.value] >= 0) return entityOfNode_[node.value];
     const int entity = classes_.add();
     entityOfNode_[node.value] = entity;
@@ -232,7 +233,8 @@ bool AliasElimination::round() {
         for (const int root : classes_.takeChanged()) {
             merged = true;
             for (const int again : classes_.of(classes_.find(root).entity).equations) {
-                if (isQueued[static_cast<std::size_t>(again)] || !rows[static_cast<std::size_t>(again)].isOpen) continue;
+                if (isQueued[static_cast<std::size_t>(again)] || !rows[static_cast<std::size_t>(again)].isOpen)
+                    continue;
                 isQueued[static_cast<std::size_t>(again)] = 1;
                 queue.push_back(static_cast<std::size_t>(again));
             }
@@ -261,8 +263,9 @@ void AliasElimination::closeInputs() {
         const int derivative = entityOf(pool_.derivativeOf({i}));
         AliasClasses::Class& c = classes_.of(classes_.find(derivative).entity);
         if (c.constant || c.known >= 0) {
-            faults_.push_back(error(fmt::format("The derivative of the input '{}' is fixed by the equations.", variable.name),
-                                    variable.declared));
+            faults_.push_back(
+                error(fmt::format("The derivative of the input '{}' is fixed by the equations.", variable.name),
+                      variable.declared));
         } else if (c.derivative.entity >= 0) {
             faults_.push_back(
                 error(fmt::format("The model needs the second derivative of the input '{}'.", variable.name),
@@ -369,8 +372,7 @@ void AliasElimination::listUnknowns() {
         Unknown& unknown = system_.unknowns[static_cast<std::size_t>(u)];
         const int sign = derivative.sign * classes_.find(entityOf(unknown.node)).sign;
         unknown.derivative = signedNode(representative(nodeOf_[static_cast<std::size_t>(derivative.entity)]), sign);
-        unknown.derivativeUnknown =
-            unknownOfRoot[static_cast<std::size_t>(classes_.find(derivative.entity).entity)];
+        unknown.derivativeUnknown = unknownOfRoot[static_cast<std::size_t>(classes_.find(derivative.entity).entity)];
     }
 }
 
@@ -387,15 +389,15 @@ void AliasElimination::mergeStart(VariableId id, int sign, Unknown& unknown, Var
     if (unknown.isFixed && start != unknown.start) {
         const std::string& first = (*system_.model)[fixedBy].name;
         if (pool_.isConstant(start) && pool_.isConstant(unknown.start)) {
-            faults_.push_back(error(
-                fmt::format("'{}' and '{}' are the same quantity, but their start values are fixed to {} and {}.",
-                            first, v.name, pool_[unknown.start].value, pool_[start].value),
-                v.declared, "Give both the same start value, or free one of them (fixed = false)."));
+            faults_.push_back(
+                error(fmt::format("'{}' and '{}' are the same quantity, but their start values are fixed to {} and {}.",
+                                  first, v.name, pool_[unknown.start].value, pool_[start].value),
+                      v.declared, "Give both the same start value, or free one of them (fixed = false)."));
         } else {
-            folded_.warnings.push_back(warning(
-                fmt::format("'{}' and '{}' are the same quantity; the fixed start value of '{}' is used.", first,
-                            v.name, first),
-                v.declared));
+            folded_.warnings.push_back(
+                warning(fmt::format("'{}' and '{}' are the same quantity; the fixed start value of '{}' is used.",
+                                    first, v.name, first),
+                        v.declared));
         }
         return;
     }
@@ -429,7 +431,14 @@ void AliasElimination::mergeAttributes() {
         if (classes_.of(root.entity).constant) continue;
         const ExpressionId stand = standsFor_[static_cast<std::size_t>(root.entity)];
         const int u = system_.unknownOf(stand);
-        if (u < 0) continue;
+        if (u < 0) {  // an input stands for it
+            if (v.isFixed)
+                folded_.warnings.push_back(
+                    warning(fmt::format("The fixed start value of '{}' is not used: the input '{}' prescribes it.",
+                                        v.name, system_.nameOf(stand)),
+                            v.declared));
+            continue;
+        }
         Unknown& unknown = system_.unknowns[static_cast<std::size_t>(u)];
         mergeStart({i}, root.sign * classes_.find(entityOf(stand)).sign, unknown, fixedBy[static_cast<std::size_t>(u)]);
         if (strength(v.stateSelect) > strength(unknown.stateSelect)) unknown.stateSelect = v.stateSelect;

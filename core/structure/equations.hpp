@@ -20,15 +20,15 @@ struct Equation {
 
 /// A quantity to be solved for: a class of variables that alias elimination found equal.
 struct Unknown {
-    ExpressionId node;           // the Variable or Derivative node that stands for it in the equations
-    ExpressionId derivative;     // its time derivative: a signed node, a constant, der(input); invalid: none in use
-    int derivativeUnknown{-1};   // the unknown in `derivative`; -1: none, or the derivative is known
-    ExpressionId start;          // over parameters; invalid: not given
+    ExpressionId node;          // the Variable or Derivative node that stands for it in the equations
+    ExpressionId derivative;    // its time derivative: a signed node, a constant, der(input); invalid: none in use
+    int derivativeUnknown{-1};  // the unknown in `derivative`; -1: none, or the derivative is known
+    ExpressionId start;         // over parameters; invalid: not given
     bool isFixed{};
     StateSelect stateSelect{StateSelect::Default};
     double nominal{1};
     bool hasNominal{};
-    bool isSynthetic{};          // came into being by differentiation
+    bool isSynthetic{};  // came into being by differentiation
     Span declared;
 };
 

@@ -173,10 +173,10 @@ Outcome<FoldedModel> fold(const FlatModel& model, const StructureOptions& option
     for (const SolutionBlock& block : out.parameterBlocks)
         for (const ExpressionId leaf : collect.leaves(block.expressions.front()))
             if (!isParameterLike(model[(*out.system.pool)[leaf].variable]))
-                faults.push_back(error(
-                    fmt::format("The value of the parameter '{}' depends on '{}', which varies in time.",
-                                out.system.nameOf(block.unknowns.front()), out.system.nameOf(leaf)),
-                    model[(*out.system.pool)[block.unknowns.front()].variable].declared));
+                faults.push_back(
+                    error(fmt::format("The value of the parameter '{}' depends on '{}', which varies in time.",
+                                      out.system.nameOf(block.unknowns.front()), out.system.nameOf(leaf)),
+                          model[(*out.system.pool)[block.unknowns.front()].variable].declared));
     if (!faults.empty()) return faults;
     return out;
 }

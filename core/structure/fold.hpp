@@ -6,7 +6,7 @@ namespace analogon {
 
 /// The equations of a model in which every parameter is a number, a kept name, or an entry of parameterBlocks.
 struct FoldedModel {
-    EquationSystem system;  // unknowns not filled yet
+    EquationSystem system;             // unknowns not filled yet
     std::vector<ExpressionId> starts;  // by variable: start value over kept parameters; invalid: not given
     std::vector<VariableId> parameters;
     std::vector<double> parameterValues;

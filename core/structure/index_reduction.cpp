@@ -125,10 +125,10 @@ ExpressionId IndexReduction::derivativeOfLeaf(const ExpressionNode& node) {
         return system_.unknowns[static_cast<std::size_t>(u)].derivative;
     }
     if (node.operation == Operation::Variable) return pool.derivativeOf(node.variable);  // an input
-    faults_.push_back(error(
-        fmt::format("The model needs the second derivative of the input '{}'.", variable.name), variable.declared,
-        "A measured signal that runs linearly between samples has none. Drive the quantity through a spring and "
-        "damper, or pass the signal through Signals.FirstOrder twice."));
+    faults_.push_back(
+        error(fmt::format("The model needs the second derivative of the input '{}'.", variable.name), variable.declared,
+              "A measured signal that runs linearly between samples has none. Drive the quantity through a spring and "
+              "damper, or pass the signal through Signals.FirstOrder twice."));
     return pool.constant(0);
 }
 
@@ -142,9 +142,9 @@ bool IndexReduction::differentiate(int equation) {
     if (original.order >= highestOrder || !collect.delays().empty()) {
         const char* why = collect.delays().empty() ? "too often; the equations constrain each other in a circle"
                                                    : "although it holds a delayed signal";
-        faults_.push_back(error(fmt::format("The equation {} would have to be differentiated {}.",
-                                            system_.textOf(original), why),
-                                original.span));
+        faults_.push_back(
+            error(fmt::format("The equation {} would have to be differentiated {}.", system_.textOf(original), why),
+                  original.span));
         return false;
     }
     const auto leaf = [this](const ExpressionNode& node) { return derivativeOfLeaf(node); };
@@ -229,8 +229,8 @@ double IndexReduction::wishToBeState(int unknown, const std::vector<int>& constr
     }
     if (u.isFixed) wish += 200;
     if (u.start.valid()) wish += 50;
-    if (u.isSynthetic || (u.derivativeUnknown >= 0 &&
-                          system_.unknowns[static_cast<std::size_t>(u.derivativeUnknown)].isSynthetic))
+    if (u.isSynthetic ||
+        (u.derivativeUnknown >= 0 && system_.unknowns[static_cast<std::size_t>(u.derivativeUnknown)].isSynthetic))
         wish -= 500;  // nobody integrates it in the model
     for (const int e : constraints) {
         const ExpressionId residual = system_.residual(system_.equations[static_cast<std::size_t>(e)]);
@@ -292,9 +292,9 @@ void IndexReduction::chooseStates() {
         for (std::size_t i = 0; i < level.size(); ++i)
             if (matching.rowOf(static_cast<int>(i)) < 0) {
                 const Equation& equation = system_.equations[static_cast<std::size_t>(level[i])];
-                faults_.push_back(error(
-                    fmt::format("No state can be eliminated by the constraint {}.", system_.textOf(equation)),
-                    equation.span));
+                faults_.push_back(
+                    error(fmt::format("No state can be eliminated by the constraint {}.", system_.textOf(equation)),
+                          equation.span));
             }
         // One order down: constraints whose derivative was just served, among integrals of the dummies.
         std::vector<int> lower;

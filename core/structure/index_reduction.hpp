@@ -23,7 +23,7 @@ Adjacency incidenceOf(const EquationSystem& system);
 
 /// The message for equations and unknowns that cannot be paired.
 Diagnostic singularSystem(const EquationSystem& system, const std::vector<Equation>& equations,
-                          const std::vector<int>& surplusEquations,
-                          const std::vector<int>& undeterminedUnknowns, const std::vector<Equation>& redundant);
+                          const std::vector<int>& surplusEquations, const std::vector<int>& undeterminedUnknowns,
+                          const std::vector<Equation>& redundant);
 
 }  // namespace analogon

@@ -14,13 +14,24 @@ namespace {
 class InitialConditions {
 public:
     InitialConditions(ReducedSystem& reduced, Diagnostics& warnings)
-        : reduced_(reduced), system_(reduced.system), pool_(*system_.pool), warnings_(warnings), collect_(pool_) {}
+        : reduced_(reduced),
+          system_(reduced.system),
+          pool_(*system_.pool),
+          warnings_(warnings),
+          collect_(pool_),
+          columns_(static_cast<int>(system_.unknowns.size())),
+          matching_(incidence_, columns_) {}
 
     Outcome<std::vector<SolutionBlock>> run();
 
 private:
     void enter(const Equation& equation);
     Equation startEquation(const Unknown& unknown) const;
+    void enterModel();
+    bool tryToHold(const Equation& equation);
+    void holdInitialEquations();
+    void holdFixedStarts();
+    void holdOtherStarts();
     std::vector<SolutionBlock> needed(std::vector<SolutionBlock> blocks);
 
     ReducedSystem& reduced_;
@@ -30,6 +41,8 @@ private:
     LeafCollector collect_;
     std::vector<Equation> equations_;
     Adjacency incidence_;
+    int columns_;
+    Matching matching_;
 };
 
 void InitialConditions::enter(const Equation& equation) {
@@ -63,40 +76,48 @@ std::vector<SolutionBlock> InitialConditions::needed(std::vector<SolutionBlock> 
     return kept;
 }
 
-Outcome<std::vector<SolutionBlock>> InitialConditions::run() {
-    const int columns = static_cast<int>(system_.unknowns.size());
-    incidence_.reserve(system_.equations.size() + system_.unknowns.size());
+/// The model's own equations, matched with what they are solved for anyway; states are left free.
+void InitialConditions::enterModel() {
     for (const Equation& equation : system_.equations) enter(equation);
-    Matching matching(incidence_, columns);
-    // States last: the model's equations should be matched with what they are solved for anyway.
+    matching_.resize(columns_);
     std::vector<char> isUsable(reduced_.isState.size());
     for (std::size_t u = 0; u < isUsable.size(); ++u) isUsable[u] = !reduced_.isState[u];
-    matching.augmentAll(isUsable);
+    matching_.augmentAll(isUsable);
+}
 
-    const auto tryToHold = [&](const Equation& equation) {
-        enter(equation);
-        matching.resize(columns);
-        if (matching.augment(static_cast<int>(equations_.size()) - 1)) return true;
-        equations_.pop_back();
-        incidence_.pop_back();
-        matching.resize(columns);
-        return false;
-    };
+/// Adds a condition unless those before it already decide all its unknowns.
+bool InitialConditions::tryToHold(const Equation& equation) {
+    enter(equation);
+    matching_.resize(columns_);
+    if (matching_.augment(static_cast<int>(equations_.size()) - 1)) return true;
+    equations_.pop_back();
+    incidence_.pop_back();
+    matching_.resize(columns_);
+    return false;
+}
+
+void InitialConditions::holdInitialEquations() {
     for (const Equation& equation : system_.initialEquations)
         if (equation.left != equation.right && !tryToHold(equation))
-            warnings_.push_back(warning(
-                fmt::format("The initial equation {} is not used: the start is decided without it.",
-                            system_.textOf(equation)),
-                equation.span, "Remove it, or free one of the other start conditions."));
+            warnings_.push_back(
+                warning(fmt::format("The initial equation {} is not used: the start is decided without it.",
+                                    system_.textOf(equation)),
+                        equation.span, "Remove it, or free one of the other start conditions."));
+}
+
+void InitialConditions::holdFixedStarts() {
     for (const Unknown& unknown : system_.unknowns)
         if (unknown.isFixed && !tryToHold(startEquation(unknown)))
-            warnings_.push_back(warning(
-                fmt::format("The fixed start value of '{}' is not used: the start is decided without it.",
-                            system_.nameOf(unknown.node)),
-                unknown.declared, "Remove fixed = true here, or free one of the other start conditions."));
+            warnings_.push_back(
+                warning(fmt::format("The fixed start value of '{}' is not used: the start is decided without it.",
+                                    system_.nameOf(unknown.node)),
+                        unknown.declared, "Remove fixed = true here, or free one of the other start conditions."));
+}
 
+/// Start values of as many further states as are still free, given ones first.
+void InitialConditions::holdOtherStarts() {
     std::vector<int> others;
-    for (int u = 0; u < columns; ++u)
+    for (int u = 0; u < columns_; ++u)
         if (reduced_.isState[static_cast<std::size_t>(u)] && !system_.unknowns[static_cast<std::size_t>(u)].isFixed)
             others.push_back(u);
     std::stable_sort(others.begin(), others.end(), [&](int a, int b) {
@@ -109,11 +130,17 @@ Outcome<std::vector<SolutionBlock>> InitialConditions::run() {
         if (tryToHold(startEquation(unknown)) && !unknown.start.valid())
             assumed += (assumed.empty() ? "" : ", ") + system_.nameOf(unknown.node);
     }
-    if (!assumed.empty()) {
-        Diagnostic note = warning(fmt::format("No start value is given for {}; 0 is taken.", assumed));
-        note.severity = Severity::Note;
-        warnings_.push_back(std::move(note));
-    }
+    if (assumed.empty()) return;
+    Diagnostic note = warning(fmt::format("No start value is given for {}; 0 is taken.", assumed));
+    note.severity = Severity::Note;
+    warnings_.push_back(std::move(note));
+}
+
+Outcome<std::vector<SolutionBlock>> InitialConditions::run() {
+    enterModel();
+    holdInitialEquations();
+    holdFixedStarts();
+    holdOtherStarts();
     const std::vector<char> isKnown(system_.unknowns.size(), 0);
     Outcome<std::vector<SolutionBlock>> blocks = orderSolution(system_, equations_, isKnown);
     if (!blocks) {

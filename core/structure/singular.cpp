@@ -21,8 +21,8 @@ std::string listOf(std::vector<std::string> items, const char* separator) {
 }  // namespace
 
 Diagnostic singularSystem(const EquationSystem& system, const std::vector<Equation>& allEquations,
-                          const std::vector<int>& surplusEquations,
-                          const std::vector<int>& undeterminedUnknowns, const std::vector<Equation>& redundant) {
+                          const std::vector<int>& surplusEquations, const std::vector<int>& undeterminedUnknowns,
+                          const std::vector<Equation>& redundant) {
     std::vector<std::string> equations, unknowns, repeated;
     Span place;
     for (const int e : surplusEquations) {

@@ -24,8 +24,7 @@ Outcome<std::vector<SolutionBlock>> orderSolution(EquationSystem& system, const 
         if (matching.columnOf(e) < 0 && !matching.augment(e)) surplus = matching.visitedRows();
     for (int u = 0; u < columns; ++u)
         if (!isKnown[static_cast<std::size_t>(u)] && matching.rowOf(u) < 0) undetermined.push_back(u);
-    if (!surplus.empty() || !undetermined.empty())
-        return singularSystem(system, equations, surplus, undetermined, {});
+    if (!surplus.empty() || !undetermined.empty()) return singularSystem(system, equations, surplus, undetermined, {});
 
     Adjacency dependsOn(equations.size());
     for (std::size_t e = 0; e < equations.size(); ++e)

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/structure/alias.hpp"
+#include "core/structure/delay.hpp"
 #include "core/structure/fold.hpp"
 #include "core/structure/index_reduction.hpp"
 #include "core/structure/initial.hpp"
@@ -38,22 +39,6 @@ void listStarts(const ReducedSystem& reduced, Structure& out) {
         const Unknown& unknown = system.unknowns[u];
         out.starts.push_back(
             {unknown.node, unknown.start.valid() ? unknown.start : system.pool->constant(0), unknown.nominal});
-    }
-}
-
-void listDelays(Structure& out) {
-    LeafCollector collect(*out.pool);
-    std::vector<char> isListed(out.pool->size(), 0);
-    const auto list = [&](std::span<const ExpressionId> roots) {
-        collect.leaves(roots);
-        for (const ExpressionId delay : collect.delays())
-            if (!std::exchange(isListed[delay.value], 1)) out.delays.push_back(delay);
-    };
-    for (const SolutionBlock& block : out.blocks) list(block.expressions);
-    for (const SolutionBlock& block : out.initialBlocks) list(block.expressions);
-    for (std::size_t i = 0; i < out.delays.size(); ++i) {  // a delayed signal may itself hold a delay
-        const ExpressionId signal = (*out.pool)[out.delays[i]].a;
-        list({&signal, 1});
     }
 }
 
@@ -103,12 +88,13 @@ Outcome<Structure> analyse(std::shared_ptr<const FlatModel> model, const Structu
     listStates(*reduced, out);
     listStarts(*reduced, out);
     out.pool = system.pool;
-    listDelays(out);
     for (std::uint32_t i = 0; i < model->variables.size(); ++i) {
         if (model->variables[i].causality == FlatCausality::Input) out.inputs.push_back({i});
         if (model->variables[i].causality == FlatCausality::Output) out.outputs.push_back({i});
     }
     out.model = system.model;
+    delayInputsInstead(out);
+    out.delays = delaysOf(out);
     return out;
 }
 

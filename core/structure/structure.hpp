@@ -25,16 +25,16 @@ struct SolutionBlock {
     std::vector<ExpressionId> unknowns;     // Variable or Derivative nodes
     std::vector<ExpressionId> expressions;  // explicit: one; implicit: one residual per unknown
     bool isExplicit{true};
-    bool isLinear{};                        // implicit: residuals linear in the unknowns
-    std::vector<ExpressionId> torn;         // implicit: all unknowns of the loop, torn ones included
-    std::vector<ExpressionId> jacobian;     // implicit: d residual_i / d unknown_j at [i * n + j]
-    std::vector<ExpressionId> constantTerm; // linear: residuals at unknowns = 0
+    bool isLinear{};                         // implicit: residuals linear in the unknowns
+    std::vector<ExpressionId> torn;          // implicit: all unknowns of the loop, torn ones included
+    std::vector<ExpressionId> jacobian;      // implicit: d residual_i / d unknown_j at [i * n + j]
+    std::vector<ExpressionId> constantTerm;  // linear: residuals at unknowns = 0
 };
 
 /// Where an iteration starts, and how large the quantity is.
 struct StartValue {
-    ExpressionId node;        // a state, or an unknown of an implicit block
-    ExpressionId value;       // over parameters only
+    ExpressionId node;   // a state, or an unknown of an implicit block
+    ExpressionId value;  // over parameters only
     double nominal{1};
 };
 
@@ -54,8 +54,8 @@ struct Structure {
     std::vector<SolutionBlock> initialBlocks;    // at the initial time: yields all of x (and unknowns met on the way)
     std::vector<std::pair<VariableId, ExpressionId>> aliases;  // eliminated variable -> ± kept variable or constant
     std::vector<std::pair<VariableId, double>> folded;         // parameters and constants that became numbers
-    std::vector<StartValue> starts;              // of all states and of all unknowns of implicit blocks
-    std::vector<ExpressionId> delays;            // the Delay nodes in use, each once
+    std::vector<StartValue> starts;                            // of all states and of all unknowns of implicit blocks
+    std::vector<ExpressionId> delays;                          // the Delay nodes in use, each once
 
     int equationsBefore{}, equationsAfter{};  // flat and after alias elimination
     int indexReduction{};                     // how many equations were differentiated

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <unordered_map>
 
@@ -30,14 +31,22 @@ private:
         int equation, unknown;
     };
 
-    std::optional<ExpressionId> solveFor(const Equation& equation, ExpressionId unknown, bool onlyConstantFactor);
+    enum class Safety : char { None, Constant, Unit };
+    struct Entry {
+        double factor{};
+        Safety safety{Safety::None};
+    };
+
+    std::optional<ExpressionId> solveFor(const Equation& equation, ExpressionId unknown);
+    ExpressionId quotient(ExpressionId a, ExpressionId b, ExpressionId factor);
+    Safety safetyOf(int equation, int unknown);
+    double constantFactor(const Equation& equation, ExpressionId unknown);
     ExpressionId atZero(ExpressionId residual, const std::vector<ExpressionId>& unknowns);
     void findIncidence();
-    bool isSolvable(int equation, int unknown);
     void tear();
     void eliminate(int equation);
     void settle(int unknown);
-    int nextTorn() const;
+    int nextTorn();
     Outcome<SolutionBlock> remainder();
     Diagnostic noInfluence() const;
 
@@ -48,26 +57,69 @@ private:
     DependenceCheck& depends_;
     int count_;
     std::vector<std::vector<int>> unknownsOf_, equationsOf_;
-    std::vector<int> openUnknowns_;                    // by equation
-    std::vector<char> isSettled_, isUsed_;             // unknown: torn or eliminated; equation: used to eliminate
+    std::vector<std::vector<Entry>> entries_;  // by equation, beside unknownsOf_; empty: not looked at yet
+    std::vector<int> openUnknowns_;            // by equation
+    std::vector<char> isSettled_, isUsed_;     // unknown: torn or eliminated; equation: used to eliminate
     std::vector<Step> steps_;
     std::vector<int> torn_;
-    std::vector<int> ready_;                           // equations with one open unknown
+    std::vector<int> ready_;  // equations with one open unknown
 };
 
 /// unknown := expression, when the equation is linear in it.
-std::optional<ExpressionId> ComponentSolver::solveFor(const Equation& equation, ExpressionId unknown,
-                                                      bool onlyConstantFactor) {
+std::optional<ExpressionId> ComponentSolver::solveFor(const Equation& equation, ExpressionId unknown) {
     const ExpressionId one[] = {unknown};
     depends_.setUnknowns(one);
     const Dependence left = depends_(equation.left), right = depends_(equation.right);
     if (equation.left == unknown && right == Dependence::None) return equation.right;
     if (equation.right == unknown && left == Dependence::None) return equation.left;
     if (left == Dependence::Nonlinear || right == Dependence::Nonlinear) return {};
-    const ExpressionId residual = system_.residual(equation);
-    const ExpressionId factor = pool_.differentiate(residual, unknown);
-    if (pool_.isConstant(factor, 0) || (onlyConstantFactor && !pool_.isConstant(factor))) return {};
-    return pool_.negate(pool_.divide(atZero(residual, {unknown}), factor));
+    const ExpressionId factor =
+        pool_.subtract(pool_.differentiate(equation.left, unknown), pool_.differentiate(equation.right, unknown));
+    if (pool_.isConstant(factor, 0)) return {};
+    return quotient(atZero(equation.right, {unknown}), atZero(equation.left, {unknown}), factor);
+}
+
+/// (a - b)/factor, without a sign in front where there need not be one.
+ExpressionId ComponentSolver::quotient(ExpressionId a, ExpressionId b, ExpressionId factor) {
+    const ExpressionNode node = pool_[factor];
+    if (node.operation == Operation::Negate || (node.operation == Operation::Constant && node.value < 0))
+        return pool_.divide(pool_.subtract(b, a), pool_.negate(factor));
+    return pool_.divide(pool_.subtract(a, b), factor);
+}
+
+/// How safely an equation can be solved for an unknown: only constant factors cannot vanish, and one that is
+/// small beside the others would lose digits (the threshold of partial pivoting).
+ComponentSolver::Safety ComponentSolver::safetyOf(int equation, int unknown) {
+    std::vector<Entry>& row = entries_[static_cast<std::size_t>(equation)];
+    const std::vector<int>& columns = unknownsOf_[static_cast<std::size_t>(equation)];
+    if (row.empty()) {
+        row.resize(columns.size());
+        double largest = 0;
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            row[i].factor = constantFactor(equations_[static_cast<std::size_t>(equation)],
+                                           unknowns_[static_cast<std::size_t>(columns[i])]);
+            largest = std::max(largest, std::fabs(row[i].factor));
+        }
+        for (Entry& entry : row) {
+            const double size = std::fabs(entry.factor);
+            if (size == 1)
+                entry.safety = Safety::Unit;
+            else if (size > 0 && size >= 0.1 * largest)
+                entry.safety = Safety::Constant;
+        }
+    }
+    const auto at = std::find(columns.begin(), columns.end(), unknown);
+    return row[static_cast<std::size_t>(at - columns.begin())].safety;
+}
+
+/// The factor of an unknown in an equation that is linear in it with a constant factor; else 0.
+double ComponentSolver::constantFactor(const Equation& equation, ExpressionId unknown) {
+    const ExpressionId one[] = {unknown};
+    depends_.setUnknowns(one);
+    if (std::max(depends_(equation.left), depends_(equation.right)) == Dependence::Nonlinear) return 0;
+    const ExpressionId factor =
+        pool_.subtract(pool_.differentiate(equation.left, unknown), pool_.differentiate(equation.right, unknown));
+    return pool_.isConstant(factor) ? pool_[factor].value : 0;
 }
 
 ExpressionId ComponentSolver::atZero(ExpressionId residual, const std::vector<ExpressionId>& unknowns) {
@@ -99,11 +151,7 @@ void ComponentSolver::findIncidence() {
     }
     isSettled_.assign(equations_.size(), 0);
     isUsed_.assign(equations_.size(), 0);
-}
-
-bool ComponentSolver::isSolvable(int equation, int unknown) {
-    return solveFor(equations_[static_cast<std::size_t>(equation)], unknowns_[static_cast<std::size_t>(unknown)], true)
-        .has_value();
+    entries_.resize(equations_.size());
 }
 
 void ComponentSolver::settle(int unknown) {
@@ -119,7 +167,7 @@ void ComponentSolver::eliminate(int equation) {
     if (isUsed_[e] || openUnknowns_[e] != 1) return;
     for (const int u : unknownsOf_[e]) {
         if (isSettled_[static_cast<std::size_t>(u)]) continue;
-        if (!isSolvable(equation, u)) return;
+        if (safetyOf(equation, u) == Safety::None) return;
         isUsed_[e] = 1;
         steps_.push_back({equation, u});
         settle(u);
@@ -127,16 +175,22 @@ void ComponentSolver::eliminate(int equation) {
     }
 }
 
-/// The open unknown that meets the most unused equations.
-int ComponentSolver::nextTorn() const {
+/// The open unknown that brings the elimination on most: equations that it leaves with one open unknown, all
+/// the more when they are easily solved for that.
+int ComponentSolver::nextTorn() {
     int best = -1, most = -1;
     for (int u = 0; u < count_; ++u) {
         if (isSettled_[static_cast<std::size_t>(u)]) continue;
-        int meets = 0;
-        for (const int e : equationsOf_[static_cast<std::size_t>(u)])
-            // Equations that would have one open unknown left bring the elimination on at once.
-            if (!isUsed_[static_cast<std::size_t>(e)]) meets += openUnknowns_[static_cast<std::size_t>(e)] == 2 ? 3 : 1;
-        if (meets > most) best = u, most = meets;
+        int gain = 0;
+        for (const int e : equationsOf_[static_cast<std::size_t>(u)]) {
+            if (isUsed_[static_cast<std::size_t>(e)]) continue;
+            gain += 1;
+            if (openUnknowns_[static_cast<std::size_t>(e)] != 2) continue;
+            for (const int other : unknownsOf_[static_cast<std::size_t>(e)])
+                if (other != u && !isSettled_[static_cast<std::size_t>(other)])
+                    gain += 2 * static_cast<int>(safetyOf(e, other));
+        }
+        if (gain > most) best = u, most = gain;
     }
     return best;
 }
@@ -174,7 +228,7 @@ Outcome<SolutionBlock> ComponentSolver::remainder() {
         Rewriter::Delays::Keep);
     for (const Step& step : steps_) {
         const ExpressionId unknown = unknowns_[static_cast<std::size_t>(step.unknown)];
-        const auto solved = solveFor(equations_[static_cast<std::size_t>(step.equation)], unknown, true);
+        const auto solved = solveFor(equations_[static_cast<std::size_t>(step.equation)], unknown);
         replacement[unknown.value] = rewrite(*solved);
     }
     SolutionBlock block;
@@ -196,7 +250,7 @@ Outcome<SolutionBlock> ComponentSolver::remainder() {
     if (block.unknowns.size() == 1) {
         if (pool_.isConstant(block.jacobian[0], 0)) return noInfluence();
         block.isExplicit = true;
-        block.expressions = {pool_.negate(pool_.divide(block.constantTerm[0], block.jacobian[0]))};
+        block.expressions = {quotient(pool_.constant(0), block.constantTerm[0], block.jacobian[0])};
         block.torn.clear();
         block.jacobian.clear();
         block.constantTerm.clear();
@@ -207,7 +261,7 @@ Outcome<SolutionBlock> ComponentSolver::remainder() {
 Outcome<std::vector<SolutionBlock>> ComponentSolver::run() {
     std::vector<SolutionBlock> blocks;
     if (count_ == 1) {
-        if (const auto solved = solveFor(equations_[0], unknowns_[0], false)) {
+        if (const auto solved = solveFor(equations_[0], unknowns_[0])) {
             SolutionBlock block;
             block.unknowns = unknowns_;
             block.expressions = {*solved};
@@ -223,8 +277,7 @@ Outcome<std::vector<SolutionBlock>> ComponentSolver::run() {
     for (const Step& step : steps_) {
         SolutionBlock block;
         block.unknowns = {unknowns_[static_cast<std::size_t>(step.unknown)]};
-        block.expressions = {
-            *solveFor(equations_[static_cast<std::size_t>(step.equation)], block.unknowns.front(), true)};
+        block.expressions = {*solveFor(equations_[static_cast<std::size_t>(step.equation)], block.unknowns.front())};
         blocks.push_back(std::move(block));
     }
     return blocks;

@@ -79,7 +79,8 @@ Quantity quantityOf(const std::string& unit) {
     constexpr std::array quantities{Quantity::Time,        Quantity::Voltage, Quantity::Current,
                                     Quantity::Temperature, Quantity::Torque,  Quantity::HeatFlow};
     for (const Quantity quantity : quantities)
-        if (areConvertible(unit, unitOf(quantity))) return quantity;
+        if (const auto convert = convertUnit(unit, unitOf(quantity)); convert && std::isfinite(convert->factor))
+            return quantity;
     // Angles have no dimension, speeds that of a frequency: only the usual units count.
     for (const char* const angle : {"rad", "deg", "°", "rev", "turn"})
         if (unit == angle) return Quantity::Angle;

@@ -3,81 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <set>
 
 #include "core/base/unit.hpp"
-#include "core/diagram/edit.hpp"
-#include "core/flat/flat_model.hpp"
 #include "core/study/column_guess.hpp"
+#include "core/study/composition.hpp"
+#include "core/study/recording_split.hpp"
 #include "core/study/start_guess.hpp"
-#include "core/syntax/parser.hpp"
 
 namespace analogon {
 
 namespace {
 
-/// "electric-thermal" as "ElectricThermal"; the adjectives of mechanics and electricity are taken for one another.
-std::string packageOf(const std::string& domain) {
-    if (domain == "mechanical" || domain == "mechanic") return "Mechanics";
-    std::string out, word;
-    const auto close = [&] {
-        if (word == "electrical" || word == "electro") word = "electric";
-        if (word == "fluidic") word = "fluid";
-        if (word == "mechanical") word = out.empty() ? "mechanic" : "mechanical";
-        if (word == "mechanic" && !out.empty()) word = "mechanical";
-        if (!word.empty()) word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
-        out += std::exchange(word, {});
-    };
-    for (const char c : domain) {
-        if (c == '-' || c == '_' || c == ' ') {
-            close();
-        } else {
-            word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        }
-    }
-    close();
-    return out;
-}
-
-std::string domainOf(const std::string& package) {
-    std::string out;
-    for (const char c : package) {
-        if (std::isupper(static_cast<unsigned char>(c)) && !out.empty()) out += '-';
-        out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-    return out;
-}
-
-/// What an instance of a basic class is called in the model.
-std::string instanceName(const std::string& package) {
-    if (package == "ElectricMechanical") return "motor";
-    if (package == "ElectricThermal") return "heater";
-    if (package == "ThermalFluid") return "body";
-    if (package == "MechanicThermal") return "bearing";
-    std::string name = package;
-    name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
-    return name;
-}
-
 std::string rounded(double value) { return fmt::format("{:.3g}", value); }
-
-struct SignalPort {
-    std::string name, unit;
-};
-
-/// One basic class of the chain.
-struct Part {
-    std::string name, package, className;
-    std::vector<Port> ports;  // flanges and heat ports
-    std::vector<SignalPort> inputs, outputs;
-    std::map<std::string, std::string> values;  // modifications
-    Point centre;
-};
-
-bool isOutgoing(const Port& port) { return port.className.ends_with("_b"); }
 
 /// A connector of a part that something can be joined to.
 struct Place {
@@ -159,49 +98,22 @@ private:
         if (request_.domains.empty())
             return fault("no domain was given", fmt::format("Known are: {}.", fmt::join(knownDomains(library_), ", ")));
         for (const std::string& domain : request_.domains) {
-            Part part;
-            part.package = packageOf(domain);
-            part.className = fmt::format("Analogon.{0}.Basic{0}", part.package);
-            if (!library_.find(part.className)) {
-                const std::vector<std::string> known = knownDomains(library_);
-                const std::string alike = suggestion(domain, known);
-                return fault(fmt::format("the domain '{}' is not known", domain),
-                             (alike.empty() ? "" : fmt::format("Did you mean '{}'? ", alike)) +
-                                 fmt::format("Known are: {}.", fmt::join(known, ", ")));
+            Outcome<DomainPart> part = readDomainPart(library_, domain);
+            if (!part) {
+                faults_ = part.diagnostics();
+                return false;
             }
-            part.name = freeInstanceName(instanceName(part.package));
-            part.centre = {60.0 * static_cast<double>(parts_.size()) - 60, 0};
-            if (!readPorts(part)) return false;
-            parts_.push_back(std::move(part));
+            part->name = composition_.freeName(part->name);
+            part->centre = {60.0 * static_cast<double>(parts_.size()) - 60, 0};
+            parts_.push_back(std::move(*part));
         }
         nextRight_ = {parts_.back().centre.x + 60, 0};
-        return true;
-    }
-
-    std::string freeInstanceName(const std::string& base) {
-        std::string name = base;
-        for (int i = 2; names_.contains(name); ++i) name = fmt::format("{}{}", base, i);
-        names_.insert(name);
-        return name;
-    }
-
-    bool readPorts(Part& part) {
-        const Outcome<FlatModel> flat = flatten(library_, part.className);
-        const auto probe = std::make_shared<const Source>(
-            "probe.mo", fmt::format("model AnalogonProbe\n  {} part;\nend AnalogonProbe;\n", part.className));
-        const Outcome<Library> library = library_.withSource(probe);
-        const Outcome<Diagram> diagram = library ? readDiagram(*library, "AnalogonProbe") : Outcome<Diagram>(Diagram{});
-        if (!flat || !library || !diagram) {
-            faults_ = !flat ? flat.diagnostics() : !library ? library.diagnostics() : diagram.diagnostics();
-            return false;
-        }
-        for (const FlatVariable& variable : flat->variables) {
-            if (variable.causality == FlatCausality::Input) part.inputs.push_back({variable.name, variable.unit});
-            if (variable.causality == FlatCausality::Output) part.outputs.push_back({variable.name, variable.unit});
-        }
-        for (const Block& block : diagram->blocks)
-            for (const Port& port : block.ports)
-                if (port.domain == Domain::Rotational || port.domain == Domain::Heat) part.ports.push_back(port);
+        const bool turns = std::any_of(parts_.begin(), parts_.end(), [](const DomainPart& part) {
+            return std::any_of(part.ports.begin(), part.ports.end(),
+                               [](const Port& port) { return port.domain == Domain::Rotational; });
+        });
+        // Between the chain and the outputs stand load and sensors, and before them a rotor where one is needed.
+        outputsAt_ = parts_.back().centre.x + (turns && !hasInertia() ? 190 : 130);
         return true;
     }
 
@@ -222,7 +134,7 @@ private:
         for (int i = 1; i < count; ++i)
             if (group[static_cast<std::size_t>(i)] != group[0])
                 return fault(fmt::format("no connector joins {} to the rest of the chain",
-                                         domainOf(parts_[static_cast<std::size_t>(i)].package)),
+                                         request_.domains[static_cast<std::size_t>(i)]),
                              "A domain that both have in common is missing between them.");
         return true;
     }
@@ -233,10 +145,10 @@ private:
                 for (const Port& in : parts_[static_cast<std::size_t>(to)].ports) {
                     const bool fits = out.domain == domain && in.domain == domain && isOutgoing(out) && !isOutgoing(in);
                     const std::string outName = connector({from, &out}), inName = connector({to, &in});
-                    const bool isTaken =
-                        joined_.contains(outName) || (domain == Domain::Rotational && joined_.contains(inName));
+                    const bool isTaken = composition_.isConnected(outName) ||
+                                         (domain == Domain::Rotational && composition_.isConnected(inName));
                     if (!fits || isTaken) continue;
-                    connect(outName, inName, domain);
+                    composition_.connect(outName, inName, domain);
                     assume("{} and {} are joined by {} and {}.", parts_[static_cast<std::size_t>(from)].name,
                            parts_[static_cast<std::size_t>(to)].name, outName, inName);
                     return true;
@@ -248,34 +160,17 @@ private:
         return parts_[static_cast<std::size_t>(place.part)].name + '.' + place.port->name;
     }
 
-    void connect(const std::string& from, const std::string& to, Domain domain) {
-        joined_.insert(from);
-        joined_.insert(to);
-        connections_.push_back({from, to, domain});
-    }
-
     std::vector<Place> open(Domain domain, bool outgoing) const {
         std::vector<Place> places;
         for (int i = 0; i < static_cast<int>(parts_.size()); ++i)
             for (const Port& port : parts_[static_cast<std::size_t>(i)].ports)
-                if (port.domain == domain && isOutgoing(port) == outgoing && !joined_.contains(connector({i, &port})))
+                if (port.domain == domain && isOutgoing(port) == outgoing &&
+                    !composition_.isConnected(connector({i, &port})))
                     places.push_back({i, &port});
         return places;
     }
 
     // Components around it --------------------------------------------------------------------------------------
-
-    std::string add(const std::string& className, const std::string& base, Point centre, const std::string& description,
-                    std::vector<std::pair<std::string, std::string>> modifications = {}, double size = 10) {
-        NewComponent component;
-        component.className = "Analogon." + className;
-        component.name = freeInstanceName(base);
-        component.modifications = std::move(modifications);
-        component.description = description;
-        component.placement.extent = {{centre.x - size, centre.y - size}, {centre.x + size, centre.y + size}};
-        components_.push_back(component);
-        return component.name;
-    }
 
     /// A free place in the column right of the chain.
     Point right() {
@@ -285,19 +180,21 @@ private:
     }
 
     std::string addInput(const std::string& base, int columnIndex, const std::string& unit) {
-        const double y = -50.0 * static_cast<double>(inputs_.size());
-        const std::string name = add("Interfaces.RealInput", base, {-140, y}, "measured: " + column(columnIndex).name,
-                                     {{"unit", '"' + unit + '"'}});
+        const double y = inputs_.empty() ? 0 : -50.0 * static_cast<double>(inputs_.size() + 1);
+        const std::string name =
+            composition_.add("Interfaces.RealInput", base, {-140, y}, "measured: " + column(columnIndex).name,
+                             {{"unit", '"' + unit + '"'}});
         inputs_[name] = columnIndex;
         return name;
     }
 
     void addOutput(const std::string& base, int columnIndex, const std::string& unit, const std::string& from,
                    double y) {
-        const std::string name = add("Interfaces.RealOutput", base, {parts_.back().centre.x + 130, y},
-                                     "measured: " + column(columnIndex).name, {{"unit", '"' + unit + '"'}});
+        const std::string name =
+            composition_.add("Interfaces.RealOutput", base, {outputsAt_, y}, "measured: " + column(columnIndex).name,
+                             {{"unit", '"' + unit + '"'}});
         outputs_[name] = columnIndex;
-        connect(from, name, Domain::RealOutput);
+        composition_.connect(from, name, Domain::RealOutput);
         assume("{} is compared with '{}'.", from, column(columnIndex).name);
     }
 
@@ -305,7 +202,7 @@ private:
 
     bool wireSignals() {
         double y = 50;
-        for (Part& part : parts_) {
+        for (DomainPart& part : parts_) {
             for (const SignalPort& input : part.inputs)
                 if (!wireInput(part, input)) return false;
             for (const SignalPort& output : part.outputs)
@@ -321,19 +218,19 @@ private:
         return true;
     }
 
-    bool wireInput(const Part& part, const SignalPort& input) {
+    bool wireInput(const DomainPart& part, const SignalPort& input) {
         const std::string to = part.name + '.' + input.name;
         if (!areConvertible(input.unit, "V"))
             return fault(fmt::format("nothing is known that could drive {} [{}]", to, input.unit));
         int index = take(Quantity::Voltage, likingOfVoltage);
         if (index < 0 && voltageInput_.empty()) return wireDuty(to);
         if (index < 0) {
-            connect(voltageInput_, to, Domain::RealInput);
+            composition_.connect(voltageInput_, to, Domain::RealInput);
             assume("{} gets the same voltage.", to);
             return true;
         }
         voltageInput_ = addInput(input.name, index, input.unit);
-        connect(voltageInput_, to, Domain::RealInput);
+        composition_.connect(voltageInput_, to, Domain::RealInput);
         data_.voltage = column(index).values;
         assume("{} drives {}.", column(index).label(), to);
         return true;
@@ -357,9 +254,10 @@ private:
                          "Give the column a unit in its header, as 'u [V]'.", request_.recordings.front()->file);
         isUsed_[static_cast<std::size_t>(index)] = true;
         const std::string input = addInput("duty", index, "1");
-        const std::string gain = add("Signals.Gain", "supply", {-110, 0}, "supply voltage", {{"k", rounded(supply)}});
-        connect(input, gain + ".u", Domain::RealInput);
-        connect(gain + ".y", to, Domain::RealInput);
+        const std::string gain =
+            composition_.add("Signals.Gain", "supply", {-110, 0}, "supply voltage", {{"k", rounded(supply)}});
+        composition_.connect(input, gain + ".u", Domain::RealInput);
+        composition_.connect(gain + ".y", to, Domain::RealInput);
         voltageInput_ = gain + ".y";
         data_.voltage = column(index).values;
         for (double& value : data_.voltage) value *= 0.01 * supply;
@@ -377,9 +275,9 @@ private:
                 continue;
             }
             const Point at{parts_.front().centre.x - 40, -60};
-            const std::string source = add("Sources.PrescribedTorque", "drive", at, "measured torque");
-            connect(addInput("tau", torque, "N.m"), source + ".tau", Domain::RealInput);
-            connect(source + ".flange", connector(place), Domain::Rotational);
+            const std::string source = composition_.add("Sources.PrescribedTorque", "drive", at, "measured torque");
+            composition_.connect(addInput("tau", torque, "N.m"), source + ".tau", Domain::RealInput);
+            composition_.connect(source + ".flange", connector(place), Domain::Rotational);
             assume("{} drives {}.", column(torque).label(), connector(place));
         }
         for (const Place& place : open(Domain::Rotational, true)) wireShaftEnd(place);
@@ -387,7 +285,8 @@ private:
     }
 
     bool hasInertia() const {
-        return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.package == "Mechanics"; });
+        return std::any_of(parts_.begin(), parts_.end(),
+                           [](const DomainPart& part) { return part.package == "Mechanics"; });
     }
 
     void wireShaftEnd(const Place& place) {
@@ -395,25 +294,25 @@ private:
         if (!hasInertia()) {
             const Point at{nextRight_.x, 0};
             nextRight_.x += 60;
-            rotor_ = add("Mechanics.Inertia", "rotor", at, "what turns");
-            connect(end, rotor_ + ".flange_a", Domain::Rotational);
+            rotor_ = composition_.add("Mechanics.Inertia", "rotor", at, "what turns");
+            composition_.connect(end, rotor_ + ".flange_a", Domain::Rotational);
             assume("An inertia turns with {}: the basic class of a motor has none.", end);
             end = rotor_ + ".flange_b";
         }
-        load_ = add("Mechanics.QuadraticLoad", "load", right(), "load");
-        connect(end, load_ + ".flange", Domain::Rotational);
+        load_ = composition_.add("Mechanics.QuadraticLoad", "load", right(), "load");
+        composition_.connect(end, load_ + ".flange", Domain::Rotational);
         assume("A load that grows with the square of the speed (pump, fan) hangs on {}.", end);
         if (const int speed = take(Quantity::Speed); speed >= 0) {
             const Point at = right();
-            const std::string sensor = add("Sensors.SpeedSensor", "speedSensor", at, "");
-            connect(end, sensor + ".flange", Domain::Rotational);
+            const std::string sensor = composition_.add("Sensors.SpeedSensor", "speedSensor", at, "");
+            composition_.connect(end, sensor + ".flange", Domain::Rotational);
             addOutput("w", speed, "rad/s", sensor + ".w", at.y);
             data_.speed = column(speed).values;
         }
         if (const int angle = take(Quantity::Angle); angle >= 0) {
             const Point at = right();
-            const std::string sensor = add("Sensors.AngleSensor", "angleSensor", at, "");
-            connect(end, sensor + ".flange", Domain::Rotational);
+            const std::string sensor = composition_.add("Sensors.AngleSensor", "angleSensor", at, "");
+            composition_.connect(end, sensor + ".flange", Domain::Rotational);
             addOutput("phi", angle, "rad", sensor + ".phi", at.y);
         }
     }
@@ -432,9 +331,10 @@ private:
                 const Place body{i, &port};
                 wireHeatSource(body);
                 if (const int index = take(Quantity::Temperature, likesBody); index >= 0) {
-                    const Point at = right();
-                    const std::string sensor = add("Sensors.TemperatureSensor", "temperatureSensor", at, "");
-                    connect(connector(body), sensor + ".port", Domain::Heat);
+                    const Point at{parts_[static_cast<std::size_t>(i)].centre.x, -50};
+                    const std::string sensor =
+                        composition_.add("Sensors.TemperatureSensor", "temperatureSensor", at, "");
+                    composition_.connect(connector(body), sensor + ".port", Domain::Heat);
                     addOutput("T", index, "K", sensor + ".T", at.y);
                     if (data_.bodyTemperature.empty()) {
                         data_.bodyTemperature = column(index).values;
@@ -447,13 +347,13 @@ private:
 
     /// A body that nothing heats, and a measured heat flow.
     void wireHeatSource(const Place& body) {
-        if (joined_.contains(connector(body))) return;
+        if (composition_.isConnected(connector(body))) return;
         const int heat = take(Quantity::HeatFlow);
         if (heat < 0) return;
         const Point at{parts_[static_cast<std::size_t>(body.part)].centre.x - 40, -60};
-        const std::string source = add("Sources.PrescribedHeatFlow", "heating", at, "measured heat");
-        connect(addInput("Q_flow", heat, "W"), source + ".Q_flow", Domain::RealInput);
-        connect(source + ".port", connector(body), Domain::Heat);
+        const std::string source = composition_.add("Sources.PrescribedHeatFlow", "heating", at, "measured heat");
+        composition_.connect(addInput("Q_flow", heat, "W"), source + ".Q_flow", Domain::RealInput);
+        composition_.connect(source + ".port", connector(body), Domain::Heat);
         assume("{} heats {}.", column(heat).label(), connector(body));
     }
 
@@ -473,15 +373,15 @@ private:
         const Point at = right();
         std::string source;
         if (index >= 0) {
-            source = add("Sources.PrescribedTemperature", "ambient", at, "measured temperature");
-            connect(addInput("T_amb", index, "K"), source + ".T", Domain::RealInput);
+            source = composition_.add("Sources.PrescribedTemperature", "ambient", at, "measured temperature");
+            composition_.connect(addInput("T_amb", index, "K"), source + ".T", Domain::RealInput);
             data_.surroundingTemperature = column(index).values;
             surroundingColumn_ = column(index).name;
         } else {
-            source = add("Sources.FixedTemperature", "ambient", at, "surroundings", {{"T", "293.15"}});
+            source = composition_.add("Sources.FixedTemperature", "ambient", at, "surroundings", {{"T", "293.15"}});
         }
         for (const Place& end : ends) {
-            connect(connector(end), source + ".port", Domain::Heat);
+            composition_.connect(connector(end), source + ".port", Domain::Heat);
             if (index >= 0) {
                 assume("{} is the temperature at {}.", column(index).label(), connector(end));
             } else {
@@ -510,13 +410,12 @@ private:
     void guessStarts() {
         data_.time = columns_.front().values;
         double torqueConstant = 0.02;
-        for (Part& part : parts_) {
+        for (DomainPart& part : parts_) {
             if (part.package == "ElectricThermal") {
                 fit(part, "R", guessResistance(data_));
                 fit(part, "alpha", {0.004, 0, 0.02, "a metal"}, ParameterScale::Linear);
             } else if (part.package == "ElectricMechanical") {
-                const StartGuess resistance = guessWindingResistance(data_);
-                const StartGuess k = guessTorqueConstant(data_, resistance.value);
+                const auto [resistance, k] = guessMotor(data_);
                 fit(part, "R", resistance);
                 fit(part, "k", k);
                 part.values["L"] = "0";
@@ -524,9 +423,8 @@ private:
                 torqueConstant = k.value;
             }
         }
-        double resistance = guessWindingResistance(data_).value;
-        if (!(resistance > 0)) resistance = 1;
-        for (Part& part : parts_) {
+        const double resistance = guessMotor(data_).resistance.value;
+        for (DomainPart& part : parts_) {
             if (part.package == "Mechanics") {
                 fit(part, "J1", guessInertia(data_, resistance, torqueConstant));
                 part.values["J2"] = "0";
@@ -541,7 +439,7 @@ private:
         if (!load_.empty()) fitExtra(load_, "k_q", guessQuadraticLoad(data_, torqueConstant));
     }
 
-    void guessThermal(Part& part) {
+    void guessThermal(DomainPart& part) {
         constexpr double surface = 1e-3, usualTemperature = 293.15;  // [m2], [K]
         const StartGuess conductance = guessConductance(data_);
         const double fluid =
@@ -563,15 +461,14 @@ private:
         }
     }
 
-    void fit(Part& part, const std::string& parameter, const StartGuess& guess,
+    void fit(DomainPart& part, const std::string& parameter, const StartGuess& guess,
              ParameterScale scale = ParameterScale::Logarithmic) {
         part.values[parameter] = rounded(guess.value);
         addParameter(part.name + '.' + parameter, guess, scale);
     }
 
     void fitExtra(const std::string& component, const std::string& parameter, const StartGuess& guess) {
-        for (NewComponent& candidate : components_)
-            if (candidate.name == component) candidate.modifications.emplace_back(parameter, rounded(guess.value));
+        composition_.setModification(component, parameter, rounded(guess.value));
         addParameter(component + '.' + parameter, guess, ParameterScale::Logarithmic);
     }
 
@@ -588,42 +485,11 @@ private:
     // The study -------------------------------------------------------------------------------------------------
 
     Outcome<std::string> modelText() {
-        for (const Part& part : parts_) {
-            NewComponent component;
-            component.className = part.className;
-            component.name = part.name;
-            component.modifications.assign(part.values.begin(), part.values.end());
-            component.placement.extent = {{part.centre.x - 10, part.centre.y - 10},
-                                          {part.centre.x + 10, part.centre.y + 10}};
-            components_.push_back(component);
-        }
-        const double lowest = std::min(nextRight_.y + 20, -50.0 * static_cast<double>(inputs_.size()) + 20);
-        const auto source = std::make_shared<const Source>(
-            "model.mo",
-            fmt::format(
-                "model {0} \"{1}\"\n  annotation (Diagram(coordinateSystem(extent={{{{-160,{2}}},{{{3},{4}}}}})));\n"
-                "end {0};\n",
-                request_.className, fmt::join(request_.domains, ", "), rounded(lowest),
-                rounded(std::max(parts_.back().centre.x + 150, nextRight_.x + 30)), 120));
-        const syntax::ParseResult parsed = syntax::parse(source);
-        if (hasError(parsed.diagnostics))
-            return fileError(fmt::format("'{}' cannot be the name of a model", request_.className), "", 0, 0,
-                             "A name is a letter followed by letters, digits and underscores.");
-        const Outcome<Library> library = library_.withSource(source);
-        if (!library) return library.diagnostics();
-        const Outcome<Diagram> diagram = readDiagram(*library, request_.className);
-        if (!diagram) return diagram.diagnostics();
-        ModelEdit edit(*parsed.definition.classes.front(), &*diagram, &*library);
-        // Inputs, parts and the rest in the order of the signal flow read best.
-        std::stable_sort(components_.begin(), components_.end(), [](const NewComponent& a, const NewComponent& b) {
-            return a.placement.extent.p1.x < b.placement.extent.p1.x;
-        });
-        for (const NewComponent& component : components_) edit.addComponent(component);
-        for (const Connection& connection : connections_)
-            edit.addConnection(connection.from, connection.to, {}, domainColour(connection.domain));
-        const Outcome<syntax::TextEdit> change = edit.finish("generate");
-        if (!change) return change.diagnostics();
-        return syntax::apply(source->text(), *change).text;
+        for (const DomainPart& part : parts_)
+            composition_.addNamed(part.className, part.name, part.centre, "", {part.values.begin(), part.values.end()});
+        const double lowest = std::min(nextRight_.y + 20, -50.0 * static_cast<double>(inputs_.size()) - 20);
+        return composition_.text(library_, request_.className, fmt::format("{}", fmt::join(request_.domains, ", ")),
+                                 {{-160, lowest}, {outputsAt_ + 20, 120}});
     }
 
     void describeStudy() {
@@ -631,17 +497,21 @@ private:
         study.className = request_.className;
         study.name = request_.className;
         const std::size_t count = request_.recordings.size();
+        Composition names;  // of the experiments
         for (std::size_t i = 0; i < count; ++i) {
             const Table& table = *request_.recordings[i];
             StudyExperiment experiment;
-            experiment.name = std::filesystem::path(table.file).stem().string();
+            experiment.name = names.freeName(std::filesystem::path(table.file).stem().string());
             experiment.role = i > 0 && i + 1 == count ? Role::Validate : Role::Fit;
-            experiment.file = table.file;
+            std::error_code code;
+            experiment.file = std::filesystem::exists(table.file, code)
+                                  ? std::filesystem::absolute(table.file, code).string()
+                                  : table.file;
             experiment.timeColumn = columns_.front().name;
             for (const auto& [name, index] : inputs_) experiment.inputs[name] = column(index).mapping();
             for (const auto& [name, index] : outputs_) experiment.outputs[name] = column(index).mapping();
             for (const auto& [parameter, from] : starts_) experiment.initial[parameter] = ColumnStart{from};
-            study.tables[table.file] = request_.recordings[i];
+            study.tables[experiment.file] = request_.recordings[i];
             study.experiments.push_back(std::move(experiment));
         }
         if (count == 1) splitExperiment();
@@ -650,12 +520,14 @@ private:
                 assume("'{}' is in {}: its header gives no unit, its name does.", columns_[i].name, columns_[i].unit);
     }
 
-    /// The first 70 % of one recording are fitted, the rest validates.
+    /// The first part of one recording is fitted, the rest validates.
     void splitExperiment() {
-        constexpr double fitted = 0.7;
+        constexpr double usual = 0.7;
         std::vector<StudyExperiment>& experiments = result_.study.experiments;
         const std::vector<double>& time = columns_.front().values;
-        const auto cut = static_cast<std::size_t>(fitted * static_cast<double>(time.size() - 1));
+        const std::size_t rest = restingCut();
+        const std::size_t cut =
+            rest > 0 ? rest : static_cast<std::size_t>(usual * static_cast<double>(time.size() - 1));
         experiments.push_back(experiments.front());
         const std::string name = experiments[0].name;
         experiments[0].name = name + " (first part)";
@@ -663,16 +535,21 @@ private:
         experiments[1].name = name + " (second part)";
         experiments[1].role = Role::Validate;
         experiments[1].range = {time[cut], time.back()};
-        assume(
-            "The first 70 % of the recording (to {} s) are fitted, the rest validates. The model starts each part at "
-            "rest; a recording of its own for the validation is better.",
-            rounded(time[cut]));
+        assume("The recording up to {} s is fitted, the rest validates{}.", rounded(time[cut]),
+               rest > 0
+                   ? ": there it stands as at its beginning"
+                   : ", although the model starts it at rest and the component does not; a recording of its own for "
+                     "the validation is better");
     }
 
-    struct Connection {
-        std::string from, to;
-        Domain domain;
-    };
+    std::size_t restingCut() const {
+        std::vector<std::vector<double>> channels;
+        for (const auto* const signals : {&inputs_, &outputs_})
+            for (const auto& [name, index] : *signals)
+                if (column(index).name != bodyColumn_ && column(index).name != surroundingColumn_)
+                    channels.push_back(column(index).values);
+        return restingSample(channels);
+    }
 
     const Library& library_;
     const GenerateRequest& request_;
@@ -680,29 +557,17 @@ private:
     Diagnostics faults_;
     std::vector<GuessedColumn> columns_;
     std::vector<bool> isUsed_;
-    std::vector<Part> parts_;
-    std::set<std::string> names_, joined_;
-    std::vector<Connection> connections_;
-    std::vector<NewComponent> components_;
+    std::vector<DomainPart> parts_;
+    Composition composition_;
     std::map<std::string, int> inputs_, outputs_;  // top-level signal -> column
     std::map<std::string, std::string> starts_;    // parameter -> column
     std::string voltageInput_, rotor_, load_, bodyColumn_, surroundingColumn_;
     Point nextRight_;
+    double outputsAt_{};  // x of the outputs in the diagram
     GuessData data_;
 };
 
 }  // namespace
-
-std::vector<std::string> knownDomains(const Library& library) {
-    std::vector<std::string> domains;
-    for (const LibraryClass* known : library.classes()) {
-        const std::size_t dot = known->qualifiedName.rfind('.');
-        if (dot == std::string::npos) continue;
-        const std::string package = known->scope.substr(known->scope.rfind('.') + 1);
-        if (known->qualifiedName.substr(dot + 1) == "Basic" + package) domains.push_back(domainOf(package));
-    }
-    return domains;
-}
 
 Outcome<GeneratedStudy> generateStudy(const Library& library, const GenerateRequest& request) {
     return Generator(library, request).run();

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/study/domain_part.hpp"
 #include "core/study/study.hpp"
 
 namespace analogon {
@@ -25,9 +26,5 @@ struct GeneratedStudy {
 /// start values and bounds come from the data. Faults: unknown domain, parts that no connector joins, no measured
 /// column that the model could be compared with.
 Outcome<GeneratedStudy> generateStudy(const Library& library, const GenerateRequest& request);
-
-/// Domains that the library knows: a package `ElectricThermal` with a class `BasicElectricThermal` is
-/// "electric-thermal".
-std::vector<std::string> knownDomains(const Library& library);
 
 }  // namespace analogon

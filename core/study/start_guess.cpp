@@ -82,19 +82,23 @@ StartGuess guessResistance(const GuessData& data) {
     return all.empty() ? around(1, "") : around(median(all), "voltage over current");
 }
 
-StartGuess guessWindingResistance(const GuessData& data) {
-    const std::vector<double> all = resistances(data);
-    return all.empty() ? around(1, "") : around(quantile(all, 0.1), "voltage over current where the current is high");
-}
-
-StartGuess guessTorqueConstant(const GuessData& data, double resistance) {
-    if (data.voltage.empty()) return around(0.02, "");
-    if (data.speed.empty()) return around(std::max(largest(data.voltage), 1e-6) / 300, "");
-    const double k = median(whereFast(data, [&](std::size_t n) {
-        const double drop = data.current.empty() ? 0 : resistance * data.current[n];
-        return (data.voltage[n] - drop) / data.speed[n];
-    }));
-    return k > 0 ? around(k, "voltage over speed") : around(std::max(largest(data.voltage), 1e-6) / 300, "");
+MotorGuess guessMotor(const GuessData& data) {
+    constexpr double usualSpeed = 300;  // [rad/s] at the highest voltage
+    const double highest = std::max(largest(data.voltage), 1e-6);
+    MotorGuess guess{around(1, ""), around(highest / usualSpeed, "")};
+    if (const std::vector<double> all = resistances(data); !all.empty())
+        guess.resistance = around(quantile(all, 0.1), "voltage over current where the current is high");
+    if (data.voltage.empty() || data.current.empty() || data.speed.empty()) return guess;
+    double ii = 0, iw = 0, ww = 0, iv = 0, wv = 0;
+    for (std::size_t n = 0; n < data.speed.size(); ++n) {
+        const double v = data.voltage[n], i = data.current[n], w = data.speed[n];
+        ii += i * i, iw += i * w, ww += w * w, iv += i * v, wv += w * v;
+    }
+    const double determinant = ii * ww - iw * iw;
+    const double r = (iv * ww - wv * iw) / determinant, k = (wv * ii - iv * iw) / determinant;
+    if (r > 0 && k > 0 && std::isfinite(r + k))
+        guess = {around(r, "v = R*i + k*w over the recording"), around(k, "v = R*i + k*w over the recording")};
+    return guess;
 }
 
 StartGuess guessInertia(const GuessData& data, double resistance, double torqueConstant) {

@@ -24,10 +24,12 @@ double changeTime(const std::vector<double>& time, const std::vector<double>& si
 
 /// Of a resistor: the median of voltage over current where both are large.
 StartGuess guessResistance(const GuessData& data);
-/// Of a motor winding: the lowest tenth of voltage over current (near standstill nothing else limits it).
-StartGuess guessWindingResistance(const GuessData& data);
-/// Of a motor, from the voltage that the winding leaves over speed.
-StartGuess guessTorqueConstant(const GuessData& data, double resistance);
+struct MotorGuess {
+    StartGuess resistance, torqueConstant;
+};
+/// Of a motor: v = R*i + k*w by least squares; without a speed, R where the current is high (near standstill nothing
+/// else limits it) and k from a usual speed.
+MotorGuess guessMotor(const GuessData& data);
 /// Of what turns, from the time constant J*R/k^2.
 StartGuess guessInertia(const GuessData& data, double resistance, double torqueConstant);
 /// Torque over the square of the speed, where it is fast.

@@ -164,6 +164,8 @@ private:
             fs::create_directories((temporary_ / place).parent_path(), code);
             fs::copy_file(source, temporary_ / place, code);
             if (code) return cannotWrite(target_ / place, code);
+            // A measurement kept read-only at its origin shall not make the copy so.
+            fs::permissions(temporary_ / place, fs::perms::owner_write, fs::perm_options::add, code);
             written_.insert(place);
             return Done{};
         }

@@ -22,6 +22,7 @@ void Grammar::equations(EquationSection& section) {
 /// of the section.
 void Grammar::recoverEquation(std::size_t begin) {
     restart();
+    if (cursor_.atEnd()) return;
     const std::size_t faulty = cursor_.index();
     cursor_.moveTo(begin);
     if (atBlock()) {

@@ -46,7 +46,7 @@ mkdir -p "$out"
 study=$(mktemp -d)
 for f in study.json model.mo train.csv validation.csv; do cp "$dir/cases/$name/$f" "$study/"; done
 begin=$(date +%s.%N)
-timeout "$limit" "$cli" discover "$study" --out "$out" > "$out/log.txt" 2>&1
+timeout -k 15 "$limit" "$cli" discover "$study" --out "$out" > "$out/log.txt" 2>&1
 echo $? > "$out/status.txt"
 echo "$(date +%s.%N) $begin" | awk '{ printf "%.2f\n", $1 - $2 }' > "$out/seconds.txt"
 rm -rf "$study"

@@ -178,7 +178,8 @@ def spread(values, form="%.3f"):
 def show(rows):
     effect = [r for r in rows if r["class"] in ("single", "double")]
     n = sum(len(r["hidden"]) for r in effect)
-    print("cases %d, without a report %d" % (len(rows), sum(r["failed"] for r in rows)))
+    late = sum(r["status"] in ("124", "130", "137") for r in rows)
+    print("cases %d, without a report %d, stopped at the time limit %d" % (len(rows), sum(r["failed"] for r in rows), late))
     print("\nidentification (kind and place)")
     print("  chosen first             " + rate(sum(r["top"] for r in effect), n))
     print("  chosen or equivalent     " + rate(sum(r["found"] for r in effect), n))

@@ -79,7 +79,7 @@ const char* const studyJsonText = R"({
 
 /// Integrates C T' = P - G (T - T_amb) - k (T^4 - T_amb^4) with small Euler steps and adds noise of 0.05 K.
 void writeRecording(const fs::path& file, double radiation, double period, unsigned seed) {
-    constexpr double capacity = 30, conductance = 0.08, ambient = 293.15, step = 0.5, end = 1500;
+    constexpr double capacity = 30, conductance = 0.08, ambient = 293.15, step = 2, end = 1200;
     std::mt19937 generator(seed);
     std::normal_distribution<double> noise(0, 0.05);
     std::ofstream stream(file);

@@ -73,11 +73,22 @@ BlockItem::BlockItem(const Block& block) : block_(block) {
         QTransform::quadToQuad(from, to, shape.transform);
         ports_.push_back(shape);
     }
+    // Names are set by us: readable at every zoom, which a text that scales with the icon is not.
+    nameAt_ = {body_.center().x(), body_.bottom()};
+    auto& primitives = block_.icon.primitives;
+    for (const Primitive& p : primitives) {
+        if (p.kind != Primitive::Kind::Text || p.text != "%name") continue;
+        const QPointF at = boundsOf({p}, transform_).center();
+        isNameAbove_ = at.y() < body_.center().y();
+        nameAt_ = {at.x(), isNameAbove_ ? body_.top() : body_.bottom()};
+    }
+    std::erase_if(primitives, [](const Primitive& p) { return p.kind == Primitive::Kind::Text && p.text == "%name"; });
     bounds_ = body_ | boundsOf(block_.icon.primitives, transform_);
     for (const PortShape& port : ports_) bounds_ |= port.rect;
-    bounds_.adjust(-outlineGap - 2, -outlineGap - 2, outlineGap + 2, outlineGap + 2);
+    const double nameHeight = 10;
+    bounds_.adjust(-outlineGap - 2, -outlineGap - nameHeight, outlineGap + 2, outlineGap + nameHeight);
     // A name that is longer than its icon overhangs on both sides.
-    const double overhang = std::max(0.0, 3.0 * static_cast<double>(block_.name.size()) - bounds_.width()) / 2;
+    const double overhang = std::max(0.0, 3.5 * static_cast<double>(block_.name.size()) - bounds_.width()) / 2;
     bounds_.adjust(-overhang, 0, overhang, 0);
     setFlag(ItemIsSelectable);
     setAcceptHoverEvents(true);
@@ -116,11 +127,23 @@ void BlockItem::paintUnresolved(QPainter& painter, const QPalette& palette) cons
     painter.setPen(QPen(style::fault(palette), 0.6, Qt::DashLine));
     painter.setBrush(Qt::NoBrush);
     painter.drawRoundedRect(body_, 1, 1);
-    Primitive name;
-    name.kind = Primitive::Kind::Text;
-    name.text = "%name";
-    name.extent = {{-150, -110}, {150, -150}};
-    paintPrimitives(painter, {name}, transform_, [this](const QString& m) { return macro(m); }, palette);
+}
+
+void BlockItem::paintName(QPainter& painter, const QPalette& palette) const {
+    const QTransform world = painter.worldTransform();
+    if (std::sqrt(std::abs(world.determinant())) < 0.9) return;  // too many names in too little room
+    painter.save();
+    painter.resetTransform();
+    QFont font = painter.font();
+    font.setPointSizeF(font.pointSizeF() * 0.9);
+    painter.setFont(font);
+    painter.setPen(block_.isResolved ? style::mix(palette.color(QPalette::Text), style::canvas(palette), 0.2)
+                                     : style::fault(palette));
+    const QPointF at = world.map(nameAt_);
+    const double height = QFontMetricsF(font).height(), gap = 3;
+    const QRectF box(at.x() - 200, isNameAbove_ ? at.y() - height - gap : at.y() + gap, 400, height);
+    painter.drawText(box, Qt::AlignHCenter | Qt::AlignVCenter, QString::fromStdString(block_.name));
+    painter.restore();
 }
 
 void BlockItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) {
@@ -143,6 +166,7 @@ void BlockItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option,
         painter->setBrush(tint);
         painter->drawRoundedRect(around, 2, 2);
     }
+    if (!label_) paintName(*painter, palette);
     if (!block_.isResolved) return paintUnresolved(*painter, palette);
     const auto macros = [this](const QString& name) { return macro(name); };
     paintPrimitives(*painter, block_.icon.primitives, transform_, macros, palette);

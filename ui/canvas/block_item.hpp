@@ -39,6 +39,7 @@ private:
         QRectF rect;
     };
     void paintUnresolved(QPainter& painter, const QPalette& palette) const;
+    void paintName(QPainter& painter, const QPalette& palette) const;
     QString tooltip(const PortShape* port) const;
     QString macro(const QString& name) const;
     const PortShape* portAt(QPointF at) const;
@@ -46,6 +47,8 @@ private:
     Block block_;
     QTransform transform_;
     QRectF body_, bounds_;
+    QPointF nameAt_;       // where the icon wants the component's name: its edge next to the body
+    bool isNameAbove_{};
     std::vector<PortShape> ports_;
     const PortShape* hovered_{};
     EffectLabel* label_{};

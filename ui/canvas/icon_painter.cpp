@@ -133,13 +133,11 @@ void paintText(QPainter& painter, const Primitive& p, const QRectF& scene, const
     font.setBold(p.bold);
     font.setPixelSize(100);
     const double width = QFontMetricsF(font).horizontalAdvance(text) / 100;
-    const bool isName = p.text == "%name";
-    if (p.fontSize <= 0 && !isName && width * pixels > rect.width() && rect.width() > 0) pixels = rect.width() / width;
-    if (pixels >= 4.5) {
+    if (p.fontSize <= 0 && width * pixels > rect.width() && rect.width() > 0) pixels = rect.width() / width;
+    if (pixels >= 6.5) {  // smaller is not readable
         font.setPixelSize(static_cast<int>(std::round(pixels)));
         painter.setFont(font);
-        // The name of a component is the program's word, not the icon's: it takes the text colour.
-        painter.setPen(isName ? palette.color(QPalette::Text) : style::onCanvas(toColour(p.line), palette));
+        painter.setPen(style::onCanvas(toColour(p.line), palette));
         const int horizontal = p.alignment < 0 ? Qt::AlignLeft : p.alignment > 0 ? Qt::AlignRight : Qt::AlignHCenter;
         painter.drawText(rect, horizontal | Qt::AlignVCenter | Qt::TextDontClip, text);
     }

@@ -43,6 +43,7 @@ RunBar::RunBar(RunController& controller, QWidget* parent)
     });
     connect(&controller, &RunController::runningChanged, this, [this] {
         const bool isRunning = controller_.isRunning();
+        isSearching_ = false;
         text_->setText(isRunning ? controller_.job().what() + QStringLiteral(" …") : QString());
         bar_->setRange(0, 0);
         bar_->setVisible(isRunning);
@@ -52,6 +53,9 @@ RunBar::RunBar(RunController& controller, QWidget* parent)
     connect(&controller, &RunController::progressed, this,
             [this](const QString& stage, const QString& detail, double fraction, double error) {
                 if (controller_.job().isCancelling()) return;
+                // The fits of single candidates, side by side, say nothing of how far the search is.
+                isSearching_ = isSearching_ || (stage != "fit" && stage != "simulate");
+                if (isSearching_ && stage == "fit") return;
                 QString text = detail.isEmpty() ? stage : stage + QStringLiteral(" · ") + detail;
                 if (error >= 0) text += QStringLiteral(" · ") + tr("error %1 %").arg(error, 0, 'g', 3);
                 text_->setText(text_->fontMetrics().elidedText(text, Qt::ElideMiddle, text_->width()));

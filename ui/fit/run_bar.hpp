@@ -25,6 +25,7 @@ private:
     QLabel* text_;
     QProgressBar* bar_;
     QToolButton* cancel_;
+    bool isSearching_{};
 };
 
 }  // namespace analogon::ui

@@ -180,7 +180,7 @@ QVariant ParameterModel::headerData(int section, Qt::Orientation orientation, in
         case Unit: return tr("Unit");
         case Min: return tr("Min");
         case Max: return tr("Max");
-        case Result: return tr("Result ± std. error");
+        case Result: return tr("Result");
         default: return {};
     }
 }

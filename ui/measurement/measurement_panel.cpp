@@ -40,7 +40,7 @@ QString extentText(const Table& table, const StudyExperiment& experiment) {
         const double first = experiment.range ? experiment.range->first : time->values.front();
         const double last = experiment.range ? experiment.range->second : time->values.back();
         const QString unit = time->unit.empty() ? QStringLiteral("s") : QString::fromStdString(time->unit);
-        text += QStringLiteral(", %1 … %2 %3").arg(first, 0, 'g', 5).arg(last, 0, 'g', 5).arg(unit);
+        text += QStringLiteral(" · %1 … %2 %3").arg(first, 0, 'g', 5).arg(last, 0, 'g', 5).arg(unit);
     }
     return text;
 }
@@ -95,10 +95,11 @@ void MeasurementPanel::refresh() {
         top->setToolTip(1, experiment.role == Role::Fit ? tr("Used to fit and to choose effects")
                                                         : tr("Only reported; never used to fit or to choose"));
         top->setForeground(1, experiment.role == Role::Fit ? style::accent(palette()) : style::mutedText(palette()));
-        auto* info = new QTreeWidgetItem(top, {file, table ? extentText(*table, experiment) : QString()});
-        info->setIcon(0, style::icon("time"));
-        for (int c : {0, 1}) info->setForeground(c, style::mutedText(palette()));
-        info->setToolTip(1, info->text(1));
+        const QString extent = table ? QStringLiteral(" · ") + extentText(*table, experiment) : QString();
+        auto* info = new QTreeWidgetItem(top, {file + extent});
+        info->setFirstColumnSpanned(true);
+        info->setForeground(0, style::mutedText(palette()));
+        info->setToolTip(0, info->text(0));
 
         std::set<std::string> used{experiment.timeColumn};
         const auto add = [&](const std::map<std::string, ChannelMapping>& channels, const QString& icon,

@@ -75,10 +75,10 @@ OutputPlot::OutputPlot(QWidget* parent)
     heading->addWidget(readout_);
 
     values_->setTimeLabels(false);
-    values_->setMinimumHeight(110);
+    values_->setMinimumHeight(84);
     residual_->setSymmetric(true);
     residual_->setCaption(tr("measured − simulated"));
-    residual_->setMinimumHeight(76);
+    residual_->setMinimumHeight(66);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);

@@ -18,7 +18,7 @@ namespace analogon::ui {
 
 namespace {
 
-constexpr double leftMargin = 64, rightMargin = 14, topMargin = 6;  // [px] equal, so that stacked plots line up
+constexpr double leftMargin = 64, rightMargin = 26, topMargin = 6;  // [px] equal, so that stacked plots line up
 
 }  // namespace
 
@@ -210,7 +210,8 @@ void TimePlot::layOut() {
     const double bottom = hasTimeLabels_ ? fontMetrics().height() + 8 : 8;
     c.chart->setPlotArea(QRectF(leftMargin, topMargin, std::max(10.0, width() - leftMargin - rightMargin),
                                 std::max(10.0, height() - topMargin - bottom)));
-    c.value->setTickInterval(niceStep(c.value->max() - c.value->min(), std::max(1, height() / 45)));
+    const double span = c.value->max() - c.value->min();
+    c.value->setTickInterval(niceStep(span, std::max(2, static_cast<int>(c.chart->plotArea().height() / 18))));
     c.caption->setPos(leftMargin + 6, topMargin);
 }
 

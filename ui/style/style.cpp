@@ -8,6 +8,9 @@
 #include <QSvgRenderer>
 #include <QWidget>
 
+// Resources of a static library must be asked for; the macro wants the global namespace.
+static void loadIcons() { Q_INIT_RESOURCE(icons); }
+
 namespace analogon::ui::style {
 
 namespace {
@@ -106,6 +109,7 @@ bool isDark(const QPalette& palette) { return palette.color(QPalette::Base).ligh
 
 void apply(QApplication& application, Theme theme) {
     static const QPalette desktop = QGuiApplication::palette();  // before we set our own
+    loadIcons();
     chosen = theme;
     const bool dark = theme == Theme::Dark || (theme == Theme::System && isDark(desktop));
     if (application.style()->objectName() != "fusion") QApplication::setStyle(QStyleFactory::create("Fusion"));

@@ -40,18 +40,27 @@ constexpr int layoutVersion = 1;  // raised when docks are added, so that an old
 class DockTitle : public QLabel {
 public:
     DockTitle(const QString& text, QWidget* parent) : QLabel(text, parent) {
-        setMargin(0);
         setContentsMargins(style::margin, 2 * style::unit, style::margin, 2 * style::unit);
         QFont bold = font();
         bold.setWeight(QFont::DemiBold);
         setFont(bold);
     }
+    /// In a stack of docks the tab already says the name.
+    void setCollapsed(bool isCollapsed) {
+        isCollapsed_ = isCollapsed;
+        updateGeometry();
+    }
+    QSize sizeHint() const override { return isCollapsed_ ? QSize(0, 0) : QLabel::sizeHint(); }
+    QSize minimumSizeHint() const override { return isCollapsed_ ? QSize(0, 0) : QLabel::minimumSizeHint(); }
 
 protected:
     // A title bar must leave its mouse events to the dock.
     void mousePressEvent(QMouseEvent* event) override { event->ignore(); }
     void mouseMoveEvent(QMouseEvent* event) override { event->ignore(); }
     void mouseReleaseEvent(QMouseEvent* event) override { event->ignore(); }
+
+private:
+    bool isCollapsed_{};
 };
 
 }  // namespace
@@ -111,7 +120,17 @@ QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWid
     dock->setWidget(panel);
     dock->setTitleBarWidget(new DockTitle(title, dock));
     addDockWidget(area, dock);
+    const auto later = [this] { QTimer::singleShot(0, this, &MainWindow::updateDockTitles); };
+    connect(dock, &QDockWidget::dockLocationChanged, this, later);
+    connect(dock, &QDockWidget::topLevelChanged, this, later);
+    connect(dock, &QDockWidget::visibilityChanged, this, later);
     return dock;
+}
+
+void MainWindow::updateDockTitles() {
+    for (QDockWidget* dock : {measurementDock_, parameterDock_, resultDock_, plotDock_, messageDock_})
+        static_cast<DockTitle*>(dock->titleBarWidget())
+            ->setCollapsed(!dock->isFloating() && !tabifiedDockWidgets(dock).isEmpty());
 }
 
 void MainWindow::createActions() {
@@ -189,7 +208,9 @@ void MainWindow::createToolBar() {
     bar->setMovable(false);
     bar->setIconSize({20, 20});
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    bar->setContentsMargins(style::unit, style::unit / 2, style::unit, style::unit / 2);
+    bar->setStyleSheet(QStringLiteral("QToolBar { background: palette(window); border: none; border-bottom: 1px solid "
+                                      "palette(mid); padding: %1px; spacing: %1px }")
+                           .arg(style::unit));
     bar->addAction(openAction_);
     bar->addSeparator();
     bar->addAction(undoAction_);

@@ -53,6 +53,7 @@ private:
     void createToolBar();
     void createPanels();
     QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area);
+    void updateDockTitles();
     void connectPanels();
     void restoreLayout();
     void resetLayout();

@@ -5,13 +5,16 @@
 
 #include <cmath>
 
+#include "tests/core/eval/tangent_check.hpp"
 #include "tests/core/structure/sample_models.hpp"
 
 namespace analogon {
 namespace {
 
+using test::checkTangents;
 using test::Load;
 using test::ModelBuilder;
+using test::modelParameters;
 using ::testing::HasSubstr;
 
 std::shared_ptr<const System> buildSystem(std::shared_ptr<const FlatModel> model, std::vector<std::string> keep = {}) {
@@ -21,12 +24,6 @@ std::shared_ptr<const System> buildSystem(std::shared_ptr<const FlatModel> model
     Outcome<std::shared_ptr<const System>> system = System::build(*structure);
     EXPECT_TRUE(system) << format(system.diagnostics());
     return system ? *system : nullptr;
-}
-
-std::vector<double> modelParameters(const System& system) {
-    std::vector<double> p;
-    for (const SignalInfo& info : system.parameters()) p.push_back(info.value);
-    return p;
 }
 
 std::vector<double> start(const System& system, std::vector<double> u, double t = 0) {
@@ -68,62 +65,6 @@ int stateIndex(const System& system, const std::string& name) {
         if (system.states()[static_cast<std::size_t>(i)].name == name) return i;
     ADD_FAILURE() << "no state " << name;
     return 0;
-}
-
-/// All of (x0, xdot, y) as functions of (p, x, u) along one direction each; tangents against central differences.
-void checkTangents(const System& system, const std::vector<double>& x, const std::vector<double>& u, double t = 0.3) {
-    const auto nx = static_cast<std::size_t>(system.stateCount()), ny = static_cast<std::size_t>(system.outputCount());
-    const auto np = static_cast<std::size_t>(system.parameterCount()), nu = u.size();
-    const std::size_t directions = np + nx + nu;
-    const std::vector<double> p = modelParameters(system);
-    ASSERT_EQ(x.size(), nx);
-    ASSERT_EQ(static_cast<int>(nu), system.slotCount());
-
-    Workspace w = system.workspace(static_cast<int>(directions));
-    std::vector<double> dp(np * directions), dx(nx * directions), du(nu * directions);
-    for (std::size_t i = 0; i < np; ++i) dp[i * directions + i] = 1;
-    for (std::size_t i = 0; i < nx; ++i) dx[i * directions + np + i] = 1;
-    for (std::size_t i = 0; i < nu; ++i) du[i * directions + np + nx + i] = 1;
-    std::vector<double> x0(nx), dx0(nx * directions), xdot(nx), dxdot(nx * directions), y(ny), dy(ny * directions);
-    ASSERT_TRUE(system.setParameters(w, p, dp)) << system.failure(w);
-    ASSERT_TRUE(system.initialise(w, t, u, x0, dx0, du)) << system.failure(w);
-    ASSERT_TRUE(system.derivatives(w, t, x, dx, u, du, xdot, dxdot)) << system.failure(w);
-    ASSERT_TRUE(system.outputs(w, t, x, dx, u, du, y, dy)) << system.failure(w);
-
-    // Tangents and values agree with the values-only program, bit by bit.
-    Workspace plain = system.workspace(0);
-    std::vector<double> again(nx);
-    ASSERT_TRUE(system.setParameters(plain, p));
-    ASSERT_TRUE(system.derivatives(plain, t, x, u, again));
-    EXPECT_EQ(again, xdot);
-
-    const auto all = [&](std::size_t k, double step) {
-        std::vector<double> ps = p, xs = x, us = u, results;
-        (k < np ? ps[k] : k < np + nx ? xs[k - np] : us[k - np - nx]) += step;
-        std::vector<double> a(nx), b(nx), c(ny);
-        EXPECT_TRUE(system.setParameters(plain, ps)) << system.failure(plain);
-        EXPECT_TRUE(system.initialise(plain, t, us, a)) << system.failure(plain);
-        EXPECT_TRUE(system.derivatives(plain, t, xs, us, b)) << system.failure(plain);
-        EXPECT_TRUE(system.outputs(plain, t, xs, us, c)) << system.failure(plain);
-        results.insert(results.end(), a.begin(), a.end());
-        results.insert(results.end(), b.begin(), b.end());
-        results.insert(results.end(), c.begin(), c.end());
-        return results;
-    };
-    for (std::size_t k = 0; k < directions; ++k) {
-        const double at = k < np ? p[k] : k < np + nx ? x[k - np] : u[k - np - nx];
-        const double step = 1e-5 * std::max(std::fabs(at), 1e-3);
-        const std::vector<double> up = all(k, step), down = all(k, -step);
-        for (std::size_t i = 0; i < up.size(); ++i) {
-            const double tangent = i < nx          ? dx0[i * directions + k]
-                                   : i < 2 * nx    ? dxdot[(i - nx) * directions + k]
-                                                   : dy[(i - 2 * nx) * directions + k];
-            const double difference = (up[i] - down[i]) / (2 * step);
-            const double rounding = 1e-15 * (std::fabs(up[i]) + std::fabs(down[i])) / step;
-            EXPECT_NEAR(tangent, difference, 1e-6 * std::max(std::fabs(difference), 1e-6) + 4 * rounding)
-                << "result " << i << " direction " << k;
-        }
-    }
 }
 
 TEST(System, EvaluatesAThermalMassThroughItsConnectors) {
@@ -171,8 +112,8 @@ TEST(System, KeepsAnInertiaThatIsZeroSolvable) {
 }
 
 TEST(System, MotorWithElasticShaftHasFiveStates) {
-    const auto system = buildSystem(test::motorWithShaft(2e-4, 1e-3, Load::Quadratic),
-                              {"R", "L", "k", "J1", "J2", "c", "d", "k_q"});
+    const auto system =
+        buildSystem(test::motorWithShaft(2e-4, 1e-3, Load::Quadratic), {"R", "L", "k", "J1", "J2", "c", "d", "k_q"});
     ASSERT_TRUE(system);
     ASSERT_EQ(system->stateCount(), 5);
     std::vector<double> x(5);
@@ -185,8 +126,8 @@ TEST(System, MotorWithElasticShaftHasFiveStates) {
     const std::vector<double> xdot = derivative(*system, x, {12});
     EXPECT_NEAR(xdot[static_cast<std::size_t>(stateIndex(*system, "motor.i"))], (12 - 2 * 1.5 - 0.05 * 20) / 1e-3,
                 1e-9);
-    EXPECT_NEAR(xdot[static_cast<std::size_t>(stateIndex(*system, "shaft.w1"))],
-                (2 * 0.05 * 1.5 - tau) / (2 * 1e-4), 1e-9);
+    EXPECT_NEAR(xdot[static_cast<std::size_t>(stateIndex(*system, "shaft.w1"))], (2 * 0.05 * 1.5 - tau) / (2 * 1e-4),
+                1e-9);
     EXPECT_NEAR(xdot[static_cast<std::size_t>(stateIndex(*system, "shaft.w2"))], (tau + 1e-3 * 64) / 2e-4, 1e-9);
     EXPECT_FALSE(system->isLinearTimeInvariant());
     checkTangents(*system, x, {12});
@@ -401,6 +342,34 @@ TEST(System, DelaysOfInputsAreSlotsAndOthersAreTaps) {
     checkTangents(*system, {3}, u);
 }
 
+TEST(System, MovesTheDelayOfASignalOfInputsToTheInputs) {
+    ModelBuilder m;
+    m.parameter("T", 0.2);
+    m.parameter("gain", 3);
+    m.parameter("offset", 0.5);
+    m.input("u");
+    m.variables({"x", "amplified", "shifted", "late"});
+    m.eq(m.v("amplified"), m.v("gain") * m.v("u"));
+    m.eq(m.v("shifted"), m.v("amplified") + m.v("offset"));
+    m.eq(m.v("late"), m.delay(m.v("shifted"), m.v("T")));
+    m.eq(m.der("x"), m.delay(m.v("late"), 0.5 * m.v("T")) - m.v("x"));
+    const auto system = buildSystem(m.model(), {"T", "gain", "offset"});
+    ASSERT_TRUE(system);
+    EXPECT_EQ(system->tapCount(), 0);
+    ASSERT_EQ(system->delays().size(), 2u);  // `late` itself, and what drives the state
+    EXPECT_EQ(system->delays()[0].input, 0);
+    EXPECT_EQ(system->delays()[1].input, 0);
+    Workspace w = system->workspace(0);
+    std::vector<double> times(2);
+    ASSERT_TRUE(system->setParameters(w, std::vector<double>{0.2, 3, 0.5}));
+    system->delayTimes(w, times);
+    EXPECT_THAT(times, ::testing::UnorderedElementsAre(::testing::DoubleEq(0.2), ::testing::DoubleEq(0.3)));
+    const std::size_t late = times[0] > 0.25 ? 1 : 2;
+    std::vector<double> u{100, 100, 100};
+    u[late] = 2;
+    EXPECT_DOUBLE_EQ(derivative(*system, {1}, u)[0], 3 * 2 + 0.5 - 1);
+}
+
 TEST(System, RefusesADelayedTapThatDrivesAState) {
     ModelBuilder m;
     m.parameter("T", 0.2);
@@ -429,6 +398,7 @@ TEST(System, NamesTheVariableThatIsNotFinite) {
     ASSERT_TRUE(system->setParameters(w, {}));
     EXPECT_FALSE(system->derivatives(w, 0, std::vector<double>{1}, std::vector<double>{0}, xdot));
     EXPECT_EQ(system->failure(w), "ratio");
+    EXPECT_FALSE(system->failedToSolve(w));
     EXPECT_TRUE(system->derivatives(w, 0, std::vector<double>{1}, std::vector<double>{2}, xdot));
 }
 
@@ -444,8 +414,33 @@ TEST(System, NamesTheUnknownThatHasNoSolution) {
     ASSERT_TRUE(system->setParameters(w, {}));
     EXPECT_FALSE(system->outputs(w, 0, {}, std::vector<double>{0}, {&y, 1}));
     EXPECT_EQ(system->failure(w), "z");
+    EXPECT_TRUE(system->failedToSolve(w));
     EXPECT_TRUE(system->outputs(w, 0, {}, std::vector<double>{5}, {&y, 1}));
     EXPECT_NEAR(y * y, 4, 1e-12);
+}
+
+TEST(System, StartsAtRestWhereTheSlopeOfALoadIsInfinite) {
+    // k*w*abs(w) = c*(phi1 - phi2): at rest dw/dphi is infinite; values and tangents stay finite.
+    ModelBuilder m;
+    m.parameter("k", 2);
+    m.parameter("c", 5);
+    m.input("phi1");
+    m.variables({"phi2", "w"});
+    m.eq(m.v("w"), m.der("phi2"));
+    m.eq(m.v("k") * m.v("w") * m.f(Operation::Abs, m.v("w")), m.v("c") * (m.v("phi1") - m.v("phi2")));
+    const auto system = buildSystem(m.model(), {"k", "c"});
+    ASSERT_TRUE(system);
+    Workspace w = system->workspace(1);
+    std::vector<double> x{0}, dx{1}, xdot(1), dxdot(1);
+    ASSERT_TRUE(system->setParameters(w, std::vector<double>{2, 5}, std::vector<double>{0, 0}));
+    ASSERT_TRUE(system->derivatives(w, 0, x, dx, std::vector<double>{0}, {}, xdot, dxdot)) << system->failure(w);
+    EXPECT_EQ(xdot[0], 0);
+    EXPECT_EQ(dxdot[0], 0);
+    // And off it from there: the last solution, 0, is no start for Newton.
+    ASSERT_TRUE(system->derivatives(w, 0, x, dx, std::vector<double>{0.4}, {}, xdot, dxdot)) << system->failure(w);
+    EXPECT_NEAR(xdot[0], 1, 1e-12);
+    EXPECT_NEAR(dxdot[0], -5.0 / 4, 1e-12);
+    checkTangents(*system, {0.1}, {0.4});
 }
 
 TEST(System, ObservesAliasesParametersAndDerivatives) {
@@ -489,6 +484,10 @@ TEST(System, DifferentiatesEveryFunction) {
     for (const Operation f : {Abs, Sqrt, Exp, Log, Log10, Sin, Cos, Tan, Asin, Acos, Atan, Sinh, Cosh, Tanh})
         sum = sum + m.f(f, m.v("p") * m.v("x")) * m.v("u");
     for (const Operation f : {Power, Atan2, Min, Max, Mod, Rem}) sum = sum + m.f(f, m.v("x"), m.v("p"));
+    LookupTable table{{-1, 0, 1, 2}, {0, 1, 3, 4}, LookupTable::Interpolation::MonotoneCubic, 0, {}};
+    ExpressionPool& pool = *m.model()->pool;
+    sum = sum + m.v("p") * sum.of(pool.table(table, m.v("x").id));
+    sum = sum + m.v("p") * sum.of(pool.tableDerivative(0, m.v("x").id));
     for (const double n : {2.0, 3.0, 4.0, -1.0, -2.0, 0.5, 1.7}) sum = sum + m.f(Power, m.v("x"), m.c(n));
     for (const Operation f : {Floor, Ceil, Sign}) sum = sum + m.f(f, m.v("x")) * m.v("p");
     m.eq(m.der("x"), sum);

@@ -97,6 +97,10 @@ TEST(Arrays, SizesMayComeFromValuesAndLaterParameters) {
     EXPECT_EQ(valueOf(m, "k[4]"), 4);
 }
 
+TEST(Arrays, ComponentsHaveASizeToo) {
+    EXPECT_EQ(valueOf(flatOf("model M parameter Integer n = size(i, 1); Parts.Inertia i[3]; end M;"), "n"), 3);
+}
+
 TEST(Arrays, FaultsAreNamed) {
     EXPECT_THAT(faultsOf("model M Real x[3] = {1, 2}; end M;"),
                 ElementsAre("the value of 'x' has size [2], the variable [3]"));

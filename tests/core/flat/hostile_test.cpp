@@ -1,4 +1,4 @@
-#include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -14,9 +14,9 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
-using Clock = std::chrono::steady_clock;
 
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+/// Time of the processor, not of the clock: other work on the machine does not count.
+double secondsSince(std::clock_t start) { return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC; }
 
 TEST(Hostile, CirclesOfClassesAreRefused) {
     EXPECT_THAT(faultsOf("model M extends M; end M;"), Contains(HasSubstr("'M' extends itself: M extends M")));
@@ -33,20 +33,33 @@ TEST(Hostile, CirclesOfClassesAreRefused) {
 }
 
 TEST(Hostile, HugeModelsAreRefusedAtOnce) {
-    const auto start = Clock::now();
+    const auto start = std::clock();
     EXPECT_THAT(faultsOf("model M Real x[1000000000]; equation for i in 1:1000000000 loop x[i] = i; end for; end M;"),
                 Contains(HasSubstr("larger than 1000000 scalars")));
     EXPECT_THAT(faultsOf("model M Real x[100000, 100000, 100000] = 1; end M;"), Contains(HasSubstr("larger than")));
     EXPECT_THAT(faultsOf("model M Real x; equation for i in 1:1000000000 loop x = i; end for; end M;"),
                 Contains(HasSubstr("the range has more than 1000000 values")));
     EXPECT_THAT(faultsOf("model M Real x = sum(fill(1, 100000, 100000)); end M;"), Not(IsEmpty()));
+    EXPECT_THAT(faultsOf("model M Real x = sum(i*j for i in 1:1000000, j in 1:1000000); end M;"),
+                Contains(HasSubstr("too large to be worked out")));
+    EXPECT_THAT(faultsOf("model M Real x = sum(fill(1, 1000, 1000)*fill(2, 1000, 1000)); end M;"),
+                Contains(HasSubstr("too large to be worked out")));
+    EXPECT_THAT(
+        faultsOf("model M Real x[100000]; equation for i in 1:1000000 loop x = fill(1, 100000); end for; end M;"),
+        Contains(HasSubstr("has more than 2000000 equations")));
+    std::string doubled = "model D0 Real x = 1; end D0;";
+    for (int i = 1; i <= 40; ++i) {
+        const std::string n = std::to_string(i), p = std::to_string(i - 1);
+        doubled += "model D" + n + " extends D" + p + "; extends D" + p + "; end D" + n + ";";
+    }
+    EXPECT_THAT(faultsOf(doubled, "D40"), Contains(HasSubstr("inherits too many classes")));
     // 10^7 components, ten in each of seven levels
     std::string levels = "model L0 Real x = 1; end L0;";
     for (int i = 1; i <= 7; ++i)
         levels +=
             "model L" + std::to_string(i) + " L" + std::to_string(i - 1) + " part[10]; end L" + std::to_string(i) + ";";
     EXPECT_THAT(faultsOf(levels, "L7"), Contains(HasSubstr("larger than")));
-    EXPECT_LT(secondsSince(start), 10);
+    EXPECT_LT(secondsSince(start), 6);
 }
 
 TEST(Hostile, DeepNestingIsRefused) {
@@ -61,7 +74,7 @@ TEST(Hostile, DeepNestingIsRefused) {
 }
 
 TEST(Hostile, LongSumsAndLongParameterChainsAreFast) {
-    const auto start = Clock::now();
+    const auto start = std::clock();
     std::string sum = "model M Real x; equation x = time";
     for (int i = 0; i < 100000; ++i) sum += i % 2 ? "+1" : "+time";
     EXPECT_EQ(flatOf(sum + "; end M;").equations.size(), 1u);
@@ -84,7 +97,7 @@ TEST(Hostile, TwoHundredBlocksTakeMilliseconds) {
     const Library library = libraryOf(source + "end M;");
     double best = 1;
     for (int run = 0; run < 5; ++run) {
-        const auto start = Clock::now();
+        const auto start = std::clock();
         const auto model = flatten(library, "M");
         ASSERT_TRUE(model) << format(model.diagnostics());
         EXPECT_EQ(model->equations.size(), 6u * 200);
@@ -101,7 +114,7 @@ TEST(Hostile, TheCorpusEndsCleanly) {
         std::ifstream file(entry.path());
         std::stringstream text;
         text << file.rdbuf();
-        const auto start = Clock::now();
+        const auto start = std::clock();
         const auto library = Library{}.withSource(std::make_shared<Source>(entry.path().filename(), text.str()));
         bool accepted = bool(library);
         for (std::size_t i = 0; library && i < library->classes().size(); ++i) {

@@ -70,6 +70,8 @@ TEST(Faults, ParametersNeedAConstantValue) {
                 ElementsAre(HasSubstr("parameters depend on each other: a -> b -> c -> a")));
     EXPECT_THAT(faultsOf("model M Real x = 1; parameter Real a = 2*x; end M;"),
                 ElementsAre(HasSubstr("the parameter 'a' depends on 'x', which changes while the model runs")));
+    EXPECT_THAT(faultsOf("model M Real x = 1; Real y(start = x) = 2; end M;"),
+                ElementsAre(HasSubstr("the start value of 'y' changes while the model runs")));
     EXPECT_THAT(faultsOf("model M parameter Real a = time; end M;"), ElementsAre(HasSubstr("depends on time")));
     EXPECT_THAT(faultsOf("model M parameter Integer n = n; Real x[n]; end M;"), Contains(HasSubstr("the size of 'x'")));
 }

@@ -80,6 +80,19 @@ TEST(Redeclaration, ReplacesAComponentAndKeepsItsModifications) {
                 ElementsAre(HasSubstr("'load' of 'N' is not replaceable")));
 }
 
+TEST(Redeclaration, TheNewClassNeedsTheElementsOfTheOldOne) {
+    const std::string source = R"(
+        model Load parameter Real b = 1; Parts.Flange flange; equation flange.tau = b; end Load;
+        model Drive replaceable Load load; replaceable model Rotor = Load; Rotor rotor; end Drive;)";
+    EXPECT_THAT(
+        faultsOf(source + "model M Drive d(redeclare Parts.Inertia load); end M;"),
+        ElementsAre("Parts.Inertia cannot take the place of Load: it has no 'flange' | use a class that extends Load"));
+    EXPECT_THAT(faultsOf(source + "model M Drive d(redeclare model Rotor = Parts.Inertia); end M;"),
+                ElementsAre(HasSubstr("Parts.Inertia cannot take the place of Load")));
+    EXPECT_THAT(faultsOf(source + "model M Drive d(redeclare Real load); end M;"),
+                ElementsAre(HasSubstr("Real cannot take the place of Load")));
+}
+
 TEST(Redeclaration, ReplacesALocalClass) {
     const std::string source = R"(
         model Small parameter Real J = 1; end Small;
@@ -89,7 +102,7 @@ TEST(Redeclaration, ReplacesALocalClass) {
     EXPECT_EQ(valueOf(plain, "d.first.J"), 2);
     EXPECT_EQ(valueOf(plain, "d.second.J"), 3);
     const FlatModel m = flatOf(source + "model M Drive d(redeclare model Rotor = Large(extra = 7)); end M;");
-    EXPECT_EQ(valueOf(m, "d.first.J"), 100);
+    EXPECT_EQ(valueOf(m, "d.first.J"), 2);  // the modification of the replaced class stays
     EXPECT_EQ(valueOf(m, "d.second.extra"), 7);
     const FlatModel derived =
         flatOf(source + "model M extends Drive; redeclare model Rotor = Large(extra = 9); end M;");

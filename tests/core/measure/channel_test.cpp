@@ -76,6 +76,10 @@ TEST(Channel, NamesUnknownAndInconvertibleUnits) {
     EXPECT_EQ(fault.message, "column 'b' is in 'V', which cannot be converted to the 'K' of the model");
 }
 
+TEST(Channel, DoesNotTakeASpeedForATime) {
+    EXPECT_THAT(faultOf(readTime(table("n [rpm],u\n1,1\n2,2\n"), "n")).message, HasSubstr("cannot be converted"));
+}
+
 TEST(Channel, NamesTheFirstCellWithoutANumber) {
     const Diagnostic fault = faultOf(readChannel(table("t,u\n0,1\n1,\n2,3\n3,nan\n"), column("u"), ""));
     EXPECT_EQ(fault.place.line, 3);

@@ -180,8 +180,8 @@ TEST(Traces, EscapeFormulasAndLeaveGapsEmpty) {
 TEST(Summary, AlignsTheTableAndTellsTheFinding) {
     const std::string text = summaryText(sampleFinding());
     EXPECT_THAT(text,
-                HasSubstr("Finding: effect. The model lacked radiation to the surroundings (thermal.radiation) at "
-                          "element.solid."));
+                HasSubstr("Finding: effect. The model lacked thermal.radiation at element.solid (radiation to the "
+                          "surroundings)."));
     EXPECT_THAT(text, HasSubstr("what is left is noise"));
     std::istringstream lines(text);
     std::vector<std::size_t> ends;

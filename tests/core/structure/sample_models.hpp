@@ -40,15 +40,15 @@ enum class Load { None, Quadratic, Viscous };
 inline std::shared_ptr<const FlatModel> motorWithShaft(double J2, double L, Load load) {
     ModelBuilder m("MotorWithShaft");
     for (const auto& [name, value] : std::initializer_list<std::pair<const char*, double>>{{"R", 2},
-                                                                                          {"L", L},
-                                                                                          {"k", 0.05},
-                                                                                          {"r", 2},
-                                                                                          {"J1", 1e-4},
-                                                                                          {"J2", J2},
-                                                                                          {"c", 3},
-                                                                                          {"d", 0.02},
-                                                                                          {"k_q", 1e-3},
-                                                                                          {"b", 0.02}})
+                                                                                           {"L", L},
+                                                                                           {"k", 0.05},
+                                                                                           {"r", 2},
+                                                                                           {"J1", 1e-4},
+                                                                                           {"J2", J2},
+                                                                                           {"c", 3},
+                                                                                           {"d", 0.02},
+                                                                                           {"k_q", 1e-3},
+                                                                                           {"b", 0.02}})
         m.parameter(name, value);
     m.input("v");
     m.output("i_out");
@@ -95,8 +95,8 @@ inline std::shared_ptr<const FlatModel> rigidInertias() {
     m.parameter("J2", 0.03);
     m.input("tau");
     m.output("w");
-    m.variables({"a.flange.phi", "a.flange.tau", "a.phi", "a.w", "a.a", "b.flange.phi", "b.flange.tau", "b.phi", "b.w",
-                 "b.a"});
+    m.variables(
+        {"a.flange.phi", "a.flange.tau", "a.phi", "a.w", "a.a", "b.flange.phi", "b.flange.tau", "b.phi", "b.w", "b.a"});
     for (const std::string name : {"a", "b"}) {
         m.component(name);
         m.eq(m.v(name + ".phi"), m.v(name + ".flange.phi"));

@@ -305,8 +305,8 @@ TEST(Structure, NamesTheEquationsThatCompete) {
     m.eq(2.0 * m.v("T"), m.v("u1"));
     m.component("source2");
     m.eq(3.0 * m.v("T"), m.v("u2"));
-    EXPECT_THAT(refusal(m.model()), AllOf(HasSubstr("No equation determines free"), HasSubstr("in source1"),
-                                          HasSubstr("in source2")));
+    EXPECT_THAT(refusal(m.model()),
+                AllOf(HasSubstr("No equation determines free"), HasSubstr("in source1"), HasSubstr("in source2")));
 }
 
 TEST(Structure, RefusesContradictingConstantsAndInputs) {

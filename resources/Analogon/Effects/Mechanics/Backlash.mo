@@ -21,7 +21,7 @@ equation
   w = der(flange_a.phi);
   phi_c = phi_rel + (sqrt((phi_rel - b/2)^2 + phi_eps^2) - sqrt((phi_rel + b/2)^2 + phi_eps^2))/2;
   contact = 1 + ((phi_rel - b/2)/sqrt((phi_rel - b/2)^2 + phi_eps^2) - (phi_rel + b/2)/sqrt((phi_rel + b/2)^2 + phi_eps^2))/2;
-  tau = c*phi_c + d*contact*w_rel;
+  b*(tau - c*phi_c - d*contact*w_rel) = 1e-9*c*phi_eps*phi_rel;
   flange_b.tau = tau;
   flange_a.tau = -tau;
   annotation (
@@ -42,13 +42,13 @@ equation
         Polygon(points={{-10,20},{30,20},{30,-20},{-10,-20}}, lineColor={95,95,95}, fillColor={192,198,206}, fillPattern=FillPattern.Solid),
         Line(points={{-40,60},{-10,60}}, color={213,94,0}, thickness=0.5, arrow={Arrow.None,Arrow.Filled})}),
     Documentation(info="<html>
-<p>Two toothed wheels that touch on one side only: within the play of width b no torque is passed on, beyond it the teeth are elastic and damped. Without play the connection is elastic with the stiffness c of the teeth.</p>
+<p>Two toothed wheels that touch on one side only: within the play of width b no torque is passed on, beyond it the teeth are elastic and damped. Without play the connection is rigid.</p>
 <pre>
   phi_rel = flange_b.phi - flange_a.phi
   tau     = c*(phi_rel - b/2) + d*der(phi_rel)    beyond  b/2
   tau     = 0                                     within  the play
   tau     = c*(phi_rel + b/2) + d*der(phi_rel)    beyond -b/2
 </pre>
-<p>The corners are rounded over phi_eps.</p>
+<p>The corners are rounded over phi_eps. The equation is multiplied by b, so that b = 0 leaves phi_rel = 0, the rigid shaft; a stiffness of less than c/1e9 keeps the play from drifting.</p>
 </html>"));
 end Backlash;

@@ -1,0 +1,48 @@
+#include "app/analogon-cli/generate.hpp"
+
+#include <ostream>
+
+#include "core/study/generate.hpp"
+
+namespace analogon::cli {
+
+namespace {
+
+Outcome<GenerateRequest> requestOf(const Options& options) {
+    GenerateRequest request;
+    request.domains = options.domains;
+    if (!options.className.empty()) request.className = options.className;
+    for (const std::filesystem::path& file : options.data) {
+        Outcome<Table> table = readTable(file);
+        if (!table) return table.diagnostics();
+        request.recordings.push_back(std::make_shared<const Table>(std::move(*table)));
+    }
+    return request;
+}
+
+}  // namespace
+
+int generate(const Options& options, std::ostream& out, std::ostream& err) {
+    const auto fails = [&err](const Diagnostics& faults) {
+        err << format(faults) << std::endl;
+        return static_cast<int>(inputAtFault);
+    };
+    const Outcome<GenerateRequest> request = requestOf(options);
+    if (!request) return fails(request.diagnostics());
+    Outcome<Library> library = builtInLibrary();
+    for (const std::filesystem::path& path : options.libraries)
+        if (library) library = library->withPath(path);
+    if (!library) return fails(library.diagnostics());
+    const Outcome<GeneratedStudy> generated = generateStudy(*library, *request);
+    if (!generated) return fails(generated.diagnostics());
+    if (!generated.diagnostics().empty()) err << format(generated.diagnostics()) << std::endl;
+    if (const Outcome<Done> written = writeStudy(generated->study, options.out); !written)
+        return fails(written.diagnostics());
+    const std::string directory = options.out.string();
+    out << "study: " << directory << "\n\nassumed\n";
+    for (const std::string& assumption : generated->assumptions) out << "  - " << assumption << '\n';
+    out << "\nnext: analogon-cli discover " << directory << " --out " << directory << "-result" << std::endl;
+    return done;
+}
+
+}  // namespace analogon::cli

@@ -1,0 +1,260 @@
+#include "app/analogon-cli/command_line.hpp"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "app/analogon-cli/progress_view.hpp"
+
+namespace analogon::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+const fs::path root = ANALOGON_ROOT;
+
+std::string contentOf(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The program as its own process, with both streams in files.
+class Process {
+public:
+    Process(const std::vector<std::string>& arguments, const fs::path& scratch)
+        : out_(scratch / "stdout.txt"), err_(scratch / "stderr.txt") {
+        std::vector<char*> argv{const_cast<char*>(ANALOGON_CLI)};
+        for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
+        argv.push_back(nullptr);
+        id_ = fork();
+        if (id_ != 0) return;
+        dup2(open(out_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), STDOUT_FILENO);
+        dup2(open(err_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), STDERR_FILENO);
+        execv(ANALOGON_CLI, argv.data());
+        _exit(127);
+    }
+    void interrupt() const { kill(id_, SIGINT); }
+    int wait() {
+        int status = 0;
+        waitpid(id_, &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    std::string out() const { return contentOf(out_); }
+    std::string err() const { return contentOf(err_); }
+
+private:
+    fs::path out_, err_;
+    pid_t id_{};
+};
+
+struct Result {
+    int status{};
+    std::string out, err;
+};
+
+class CommandLine : public testing::Test {
+protected:
+    void SetUp() override {
+        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+        scratch = fs::temp_directory_path() / "analogon-cli-test" / info->name();
+        fs::remove_all(scratch);
+        fs::create_directories(scratch);
+    }
+    Result run(const std::vector<std::string>& arguments) const {
+        Process process(arguments, scratch);
+        const int status = process.wait();
+        return {status, process.out(), process.err()};
+    }
+    /// A study of a first-order lag y' = (k u - y)/T, 200 samples.
+    fs::path study(const std::string& model, const std::string& data = {}) const {
+        const fs::path directory = scratch / "study";
+        fs::create_directories(directory);
+        std::ofstream(directory / "model.mo") << model;
+        std::ofstream(directory / "study.json") << R"({"format": "analogon-study-1", "class": "Lag",
+  "experiments": [{"name": "step", "role": "fit", "file": "step.csv", "time": "t",
+                   "inputs": {"u": "u"}, "outputs": {"y": "y"}}],
+  "parameters": {"T": {"fit": true, "min": 0.1, "max": 10}, "k": {"fit": true, "min": 0.1, "max": 10}}})";
+        std::ofstream csv(directory / "step.csv");
+        if (!data.empty()) {
+            csv << data;
+            return directory;
+        }
+        csv << "t [s],u,y\n";
+        for (int i = 0; i < 200; ++i) {
+            const double t = 0.05 * i;
+            const double wiggle = 0.001 * ((i * 7919) % 13 - 6);  // stands for noise
+            csv << t << ",1," << 2 * (1 - std::exp(-t / 1.5)) + wiggle << '\n';
+        }
+        return directory;
+    }
+
+    const std::string lag = R"(model Lag
+  parameter Real T(unit="s") = 1;
+  parameter Real k = 1;
+  Analogon.Interfaces.RealInput u;
+  Analogon.Interfaces.RealOutput y(start=0, fixed=true);
+equation
+  T*der(y) = k*u - y;
+end Lag;
+)";
+    fs::path scratch;
+};
+
+TEST_F(CommandLine, SaysItsVersionAndItsCommands) {
+    EXPECT_THAT(run({"--version"}).out, HasSubstr("analogon-cli "));
+    const Result help = run({"--help"});
+    EXPECT_EQ(help.status, done);
+    for (const char* command : {"check", "simulate", "fit", "discover", "generate", "export", "pack", "unpack"})
+        EXPECT_THAT(help.out, HasSubstr(command));
+}
+
+TEST_F(CommandLine, RefusesWhatItDoesNotKnow) {
+    EXPECT_EQ(run({}).status, inputAtFault);
+    EXPECT_EQ(run({"dance"}).status, inputAtFault);
+    EXPECT_EQ(run({"fit", study(lag).string()}).status, inputAtFault) << "--out is missing";
+    EXPECT_EQ(run({"fit", study(lag).string(), "--out", "x", "--method", "guess"}).status, inputAtFault);
+    EXPECT_EQ(run({"pack", "a", "b"}).status, inputAtFault);
+    EXPECT_THAT(run({"export", "a", "--fmu", "b"}).err, HasSubstr("not available yet"));
+}
+
+TEST_F(CommandLine, ChecksAStudyAndAModel) {
+    const fs::path directory = study(lag);
+    const Result checked = run({"check", directory.string()});
+    EXPECT_EQ(checked.status, done) << checked.err;
+    EXPECT_THAT(checked.out, HasSubstr("as many equations as unknowns"));
+    EXPECT_THAT(checked.out, HasSubstr("states      1  y"));
+    EXPECT_EQ(run({"check", (directory / "model.mo").string()}).status, done);
+    EXPECT_THAT(run({"check", directory.string(), "--print", "flat"}).out, HasSubstr("der(y)"));
+    EXPECT_FALSE(run({"check", directory.string(), "--print", "structure"}).out.empty());
+    EXPECT_FALSE(run({"check", directory.string(), "--print", "program"}).out.empty());
+}
+
+TEST_F(CommandLine, FitsAndLeavesAllResults) {
+    const Result fitted =
+        run({"fit", study(lag).string(), "--out", (scratch / "out").string(), "--progress", "json"});
+    EXPECT_EQ(fitted.status, done) << fitted.err;
+    for (const char* file : {"report.json", "report.html", "traces.csv", "study/study.json", "study/model.mo"})
+        EXPECT_TRUE(fs::exists(scratch / "out" / file)) << file;
+    const auto report = nlohmann::json::parse(contentOf(scratch / "out" / "report.json"));
+    EXPECT_NEAR(report["final"]["parameters"]["T"]["value"].get<double>(), 1.5, 0.01);
+    EXPECT_NEAR(report["final"]["parameters"]["k"]["value"].get<double>(), 2.0, 0.01);
+    EXPECT_THAT(fitted.out, HasSubstr("report.html"));
+    std::istringstream lines(fitted.err);
+    int reports = 0;
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("{")) {
+            EXPECT_TRUE(nlohmann::json::parse(line).contains("stage")) << line;
+            ++reports;
+        }
+    EXPECT_GT(reports, 0);
+}
+
+TEST_F(CommandLine, SimulatesAndFitsByNelderMeadWithoutProgress) {
+    const std::string directory = study(lag).string();
+    const Result simulated = run({"simulate", directory, "--out", (scratch / "s").string(), "--progress", "none"});
+    EXPECT_EQ(simulated.status, done) << simulated.err;
+    const Result fitted = run({"fit", directory, "--out", (scratch / "f").string(), "--method", "nelder-mead"});
+    EXPECT_EQ(fitted.status, done) << fitted.err;
+    EXPECT_THAT(fitted.err, Not(HasSubstr("\r"))) << "no bar where there is no terminal";
+}
+
+TEST_F(CommandLine, NamesTheFaultOfTheInputOnceAndWritesNothing) {
+    const fs::path out = scratch / "out";
+    const auto faulty = [&](const std::string& model, const std::string& data, const std::string& message) {
+        const Result result = run({"fit", study(model, data).string(), "--out", out.string()});
+        EXPECT_EQ(result.status, inputAtFault) << result.err;
+        EXPECT_THAT(result.err, HasSubstr(message));
+        std::size_t count = 0;
+        for (auto at = result.err.find("error:"); at != std::string::npos; at = result.err.find("error:", at + 1)) ++count;
+        EXPECT_EQ(count, 1u) << result.err;
+        EXPECT_FALSE(fs::exists(out)) << "nothing is half-written";
+    };
+    std::string broken = lag;
+    broken.replace(broken.find("k*u"), 3, "q*u");
+    faulty(broken, {}, "model.mo:7:");
+    faulty(lag, "t [s],u,z\n0,1,0\n1,1,1\n2,1,1\n", "\"y\"");
+    faulty(lag, "t [s],u,y [parsec per moon]\n0,1,0\n1,1,1\n2,1,1\n", "parsec per moon");
+    faulty(lag, "t [s],u,y\n0,1,0\n1,1,NaN\n2,1,1\n", "step.csv:3");
+    EXPECT_EQ(run({"fit", "/no/such/study", "--out", out.string()}).status, inputAtFault);
+    EXPECT_FALSE(fs::exists(out));
+}
+
+TEST_F(CommandLine, TellsFailedNumericsFromFaultyInput) {
+    const std::string exploding = R"(model Lag
+  parameter Real T(unit="s") = 1;
+  parameter Real k = 1;
+  Analogon.Interfaces.RealInput u;
+  Analogon.Interfaces.RealOutput y(start=1, fixed=true);
+equation
+  T*der(y) = k*y*y*u;
+end Lag;
+)";
+    const Result result = run({"simulate", study(exploding).string(), "--out", (scratch / "out").string()});
+    EXPECT_EQ(result.status, numericsFailed) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("step"));
+    EXPECT_THAT(result.err, HasSubstr("t = "));
+    EXPECT_FALSE(fs::exists(scratch / "out"));
+}
+
+TEST_F(CommandLine, EndsSoonWhenInterrupted) {
+    const fs::path example = root / "examples" / "water-pump";
+    ASSERT_TRUE(fs::exists(example / "study.json"));
+    Process process({"discover", example.string(), "--out", (scratch / "out").string(), "--progress", "json"}, scratch);
+    for (int i = 0; i < 2000 && process.err().empty(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    const auto begin = std::chrono::steady_clock::now();
+    process.interrupt();
+    EXPECT_EQ(process.wait(), interrupted) << process.err();
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    EXPECT_LT(took.count(), 2.0) << "0.2 s on a machine that does nothing else";
+    EXPECT_THAT(process.err(), HasSubstr("interrupted"));
+    if (fs::exists(scratch / "out")) EXPECT_TRUE(fs::exists(scratch / "out" / "report.json"));
+}
+
+TEST_F(CommandLine, GeneratesAStudyThatChecks) {
+    const fs::path data = root / "examples" / "lambda-sensor-heating" / "train.csv";
+    if (!fs::exists(data)) GTEST_SKIP() << data << " is absent";
+    const std::string out = (scratch / "generated").string();
+    const Result generated =
+        run({"generate", "--domains", "electric-thermal,thermal-fluid", "--data", data.string(), "--out", out});
+    ASSERT_EQ(generated.status, done) << generated.err;
+    EXPECT_THAT(generated.out, HasSubstr("assumed"));
+    const Result checked = run({"check", out});
+    EXPECT_EQ(checked.status, done) << checked.err;
+    EXPECT_EQ(run({"generate", "--domains", "magic", "--data", data.string(), "--out", out}).status, inputAtFault);
+}
+
+TEST(ProgressView, DrawsABarOnATerminalAndNothingElsewhere) {
+    std::ostringstream terminal, file;
+    {
+        ProgressView view(ProgressKind::Automatic, terminal, true);
+        view.sink()({"fit", "iteration 3", 0.5, 2.5});
+    }
+    EXPECT_THAT(terminal.str(), HasSubstr("50 %"));
+    EXPECT_THAT(terminal.str(), HasSubstr("fit: iteration 3  (error 2.5 %)"));
+    EXPECT_THAT(terminal.str(), testing::EndsWith("\r\033[K")) << "the bar is wiped at the end";
+    ProgressView silent(ProgressKind::Automatic, file, false);
+    EXPECT_FALSE(silent.sink());
+}
+
+TEST(ProgressView, WritesOneJsonObjectALine) {
+    EXPECT_EQ(progressJson({"trial", "a \"b\"", 0.25, -1}), R"({"stage":"trial","detail":"a \"b\"","fraction":0.25})");
+    EXPECT_EQ(progressJson({"fit", "", -1, 1.5}), R"({"stage":"fit","error_percent":1.5})");
+}
+
+}  // namespace
+}  // namespace analogon::cli

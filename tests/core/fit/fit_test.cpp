@@ -1,0 +1,414 @@
+#include "core/fit/fit.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/core/simulate/text_models.hpp"
+
+namespace analogon {
+namespace {
+
+using test::compileText;
+using test::ownParameters;
+using ::testing::HasSubstr;
+
+const char* const capacitorText = R"(
+model Charging "voltage of a capacitor behind a resistor, with leak"
+  input Real u;
+  output Real y;
+  parameter Real R = 2;
+  parameter Real C = 0.5;
+  parameter Real G = 0;
+  parameter Real y_start = 0;
+  Real v(start = y_start, fixed = true);
+equation
+  C*der(v) = (u - v)/R - G*v;
+  y = v;
+end Charging;
+)";
+
+SampledInputs steps(int count, double step, double level, double period) {
+    SampledInputs inputs;
+    inputs.values.resize(1, count);
+    for (int k = 0; k < count; ++k) {
+        inputs.time.push_back(k * step);
+        inputs.values(0, k) = std::fmod(k * step, period) < 0.5 * period ? level : 0.2 * level;
+    }
+    return inputs;
+}
+
+/// An experiment whose measurement is the system itself at `truth` (by name order of its parameters) and noise.
+FitExperiment simulated(const std::string& name, const SystemPtr& system, const SampledInputs& inputs,
+                        const std::vector<double>& truth, double sigma, unsigned seed) {
+    FitExperiment experiment;
+    experiment.name = name;
+    experiment.system = system;
+    experiment.inputs = inputs;
+    experiment.parameters = ownParameters(*system);
+    SimulationTask task;
+    task.system = system.get();
+    task.inputs = &inputs;
+    task.parameters = truth;
+    const Trajectory exact = simulate(task);
+    EXPECT_FALSE(exact.failure.failed);
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal(0.0, sigma > 0 ? sigma : 1.0);
+    experiment.measured = exact.outputs;
+    if (sigma > 0) {
+        experiment.measured = experiment.measured.unaryExpr([&](double value) { return value + normal(random); });
+    }
+    experiment.weights = Eigen::VectorXd::Constant(system->outputCount(), sigma > 0 ? 1.0 / sigma : 1.0);
+    return experiment;
+}
+
+FitParameter parameter(const std::string& name, double start, double min = -1e300, double max = 1e300) {
+    FitParameter p;
+    p.name = name;
+    p.start = start;
+    p.min = min;
+    p.max = max;
+    return p;
+}
+
+FitProblem charging(double sigma = 0.01) {
+    const SystemPtr system = compileText(capacitorText, "Charging", {"R", "C"});
+    FitProblem problem;
+    problem.experiments.push_back(simulated("steps", system, steps(2000, 0.01, 5.0, 8.0), {3.0, 0.8}, sigma, 1));
+    problem.parameters = {parameter("R", 1.0, 0.1, 100.0)};
+    return problem;
+}
+
+TEST(Linearise, YieldsTheJacobianOfTheResiduals) {
+    const SystemPtr system = compileText(test::motorText, "Motor", {"R", "k", "J2", "b"});
+    FitProblem problem;
+    problem.experiments.push_back(
+        simulated("steps", system, steps(400, 1e-3, 6.0, 0.2), ownParameters(*system), 0.01, 3));
+    problem.experiments[0].measured(0, 17) = std::nan("");
+    problem.parameters = {parameter("k", 0.06), parameter("J2", 4e-4)};
+    const Eigen::VectorXd at = (Eigen::VectorXd(2) << 0.06, 4e-4).finished();
+    const std::vector<GridPlan> plans{planFor(problem, 0, at)};
+    const Linearisation line = linearise(problem, at, true, plans);
+    ASSERT_TRUE(line.ok) << line.failure;
+    EXPECT_EQ(line.residuals.size(), 799);
+    EXPECT_EQ(line.residuals.size(), problem.residualCount());
+    for (Eigen::Index i = 0; i < 2; ++i) {
+        Eigen::VectorXd up = at, down = at;
+        const double step = 1e-5 * at[i];
+        up[i] += step;
+        down[i] -= step;
+        const Eigen::VectorXd slope = (linearise(problem, up, false, plans).residuals -
+                                       linearise(problem, down, false, plans).residuals) /
+                                      (2.0 * step);
+        EXPECT_LT((line.jacobian.col(i) - slope).norm(), 1e-6 * slope.norm()) << i;
+    }
+}
+
+TEST(Fit, RecoversAKnownTimeConstantWithinItsStandardError) {
+    const FitProblem problem = charging();
+    FitProblem both = problem;
+    both.parameters.push_back(parameter("C", 2.0, 0.01, 10.0));
+    // Only the product R C shows without a leak; fix C at its true value for the first.
+    both.experiments[0].parameters[1] = 0.8;
+    FitProblem one = problem;
+    one.experiments[0].parameters[1] = 0.8;
+    const FitResult result = fit(one);
+    ASSERT_EQ(result.status, FitStatus::Converged) << result.message;
+    EXPECT_NEAR(result.values[0], 3.0, 4.0 * result.estimates[0].standardError);
+    EXPECT_LT(result.estimates[0].standardError, 0.01);
+    EXPECT_NEAR(2.0 * result.cost / one.residualCount(), 1.0, 0.1);
+    EXPECT_LT(result.simulations, 20);
+    EXPECT_FALSE(result.estimates[0].atBound);
+    EXPECT_TRUE(result.remarks.empty()) << result.remarks.front();
+
+    const FitResult undetermined = fit(both);
+    ASSERT_EQ(undetermined.status, FitStatus::Converged) << undetermined.message;
+    EXPECT_NEAR(undetermined.values[0] * undetermined.values[1], 2.4, 0.02);
+    EXPECT_TRUE(std::isnan(undetermined.estimates[0].standardError));
+    EXPECT_TRUE(std::isnan(undetermined.estimates[1].standardError));
+    ASSERT_FALSE(undetermined.remarks.empty());
+    EXPECT_EQ(undetermined.remarks[0], "R and C cannot be told apart from these data: fix one");
+}
+
+FitProblem motor(int count, double sigma) {
+    const SystemPtr system = compileText(test::motorText, "Motor", {"R", "L", "k", "J1", "J2", "c", "d", "b"});
+    FitProblem problem;
+    const std::vector<double> truth = ownParameters(*system);
+    FitExperiment experiment = simulated("steps", system, steps(count, 1e-3, 6.0, 0.5), truth, 0.0, 5);
+    std::mt19937 random(9);
+    std::normal_distribution<double> normal;
+    for (Eigen::Index o = 0; o < 2; ++o) {
+        const double level = sigma * (experiment.measured.row(o).maxCoeff() - experiment.measured.row(o).minCoeff());
+        for (double& value : experiment.measured.row(o)) value += level * normal(random);
+        experiment.weights[o] = 1.0 / level;
+    }
+    problem.experiments.push_back(experiment);
+    const double factors[] = {1.6, 0.6, 0.7, 1.5, 0.6, 1.8, 0.5, 2.0};
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        problem.parameters.push_back(parameter(system->parameters()[i].name, truth[i] * factors[i], truth[i] * 1e-2,
+                                               truth[i] * 1e2));
+    }
+    return problem;
+}
+
+TEST(Fit, RecoversEightMotorParametersFromFarStarts) {
+    const FitProblem problem = motor(4000, 0.005);
+    const FitResult result = fit(problem);
+    ASSERT_EQ(result.status, FitStatus::Converged) << result.message;
+    const std::vector<double> truth = ownParameters(*problem.experiments[0].system);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        const FitEstimate& estimate = result.estimates[i];
+        EXPECT_NEAR(estimate.value, truth[i], 4.5 * estimate.standardError) << estimate.name;
+        EXPECT_LT(estimate.standardError, 0.2 * truth[i]) << estimate.name;
+    }
+    EXPECT_NEAR(2.0 * result.cost / problem.residualCount(), 1.0, 0.05);
+    EXPECT_NEAR(result.correlation(0, 0), 1.0, 1e-12);
+}
+
+TEST(Fit, IsReproducibleWhateverTheThreads) {
+    FitProblem problem = motor(600, 0.005);
+    FitOptions options;
+    options.starts = 4;
+    options.seed = 7;
+    options.threads = 1;
+    const FitResult one = fit(problem, options);
+    options.threads = 2;
+    const FitResult two = fit(problem, options);
+    EXPECT_EQ(one.values, two.values);
+    EXPECT_EQ(one.simulations, two.simulations);
+    EXPECT_EQ(one.status, FitStatus::Converged);
+}
+
+TEST(Fit, ReachesABoundAndSaysSo) {
+    FitProblem problem = charging();
+    problem.experiments[0].parameters[1] = 0.8;
+    problem.parameters = {parameter("R", 1.0, 0.1, 2.5)};
+    const FitResult result = fit(problem);
+    ASSERT_EQ(result.status, FitStatus::Converged) << result.message;
+    EXPECT_EQ(result.values[0], 2.5);
+    EXPECT_TRUE(result.estimates[0].atBound);
+    ASSERT_FALSE(result.remarks.empty());
+    EXPECT_EQ(result.remarks[0], "R rests at its upper bound 2.5");
+}
+
+TEST(Fit, FindsTheOptimumOfTheOthersWhenOneParameterIsHeldByItsBound) {
+    const SystemPtr system = compileText(capacitorText, "Charging", {"R", "G", "y_start"});
+    FitProblem problem;
+    // The measurement has a negative leak, which the bound forbids.
+    problem.experiments.push_back(simulated("leak", system, steps(2000, 0.01, 5.0, 8.0), {3.0, -0.02, 1.0}, 0.01, 2));
+    problem.parameters = {parameter("R", 1.0, 0.1, 100.0), parameter("G", 0.05, 0.0, 1.0),
+                          parameter("y_start", 0.0, -10.0, 10.0)};
+    const FitResult bounded = fit(problem);
+    ASSERT_EQ(bounded.status, FitStatus::Converged) << bounded.message;
+    EXPECT_EQ(bounded.values[1], 0.0);
+    EXPECT_TRUE(bounded.estimates[1].atBound);
+    FitProblem held = problem;
+    held.parameters.erase(held.parameters.begin() + 1);
+    held.experiments[0].parameters[1] = 0.0;
+    const FitResult reference = fit(held);
+    EXPECT_NEAR(bounded.values[0], reference.values[0], 1e-5 * reference.values[0]);
+    EXPECT_NEAR(bounded.values[2], reference.values[1], 1e-5);
+    EXPECT_NEAR(bounded.cost, reference.cost, 1e-6 * reference.cost);
+}
+
+TEST(Fit, NelderMeadFindsTheSameOptimumAsLeastSquares) {
+    FitProblem problem = charging();
+    const SystemPtr system = compileText(capacitorText, "Charging", {"R", "G"});
+    problem.experiments = {simulated("leak", system, steps(1000, 0.02, 5.0, 8.0), {3.0, 0.05}, 0.01, 2)};
+    problem.parameters = {parameter("R", 1.0, 0.1, 100.0), parameter("G", 0.0, -1.0, 1.0)};
+    const FitResult squares = fit(problem);
+    FitOptions options;
+    options.method = FitMethod::NelderMead;
+    const FitResult simplex = fit(problem, options);
+    ASSERT_EQ(squares.status, FitStatus::Converged) << squares.message;
+    ASSERT_EQ(simplex.status, FitStatus::Converged) << simplex.message;
+    EXPECT_NEAR(simplex.values[0], squares.values[0], 0.02 * squares.estimates[0].standardError);
+    EXPECT_NEAR(simplex.values[1], squares.values[1], 0.02 * squares.estimates[1].standardError);
+    EXPECT_NEAR(simplex.cost, squares.cost, 1e-6 * squares.cost);
+}
+
+TEST(Fit, FitsALinearParameterOfTinySizeFromZeroWithoutBounds) {
+    const SystemPtr system = compileText(R"(
+model Radiator
+  input Real q;
+  output Real y;
+  parameter Real C = 5;
+  parameter Real k_r = 0;
+  Real T(start = 300, fixed = true);
+equation
+  C*der(T) = q - k_r*(T^4 - 300.0^4);
+  y = T;
+end Radiator;
+)",
+                                         "Radiator", {"C", "k_r"});
+    FitProblem problem;
+    problem.experiments.push_back(simulated("heating", system, steps(1000, 0.5, 20.0, 200.0), {8.0, 3e-10}, 0.2, 4));
+    problem.parameters = {parameter("C", 5.0, 0.1, 100.0), parameter("k_r", 0.0)};
+    const FitResult result = fit(problem);
+    ASSERT_EQ(result.status, FitStatus::Converged) << result.message;
+    EXPECT_NEAR(result.values[1], 3e-10, 5.0 * result.estimates[1].standardError);
+    EXPECT_LT(result.estimates[1].standardError, 3e-12);
+}
+
+TEST(Fit, SurvivesSimulationsThatFail) {
+    // The root of a negative number for k above 0.4: most of the range fails.
+    const SystemPtr system = compileText(R"(
+model Draining
+  input Real u;
+  output Real y;
+  parameter Real k = 1;
+  Real h(start = 4, fixed = true);
+equation
+  der(h) = u - k;
+  y = sqrt(h);
+end Draining;
+)",
+                                         "Draining", {"k"});
+    FitProblem problem;
+    problem.experiments.push_back(simulated("tank", system, steps(200, 0.05, 0.0, 4.0), {0.38}, 0.002, 6));
+    problem.parameters = {parameter("k", 0.01, 0.0, 2.0)};
+    FitOptions options;
+    options.starts = 4;
+    const FitResult result = fit(problem, options);
+    ASSERT_EQ(result.status, FitStatus::Converged) << result.message;
+    EXPECT_NEAR(result.values[0], 0.38, 4.0 * result.estimates[0].standardError);
+    EXPECT_GT(result.failedSimulations, 0);
+    EXPECT_THAT(result.remarks, ::testing::Contains(HasSubstr("simulations failed")));
+    options.method = FitMethod::NelderMead;
+    const FitResult simplex = fit(problem, options);
+    ASSERT_EQ(simplex.status, FitStatus::Converged) << simplex.message;
+    EXPECT_NEAR(simplex.values[0], result.values[0], 1e-4);
+}
+
+TEST(Fit, SaysWhyItCannotStart) {
+    FitProblem problem = charging();
+    problem.parameters[0].name = "Rr";
+    problem.parameters.push_back(parameter("C", 5.0, 0.0, 1.0));
+    const FitResult result = fit(problem);
+    EXPECT_EQ(result.status, FitStatus::Failed);
+    EXPECT_THAT(result.message, HasSubstr("Rr is no free parameter of the model"));
+    EXPECT_THAT(result.message, HasSubstr("C: the start value 5 is outside its bounds 0 to 1"));
+}
+
+TEST(Fit, SaysWhereTheSimulationAtTheStartFails) {
+    const SystemPtr system = compileText(R"(
+model Falling
+  input Real u;
+  output Real y;
+  parameter Real k = 1;
+  Real h(start = 1, fixed = true);
+equation
+  der(h) = -k + u;
+  y = sqrt(h);
+end Falling;
+)",
+                                         "Falling", {"k"});
+    FitProblem problem;
+    problem.experiments.push_back(simulated("fall", system, steps(21, 0.05, 0.0, 4.0), {0.5}, 0.01, 6));
+    problem.parameters = {parameter("k", 5.0)};
+    const FitResult result = fit(problem);
+    EXPECT_EQ(result.status, FitStatus::Failed);
+    EXPECT_THAT(result.message, HasSubstr("experiment 'fall' failed at t = 0.2"));
+}
+
+TEST(Fit, KeepsTheBestWhenCancelled) {
+    const FitProblem problem = motor(2000, 0.005);
+    std::stop_source source;
+    int reports = 0;
+    const Progress progress(source.get_token(), [&](const Progress::Report&) {
+        if (++reports == 3) source.request_stop();
+    });
+    const FitResult result = fit(problem, {}, progress);
+    EXPECT_EQ(result.status, FitStatus::Cancelled);
+    ASSERT_EQ(result.values.size(), 8);
+    EXPECT_LT(result.cost, result.startCost);
+    EXPECT_TRUE(result.optimum.ok);
+}
+
+TEST(Fit, TheIterationLimitIsNotConvergence) {
+    const FitProblem problem = motor(600, 0.005);
+    FitOptions options;
+    options.maxIterations = 2;
+    const FitResult result = fit(problem, options);
+    EXPECT_EQ(result.status, FitStatus::IterationLimit);
+    EXPECT_THAT(result.message, HasSubstr("limit of 2 iterations"));
+    EXPECT_LT(result.cost, result.startCost);
+}
+
+TEST(Fit, LeavesUnmeasuredSamplesOut) {
+    FitProblem problem = charging();
+    problem.experiments[0].parameters[1] = 0.8;
+    for (Eigen::Index k = 100; k < 900; ++k) problem.experiments[0].measured(0, k) = std::nan("");
+    const FitResult result = fit(problem);
+    ASSERT_EQ(result.status, FitStatus::Converged) << result.message;
+    EXPECT_EQ(problem.residualCount(), 1200);
+    EXPECT_NEAR(result.values[0], 3.0, 4.0 * result.estimates[0].standardError);
+}
+
+TEST(Fit, SharesParametersBetweenExperimentsAndFitsStartsForEach) {
+    const SystemPtr system = compileText(capacitorText, "Charging", {"R", "y_start"});
+    FitProblem problem;
+    problem.experiments.push_back(simulated("a", system, steps(500, 0.02, 5.0, 8.0), {3.0, 1.0}, 0.01, 2));
+    problem.experiments.push_back(simulated("b", system, steps(700, 0.02, 3.0, 5.0), {3.0, -2.0}, 0.01, 3));
+    problem.parameters = {parameter("R", 1.0, 0.1, 100.0), parameter("y_start", 0.0), parameter("y_start", 0.0)};
+    problem.parameters[1].experiment = 0;
+    problem.parameters[2].experiment = 1;
+    const FitResult result = fit(problem);
+    ASSERT_EQ(result.status, FitStatus::Converged) << result.message;
+    EXPECT_NEAR(result.values[0], 3.0, 0.02);
+    EXPECT_NEAR(result.values[1], 1.0, 0.03);
+    EXPECT_NEAR(result.values[2], -2.0, 0.03);
+    EXPECT_EQ(result.estimates[2].experiment, 1);
+}
+
+TEST(Fit, ARobustLossShrugsOffOutliers) {
+    FitProblem problem = charging();
+    problem.experiments[0].parameters[1] = 0.8;
+    for (Eigen::Index k = 0; k < 2000; k += 10) problem.experiments[0].measured(0, k) += 2.0;
+    const FitResult plain = fit(problem);
+    FitOptions options;
+    options.loss = RobustLoss::Cauchy;
+    const FitResult robust = fit(problem, options);
+    ASSERT_EQ(robust.status, FitStatus::Converged) << robust.message;
+    EXPECT_GT(std::abs(plain.values[0] - 3.0), 0.02);
+    EXPECT_NEAR(robust.values[0], 3.0, 0.01);
+}
+
+TEST(Fit, RefinesTheStepsWhenTheOptimumNeedsIt) {
+    // At the start slow (R C = 40 s), at the optimum fast against the sample.
+    const SystemPtr system = compileText(capacitorText, "Charging", {"R"});
+    FitProblem problem;
+    problem.experiments.push_back(simulated("fast", system, steps(400, 0.5, 5.0, 20.0), {0.3}, 0.0, 2));
+    problem.parameters = {parameter("R", 80.0, 0.001, 1000.0)};
+    const FitResult result = fit(problem);
+    ASSERT_EQ(result.status, FitStatus::Converged) << result.message;
+    EXPECT_NEAR(result.values[0], 0.3, 1e-4);
+    EXPECT_LT(result.plans[0].errorEstimate, 2e-5);
+}
+
+TEST(ErrorFigures, AreThoseComputedByHand) {
+    const Eigen::RowVectorXd measured = (Eigen::RowVectorXd(5) << 1.0, 2.0, 4.0, 1.0, std::nan("")).finished();
+    const Eigen::RowVectorXd simulated = (Eigen::RowVectorXd(5) << 1.5, 2.0, 3.0, 1.0, 77.0).finished();
+    const ErrorFigures figures = errorFigures(simulated, measured);
+    EXPECT_DOUBLE_EQ(figures.rmse, std::sqrt(1.25 / 4.0));
+    EXPECT_DOUBLE_EQ(figures.errorPercent, 100.0 * std::sqrt(1.25 / 4.0) / 3.0);
+    EXPECT_DOUBLE_EQ(figures.relativeRmsPercent, 100.0 * std::sqrt(1.25 / 22.0));
+    EXPECT_DOUBLE_EQ(figures.fitPercent, 100.0 * (1.0 - std::sqrt(1.25 / 6.0)));
+    EXPECT_DOUBLE_EQ(figures.maxAbs, 1.0);
+}
+
+TEST(Fit, AFiveStateMotorWithTwentyThousandSamplesTakesUnderASecond) {
+    const FitProblem problem = motor(20000, 0.005);
+    const auto started = std::chrono::steady_clock::now();
+    const FitResult result = fit(problem);
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started;
+    EXPECT_EQ(result.status, FitStatus::Converged) << result.message;
+    RecordProperty("seconds", std::to_string(spent.count()));
+    std::printf("%.3f s, %d passes\n", spent.count(), result.simulations);
+    EXPECT_LT(spent.count(), 10.0);  // ten times what it takes, for a busy or an instrumented machine
+}
+
+}  // namespace
+}  // namespace analogon
