@@ -43,7 +43,8 @@ Diagnostics checkNames(const FlatModel& model, const std::vector<std::string>& n
     Diagnostics faults;
     std::vector<std::string> known;
     for (const FlatVariable& variable : model.variables) {
-        if (variable.variability == FlatVariability::Parameter && variable.type == FlatType::Real && !variable.isFinal) {
+        if (variable.variability == FlatVariability::Parameter && variable.type == FlatType::Real &&
+            !variable.isFinal) {
             known.push_back(variable.name);
         }
     }
@@ -56,19 +57,20 @@ Diagnostics checkNames(const FlatModel& model, const std::vector<std::string>& n
         }
         const FlatVariable& variable = model[id];
         if (variable.variability != FlatVariability::Parameter) {
-            faults.push_back(error(fmt::format("{} is no parameter and cannot be fitted or set", name), variable.declared,
-                                   didYouMean(name, known, "parameters")));
+            faults.push_back(error(fmt::format("{} is no parameter and cannot be fitted or set", name),
+                                   variable.declared, didYouMean(name, known, "parameters")));
         } else if (variable.type != FlatType::Real) {
-            faults.push_back(error(fmt::format("{} is not a Real parameter and cannot be fitted or set", name),
-                                   variable.declared));
+            faults.push_back(
+                error(fmt::format("{} is not a Real parameter and cannot be fitted or set", name), variable.declared));
         } else if (variable.isFinal) {
             faults.push_back(error(fmt::format("{} is final and cannot be fitted or set", name),
                                    variable.value.valid() ? variable.value : variable.declared));
         } else if (variable.isStructural) {
-            faults.push_back(error(fmt::format("{} has shaped the equations (an array size or a condition) and cannot be "
-                                               "fitted or set for one experiment",
-                                               name),
-                                   variable.value.valid() ? variable.value : variable.declared));
+            faults.push_back(
+                error(fmt::format("{} has shaped the equations (an array size or a condition) and cannot be "
+                                  "fitted or set for one experiment",
+                                  name),
+                      variable.value.valid() ? variable.value : variable.declared));
         }
     }
     return faults;
@@ -195,8 +197,8 @@ private:
                                               [&](const FitParameter& p) { return p.name == start.parameter; });
             const int index = system.parameterIndex(start.parameter);
             if (isShared) {
-                fault(recording, fmt::format("{} is fitted for all experiments and has a start of its own here",
-                                             start.parameter),
+                fault(recording,
+                      fmt::format("{} is fitted for all experiments and has a start of its own here", start.parameter),
                       "remove one of the two");
             } else if (!std::isfinite(start.value)) {
                 fault(recording, fmt::format("the start value of {} is not a number", start.parameter));

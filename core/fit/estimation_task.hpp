@@ -30,21 +30,21 @@ struct SpareChannel {
 struct Recording {
     std::string name;
     Role role{Role::Fit};
-    std::vector<double> time;                   // [s]
-    std::vector<std::string> inputNames;        // model's top-level inputs
-    Eigen::MatrixXd inputs;                     // rows: inputNames, columns: samples
-    std::vector<std::string> outputNames;       // model's top-level outputs that were measured
-    Eigen::MatrixXd outputs;                    // rows: outputNames; NaN: not measured there
-    Eigen::VectorXd weights;                    // per output, from the study (1: by the noise alone)
+    std::vector<double> time;              // [s]
+    std::vector<std::string> inputNames;   // model's top-level inputs
+    Eigen::MatrixXd inputs;                // rows: inputNames, columns: samples
+    std::vector<std::string> outputNames;  // model's top-level outputs that were measured
+    Eigen::MatrixXd outputs;               // rows: outputNames; NaN: not measured there
+    Eigen::VectorXd weights;               // per output, from the study (1: by the noise alone)
     std::vector<RecordingStart> starts;
     std::vector<SpareChannel> spares;
 };
 
 struct EstimationTask {
-    Library library;                        // with the model's own text in it
-    SourcePtr model;                        // text of the composed model
+    Library library;  // with the model's own text in it
+    SourcePtr model;  // text of the composed model
     std::string className;
-    std::vector<FitParameter> parameters;   // fitted for all experiments
+    std::vector<FitParameter> parameters;  // fitted for all experiments
     std::vector<Recording> recordings;
 };
 

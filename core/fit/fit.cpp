@@ -21,6 +21,7 @@ struct Descent {
     Minimum minimum;
     double startCost{};
     std::vector<GridPlan> plans;
+    Linearisation optimum;  // ok when it is known already
     int simulations{}, failedSimulations{};
     double lossScale{1};
 };
@@ -39,9 +40,7 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
     constexpr double looseness = 30.0;
     bool isRough = options.method == FitMethod::LeastSquares;
     Eigen::VectorXd plannedAt = start;
-    const auto hasMoved = [&] {
-        return ((origin - plannedAt).array().abs() > 0.05 * plannedAt.array().abs()).any();
-    };
+    const auto hasMoved = [&] { return ((origin - plannedAt).array().abs() > 0.05 * plannedAt.array().abs()).any(); };
     misfit.plan(start, isRough ? looseness : 1.0);
     misfit.rescaleLoss(start);
     for (bool isFirst = true;; isFirst = false) {
@@ -61,7 +60,8 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
                               ? nelderMead(misfit, coordinates, now)
                               : leastSquares(misfit, coordinates, now, options.maxIterations - iterations);
         iterations += descent.minimum.iterations;
-        if (descent.minimum.status == FitStatus::Cancelled || descent.minimum.status == FitStatus::IterationLimit) break;
+        if (descent.minimum.status == FitStatus::Cancelled || descent.minimum.status == FitStatus::IterationLimit)
+            break;
         origin = descent.minimum.values;
         // The scatter and the steps were judged at the start: judge them again here, and go on if they changed.
         bool goesOn = isRough;
@@ -86,6 +86,7 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
         descent.minimum.message = fmt::format("converged after {} iterations", iterations);
     }
     descent.plans = misfit.plans();
+    descent.optimum = misfit.takeBestLinearisation();
     descent.simulations = misfit.simulations();
     descent.failedSimulations = misfit.failedSimulations();
     descent.lossScale = misfit.lossScale();
@@ -123,8 +124,8 @@ void addRemarks(const FitProblem& problem, const Descent& best, const Uncertaint
         const FitParameter& p = problem.parameters[i];
         if (!result.estimates[i].atBound) continue;
         const double value = result.values[static_cast<Eigen::Index>(i)];
-        result.remarks.push_back(fmt::format("{} rests at its {} bound {:.6g}", p.name,
-                                             value <= p.min ? "lower" : "upper", value));
+        result.remarks.push_back(
+            fmt::format("{} rests at its {} bound {:.6g}", p.name, value <= p.min ? "lower" : "upper", value));
     }
     result.remarks.insert(result.remarks.end(), uncertainty.remarks.begin(), uncertainty.remarks.end());
     if (result.failedSimulations > 0) {
@@ -141,15 +142,16 @@ void addRemarks(const FitProblem& problem, const Descent& best, const Uncertaint
 }
 
 /// Residuals, Jacobian and confidence at the best point found.
-void conclude(const FitProblem& problem, const FitOptions& options, const Descent& best, FitResult& result) {
+void conclude(const FitProblem& problem, const FitOptions& options, Descent& best, FitResult& result) {
     result.status = best.minimum.status;
     result.message = best.minimum.message;
     result.values = best.minimum.values;
     result.startCost = best.startCost;
     result.iterations = best.minimum.iterations;
     result.plans = best.plans;
+    result.optimum = std::move(best.optimum);
     // Not cancellable: what was found so far is to be told.
-    result.optimum = linearise(problem, result.values, true, best.plans, options.simulation);
+    if (!result.optimum.ok) result.optimum = linearise(problem, result.values, true, best.plans, options.simulation);
     result.cost = 0.5 * result.optimum.residuals.squaredNorm();
 
     const auto K = static_cast<Eigen::Index>(problem.parameters.size());
@@ -160,9 +162,10 @@ void conclude(const FitProblem& problem, const FitOptions& options, const Descen
     if (result.optimum.ok && K > 0) {
         std::vector<std::string> names;
         for (const FitParameter& p : problem.parameters) {
-            names.push_back(p.experiment < 0 ? p.name
-                                             : fmt::format("{} of '{}'", p.name,
-                                                           problem.experiments[static_cast<std::size_t>(p.experiment)].name));
+            names.push_back(p.experiment < 0
+                                ? p.name
+                                : fmt::format("{} of '{}'", p.name,
+                                              problem.experiments[static_cast<std::size_t>(p.experiment)].name));
         }
         const auto freedom = static_cast<double>(result.optimum.residuals.size() - K);
         double variance = freedom > 0 ? 2.0 * result.cost / freedom : 1.0;
@@ -215,7 +218,7 @@ FitResult fit(const FitProblem& problem, const FitOptions& options, const Progre
         }
         return result;
     }
-    parallelFor(static_cast<int>(starts.size()), options.threads, [&](int index) {
+    parallelFor(static_cast<int>(starts.size()), std::max(1, options.threads), [&](int index) {
         const auto s = static_cast<std::size_t>(index);
         if (progress.stopRequested() && index > 0) return;
         descents[s] = descend(problem, starts[s], options, progress);

@@ -15,10 +15,10 @@ enum class RobustLoss { None, Huber, Cauchy };
 struct FitOptions {
     FitMethod method{FitMethod::LeastSquares};
     RobustLoss loss{RobustLoss::None};
-    int maxIterations{100};         // least squares
-    int maxSimulations{20000};      // Nelder-Mead
-    double costTolerance{1e-10};    // relative fall of the cost at which the fit has converged
-    int starts{1};                  // > 1: further starts from a Latin hypercube within the bounds, best one kept
+    int maxIterations{100};       // least squares
+    int maxSimulations{20000};    // Nelder-Mead
+    double costTolerance{1e-10};  // relative fall of the cost at which the fit has converged
+    int starts{1};                // > 1: further starts from a Latin hypercube within the bounds, best one kept
     std::uint64_t seed{1};
     int threads{1};
     SimulationOptions simulation;
@@ -38,17 +38,17 @@ struct FitEstimate {
 
 struct FitResult {
     FitStatus status{FitStatus::Failed};
-    std::string message;          // why it stopped, for people
+    std::string message;  // why it stopped, for people
     std::vector<FitEstimate> estimates;
     Eigen::VectorXd values;
-    Eigen::MatrixXd covariance;   // of the values; NaN rows where not determined
+    Eigen::MatrixXd covariance;  // of the values; NaN rows where not determined
     Eigen::MatrixXd correlation;
-    double cost{};                // 1/2 sum of squares
+    double cost{};  // 1/2 sum of squares
     double startCost{};
     int iterations{};
     int simulations{};
     int failedSimulations{};
-    Linearisation optimum;        // residuals, Jacobian, trajectories at the optimum
+    Linearisation optimum;  // residuals, Jacobian, trajectories at the optimum
     std::vector<GridPlan> plans;
     std::vector<std::string> remarks;  // "R and k only appear as k/R here: fix one"
 };

@@ -79,9 +79,9 @@ public:
 
     ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
         if (misfit_.isCancelled()) return ceres::SOLVER_ABORT;
-        misfit_.progress().report({"fit", fmt::format("iteration {}", iterations_ + summary.iteration),
-                                   std::min(1.0, (iterations_ + summary.iteration) / static_cast<double>(options_.maxIterations)),
-                                   -1.0});
+        misfit_.progress().report(
+            {"fit", fmt::format("iteration {}", iterations_ + summary.iteration),
+             std::min(1.0, (iterations_ + summary.iteration) / static_cast<double>(options_.maxIterations)), -1.0});
         radius_ = summary.trust_region_radius;
         if (summary.iteration > 0 && ((z_.array() < lower_.array()) || (z_.array() > upper_.array())).any()) {
             leftBounds_ = true;
@@ -154,7 +154,7 @@ private:
         options.function_tolerance = options_.costTolerance;
         options.parameter_tolerance = 1e-11;
         options.gradient_tolerance = 1e-14;
-        options.initial_trust_region_radius = radius_;
+        options.initial_trust_region_radius = std::clamp(radius_, 1e-2, 1e12);
         options.update_state_every_iteration = true;
         options.callbacks.push_back(this);
         ceres::Solver::Summary summary;

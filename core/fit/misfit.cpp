@@ -45,15 +45,17 @@ Linearisation Misfit::simulate(const Eigen::VectorXd& values, bool withJacobian)
     return result;
 }
 
-void Misfit::note(const Eigen::VectorXd& values, double cost) {
+void Misfit::note(const Eigen::VectorXd& values, double cost, Linearisation line) {
     if (cost < bestCost_) {
         bestCost_ = cost;
         best_ = values;
+        bestLine_ = std::move(line);
     }
 }
 
 void Misfit::forgetBest() {
     bestCost_ = std::numeric_limits<double>::infinity();
+    bestLine_ = {};
     for (Point& point : memory_) point = {};
 }
 
@@ -83,7 +85,8 @@ const ReducedMisfit& Misfit::reduced(const Eigen::VectorXd& values) {
     }
     applyLoss(line.residuals, &line.jacobian);
     point.reduced = reduce(line.jacobian, line.residuals);
-    if (point.reduced.ok) note(values, point.reduced.cost());
+    line.ok = options_.loss == RobustLoss::None;
+    if (point.reduced.ok) note(values, point.reduced.cost(), std::move(line));
     return point.reduced;
 }
 
@@ -112,16 +115,15 @@ std::vector<GridPlan> Misfit::plansFor(const Eigen::VectorXd& values, double loo
     options.relativeTolerance *= looseness;
     std::vector<GridPlan> plans;
     for (std::size_t e = 0; e < problem_.experiments.size(); ++e) {
-        plans.push_back(planFor(problem_, static_cast<int>(e), values, options));
+        plans.push_back(planFor(problem_, static_cast<int>(e), values, options, progress_));
     }
     return plans;
 }
 
 bool Misfit::take(std::vector<GridPlan> plans) {
-    const bool isSame = std::equal(plans.begin(), plans.end(), plans_.begin(), plans_.end(),
-                                   [](const GridPlan& a, const GridPlan& b) {
-                                       return a.method == b.method && a.substeps == b.substeps;
-                                   });
+    const bool isSame = std::equal(
+        plans.begin(), plans.end(), plans_.begin(), plans_.end(),
+        [](const GridPlan& a, const GridPlan& b) { return a.method == b.method && a.substeps == b.substeps; });
     plans_ = std::move(plans);
     if (!isSame) forgetBest();
     return !isSame;

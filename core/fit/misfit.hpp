@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/fit/coordinates.hpp"
@@ -33,6 +34,8 @@ public:
     bool hasBest() const { return bestCost_ < std::numeric_limits<double>::infinity(); }
     const Eigen::VectorXd& best() const { return best_; }
     double bestCost() const { return bestCost_; }
+    /// What was simulated at the best point; not ok when only its cost is known or a robust loss has changed it.
+    Linearisation takeBestLinearisation() { return std::move(bestLine_); }
     /// Costs under another plan or loss do not compare.
     void forgetBest();
 
@@ -51,7 +54,7 @@ private:
     };
     Linearisation simulate(const Eigen::VectorXd& values, bool withJacobian);
     void applyLoss(Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) const;
-    void note(const Eigen::VectorXd& values, double cost);
+    void note(const Eigen::VectorXd& values, double cost, Linearisation line = {});
     std::vector<GridPlan> plansFor(const Eigen::VectorXd& values, double looseness) const;
     bool take(std::vector<GridPlan> plans);
 
@@ -63,6 +66,7 @@ private:
     std::size_t oldest_{};
     Eigen::VectorXd best_;
     double bestCost_{std::numeric_limits<double>::infinity()};
+    Linearisation bestLine_;
     double lossScale_{1};
     int simulations_{}, failedSimulations_{};
     std::string failure_;

@@ -29,8 +29,8 @@ struct Search {
             search.misfit.progress().report(
                 {"fit", fmt::format("simulation {}", search.misfit.simulations()), std::min(1.0, fraction), -1.0});
         }
-        const double value =
-            search.misfit.cost(search.coordinates.values(Eigen::Map<const Eigen::VectorXd>(z.data(), search.coordinates.size())));
+        const double value = search.misfit.cost(
+            search.coordinates.values(Eigen::Map<const Eigen::VectorXd>(z.data(), search.coordinates.size())));
         return std::isfinite(value) ? std::min(value, kFailed) : kFailed;
     }
 };

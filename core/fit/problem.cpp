@@ -55,8 +55,8 @@ SimulationTask taskFor(const FitProblem& problem, int experiment, const Eigen::V
 }
 
 std::string describe(const SimulationFailure& failure, const std::string& experiment) {
-    std::string text = fmt::format("experiment '{}' failed at t = {:.6g} s: {}", experiment, failure.time,
-                                   failure.reason);
+    std::string text =
+        fmt::format("experiment '{}' failed at t = {:.6g} s: {}", experiment, failure.time, failure.reason);
     if (!failure.variable.empty()) text += fmt::format(" ({})", failure.variable);
     return text;
 }
@@ -73,7 +73,8 @@ Eigen::Index fillRows(const FitExperiment& experiment, const Trajectory& traject
     } else {
         Eigen::Index to = row;
         for (Eigen::Index k = 0; k < samples; ++k) {
-            if (!std::isnan(measured[k])) result.residuals[to++] = weight * (trajectory.outputs(output, k) - measured[k]);
+            if (!std::isnan(measured[k]))
+                result.residuals[to++] = weight * (trajectory.outputs(output, k) - measured[k]);
         }
     }
     Eigen::Index end = row + samples;
@@ -107,8 +108,8 @@ int FitProblem::residualCount() const {
 }
 
 GridPlan planFor(const FitProblem& problem, int experiment, const Eigen::VectorXd& values,
-                 const SimulationOptions& options) {
-    return planGrid(taskFor(problem, experiment, values, nullptr), options);
+                 const SimulationOptions& options, const Progress& progress) {
+    return planGrid(taskFor(problem, experiment, values, nullptr), options, progress);
 }
 
 Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values, bool withJacobian,
@@ -117,7 +118,8 @@ Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values
     Linearisation result;
     const Eigen::Index rows = problem.residualCount();
     result.residuals.resize(rows);
-    if (withJacobian) result.jacobian = Eigen::MatrixXd::Zero(rows, static_cast<Eigen::Index>(problem.parameters.size()));
+    if (withJacobian)
+        result.jacobian = Eigen::MatrixXd::Zero(rows, static_cast<Eigen::Index>(problem.parameters.size()));
     Eigen::Index row = 0;
     for (std::size_t e = 0; e < problem.experiments.size(); ++e) {
         const FitExperiment& experiment = problem.experiments[e];
@@ -126,7 +128,7 @@ Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values
         if (options.engine == Engine::Adaptive) {
             result.trajectories.push_back(simulateAdaptive(task, options, progress));
         } else {
-            const GridPlan plan = e < plans.size() ? plans[e] : planGrid(task, options);
+            const GridPlan plan = e < plans.size() ? plans[e] : planGrid(task, options, progress);
             result.trajectories.push_back(simulateGrid(task, plan, options, progress));
         }
         const Trajectory& trajectory = result.trajectories.back();

@@ -27,9 +27,9 @@ struct FitExperiment {
     std::string name;
     SystemPtr system;
     SampledInputs inputs;
-    Eigen::MatrixXd measured;           // rows: system outputs, columns: samples; NaN: not measured there
-    Eigen::VectorXd weights;            // per output: 1/sigma (0: output is not fitted)
-    std::vector<double> parameters;     // the system's parameters; fitted ones are overwritten
+    Eigen::MatrixXd measured;        // rows: system outputs, columns: samples; NaN: not measured there
+    Eigen::VectorXd weights;         // per output: 1/sigma (0: output is not fitted)
+    std::vector<double> parameters;  // the system's parameters; fitted ones are overwritten
 };
 
 /// minimise 1/2 sum ((y - measured) * weight)^2 over all experiments, outputs and samples
@@ -48,15 +48,15 @@ struct FitProblem {
 /// transformed) at a point. Rows in the order experiment, output, sample; unmeasured values are left out.
 struct Linearisation {
     bool ok{};
-    Eigen::VectorXd residuals;  // weight * (simulated - measured)
-    Eigen::MatrixXd jacobian;   // rows: residuals, columns: parameters
+    Eigen::VectorXd residuals;             // weight * (simulated - measured)
+    Eigen::MatrixXd jacobian;              // rows: residuals, columns: parameters
     std::vector<Trajectory> trajectories;  // one per experiment
-    std::string failure;        // which experiment, when, which variable
+    std::string failure;                   // which experiment, when, which variable
 };
 
 /// The grid plan of one experiment at these values of the fit parameters.
 GridPlan planFor(const FitProblem& problem, int experiment, const Eigen::VectorXd& values,
-                 const SimulationOptions& options = {});
+                 const SimulationOptions& options = {}, const Progress& progress = {});
 
 /// `plans`: one per experiment, from planFor; empty: made here.
 Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values, bool withJacobian,

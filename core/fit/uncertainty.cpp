@@ -56,8 +56,8 @@ Uncertainty uncertaintyOf(const Eigen::MatrixXd& jacobian, double variance, cons
         if (lengths[i] > 0.0 && std::isfinite(lengths[i])) {
             seen.push_back(i);
         } else {
-            result.remarks.push_back(
-                fmt::format("{} has no influence on what was measured here: fix it", names[static_cast<std::size_t>(i)]));
+            result.remarks.push_back(fmt::format("{} has no influence on what was measured here: fix it",
+                                                 names[static_cast<std::size_t>(i)]));
         }
     }
     if (seen.empty()) return result;
@@ -74,8 +74,8 @@ Uncertainty uncertaintyOf(const Eigen::MatrixXd& jacobian, double variance, cons
     while (rank < sigma.size() && sigma[rank] > kNull * sigma[0]) ++rank;
 
     const Eigen::MatrixXd determined = svd.matrixV().leftCols(rank);
-    const Eigen::MatrixXd inverse = determined * sigma.head(rank).cwiseAbs2().cwiseInverse().asDiagonal() *
-                                    determined.transpose();
+    const Eigen::MatrixXd inverse =
+        determined * sigma.head(rank).cwiseAbs2().cwiseInverse().asDiagonal() * determined.transpose();
     const Eigen::MatrixXd null = svd.matrixV().rightCols(count - rank);
     for (Eigen::Index a = 0; a < count; ++a) {
         if (null.cols() > 0 && null.row(a).norm() > 1e-3) continue;

@@ -34,7 +34,8 @@ void checkExperiment(const FitExperiment& experiment, Diagnostics& faults) {
     if (!experiment.inputs.values.allFinite()) fault("an input has values that are no numbers");
     if (experiment.measured.rows() != system.outputCount() || experiment.measured.cols() != samples) {
         return fault(fmt::format("the model has {} outputs over {} samples, but {} x {} measured values are given",
-                                 system.outputCount(), samples, experiment.measured.rows(), experiment.measured.cols()));
+                                 system.outputCount(), samples, experiment.measured.rows(),
+                                 experiment.measured.cols()));
     }
     if (experiment.measured.array().isInf().any()) fault("a measured value is infinite");
     if (experiment.weights.size() != system.outputCount()) {
@@ -86,7 +87,8 @@ void checkParameter(const FitProblem& problem, const FitParameter& p, Diagnostic
 
 Diagnostics validate(const FitProblem& problem) {
     Diagnostics faults;
-    if (problem.experiments.empty()) faults.push_back(error("there is no experiment to fit", {}, "give one the role fit"));
+    if (problem.experiments.empty())
+        faults.push_back(error("there is no experiment to fit", {}, "give one the role fit"));
     for (const FitExperiment& experiment : problem.experiments) checkExperiment(experiment, faults);
     std::set<std::pair<std::string, int>> seen;
     for (const FitParameter& p : problem.parameters) {
@@ -100,9 +102,9 @@ Diagnostics validate(const FitProblem& problem) {
     if (count == 0) {
         faults.push_back(error("nothing is measured: no output has values and a weight above 0"));
     } else if (count < static_cast<int>(problem.parameters.size())) {
-        faults.push_back(error(fmt::format("{} measured values cannot determine {} parameters", count,
-                                           problem.parameters.size()),
-                               {}, "fix some parameters or add measurements"));
+        faults.push_back(
+            error(fmt::format("{} measured values cannot determine {} parameters", count, problem.parameters.size()),
+                  {}, "fix some parameters or add measurements"));
     }
     return faults;
 }

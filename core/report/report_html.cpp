@@ -34,6 +34,8 @@ std::string html(std::string text) {
     return text;
 }
 
+std::string unbroken(std::string_view text) { return "<code>" + escapeHtml(text) + "</code>"; }
+
 std::string unitHtml(const std::string& unit) { return unit.empty() || unit == "1" ? "" : " " + escapeHtml(unit); }
 
 /// Text in which a number stays with its percent sign.
@@ -413,7 +415,7 @@ private:
             out_ += fmt::format(
                 "<tr>{}<td class=\"name\">{}</td><td class=\"name\">{}</td>{}{}{}<td>{} <span "
                 "class=\"soft\">{}</span></td></tr>\n",
-                number(fmt::format("{}", candidate->round)), code(candidate->kind), code(candidate->at),
+                number(fmt::format("{}", candidate->round)), unbroken(candidate->kind), unbroken(candidate->at),
                 number(html(numberText(candidate->score, 3))), number(html(numberText(candidate->strength, 3))),
                 number(candidate->deltaBic ? html(numberText(*candidate->deltaBic, 4)) : ""),
                 chip(name(candidate->verdict), tone), escapeHtml(verdictWords(*candidate)));

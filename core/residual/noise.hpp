@@ -21,10 +21,10 @@ AutoregressiveModel fitAutoregressive(const Eigen::Ref<const Eigen::VectorXd>& s
 
 /// What a residual looks like.
 struct ResidualSummary {
-    double noiseStd{};              // of the measurement noise, see noiseFromDifferences
-    double standardDeviation{};     // of the residual itself
-    double autocorrelationTime{};   // integrated, in samples: 1 for white noise
-    bool white{};                   // no significant autocorrelation (Ljung-Box at 1 %) and no excess over the noise
+    double noiseStd{};             // of the measurement noise, see noiseFromDifferences
+    double standardDeviation{};    // of the residual itself
+    double autocorrelationTime{};  // integrated, in samples: 1 for white noise
+    bool white{};                  // no significant autocorrelation (Ljung-Box at 1 %) and no excess over the noise
 };
 ResidualSummary summarise(const Eigen::Ref<const Eigen::VectorXd>& residual);
 

@@ -308,8 +308,8 @@ int AdaptivePass::jacobian(double t, N_Vector y, N_Vector, SUNMatrix J, void* se
     return 0;
 }
 
-int AdaptivePass::sensitivityRates(int count, double t, N_Vector y, N_Vector, N_Vector* yS, N_Vector* ySdot,
-                                   void* self, N_Vector scratch, N_Vector) {
+int AdaptivePass::sensitivityRates(int count, double t, N_Vector y, N_Vector, N_Vector* yS, N_Vector* ySdot, void* self,
+                                   N_Vector scratch, N_Vector) {
     auto& pass = *static_cast<AdaptivePass*>(self);
     double* const du = pass.du_.empty() ? nullptr : pass.du_.data();
     pass.slotsAt(t, du);
@@ -343,7 +343,8 @@ bool AdaptivePass::setUp() {
     void* const memory = cvodes_.get();
     if (!memory) return false;
     // What went wrong is told in our words, not printed.
-    CVodeSetErrHandlerFn(memory, [](int, const char*, const char*, char*, void*) {}, nullptr);
+    CVodeSetErrHandlerFn(
+        memory, [](int, const char*, const char*, char*, void*) {}, nullptr);
     if (CVodeInit(memory, derivatives, time_, y_.get()) != CV_SUCCESS) return false;
     Owned<N_Vector, FreeVector> absolute(N_VClone(y_.get()));
     for (int i = 0; i < n_; ++i) {

@@ -45,7 +45,8 @@ SystemDynamics::SystemDynamics(const SimulationTask& task, bool withDirections)
         double scale = 0.0;
         for (int i = 0; i < system_.parameterCount(); ++i) {
             const double component = std::abs(task.directions(i, k));
-            if (component > 0.0) scale = std::max(scale, std::abs(parameters_[static_cast<std::size_t>(i)]) / component);
+            if (component > 0.0)
+                scale = std::max(scale, std::abs(parameters_[static_cast<std::size_t>(i)]) / component);
         }
         shape_.directionScale.push_back(scale > 0.0 ? scale : 1.0);
     }
@@ -111,8 +112,8 @@ SystemDynamics::Partials& SystemDynamics::partials(std::unique_ptr<Partials>& sl
 bool SystemDynamics::jacobian(double t, const double* x, const double* u, double* xdot, double* jacobian) {
     const int n = shape_.states;
     Partials& p = partials(byState_, 0);
-    return noted(system_.derivatives(p.workspace, t, view(x, n), p.stateSeeds, view(u, shape_.slots), {},
-                                     view(xdot, n), view(jacobian, n * n)),
+    return noted(system_.derivatives(p.workspace, t, view(x, n), p.stateSeeds, view(u, shape_.slots), {}, view(xdot, n),
+                                     view(jacobian, n * n)),
                  p.workspace);
 }
 
@@ -139,10 +140,10 @@ bool SystemDynamics::outputs(double t, const double* x, const double* u, double*
 bool SystemDynamics::outputs(double t, const double* x, const double* dx, const double* u, const double* du, double* y,
                              double* dy, double* taps, double* dtaps) {
     const int n = shape_.states, m = shape_.slots, K = shape_.directions;
-    return noted(system_.outputs(tangents_, t, view(x, n), view(dx, n * K), view(u, m), view(du, m * K),
-                                 view(y, shape_.outputs), view(dy, shape_.outputs * K), view(taps, shape_.taps),
-                                 view(dtaps, shape_.taps * K)),
-                 tangents_);
+    return noted(
+        system_.outputs(tangents_, t, view(x, n), view(dx, n * K), view(u, m), view(du, m * K), view(y, shape_.outputs),
+                        view(dy, shape_.outputs * K), view(taps, shape_.taps), view(dtaps, shape_.taps * K)),
+        tangents_);
 }
 
 void SystemDynamics::delayTimes(double* times, double* dtimes) {
@@ -155,8 +156,8 @@ void SystemDynamics::delayTimes(double* times, double* dtimes) {
 }
 
 bool SystemDynamics::roots(double t, const double* x, const double* u, double* values) {
-    return noted(
-        system_.roots(values_, t, view(x, shape_.states), view(u, shape_.slots), view(values, shape_.roots)), values_);
+    return noted(system_.roots(values_, t, view(x, shape_.states), view(u, shape_.slots), view(values, shape_.roots)),
+                 values_);
 }
 
 bool SystemDynamics::observed(double t, const double* x, const double* u, double* values) {

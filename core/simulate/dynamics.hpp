@@ -17,10 +17,10 @@ class Dynamics {
 public:
     struct Shape {
         int states{};
-        int inputs{};      // sampled inputs
-        int slots{};       // length of u: inputs, their slopes when needed, delayed values
+        int inputs{};  // sampled inputs
+        int slots{};   // length of u: inputs, their slopes when needed, delayed values
         int outputs{};
-        int taps{};        // delayed signals of the model's own
+        int taps{};  // delayed signals of the model's own
         int roots{};
         int directions{};  // K
         bool needsInputDerivative{};

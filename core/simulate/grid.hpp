@@ -8,9 +8,9 @@ namespace analogon {
 /// A stretch of samples to run over with a plan.
 struct GridRun {
     GridPlan plan;
-    int first{};                  // sample to start at
-    int last{-1};                 // sample to end at; -1: the last one
-    const double* startState{};   // null: the model's consistent start
+    int first{};                 // sample to start at
+    int last{-1};                // sample to end at; -1: the last one
+    const double* startState{};  // null: the model's consistent start
     bool keepStates{};
 };
 
@@ -19,7 +19,8 @@ Trajectory runGrid(Dynamics& dynamics, const SampledInputs& inputs, const GridRu
                    const SimulationOptions& options = {}, const Progress& progress = {});
 
 /// The cheapest plan whose outputs move by less than the tolerance when the steps are halved.
-GridPlan choosePlan(Dynamics& dynamics, const SampledInputs& inputs, const SimulationOptions& options = {});
+GridPlan choosePlan(Dynamics& dynamics, const SampledInputs& inputs, const SimulationOptions& options = {},
+                    const Progress& progress = {});
 
 /// The reference engine on the same abstraction.
 Trajectory runAdaptive(Dynamics& dynamics, const SampledInputs& inputs, bool keepStates,

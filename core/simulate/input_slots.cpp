@@ -82,8 +82,8 @@ void InputSlots::at(int interval, double t, double* u, double* du, const double*
             continue;
         }
         const double rate = slope(input, cursors_[d]);
-        u[slot] = inputs_.values(input, cursors_[d]) +
-                  rate * (past - inputs_.time[static_cast<std::size_t>(cursors_[d])]);
+        u[slot] =
+            inputs_.values(input, cursors_[d]) + rate * (past - inputs_.time[static_cast<std::size_t>(cursors_[d])]);
         const double* dT = timeTangents_.data() + d * static_cast<std::size_t>(directions_);
         for (int k = 0; tangents && k < directions_; ++k) tangents[k] = rate * ((dt ? dt[k] : 0.0) - dT[k]);
     }

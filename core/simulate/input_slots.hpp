@@ -48,7 +48,7 @@ private:
     int sampleCount_{}, inputCount_{}, firstDelay_{}, directions_{};
     bool needsSlopes_{}, hasTangents_{};
     std::vector<double> times_, timeTangents_;
-    std::vector<int> cursors_;  // interval at which the last look-up of each delay ended; -1: before the start
+    std::vector<int> cursors_;   // interval at which the last look-up of each delay ended; -1: before the start
     std::vector<int> arrivals_;  // next sample of each delayed input to arrive
     std::vector<double> pieces_;
     bool holdsLines_{};

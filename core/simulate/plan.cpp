@@ -10,8 +10,8 @@ namespace analogon {
 
 namespace {
 
-constexpr int kLongestWindow = 700;   // samples looked at in detail at the start and where the record is liveliest
-constexpr int kMostExplicit = 32;      // substeps beyond which an explicit method is not worth it
+constexpr int kLongestWindow = 700;  // samples looked at in detail at the start and where the record is liveliest
+constexpr int kMostExplicit = 32;    // substeps beyond which an explicit method is not worth it
 constexpr int kMostImplicit = 64;
 
 struct Window {
@@ -24,10 +24,11 @@ double costOf(const GridPlan& plan) { return (plan.method == GridMethod::Esdirk 
 
 class Planner {
 public:
-    Planner(Dynamics& dynamics, const SampledInputs& inputs, const SimulationOptions& options)
+    Planner(Dynamics& dynamics, const SampledInputs& inputs, const SimulationOptions& options, const Progress& progress)
         : dynamics_(dynamics),
           inputs_(inputs),
           options_(options),
+          progress_(progress),
           tolerance_(10.0 * options.relativeTolerance),
           sampleCount_(static_cast<int>(inputs.time.size())) {
         limited_ = options;
@@ -69,7 +70,7 @@ private:
         grid.last = window.last;
         grid.startState = window.state.empty() ? nullptr : window.state.data();
         grid.keepStates = keepStates;
-        return runGrid(dynamics_, inputs_, grid, limited_);
+        return runGrid(dynamics_, inputs_, grid, limited_, progress_);
     }
 
     std::vector<GridPlan> ladder() const {
@@ -104,9 +105,7 @@ private:
         return false;
     }
 
-    static bool isPlausible(const Trajectory& trajectory) {
-        return trajectory.states.array().abs().maxCoeff() < 1e100;
-    }
+    static bool isPlausible(const Trajectory& trajectory) { return trajectory.states.array().abs().maxCoeff() < 1e100; }
 
     Eigen::VectorXd rangesOf(const Trajectory& trajectory) const {
         const Eigen::MatrixXd& y = trajectory.outputs;
@@ -114,8 +113,8 @@ private:
         for (Eigen::Index i = 0; i < y.rows(); ++i) {
             const double low = y.row(i).minCoeff(), high = y.row(i).maxCoeff();
             const double nominal = dynamics_.shape().outputNominal[static_cast<std::size_t>(i)];
-            ranges[i] = std::max({high - low, 1e-6 * std::max(std::abs(low), std::abs(high)),
-                                  options_.absoluteTolerance * nominal});
+            ranges[i] = std::max(
+                {high - low, 1e-6 * std::max(std::abs(low), std::abs(high)), options_.absoluteTolerance * nominal});
         }
         return ranges;
     }
@@ -262,6 +261,7 @@ private:
     Dynamics& dynamics_;
     const SampledInputs& inputs_;
     SimulationOptions options_, limited_;
+    const Progress& progress_;
     double tolerance_{};
     int sampleCount_{};
     double least_{};  // plans cheaper than this have failed on the whole record
@@ -274,8 +274,9 @@ private:
 
 }  // namespace
 
-GridPlan choosePlan(Dynamics& dynamics, const SampledInputs& inputs, const SimulationOptions& options) {
-    return Planner(dynamics, inputs, options).choose();
+GridPlan choosePlan(Dynamics& dynamics, const SampledInputs& inputs, const SimulationOptions& options,
+                    const Progress& progress) {
+    return Planner(dynamics, inputs, options, progress).choose();
 }
 
 }  // namespace analogon

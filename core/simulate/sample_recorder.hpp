@@ -40,7 +40,7 @@ private:
     struct DelayedTap {
         int delay{};  // index in Shape::delays
         int tap{};
-        int next{};   // first sample whose value is not known yet
+        int next{};                    // first sample whose value is not known yet
         std::vector<double> values;    // per recorded sample
         std::vector<double> tangents;  // samples x K
     };

@@ -31,7 +31,8 @@ const char* misfit(const SimulationTask& task) {
     const System& system = *task.system;
     if (task.inputs->time.empty()) return "no samples";
     if (task.inputs->values.rows() != system.inputCount() ||
-        (system.inputCount() > 0 && task.inputs->values.cols() != static_cast<Eigen::Index>(task.inputs->time.size()))) {
+        (system.inputCount() > 0 &&
+         task.inputs->values.cols() != static_cast<Eigen::Index>(task.inputs->time.size()))) {
         return "inputs do not have the shape the system asks for";
     }
     if (static_cast<int>(task.parameters.size()) != system.parameterCount()) return "wrong number of parameters";
@@ -44,14 +45,14 @@ const char* misfit(const SimulationTask& task) {
 
 }  // namespace
 
-GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options) {
+GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options, const Progress& progress) {
     if (misfit(task)) return {};
     SimulationTask values = task;
     values.directions.resize(0, 0);
     values.observe.clear();
     SystemDynamics dynamics(values, false);
     if (!dynamics.isReady()) return {};
-    return choosePlan(dynamics, *task.inputs, options);
+    return choosePlan(dynamics, *task.inputs, options, progress);
 }
 
 Trajectory simulateGrid(const SimulationTask& task, const GridPlan& plan, const SimulationOptions& options,
@@ -75,7 +76,7 @@ Trajectory simulateAdaptive(const SimulationTask& task, const SimulationOptions&
 
 Trajectory simulate(const SimulationTask& task, const SimulationOptions& options, const Progress& progress) {
     if (options.engine == Engine::Adaptive) return simulateAdaptive(task, options, progress);
-    const GridPlan plan = planGrid(task, options);
+    const GridPlan plan = planGrid(task, options, progress);
     Trajectory grid = simulateGrid(task, plan, options, progress);
     // Where fixed steps do not get through or stay rough, the adaptive engine may: at a kink in every sample it
     // takes its time, so only then.

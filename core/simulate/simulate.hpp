@@ -20,11 +20,11 @@ enum class GridMethod { Auto, RungeKutta4, Esdirk };
 struct SimulationOptions {
     Engine engine{Engine::Auto};
     GridMethod method{GridMethod::Auto};
-    int substeps{};             // per sample interval; 0: chosen by step doubling
+    int substeps{};  // per sample interval; 0: chosen by step doubling
     double relativeTolerance{1e-6};
-    double absoluteTolerance{1e-9};  // times a state's nominal value
-    double wallClockLimit{60};       // [s]
-    long stepLimit{20'000'000};        // adaptive engine
+    double absoluteTolerance{1e-9};       // times a state's nominal value
+    double wallClockLimit{60};            // [s]
+    long stepLimit{20'000'000};           // adaptive engine
     long evaluationLimit{2'000'000'000};  // of the model, in one grid run or in planning one
 };
 
@@ -37,17 +37,17 @@ struct GridPlan {
 
 struct SimulationFailure {
     bool failed{};
-    double time{};          // [s] where it stopped
-    std::string variable;   // the variable that was not finite, or did not converge; may be empty
-    std::string reason;     // "not finite", "step limit", "time limit", "no convergence of an algebraic loop", "cancelled"
+    double time{};         // [s] where it stopped
+    std::string variable;  // the variable that was not finite, or did not converge; may be empty
+    std::string reason;  // "not finite", "step limit", "time limit", "no convergence of an algebraic loop", "cancelled"
 };
 
 /// Outputs at the samples, with tangents in the asked directions.
 struct Trajectory {
-    Eigen::MatrixXd outputs;   // rows: outputs of the system, columns: samples; NaN from a failure on
+    Eigen::MatrixXd outputs;                // rows: outputs of the system, columns: samples; NaN from a failure on
     std::vector<Eigen::MatrixXd> tangents;  // one per output: rows: samples, columns: directions
-    Eigen::MatrixXd states;    // rows: states, columns: samples (kept when asked)
-    Eigen::MatrixXd observed;  // rows: asked variables, columns: samples
+    Eigen::MatrixXd states;                 // rows: states, columns: samples (kept when asked)
+    Eigen::MatrixXd observed;               // rows: asked variables, columns: samples
     SimulationFailure failure;
     GridPlan plan;
     Engine engine{Engine::Grid};
@@ -56,17 +56,17 @@ struct Trajectory {
 /// What to simulate: one experiment of one system. The referenced objects must outlive the call.
 struct SimulationTask {
     const System* system{};
-    const SampledInputs* inputs{};      // rows in the order of system->inputs()
-    std::vector<double> parameters;     // system->parameterCount()
+    const SampledInputs* inputs{};   // rows in the order of system->inputs()
+    std::vector<double> parameters;  // system->parameterCount()
     /// Directions in parameter space: parameterCount x K; K tangents are carried along. Empty: values only.
     Eigen::MatrixXd directions;
     bool keepStates{};
-    std::vector<std::string> observe;   // variables to record at the samples
+    std::vector<std::string> observe;  // variables to record at the samples
 };
 
 /// The plan an experiment needs at these parameters: explicit or implicit, and the number of substeps, from
 /// step doubling (design: chosen once, rechecked at the optimum).
-GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options = {});
+GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options = {}, const Progress& progress = {});
 
 /// One pass with a given plan (grid engine), values and tangents together. Its tangents are those of the
 /// discrete solution.

@@ -75,12 +75,12 @@ private:
     double tolerance_{};
     DenseFactors factors_;
     bool hasFactors_{};
-    double factorsFor_{};       // h * g of the factors
+    double factorsFor_{};  // h * g of the factors
     std::vector<double> u_, du_;
     std::vector<double> scale_;  // largest magnitude of each state so far
     std::vector<double> base_, stage_, slope_, delta_, trial_, trialSlope_, trialDelta_;
     std::vector<double> jacobian_, partials_;
-    std::vector<double> slopes_;         // stages x n
+    std::vector<double> slopes_;                       // stages x n
     std::vector<double> tangentBase_, tangentSlopes_;  // n x K, stages x n x K
     std::vector<double> endTangents_, savedX_, savedDx_;
     const char* reason_{"not finite"};

@@ -319,8 +319,7 @@ private:
                 recording.starts.push_back({name, *number, false});
             } else if (const ColumnStart* column = std::get_if<ColumnStart>(&start)) {
                 if (!hasColumn(table, column->column, experiment, place)) continue;
-                ChannelMapping mapping;
-                mapping.column = column->column;
+                const ChannelMapping mapping = mappingOf(column->column, experiment);
                 const Outcome<std::vector<double>> first = readChannel(table.slice(0, 1), mapping, variable->unit);
                 if (keep(first)) recording.starts.push_back({name, first->front(), false});
             } else {
@@ -335,6 +334,16 @@ private:
                 }
             }
         }
+    }
+
+    /// How a column is read elsewhere in the experiment (its unit may be told there alone); else as it is.
+    static ChannelMapping mappingOf(const std::string& column, const StudyExperiment& experiment) {
+        for (const auto* mappings : {&experiment.inputs, &experiment.outputs})
+            for (const auto& [name, mapping] : *mappings)
+                if (mapping.column == column) return mapping;
+        ChannelMapping plain;
+        plain.column = column;
+        return plain;
     }
 
     /// Columns that the model does not use; those with missing values cannot be a cause and are left out.

@@ -5,6 +5,8 @@
 #include <QAction>
 #include <QApplication>
 #include <QDir>
+#include <QElapsedTimer>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QSettings>
@@ -15,6 +17,7 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QTreeWidget>
+#include <QWheelEvent>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -337,7 +340,7 @@ TEST_F(Window, CancelStopsTheSearchSoonAndKeepsTheStudy) {
     QTest::mouseClick(cancel, Qt::LeftButton);
     ASSERT_TRUE(waitUntil([&] { return !window.controller().isRunning(); }, 10000));
     EXPECT_LT(timer.elapsed(), 2000);
-    if (!document().isResultAdopted()) EXPECT_EQ(document().modelText(), original);
+    EXPECT_TRUE(document().isResultAdopted() || document().modelText() == original);
     EXPECT_TRUE(window.findChild<QAction*>("discover")->isEnabled());
 }
 

@@ -24,7 +24,8 @@ QRectF coordinatesRect(const Extent& e) {
 /// The label of a found effect: readable at every zoom.
 class BlockItem::EffectLabel : public QGraphicsItem {
 public:
-    EffectLabel(QGraphicsItem* parent, QString text) : QGraphicsItem(parent), text_(std::move(text)) {
+    EffectLabel(QGraphicsItem* parent, QString text, bool isBelow)
+        : QGraphicsItem(parent), text_(std::move(text)), isBelow_(isBelow) {
         setFlag(ItemIgnoresTransformations);
         setZValue(10);
         setAcceptedMouseButtons(Qt::NoButton);
@@ -33,7 +34,7 @@ public:
     QRectF boundingRect() const override {
         const QFontMetricsF metrics(font());
         const double width = metrics.horizontalAdvance(text_) + 20, height = metrics.height() + 8;
-        return {-width / 2, -height - 4, width, height};
+        return {-width / 2, isBelow_ ? 4 : -height - 4, width, height};
     }
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget* widget) override {
         const QPalette palette = widget ? widget->palette() : QPalette();
@@ -55,6 +56,7 @@ private:
         return f;
     }
     QString text_;
+    bool isBelow_;
 };
 
 BlockItem::BlockItem(const Block& block) : block_(block) {
@@ -95,12 +97,12 @@ BlockItem::BlockItem(const Block& block) : block_(block) {
     setZValue(1);
 }
 
-void BlockItem::setEffect(const QString& label) {
+void BlockItem::setEffect(const QString& label, bool isBelow) {
     delete label_;
     label_ = nullptr;
     if (!label.isEmpty()) {
-        label_ = new EffectLabel(this, label);
-        label_->setPos(body_.center().x(), body_.top() - outlineGap);
+        label_ = new EffectLabel(this, label, isBelow);
+        label_->setPos(body_.center().x(), isBelow ? body_.bottom() + outlineGap : body_.top() - outlineGap);
     }
     setZValue(label_ ? 2 : 1);
     update();

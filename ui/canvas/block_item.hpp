@@ -15,7 +15,7 @@ public:
 
     const Block& block() const { return block_; }
     /// Marks a block that was found to be missing: outline and label in the accent colour.
-    void setEffect(const QString& label);
+    void setEffect(const QString& label, bool isBelow = true);
     bool isMarked() const { return label_ != nullptr; }
     QString effectLabel() const;
     /// The body without texts and outline.

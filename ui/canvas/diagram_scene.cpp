@@ -1,6 +1,7 @@
 #include "ui/canvas/diagram_scene.hpp"
 
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/canvas/block_item.hpp"
@@ -85,6 +86,27 @@ void reachAnchors(Wire& wire, const Diagram& diagram) {
     wire.points.assign(backward.rbegin(), backward.rend());
 }
 
+}  // namespace
+
+/// Whether a label under the block would cover neither a block nor a wire.
+bool DiagramScene::hasRoomBelow(const BlockItem& item) const {
+    const QRectF body = item.body();
+    const QRectF label(body.center().x() - 20, body.bottom() + 3, 40, 12);
+    const bool coversBlock = std::any_of(blocks_.begin(), blocks_.end(), [&](const auto& other) {
+        return other.second != &item && other.second->body().intersects(label);
+    });
+    const bool coversWire = std::any_of(wires_.begin(), wires_.end(), [&](const WireItem* wire) {
+        const auto& points = wire->wire().points;
+        for (std::size_t i = 1; i < points.size(); ++i)
+            if (QRectF(toScene(points[i - 1]), toScene(points[i])).normalized().adjusted(-1, -1, 1, 1).intersects(label))
+                return true;
+        return false;
+    });
+    return !coversBlock && !coversWire;
+}
+
+namespace {
+
 std::string instanceOf(const std::string& connector) { return connector.substr(0, connector.find_first_of(".[")); }
 
 }  // namespace
@@ -126,7 +148,8 @@ void DiagramScene::show(const Diagram& diagram) {
 void DiagramScene::mark(const std::vector<EffectMark>& effects) {
     std::map<std::string, QString> labels;
     for (const EffectMark& effect : effects) labels[effect.instance] = effect.label;
-    for (const auto& [name, item] : blocks_) item->setEffect(labels.contains(name) ? labels[name] : QString());
+    for (const auto& [name, item] : blocks_)
+        item->setEffect(labels.contains(name) ? labels[name] : QString(), hasRoomBelow(*item));
     for (WireItem* item : wires_)
         item->setMarked(labels.contains(instanceOf(item->wire().from)) || labels.contains(instanceOf(item->wire().to)));
 }

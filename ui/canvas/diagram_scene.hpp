@@ -36,6 +36,8 @@ Q_SIGNALS:
     void blockSelected(const QString& name);  // empty: nothing is selected
 
 private:
+    bool hasRoomBelow(const BlockItem& item) const;
+
     std::map<std::string, BlockItem*> blocks_;
     std::vector<WireItem*> wires_;
     QGraphicsItem* graphics_{};

@@ -182,7 +182,7 @@ void ResultPanel::addHeadline(const Finding& finding) {
     headline_->setWordWrap(true);
     style::makeHeading(headline_, 1.3);
     QPalette tinted = headline_->palette();
-    tinted.setColor(QPalette::WindowText, h.colour);
+    tinted.setColor(headline_->foregroundRole(), h.colour);
     headline_->setPalette(tinted);
     column_->addWidget(headline_);
     addText(h.sentence);

@@ -277,15 +277,22 @@ void MainWindow::resetLayout() {
     addDockWidget(Qt::BottomDockWidgetArea, messageDock_);
     tabifyDockWidget(plotDock_, messageDock_);
     plotDock_->raise();
-    resizeDocks({measurementDock_, parameterDock_}, {270, 420}, Qt::Horizontal);
-    resizeDocks({plotDock_}, {400}, Qt::Vertical);
-    resizeDocks({parameterDock_, resultDock_}, {300, 480}, Qt::Vertical);
+    isLayoutFresh_ = true;
+    if (document_->isOpen()) showStudy();
+}
+
+/// Sizes only hold for docks that are shown, so they wait for the first study.
+void MainWindow::sizeDocks() {
+    resizeDocks({measurementDock_, parameterDock_}, {270, 460}, Qt::Horizontal);
+    resizeDocks({plotDock_}, {410}, Qt::Vertical);
+    resizeDocks({parameterDock_, resultDock_}, {2, 3}, Qt::Vertical);
+    isLayoutFresh_ = false;
 }
 
 void MainWindow::restoreLayout() {
     const QSettings settings;
     restoreGeometry(settings.value("window/geometry").toByteArray());
-    restoreState(settings.value("window/state").toByteArray(), layoutVersion);
+    if (restoreState(settings.value("window/state").toByteArray(), layoutVersion)) isLayoutFresh_ = false;
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -316,6 +323,7 @@ void MainWindow::showStudy() {
     for (QDockWidget* dock : {measurementDock_, parameterDock_, resultDock_, plotDock_, messageDock_})
         dock->setVisible(isOpen);
     if (isOpen) {
+        if (isLayoutFresh_) sizeDocks();
         plotDock_->raise();
         start_->showFault({});
         statusBar()->clearMessage();

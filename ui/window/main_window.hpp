@@ -57,6 +57,7 @@ private:
     void connectPanels();
     void restoreLayout();
     void resetLayout();
+    void sizeDocks();
 
     void updateActions();
     void updateTitle();
@@ -85,6 +86,7 @@ private:
     PlotPanel* plots_{};
     MessagePanel* messages_{};
     RunBar* runBar_{};
+    bool isLayoutFresh_{true};
     QDockWidget *measurementDock_{}, *parameterDock_{}, *resultDock_{}, *plotDock_{}, *messageDock_{};
 
     QAction *openAction_{}, *openFileAction_{}, *saveAction_{}, *reportAction_{}, *quitAction_{};

@@ -40,8 +40,7 @@ void describe(const QString& readme, Example& example) {
             paragraph += (paragraph.isEmpty() ? "" : " ") + line;
     }
     paragraph.remove('`');
-    const auto end = paragraph.indexOf(". ");
-    example.description = end > 0 ? paragraph.left(end + 1) : paragraph;
+    example.description = paragraph;
 }
 
 /// An example as a card: the whole of it is the button.

@@ -66,7 +66,8 @@ void expectCertified(const std::string& name, const char* model, Engine engine) 
         const double scatter = std::max(1.0, 1.0 / number(c->facts["residual_sd"]));
         for (std::size_t i = 0; i < result.estimates.size(); ++i) {
             const double expected = number(c->facts["certified"][i]), sd = number(c->facts["certified_sd"][i]);
-            EXPECT_NEAR(result.estimates[i].value, expected, 1e-3 * sd) << result.estimates[i].name << " from " << start;
+            EXPECT_NEAR(result.estimates[i].value, expected, 1e-3 * sd)
+                << result.estimates[i].name << " from " << start;
             EXPECT_NEAR(result.estimates[i].standardError, sd * scatter, 1e-3 * sd) << result.estimates[i].name;
         }
         EXPECT_NEAR(2.0 * result.cost, number(c->facts["certified_wrss"]), 1e-5);

@@ -159,7 +159,8 @@ void expectTangentsOfTheDiscreteSolution(GridMethod method, std::vector<double> 
         };
         const Eigen::MatrixXd slope = (at(step) - at(-step)) / (2.0 * step);
         for (Eigen::Index o = 0; o < with.outputs.rows(); ++o) {
-            const Eigen::VectorXd tangent = with.tangents[static_cast<std::size_t>(o)].col(static_cast<Eigen::Index>(i));
+            const Eigen::VectorXd tangent =
+                with.tangents[static_cast<std::size_t>(o)].col(static_cast<Eigen::Index>(i));
             const double size = std::max(slope.row(o).cwiseAbs().maxCoeff(), 1e-6);
             EXPECT_LT((tangent.transpose() - slope.row(o)).cwiseAbs().maxCoeff() / size, tolerance)
                 << "output " << o << ", parameter " << i;
@@ -226,7 +227,7 @@ struct Delayed {
     }
     template <class T>
     void outputs(double, const T* x, const T* u, const T*, T* y) const {
-        y[0] = u[1];         // the delayed tap
+        y[0] = u[1];  // the delayed tap
         y[1] = x[0];
         y[2] = x[0] + u[0];  // the tap
     }
@@ -367,7 +368,8 @@ TEST(Plan, TakesTheImplicitMethodWhereTheModelIsStiff) {
 
 TEST(Plan, SeesWhatHappensLateInALongRecord) {
     // Van der Pol's oscillator at rest until it is kicked near the end.
-    const SampledInputs inputs = sampled(8000, 0.2, [](double t) { return t < 1400.0 ? 0.0 : 3.0 * std::sin(3.0 * t); });
+    const SampledInputs inputs =
+        sampled(8000, 0.2, [](double t) { return t < 1400.0 ? 0.0 : 3.0 * std::sin(3.0 * t); });
     HandDynamics<VanDerPol> model({}, {3.0, 0.0});
     const GridPlan chosen = choosePlan(model, inputs);
     const Trajectory y = runGrid(model, inputs, {chosen});

@@ -36,9 +36,8 @@ SimulationTask taskOf(const SystemPtr& system, const SampledInputs& inputs, bool
 SampledInputs noisyVoltage(int count) {
     std::mt19937 random(4);
     std::normal_distribution<double> normal;
-    return oneInput(count, 1e-3, [&](double t) {
-        return 6.0 * (std::sin(9.0 * t) > 0 ? 1.0 : -0.5) + 0.2 * normal(random);
-    });
+    return oneInput(count, 1e-3,
+                    [&](double t) { return 6.0 * (std::sin(9.0 * t) > 0 ? 1.0 : -0.5) + 0.2 * normal(random); });
 }
 
 TEST(Simulate, GridAndAdaptiveEnginesAgreeOnAMotorWithNoisyVoltage) {
@@ -158,6 +157,27 @@ end Delays;
         EXPECT_LT(worst[1], 1e-4);
         EXPECT_LT(worst[2], 1e-4);
     }
+}
+
+TEST(Simulate, RefusesADelayOfADelayedSignal) {
+    const SystemPtr system = compileText(R"(
+model Chain
+  input Real u;
+  output Real y;
+  Real x(start = 1, fixed = true);
+  Real z;
+equation
+  der(x) = u - x;
+  z = delay(x, 0.3) + x;
+  y = delay(z, 0.2);
+end Chain;
+)",
+                                         "Chain");
+    ASSERT_TRUE(system);
+    const SampledInputs inputs = oneInput(50, 0.05, [](double) { return 0.0; });
+    const Trajectory y = simulateGrid(taskOf(system, inputs), {});
+    EXPECT_TRUE(y.failure.failed);
+    EXPECT_EQ(y.failure.reason, "a delay of a delayed signal cannot be simulated");
 }
 
 TEST(Simulate, RefusesInputsThatDoNotFit) {

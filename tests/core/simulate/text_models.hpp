@@ -7,7 +7,8 @@
 namespace analogon::test {
 
 /// A model from plain text; parameters in `keep` stay free.
-inline SystemPtr compileText(const std::string& text, const std::string& className, std::vector<std::string> keep = {}) {
+inline SystemPtr compileText(const std::string& text, const std::string& className,
+                             std::vector<std::string> keep = {}) {
     Outcome<Library> library = Library().withSource(std::make_shared<const Source>("model.mo", text));
     EXPECT_TRUE(library) << format(library.diagnostics());
     if (!library) return nullptr;

@@ -1,5 +1,5 @@
 within Analogon.Effects.Actuator;
-block DeadZone "Input channel that does nothing around 0"
+block DeadZone "Dead zone of an input channel"
   extends Analogon.Interfaces.PartialSignal;
   parameter Real b(min=0) = 0 "Width of the dead zone on either side of 0 (0: off)"
     annotation (Dialog(group="Effect"));

@@ -1,5 +1,5 @@
 within Analogon.Effects.Actuator;
-block Delay "Input channel that comes late by a dead time"
+block Delay "Dead time of an input channel"
   extends Analogon.Effects.Signals.PartialDelay;
   annotation (
     __Analogon(effect(

@@ -1,5 +1,5 @@
 within Analogon.Effects.Actuator;
-block Gain "Input channel that is off by a factor"
+block Gain "Gain error of an input channel"
   extends Analogon.Effects.Signals.PartialGain;
   annotation (
     __Analogon(effect(

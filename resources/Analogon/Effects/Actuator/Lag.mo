@@ -1,5 +1,5 @@
 within Analogon.Effects.Actuator;
-block Lag "Input channel that lags by one pole"
+block Lag "Lag of an input channel"
   extends Analogon.Effects.Signals.PartialLag;
   annotation (
     __Analogon(effect(

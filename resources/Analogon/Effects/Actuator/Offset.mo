@@ -1,5 +1,5 @@
 within Analogon.Effects.Actuator;
-block Offset "Input channel that is off by a constant"
+block Offset "Offset of an input channel"
   extends Analogon.Effects.Signals.PartialOffset;
   annotation (
     __Analogon(effect(

@@ -1,5 +1,5 @@
 within Analogon.Effects.Actuator;
-block Saturation "Input channel that is limited"
+block Saturation "Limit of an input channel"
   extends Analogon.Interfaces.PartialSignal;
   parameter Real s(min=0) = 0 "1/limit (0: no limit)"
     annotation (Dialog(group="Effect"));

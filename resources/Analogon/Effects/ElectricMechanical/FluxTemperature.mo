@@ -1,5 +1,5 @@
 within Analogon.Effects.ElectricMechanical;
-model FluxTemperature "Electric machine whose torque constant falls as it warms"
+model FluxTemperature "Warming of the magnets, which takes torque constant"
   extends Analogon.ElectricMechanical.PartialElectricMechanical;
   parameter Real e_w(unit="K/J", min=0) = 0 "Heating of the winding per loss, 1/C_w (0: off)"
     annotation (Dialog(group="Effect"));

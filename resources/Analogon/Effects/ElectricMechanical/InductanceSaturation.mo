@@ -1,5 +1,5 @@
 within Analogon.Effects.ElectricMechanical;
-model InductanceSaturation "Electric machine whose inductance falls with the current"
+model InductanceSaturation "Saturation of the inductance with the current"
   extends Analogon.ElectricMechanical.PartialElectricMechanical;
   parameter Real s_i(unit="1/A", min=0) = 0 "Saturation 1/i_s: at the current i_s half of the inductance is left (0: off)"
     annotation (Dialog(group="Effect"));

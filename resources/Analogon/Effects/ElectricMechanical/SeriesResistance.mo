@@ -1,5 +1,5 @@
 within Analogon.Effects.ElectricMechanical;
-model SeriesResistance "Electric machine behind a lead or contact resistance"
+model SeriesResistance "Lead or contact resistance in series with the winding"
   extends Analogon.ElectricMechanical.PartialElectricMechanical;
   parameter Real R_s(unit="Ohm", min=0) = 0 "Resistance outside the winding (0: off)"
     annotation (Dialog(group="Effect"));

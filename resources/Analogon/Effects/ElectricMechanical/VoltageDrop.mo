@@ -1,5 +1,5 @@
 within Analogon.Effects.ElectricMechanical;
-model VoltageDrop "Electric machine with the voltage drop of brushes or diodes"
+model VoltageDrop "Voltage drop of brushes or diodes"
   extends Analogon.ElectricMechanical.PartialElectricMechanical;
   parameter Real V_b(unit="V", min=0) = 0 "Voltage drop (0: off)"
     annotation (Dialog(group="Effect"));

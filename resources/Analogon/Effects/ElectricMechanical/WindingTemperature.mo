@@ -1,5 +1,5 @@
 within Analogon.Effects.ElectricMechanical;
-model WindingTemperature "Electric machine whose winding warms up and gains resistance"
+model WindingTemperature "Warming of the winding, which gains resistance"
   extends Analogon.ElectricMechanical.PartialElectricMechanical;
   parameter Real e_w(unit="K/J", min=0) = 0 "Heating of the winding per loss, 1/C_w (0: off)"
     annotation (Dialog(group="Effect"));

@@ -1,5 +1,5 @@
 within Analogon.Effects.ElectricThermal;
-model SeriesResistance "Heater behind a lead or contact resistance"
+model SeriesResistance "Lead or contact resistance whose heat is lost elsewhere"
   extends Analogon.ElectricThermal.PartialElectricThermal;
   parameter Real R_s(unit="Ohm", min=0) = 0 "Resistance whose heat is lost elsewhere (0: off)"
     annotation (Dialog(group="Effect"));

@@ -1,5 +1,5 @@
 within Analogon.Effects.ElectricThermal;
-model VoltageDrop "Heater behind a constant voltage drop"
+model VoltageDrop "Voltage drop of a switch or contact"
   extends Analogon.ElectricThermal.PartialElectricThermal;
   parameter Real V_b(unit="V", min=0) = 0 "Voltage drop (0: off)"
     annotation (Dialog(group="Effect"));

@@ -1,5 +1,5 @@
 within Analogon.Effects.Sensor;
-block Delay "Measured channel that comes late by a dead time"
+block Delay "Dead time of a measured channel"
   extends Analogon.Effects.Signals.PartialDelay;
   annotation (
     __Analogon(effect(

@@ -1,5 +1,5 @@
 within Analogon.Effects.Sensor;
-block Drift "Measured channel that runs away with time"
+block Drift "Drift of a measured channel"
   extends Analogon.Interfaces.PartialSignal;
   parameter Real a = 0 "Drift, unit of the signal per second (0: off)"
     annotation (Dialog(group="Effect"));

@@ -1,5 +1,5 @@
 within Analogon.Effects.Sensor;
-block Gain "Measured channel that is off by a factor"
+block Gain "Gain error of a measured channel"
   extends Analogon.Effects.Signals.PartialGain;
   annotation (
     __Analogon(effect(

@@ -1,5 +1,5 @@
 within Analogon.Effects.Sensor;
-block Lag "Measured channel that lags by one pole"
+block Lag "Lag of a measured channel"
   extends Analogon.Effects.Signals.PartialLag;
   annotation (
     __Analogon(effect(

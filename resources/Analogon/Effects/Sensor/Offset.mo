@@ -1,5 +1,5 @@
 within Analogon.Effects.Sensor;
-block Offset "Measured channel that is off by a constant"
+block Offset "Offset of a measured channel"
   extends Analogon.Effects.Signals.PartialOffset;
   annotation (
     __Analogon(effect(

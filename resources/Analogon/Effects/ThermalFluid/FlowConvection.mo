@@ -1,5 +1,5 @@
 within Analogon.Effects.ThermalFluid;
-model FlowConvection "Body in a stream whose convection depends on a recorded flow"
+model FlowConvection "Convection that depends on a recorded flow"
   extends Analogon.ThermalFluid.PartialThermalFluid;
   Analogon.Interfaces.RealInput u_flow "Recorded flow of the stream"
     annotation (Placement(transformation(origin={0,-100}, extent={{-20,-20},{20,20}}, rotation=90)));

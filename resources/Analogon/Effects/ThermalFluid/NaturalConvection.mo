@@ -1,5 +1,5 @@
 within Analogon.Effects.ThermalFluid;
-model NaturalConvection "Body in a stream whose convection depends on the temperature difference"
+model NaturalConvection "Convection that depends on the temperature difference"
   extends Analogon.ThermalFluid.PartialThermalFluid;
   parameter Real n(unit="1", min=-1, max=3) = 0 "Exponent of the temperature difference (0: off)"
     annotation (Dialog(group="Effect"));
