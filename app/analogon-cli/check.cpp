@@ -43,8 +43,8 @@ Outcome<std::string> classOf(const syntax::StoredDefinition& file, const Options
     for (auto it = file.classes.rbegin(); it != file.classes.rend(); ++it) {
         using Restriction = syntax::ClassDefinition::Restriction;
         const auto restriction = (*it)->restriction;
-        const bool isModel = restriction == Restriction::Model || restriction == Restriction::Block ||
-                             restriction == Restriction::Class;
+        const bool isModel =
+            restriction == Restriction::Model || restriction == Restriction::Block || restriction == Restriction::Class;
         if (isModel && !(*it)->isPartial) return prefix + (*it)->name;
     }
     return fileError("the file holds no model or block that can be checked", name, 0, 0,
@@ -101,15 +101,16 @@ void printSummary(const Subject& subject, const FlatModel& flat, const Structure
     std::size_t implicit = 0;
     for (const SolutionBlock& block : structure.blocks) implicit += block.isExplicit ? 0 : 1;
     out << subject.description << '\n'
-        << fmt::format("  equations   {}\n", flat.equations.size())
-        << fmt::format("  unknowns    {}\n", unknowns)
-        << fmt::format("  balance     {}\n", static_cast<long>(flat.equations.size()) == unknowns
-                                                 ? std::string("as many equations as unknowns")
-                                                 : fmt::format("{} equations for {} unknowns", flat.equations.size(), unknowns))
+        << fmt::format("  equations   {}\n", flat.equations.size()) << fmt::format("  unknowns    {}\n", unknowns)
+        << fmt::format("  balance     {}\n",
+                       static_cast<long>(flat.equations.size()) == unknowns
+                           ? std::string("as many equations as unknowns")
+                           : fmt::format("{} equations for {} unknowns", flat.equations.size(), unknowns))
         << fmt::format("  solved      {} blocks, {} of them simultaneous\n", structure.blocks.size(), implicit)
-        << fmt::format("  index       {}\n", structure.indexReduction > 0
-                                                 ? fmt::format("reduced: {} equations differentiated", structure.indexReduction)
-                                                 : std::string("nothing to reduce"))
+        << fmt::format("  index       {}\n",
+                       structure.indexReduction > 0
+                           ? fmt::format("reduced: {} equations differentiated", structure.indexReduction)
+                           : std::string("nothing to reduce"))
         << fmt::format("  states      {}  {}\n", system.stateCount(), signalText(system.states()))
         << fmt::format("  inputs      {}  {}\n", system.inputCount(), signalText(system.inputs()))
         << fmt::format("  outputs     {}  {}\n", system.outputCount(), signalText(system.outputs()));

@@ -30,14 +30,22 @@ int fails(const Diagnostics& faults) {
 
 const char* name(Command command) {
     switch (command) {
-        case Command::Check: return "check";
-        case Command::Simulate: return "simulate";
-        case Command::Fit: return "fit";
-        case Command::Discover: return "discover";
-        case Command::Export: return "export";
-        case Command::Generate: return "generate";
-        case Command::Pack: return "pack";
-        case Command::Unpack: break;
+        case Command::Check:
+            return "check";
+        case Command::Simulate:
+            return "simulate";
+        case Command::Fit:
+            return "fit";
+        case Command::Discover:
+            return "discover";
+        case Command::Export:
+            return "export";
+        case Command::Generate:
+            return "generate";
+        case Command::Pack:
+            return "pack";
+        case Command::Unpack:
+            break;
     }
     return "unpack";
 }
@@ -89,14 +97,18 @@ int notAvailable(const Options& options) {
 
 int execute(const Options& options) {
     switch (options.command) {
-        case Command::Check: return check(options, std::cout, std::cerr);
+        case Command::Check:
+            return check(options, std::cout, std::cerr);
         case Command::Simulate:
         case Command::Fit:
-        case Command::Discover: return runStudy(options);
-        case Command::Generate: return generate(options, std::cout, std::cerr);
+        case Command::Discover:
+            return runStudy(options);
+        case Command::Generate:
+            return generate(options, std::cout, std::cerr);
         case Command::Export:
         case Command::Pack:
-        case Command::Unpack: break;
+        case Command::Unpack:
+            break;
     }
     return notAvailable(options);
 }
@@ -115,7 +127,8 @@ void addRun(CLI::App& app, Options& options) {
     app.add_option("--out", options.out, "Receives report.json, report.html, traces.csv and study/")
         ->required()
         ->type_name("DIR");
-    app.add_option("--progress", options.progress, "On standard error: bar, json or none (default: a bar on a terminal)")
+    app.add_option("--progress", options.progress,
+                   "On standard error: bar, json or none (default: a bar on a terminal)")
         ->transform(CLI::CheckedTransformer(kinds, CLI::ignore_case).description("bar|json|none"))
         ->option_text("KIND");
     app.add_option("--threads", options.threads, "How many threads to use (default: all)")

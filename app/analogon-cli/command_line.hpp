@@ -17,17 +17,17 @@ enum class ProgressKind { Automatic, Bar, Json, None };
 /// What was asked for on the command line.
 struct Options {
     Command command{Command::Check};
-    std::filesystem::path input;                 // study or model
+    std::filesystem::path input;  // study or model
     std::filesystem::path out;
     PrintKind print{PrintKind::None};
-    std::string className;                       // check: of a model file with several classes
+    std::string className;  // check: of a model file with several classes
     ProgressKind progress{ProgressKind::Automatic};
     std::vector<std::filesystem::path> libraries;
-    int threads{0};                              // 0: as many as the machine has
-    std::string method{"least-squares"};         // or nelder-mead
-    std::vector<std::string> kinds;              // of effects; empty: all
-    std::vector<std::string> domains;            // generate
-    std::vector<std::filesystem::path> data;     // generate: one, or several of which the last validates
+    int threads{0};                           // 0: as many as the machine has
+    std::string method{"least-squares"};      // or nelder-mead
+    std::vector<std::string> kinds;           // of effects; empty: all
+    std::vector<std::string> domains;         // generate
+    std::vector<std::filesystem::path> data;  // generate: one, or several of which the last validates
 };
 
 /// The whole program: reads the arguments, does the work, returns the exit status.

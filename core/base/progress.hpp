@@ -11,10 +11,10 @@ namespace analogon {
 class Progress {
 public:
     struct Report {
-        std::string stage;  // "fit", "screen", "trial" …
-        std::string detail; // the candidate or experiment at hand
-        double fraction{};  // 0 … 1; negative: not known
-        double error{-1};   // best error_percent so far; negative: not known
+        std::string stage;   // "fit", "screen", "trial" …
+        std::string detail;  // the candidate or experiment at hand
+        double fraction{};   // 0 … 1; negative: not known
+        double error{-1};    // best error_percent so far; negative: not known
     };
     using Sink = std::function<void(const Report&)>;
 

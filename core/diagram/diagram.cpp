@@ -114,11 +114,15 @@ Point map(const Placement& placement, const Extent& coordinates, Point p) {
 
 Colour domainColour(Domain domain) {
     switch (domain) {
-        case Domain::Rotational: return {95, 95, 95};
-        case Domain::Heat: return {191, 0, 0};
+        case Domain::Rotational:
+            return {95, 95, 95};
+        case Domain::Heat:
+            return {191, 0, 0};
         case Domain::RealInput:
-        case Domain::RealOutput: return {0, 0, 127};
-        case Domain::Other: break;
+        case Domain::RealOutput:
+            return {0, 0, 127};
+        case Domain::Other:
+            break;
     }
     return {0, 0, 0};
 }
@@ -242,7 +246,7 @@ Point Diagram::direction(std::string_view connector) const {
     const End end = endOf(*this, connector);
     if (!end.block) return {};
     const Extent& coordinatesOfBlock = end.block->icon.coordinates;
-    const Point out = end.port                                      ? side(*end.port, coordinatesOfBlock)
+    const Point out = end.port                                  ? side(*end.port, coordinatesOfBlock)
                       : end.block->domain == Domain::RealInput  ? Point{1, 0}
                       : end.block->domain == Domain::RealOutput ? Point{-1, 0}
                                                                 : Point{};

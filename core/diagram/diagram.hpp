@@ -40,17 +40,17 @@ struct Primitive {
     Colour line{0, 0, 0};
     Colour fill{255, 255, 255};
     bool filled{};
-    double thickness{0.25};     // [mm] as in Modelica
-    double fontSize{};          // [pt]; 0: fits the extent
-    double rotation{};          // [deg]
-    double radius{};            // corners of a rectangle
+    double thickness{0.25};  // [mm] as in Modelica
+    double fontSize{};       // [pt]; 0: fits the extent
+    double rotation{};       // [deg]
+    double radius{};         // corners of a rectangle
     double startAngle{0}, endAngle{360};
-    bool smooth{};              // Bezier
+    bool smooth{};  // Bezier
     bool dashed{};
     bool bold{};
-    bool outlined{true};        // false: LinePattern.None
+    bool outlined{true};                // false: LinePattern.None
     Gradient gradient{Gradient::None};  // how the fill runs from `line` to `fill`
-    int alignment{};            // Text: -1 left, 0 centre, 1 right
+    int alignment{};                    // Text: -1 left, 0 centre, 1 right
     bool arrowAtStart{}, arrowAtEnd{};
     Point origin;
 };
@@ -84,25 +84,25 @@ struct Port {
 
 struct Block {
     std::string name;
-    std::string className;      // qualified
+    std::string className;  // qualified
     std::string description;
     Placement placement;
     Icon icon;
     std::vector<Port> ports;
-    bool isConnector{};         // a top-level input, output or other connector: its own port
+    bool isConnector{};  // a top-level input, output or other connector: its own port
     Domain domain{Domain::Other};
-    bool isEffect{};            // class lies in Analogon.Effects or carries the effect annotation
-    bool isResolved{true};      // false: class unknown; drawn as an empty box
+    bool isEffect{};        // class lies in Analogon.Effects or carries the effect annotation
+    bool isResolved{true};  // false: class unknown; drawn as an empty box
     std::vector<std::pair<std::string, std::string>> parameters;  // modified parameters and their text
     Span span;
 };
 
 struct Wire {
-    std::string from, to;       // "motor.flange", or a top-level connector's name
+    std::string from, to;  // "motor.flange", or a top-level connector's name
     std::vector<Point> points;
     Colour colour;
     double thickness{0.25};
-    Span span;                  // of the connect equation
+    Span span;  // of the connect equation
 };
 
 struct Diagram {

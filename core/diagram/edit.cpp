@@ -159,9 +159,9 @@ std::vector<const Equation*> ModelEdit::connectionsBetween(std::string_view from
         if ((left == from && right == to) || (left == to && right == from)) result.push_back(equation);
     }
     if (result.empty())
-        faults_.push_back(error(fmt::format("model {} has no connection of \"{}\" with \"{}\"", definition_->name,
-                                            from, to),
-                                definition_->nameSpan));
+        faults_.push_back(
+            error(fmt::format("model {} has no connection of \"{}\" with \"{}\"", definition_->name, from, to),
+                  definition_->nameSpan));
     return result;
 }
 
@@ -235,8 +235,7 @@ void ModelEdit::writeComponents(Replacements& edits) const {
                          *change.className + " " +
                          edit_text::applied(text, all[i].span.begin, all[i].span.end, std::move(own)) + ";";
             } else if (!change.isRemoved) {
-                if (change.className)
-                    edits.push_back({all[i].typeSpan.begin, all[i].typeSpan.end, *change.className});
+                if (change.className) edits.push_back({all[i].typeSpan.begin, all[i].typeSpan.end, *change.className});
                 edits.insert(edits.end(), own.begin(), own.end());
             }
         }
@@ -472,10 +471,9 @@ void ModelEdit::writeRenames(Replacements& edits) const {
             for (const Equation& equation : section.equations) references.visit(equation);
         for (const Replacement& r : references.found()) {
             // A text that another change rewrites as a whole is taken from there.
-            const bool isRewritten = std::any_of(edits.begin(), edits.begin() + static_cast<std::ptrdiff_t>(written),
-                                                 [&](const Replacement& other) {
-                                                     return other.begin < r.end && r.begin < other.end;
-                                                 });
+            const bool isRewritten =
+                std::any_of(edits.begin(), edits.begin() + static_cast<std::ptrdiff_t>(written),
+                            [&](const Replacement& other) { return other.begin < r.end && r.begin < other.end; });
             if (!isRewritten) edits.push_back(r);
         }
     }
@@ -541,7 +539,19 @@ Placement freePlacement(const Diagram& diagram, Point near, double width, double
     const auto count = [](const std::vector<Box>& boxes, const Box& box) {
         return std::count_if(boxes.begin(), boxes.end(), [&](const Box& b) { return b.overlaps(box); });
     };
-    const Point start{std::round(near.x / grid) * grid, std::round(near.y / grid) * grid};
+    // Best to the lower right: a wire from the point goes down and then into a port on the block's left side.
+    const Point start{std::round((near.x + width) / grid) * grid, std::round((near.y - 1.5 * height) / grid) * grid};
+    const auto wayTo = [&](Point c) {
+        return Box{near.x - 1, std::min(near.y, c.y), near.x + 1, std::max(near.y, c.y)};
+    };
+    const auto blocksOnWay = [&](Point c) {
+        const Box way = wayTo(c);
+        return std::count_if(diagram.blocks.begin(), diagram.blocks.end(), [&](const Block& b) {
+            const Box box = boxOf(b.placement);
+            const bool startsThere = box.grown(1).overlaps({near.x - 0.1, near.y - 0.1, near.x + 0.1, near.y + 0.1});
+            return !startsThere && box.overlaps(way);
+        });
+    };
     Placement best{{{start.x - width / 2, start.y - height / 2}, {start.x + width / 2, start.y + height / 2}}, {}, 0};
     double bestCost = 1e300;
     constexpr int reach = 30;  // grid steps
@@ -550,8 +560,10 @@ Placement freePlacement(const Diagram& diagram, Point near, double width, double
             const Point c{start.x + grid * i, start.y + grid * j};
             const Box box{c.x - width / 2, c.y - height / 2, c.x + width / 2, c.y + height / 2};
             if (count(taken, box) > 0) continue;
-            // Straight above or below is where an added load is looked for; crossing a wire is worth 6 steps.
-            const double cost = std::hypot(1.2 * i, j) + 6.0 * static_cast<double>(count(wires, box));
+            // Covering a wire, or leading the new one through a block, is worth some steps more.
+            double cost = std::hypot(i, j) + 6.0 * static_cast<double>(count(wires, box));
+            if (cost >= bestCost) continue;
+            cost += 6.0 * static_cast<double>(blocksOnWay(c));
             if (cost < bestCost) {
                 bestCost = cost;
                 best.extent = {{box.left, box.bottom}, {box.right, box.top}};

@@ -99,7 +99,8 @@ private:
 /// A name that is not taken: base, base1, base2 …
 std::string freeName(const syntax::ClassDefinition& definition, const std::string& base);
 
-/// A free rectangle of this size near a point, on the 10-unit grid: blocks of the diagram are not covered.
+/// A free rectangle of this size near a point, on the 10-unit grid, best to its lower right: blocks of the diagram
+/// are not covered, wires as little as possible.
 Placement freePlacement(const Diagram& diagram, Point near, double width, double height);
 
 }  // namespace analogon

@@ -17,14 +17,16 @@ const Modification* child(const Modification& parent, std::string_view name) {
 /// Reads the `effect(…)` annotation of one class; the first thing that is not as the grammar asks is a warning.
 class AnnotationReader {
 public:
-    AnnotationReader(const std::string& className, Diagnostics& warnings) : className_(className), warnings_(warnings) {}
+    AnnotationReader(const std::string& className, Diagnostics& warnings)
+        : className_(className), warnings_(warnings) {}
 
     bool ok() const { return ok_; }
 
     std::string text(const Modification& effect, std::string_view name, bool isRequired) {
         const Modification* m = child(effect, name);
         if (m == nullptr) {
-            if (isRequired) complain(effect.span, fmt::format("the effect annotation of {} lacks '{}'", className_, name));
+            if (isRequired)
+                complain(effect.span, fmt::format("the effect annotation of {} lacks '{}'", className_, name));
             return {};
         }
         if (!m->value || m->value->kind != Expression::Kind::String) {
@@ -69,8 +71,8 @@ public:
 private:
     void complain(const Span& span, std::string message) {
         ok_ = false;
-        warnings_.push_back(
-            warning(std::move(message), span, "the class takes no part in the search for effects until this is mended"));
+        warnings_.push_back(warning(std::move(message), span,
+                                    "the class takes no part in the search for effects until this is mended"));
     }
 
     const std::string& className_;

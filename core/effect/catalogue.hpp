@@ -34,17 +34,17 @@ struct EffectClass {
     std::string kind;
     Way way{Way::Attach};
     std::vector<std::string> ports;
-    std::string signalSide;                       // "input", "output" or empty
+    std::string signalSide;  // "input", "output" or empty
     std::string strength;
     bool oneSided{};
     std::vector<std::string> linear;
-    std::map<std::string, std::string> fixed;     // parameter -> expression
+    std::map<std::string, std::string> fixed;  // parameter -> expression
     std::map<std::string, std::vector<std::string>> shape;
     std::vector<std::string> secant;
     std::string quantity;
-    std::string channel;                          // signal input driven by a spare channel; empty: none
-    std::string base;                             // specialise: qualified name of the class it extends
-    std::map<std::string, std::string> units;     // of its parameters
+    std::string channel;                       // signal input driven by a spare channel; empty: none
+    std::string base;                          // specialise: qualified name of the class it extends
+    std::map<std::string, std::string> units;  // of its parameters
 };
 
 /// All effects of a library, in library order. A malformed annotation is a warning that names class and place.

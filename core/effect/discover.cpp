@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <boost/math/distributions/chi_squared.hpp>
-
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <chrono>
 #include <cmath>
 #include <set>
@@ -13,6 +12,7 @@
 #include "core/effect/model_state.hpp"
 #include "core/effect/remainder.hpp"
 #include "core/effect/trial.hpp"
+#include "core/residual/quantisation.hpp"
 
 namespace analogon {
 namespace {
@@ -22,8 +22,8 @@ constexpr double twinCorrelation = 0.999;  // projected traces more alike than t
 constexpr double largeResidual = 1.2;      // in units of the noise: above it, first-order scores may mislead
 constexpr double falseAlarmQuantile = 0.99;
 constexpr int startsPerTrial = 2;
-constexpr int trialIterations = 12;   // a trial must show what it is worth; the winner is refitted to convergence
-constexpr int glanceIterations = 5;   // of the whole catalogue, to see who deserves a trial
+constexpr int trialIterations = 12;  // a trial must show what it is worth; the winner is refitted to convergence
+constexpr int glanceIterations = 5;  // of the whole catalogue, to see who deserves a trial
 constexpr double trialTolerance = 1e-6;
 
 /// Noise of every output from what the model leaves, in the units of the output.
@@ -35,9 +35,10 @@ std::vector<Eigen::VectorXd> noiseOf(const EstimationTask& task, const PreparedT
         n = Eigen::VectorXd::Zero(experiment.measured.rows());
         for (Eigen::Index o = 0; o < n.size(); ++o) {
             if (experiment.weights[o] <= 0) continue;
-            const Eigen::VectorXd r = (fit.optimum.trajectories[e].outputs.row(o) - experiment.measured.row(o)).transpose();
+            const Eigen::VectorXd r =
+                (fit.optimum.trajectories[e].outputs.row(o) - experiment.measured.row(o)).transpose();
             const Eigen::VectorXd m = experiment.measured.row(o).transpose();
-            n[o] = noiseFromDifferences(r);
+            n[o] = std::max(noiseFromDifferences(r), quantisationNoise(m));
             // a perfect recording (made by simulation) has no noise to speak of: weigh it by its range
             double low = 1e300, high = -1e300;
             for (const double x : m)
@@ -65,9 +66,11 @@ Outcome<NullModel> fitNull(const Variant& start, const std::vector<Eigen::Vector
         Outcome<PreparedTask> prepared = prepareAt(null.variant, null.noise);
         if (!prepared) return prepared.diagnostics();
         if (prepared->problem.experiments.empty())
-            return error("the study has no experiment with the role \"fit\"", {}, "give at least one experiment that role");
+            return error("the study has no experiment with the role \"fit\"", {},
+                         "give at least one experiment that role");
         null.fit = fit(prepared->problem, options, progress);
-        if (!null.fit.optimum.ok) return numericalError(null.fit.message, "give other start values, or narrower bounds");
+        if (!null.fit.optimum.ok)
+            return numericalError(null.fit.message, "give other start values, or narrower bounds");
         null.variant.values = valuesOf(null.fit);
         null.channels = residualChannels(prepared->problem);
         if (pass + 1 < passes) null.noise = noiseOf(null.variant.task, *prepared, null.fit);
@@ -104,7 +107,8 @@ private:
                                 int starts);
     void continueBest(const NullModel& null, std::vector<Trial>& trials);
     std::optional<Step> round(const NullModel& null);
-    std::vector<std::size_t> equivalents(const NullModel& null, const std::vector<Trial>& trials, std::size_t best) const;
+    std::vector<std::size_t> equivalents(const NullModel& null, const std::vector<Trial>& trials,
+                                         std::size_t best) const;
     void removeUnneeded(NullModel& null);
     void note(const Screened& s, Verdict verdict, std::optional<double> deltaBic);
     AddedEffect describe(const NullModel& last, const PlacedEffect& placed, const Step& step) const;
@@ -128,7 +132,8 @@ std::vector<Screened> Search::screenAll(const NullModel& null) {
     std::vector<Screened> screened(candidates->size());
     parallelFor(static_cast<int>(screened.size()), options_.threads, [&](int i) {
         const Candidate& c = (*candidates)[static_cast<std::size_t>(i)];
-        say("screen", c.effect.kind + " at " + c.place.at, static_cast<double>(i) / static_cast<double>(screened.size()));
+        say("screen", c.effect.kind + " at " + c.place.at,
+            static_cast<double>(i) / static_cast<double>(screened.size()));
         screened[static_cast<std::size_t>(i)] = screen(null, c, options_.fit.simulation, progress_);
     });
     return screened;
@@ -155,7 +160,8 @@ std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>&
     std::vector<const Screened*> order;
     for (const Screened& s : screened)
         if (s.failure.empty() && s.score() > 0) order.push_back(&s);
-    std::stable_sort(order.begin(), order.end(), [](const Screened* a, const Screened* b) { return a->score() > b->score(); });
+    std::stable_sort(order.begin(), order.end(),
+                     [](const Screened* a, const Screened* b) { return a->score() > b->score(); });
     std::vector<const Screened*> byWhitened = order;
     std::stable_sort(byWhitened.begin(), byWhitened.end(),
                      [](const Screened* a, const Screened* b) { return a->whitenedScore() > b->whitenedScore(); });
@@ -179,8 +185,8 @@ std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>&
     if (level > largeResidual && !progress_.stopRequested()) {
         const std::size_t before = chosen.size();
         choose(order, static_cast<int>(order.size()));
-        std::vector<Trial> others = tryThese(null, {chosen.begin() + static_cast<std::ptrdiff_t>(before), chosen.end()},
-                                             glanceIterations, 1);
+        std::vector<Trial> others =
+            tryThese(null, {chosen.begin() + static_cast<std::ptrdiff_t>(before), chosen.end()}, glanceIterations, 1);
         trials.insert(trials.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
         continueBest(null, trials);
     }
@@ -213,7 +219,8 @@ std::vector<std::size_t> Search::equivalents(const NullModel& null, const std::v
     for (std::size_t i = 0; i < trials.size(); ++i) {
         if (i == best || !trials[i].ok) continue;
         const double gap = trials[best].evidence - trials[i].evidence;
-        if (gap < equivalenceMargin || (gap < 3 * equivalenceMargin && std::abs(own.dot(direction(trials[i]))) > twinCorrelation))
+        if (gap < equivalenceMargin ||
+            (gap < 3 * equivalenceMargin && std::abs(own.dot(direction(trials[i]))) > twinCorrelation))
             members.push_back(i);
     }
     return members;
@@ -280,12 +287,12 @@ std::optional<Search::Step> Search::round(const NullModel& null) {
         s.pValue = pValue(acceptance.explained, trials[*chosen].freed(), screened.size());
         for (const std::size_t m : members)
             if (m != *chosen)
-                s.alternatives.push_back({trials[m].screened.candidate.effect.kind, trials[m].screened.candidate.place.at,
-                                          -trials[m].evidence, true});
+                s.alternatives.push_back({trials[m].screened.candidate.effect.kind,
+                                          trials[m].screened.candidate.place.at, -trials[m].evidence, true});
         for (std::size_t i = 0; i < trials.size() && s.alternatives.size() < 6; ++i)
             if (trials[i].ok && std::find(members.begin(), members.end(), i) == members.end())
-                s.alternatives.push_back({trials[i].screened.candidate.effect.kind, trials[i].screened.candidate.place.at,
-                                          -trials[i].evidence, false});
+                s.alternatives.push_back({trials[i].screened.candidate.effect.kind,
+                                          trials[i].screened.candidate.place.at, -trials[i].evidence, false});
         step = std::move(s);
     }
 
@@ -308,10 +315,12 @@ std::optional<Search::Step> Search::round(const NullModel& null) {
         note(t.screened, verdict, t.ok ? std::optional<double>(-t.evidence) : std::nullopt);
     }
     for (const Screened& s : screened) {
-        if (refitted.contains(s.candidate.effect.className + "@" + s.candidate.place.at + "@" + s.candidate.place.spare)) continue;
-        const Verdict verdict = !s.failure.empty() ? Verdict::Failed
-                                : s.isAbsorbed()   ? Verdict::Absorbed
-                                : s.isWrongSign()  ? Verdict::WrongSign
+        if (refitted.contains(s.candidate.effect.className + "@" + s.candidate.place.at + "@" +
+                              s.candidate.place.spare))
+            continue;
+        const Verdict verdict = !s.failure.empty()                            ? Verdict::Failed
+                                : s.isAbsorbed()                              ? Verdict::Absorbed
+                                : s.isWrongSign()                             ? Verdict::WrongSign
                                 : chosen && s.score() > 2 * equivalenceMargin ? Verdict::Weaker
                                                                               : Verdict::NotSignificant;
         note(s, verdict, std::nullopt);
@@ -367,7 +376,8 @@ AddedEffect Search::describe(const NullModel& last, const PlacedEffect& placed, 
     for (const FitParameter& p : placed.freed)
         for (const FitEstimate& e : last.fit.estimates)
             if (e.name == p.name)
-                effect.parameters.push_back({p.name.substr(placed.instance.size() + 1), e.value, e.standardError, e.unit});
+                effect.parameters.push_back(
+                    {p.name.substr(placed.instance.size() + 1), e.value, e.standardError, e.unit});
     for (const auto& [name, value] : placed.values) {
         const auto unit = placed.effect.units.find(name);
         effect.parameters.push_back({name, value, 0, unit == placed.effect.units.end() ? "" : unit->second});
@@ -428,8 +438,9 @@ Outcome<Finding> Search::run() {
     finding.candidates = std::move(candidates_);
     finding.interrupted = progress_.stopRequested();
     if (!finding.interrupted) finding.remainders = remainders(*null, options_.fit.simulation);
-    finding.kind = finding.remainders.empty() ? (finding.effects.empty() ? FindingKind::Adequate : FindingKind::Effect)
-                                              : (finding.effects.empty() ? FindingKind::Unexplained : FindingKind::Partial);
+    finding.kind = finding.remainders.empty()
+                       ? (finding.effects.empty() ? FindingKind::Adequate : FindingKind::Effect)
+                       : (finding.effects.empty() ? FindingKind::Unexplained : FindingKind::Partial);
     finding.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return finding;
 }
@@ -442,7 +453,8 @@ Outcome<ModelState> fitModel(const EstimationTask& task, const FitOptions& optio
     return stateOf(null->variant, null->fit, options.simulation, progress);
 }
 
-Outcome<ModelState> simulateModel(const EstimationTask& task, const SimulationOptions& options, const Progress& progress) {
+Outcome<ModelState> simulateModel(const EstimationTask& task, const SimulationOptions& options,
+                                  const Progress& progress) {
     const Variant variant{task, {}, {}};
     return stateOf(variant, {}, options, progress);
 }

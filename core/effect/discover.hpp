@@ -8,8 +8,8 @@ namespace analogon {
 struct DiscoverOptions {
     FitOptions fit;
     int maxRounds{4};
-    int refitted{6};          // candidates of a round that are refitted
-    int threads{0};           // 0: as many as the machine has
+    int refitted{6};                 // candidates of a round that are refitted
+    int threads{0};                  // 0: as many as the machine has
     std::vector<std::string> kinds;  // empty: all
 };
 

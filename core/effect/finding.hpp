@@ -16,14 +16,14 @@ struct OutputState {
     std::string name;
     std::string unit;
     ErrorFigures figures;
-    Eigen::VectorXd measured;   // NaN: not measured
+    Eigen::VectorXd measured;  // NaN: not measured
     Eigen::VectorXd simulated;
 };
 
 struct ExperimentState {
     std::string name;
     Role role{Role::Fit};
-    double errorPercent{};      // root mean square over its outputs
+    double errorPercent{};  // root mean square over its outputs
     std::vector<double> time;
     std::vector<OutputState> outputs;
     SimulationFailure failure;
@@ -31,7 +31,7 @@ struct ExperimentState {
 
 /// A model with its values, held against every experiment.
 struct ModelState {
-    std::string modelText;                        // with fitted values written in
+    std::string modelText;  // with fitted values written in
     std::vector<FitEstimate> parameters;
     std::vector<ExperimentState> experiments;
     std::map<std::string, ResidualSummary> residual;  // per output, over the fitted experiments
@@ -60,19 +60,19 @@ struct Alternative {
 };
 
 struct Evidence {
-    double score{};      // z² of the screening or F-like statistic, in units of the noise
+    double score{};  // z² of the screening or F-like statistic, in units of the noise
     double pValue{};
-    double deltaBic{};   // negative: better
-    double heldOut{};    // H of the blocks left out in turn, -1 … 1
+    double deltaBic{};  // negative: better
+    double heldOut{};   // H of the blocks left out in turn, -1 … 1
     double errorPercentBefore{}, errorPercentAfter{};
 };
 
 struct AddedEffect {
     std::string kind, className, at;
     Way way{Way::Attach};
-    std::string instance;                 // the component's name in the model
-    std::string newInput, channel;        // top-level input that was added, and the recorded channel it carries
-    std::string description;              // of the class
+    std::string instance;           // the component's name in the model
+    std::string newInput, channel;  // top-level input that was added, and the recorded channel it carries
+    std::string description;        // of the class
     std::vector<EffectValue> parameters;
     Evidence evidence;
     std::vector<Alternative> alternatives;
@@ -84,8 +84,8 @@ const char* name(Verdict verdict);  // "chosen", "not significant" …
 struct CandidateResult {
     std::string kind, at, className;
     double score{};
-    double strength{};                    // estimate from the screening
-    std::optional<double> deltaBic;       // when it was refitted
+    double strength{};               // estimate from the screening
+    std::optional<double> deltaBic;  // when it was refitted
     Verdict verdict{Verdict::NotSignificant};
     std::vector<std::string> absorbedBy;  // parameters
     int round{};
@@ -99,7 +99,7 @@ struct Correlate {
 struct Remainder {
     std::string output, node;
     double evidence{};
-    double from{}, to{};                  // [s]
+    double from{}, to{};  // [s]
     std::string experiment;
     std::vector<Correlate> movesWith;
     std::string proposedEquation;

@@ -5,7 +5,8 @@
 namespace analogon {
 namespace {
 
-OutputState outputState(const SignalInfo& info, const Eigen::RowVectorXd& simulated, const Eigen::RowVectorXd& measured) {
+OutputState outputState(const SignalInfo& info, const Eigen::RowVectorXd& simulated,
+                        const Eigen::RowVectorXd& measured) {
     return {info.name, info.unit, errorFigures(simulated, measured), measured.transpose(), simulated.transpose()};
 }
 
@@ -37,7 +38,8 @@ void summariseResiduals(ModelState& state) {
                 for (Eigen::Index k = 0; k < o.measured.size(); ++k)
                     if (!std::isnan(o.measured[k])) residuals[o.name].push_back(o.simulated[k] - o.measured[k]);
     for (const auto& [name, r] : residuals)
-        state.residual[name] = summarise(Eigen::Map<const Eigen::VectorXd>(r.data(), static_cast<Eigen::Index>(r.size())));
+        state.residual[name] =
+            summarise(Eigen::Map<const Eigen::VectorXd>(r.data(), static_cast<Eigen::Index>(r.size())));
 }
 
 }  // namespace
@@ -61,11 +63,13 @@ Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const 
         FitProblem& problem = prepared->problem;
         if (problem.experiments.empty()) continue;
         Eigen::VectorXd values(static_cast<Eigen::Index>(problem.parameters.size()));
-        for (Eigen::Index i = 0; i < values.size(); ++i) values[i] = problem.parameters[static_cast<std::size_t>(i)].start;
+        for (Eigen::Index i = 0; i < values.size(); ++i)
+            values[i] = problem.parameters[static_cast<std::size_t>(i)].start;
         const Linearisation l = linearise(problem, values, false, {}, simulation, progress);
         for (std::size_t e = 0; e < problem.experiments.size(); ++e)
             if (e < l.trajectories.size())
-                byRecording.emplace(prepared->fitRecordings[e], experimentState(problem.experiments[e], role, l.trajectories[e]));
+                byRecording.emplace(prepared->fitRecordings[e],
+                                    experimentState(problem.experiments[e], role, l.trajectories[e]));
     }
     for (auto& [index, experiment] : byRecording) state.experiments.push_back(std::move(experiment));
     summariseResiduals(state);

@@ -20,8 +20,7 @@ void collectVariables(const Library& library, const LibraryClass& of, std::set<s
     if (of.definition->isShort)
         if (const LibraryClass* b = library.lookup(of.definition->shortBase, of.qualifiedName))
             collectVariables(library, *b, variables, depth + 1);
-    for (const syntax::Component& c : of.definition->components)
-        variables.insert((c.isFlow ? "flow " : "") + c.name);
+    for (const syntax::Component& c : of.definition->components) variables.insert((c.isFlow ? "flow " : "") + c.name);
 }
 
 /// What a variable was replaced by, in the direction of the sign: "phi" or a constant.
@@ -54,7 +53,8 @@ public:
 
     bool isInput(const std::string& name) const {
         const VariableId id = structure_.model->find(name);
-        return id.valid() && std::find(structure_.inputs.begin(), structure_.inputs.end(), id) != structure_.inputs.end();
+        return id.valid() &&
+               std::find(structure_.inputs.begin(), structure_.inputs.end(), id) != structure_.inputs.end();
     }
 
 private:
@@ -129,13 +129,15 @@ ModelNodes::ModelNodes(const Library& library, const Diagram& diagram, const Str
             const auto [it, isNew] = nodeOf.try_emplace(sets.find(connector), nodes_.size());
             if (isNew) {
                 const Representative potential = aliases.of(connector + "." + potentialOf(signature));
-                nodes_.push_back({signature, {}, potential.name, potential.isConstant || aliases.isInput(potential.name)});
+                nodes_.push_back(
+                    {signature, {}, potential.name, potential.isConstant || aliases.isInput(potential.name)});
             }
             const Representative flow = aliases.of(connector + "." + flowOf(signature));
             nodes_[it->second].members.push_back({connector, !(flow.isConstant && flow.value == 0), b.isEffect});
         }
     }
-    for (const VariableId id : structure.inputs) inputs_.emplace_back((*structure.model)[id].name, (*structure.model)[id].unit);
+    for (const VariableId id : structure.inputs)
+        inputs_.emplace_back((*structure.model)[id].name, (*structure.model)[id].unit);
     for (const VariableId id : structure.outputs)
         outputs_.emplace_back((*structure.model)[id].name, (*structure.model)[id].unit);
 }
@@ -191,20 +193,23 @@ std::vector<EffectPlace> ModelNodes::specialisePlaces(const EffectClass& effect,
         if (b.isConnector || !b.isResolved || b.className == effect.className) continue;
         if (!library_.isDerived(b.className, effect.base)) continue;
         if (b.isEffect) continue;  // already specialised: the new class would take the old effect away
-        if (effect.channel.empty()) places.push_back({b.name, b.name, {}});
+        if (effect.channel.empty())
+            places.push_back({b.name, b.name, {}});
         else
             for (const std::string& s : spares) places.push_back({b.name, b.name, s});
     }
     return places;
 }
 
-std::vector<EffectPlace> ModelNodes::placesFor(const EffectClass& effect, const std::vector<std::string>& spares) const {
+std::vector<EffectPlace> ModelNodes::placesFor(const EffectClass& effect,
+                                               const std::vector<std::string>& spares) const {
     if (effect.way == Way::Specialise) return specialisePlaces(effect, spares);
     if (!effect.signalSide.empty()) return signalPlaces(effect);
     const LibraryClass* c = library_.find(effect.className);
     const std::vector<Port> ports = readPorts(library_, effect.className);
     if (c == nullptr || effect.ports.empty()) return {};
-    const auto port = std::find_if(ports.begin(), ports.end(), [&](const Port& p) { return p.name == effect.ports.front(); });
+    const auto port =
+        std::find_if(ports.begin(), ports.end(), [&](const Port& p) { return p.name == effect.ports.front(); });
     if (port == ports.end()) return {};
     const std::string signature = connectorSignature(library_, port->className);
     return effect.way == Way::Attach ? attachPlaces(signature) : insertPlaces(signature);

@@ -21,8 +21,8 @@ class ModelNodes {
 public:
     ModelNodes(const Library& library, const Diagram& diagram, const Structure& structure);
 
-    /// All places at which an effect can go. Connectors on one rigid shaft, or on heat ports of equal temperature, are one
-    /// place (named by its first connector); nodes whose potential is imposed take no attached effect.
+    /// All places at which an effect can go. Connectors on one rigid shaft, or on heat ports of equal temperature, are
+    /// one place (named by its first connector); nodes whose potential is imposed take no attached effect.
     std::vector<EffectPlace> placesFor(const EffectClass& effect, const std::vector<std::string>& spares) const;
 
 private:

@@ -1,8 +1,7 @@
 #include "core/effect/remainder.hpp"
 
-#include <boost/math/distributions/fisher_f.hpp>
-
 #include <algorithm>
+#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 
 namespace analogon {
@@ -23,7 +22,8 @@ Eigen::VectorXd differences(const Eigen::VectorXd& x) {
     return d;
 }
 
-std::vector<Regressor> regressors(const NullModel& null, const PreparedTask& prepared, const SimulationOptions& simulation) {
+std::vector<Regressor> regressors(const NullModel& null, const PreparedTask& prepared,
+                                  const SimulationOptions& simulation) {
     std::vector<Regressor> all;
     const FitProblem& problem = prepared.problem;
     const System& system = *prepared.system;
@@ -40,8 +40,9 @@ std::vector<Regressor> regressors(const NullModel& null, const PreparedTask& pre
         add("sign(" + name + ")", [&](std::size_t e) { return Eigen::VectorXd(seriesOf(e).array().sign()); });
     };
     for (int i = 0; i < system.inputCount(); ++i)
-        addForms(system.inputs()[static_cast<std::size_t>(i)].name,
-                 [&](std::size_t e) { return Eigen::VectorXd(problem.experiments[e].inputs.values.row(i).transpose()); });
+        addForms(system.inputs()[static_cast<std::size_t>(i)].name, [&](std::size_t e) {
+            return Eigen::VectorXd(problem.experiments[e].inputs.values.row(i).transpose());
+        });
     std::vector<Eigen::MatrixXd> states;
     for (std::size_t e = 0; e < problem.experiments.size(); ++e) {
         SimulationTask task;
@@ -58,7 +59,8 @@ std::vector<Regressor> regressors(const NullModel& null, const PreparedTask& pre
         if (r.role != Role::Fit) continue;
         for (const SpareChannel& s : r.spares)
             add(s.name, [&](std::size_t e) {
-                const Recording& recording = null.variant.task.recordings[static_cast<std::size_t>(prepared.fitRecordings[e])];
+                const Recording& recording =
+                    null.variant.task.recordings[static_cast<std::size_t>(prepared.fitRecordings[e])];
                 for (const SpareChannel& channel : recording.spares)
                     if (channel.name == s.name)
                         return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(
@@ -84,7 +86,8 @@ void locate(const NullModel& null, const PreparedTask& prepared, const ResidualC
     for (int s = 0; s < stretches; ++s) {
         const int from = count * s / stretches, to = count * (s + 1) / stretches;
         if (to <= from) continue;
-        const double power = null.fit.optimum.residuals.segment(channel.begin + from, to - from).squaredNorm() / (to - from);
+        const double power =
+            null.fit.optimum.residuals.segment(channel.begin + from, to - from).squaredNorm() / (to - from);
         if (power <= largest) continue;
         largest = power;
         remainder.from = time[static_cast<std::size_t>(channel.samples[static_cast<std::size_t>(from)])];
@@ -120,7 +123,8 @@ std::vector<Remainder> remainders(const NullModel& null, const SimulationOptions
         const double total = white.segment(channel.begin, count).squaredNorm();
         if (dof < 1 || count < 2 * dof + 10) continue;
         const double f = all.explained / dof / std::max(1e-300, (total - all.explained) / (count - dof));
-        const double p = boost::math::cdf(boost::math::complement(boost::math::fisher_f(dof, count - dof), std::max(0.0, f)));
+        const double p =
+            boost::math::cdf(boost::math::complement(boost::math::fisher_f(dof, count - dof), std::max(0.0, f)));
         if (!(p * tests < significance)) continue;
 
         Remainder r;

@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
-
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -54,7 +53,8 @@ std::vector<ResidualChannel> residualChannels(const FitProblem& problem) {
     return channels;
 }
 
-Whitener::Whitener(const std::vector<ResidualChannel>& channels, const Eigen::VectorXd& residual) : channels_(channels) {
+Whitener::Whitener(const std::vector<ResidualChannel>& channels, const Eigen::VectorXd& residual)
+    : channels_(channels) {
     for (const ResidualChannel& c : channels) {
         models_.push_back(fitAutoregressive(residual.segment(c.begin, c.end - c.begin), maxAutoregressiveOrder));
         if (!(models_.back().innovation > 0)) models_.back().innovation = 1;
@@ -133,7 +133,7 @@ double noiseThreshold(const std::vector<Eigen::MatrixXd>& directions, double log
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(all.transpose() * all);
     const Eigen::MatrixXd root = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
 
-    constexpr int draws = 2000;
+    constexpr int draws = 5000;
     std::mt19937_64 generator(seed);
     std::normal_distribution<double> normal;
     std::vector<double> largest(draws);
@@ -145,7 +145,8 @@ double noiseThreshold(const std::vector<Eigen::MatrixXd>& directions, double log
         for (std::size_t k = 0; k < directions.size(); ++k) {
             const Eigen::Index columns = directions[k].cols();
             if (columns == 0) continue;
-            value = std::max(value, v.segment(starts[k], columns).squaredNorm() - static_cast<double>(columns) * logRows);
+            value =
+                std::max(value, v.segment(starts[k], columns).squaredNorm() - static_cast<double>(columns) * logRows);
         }
     }
     std::sort(largest.begin(), largest.end());
@@ -161,14 +162,15 @@ Eigen::VectorXd leftOutResidual(const Linearisation& model, const Eigen::MatrixX
     const Eigen::VectorXd residual = model.residuals(rows);
     if (block.cols() == 0) return residual;
     Eigen::MatrixXd rest = normal - block.transpose() * block;
-    rest.diagonal().array() += 1e-6;  // columns are scaled to unit norm: keeps a direction seen in this block alone in place
+    rest.diagonal().array() +=
+        1e-6;  // columns are scaled to unit norm: keeps a direction seen in this block alone in place
     return residual + block * rest.ldlt().solve(block.transpose() * residual);
 }
 
 }  // namespace
 
-double heldOutGain(const std::vector<ResidualChannel>& channels, const Linearisation& without, const Linearisation& with,
-                   int blocks) {
+double heldOutGain(const std::vector<ResidualChannel>& channels, const Linearisation& without,
+                   const Linearisation& with, int blocks) {
     const auto scaleOf = [](const Linearisation& m) {
         Eigen::VectorXd scale = m.jacobian.colwise().norm().transpose();
         for (double& s : scale) s = s > 0 ? 1 / s : 0;

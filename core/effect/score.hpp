@@ -45,29 +45,30 @@ public:
     Eigen::VectorXd coefficients(const Eigen::VectorXd& column) const;
 
 private:
-    Eigen::MatrixXd basis_;     // orthonormal
+    Eigen::MatrixXd basis_;  // orthonormal
     Eigen::MatrixXd jacobian_;
 };
 
 /// What one or more columns (the first: the strength) explain of a residual.
 struct ColumnScore {
-    double visible{};           // |g_perp| / |g| of the strength: under 3e-3 the parameters imitate it
-    double explained{};         // fall in the sum of squares when the columns are fitted
-    bool wrongSign{};           // the best strength is negative though the effect is one-sided
-    Eigen::VectorXd strengths;  // best coefficients
-    Eigen::MatrixXd directions; // orthonormal basis of the projected columns (correlation with other candidates)
+    double visible{};            // |g_perp| / |g| of the strength: under 3e-3 the parameters imitate it
+    double explained{};          // fall in the sum of squares when the columns are fitted
+    bool wrongSign{};            // the best strength is negative though the effect is one-sided
+    Eigen::VectorXd strengths;   // best coefficients
+    Eigen::MatrixXd directions;  // orthonormal basis of the projected columns (correlation with other candidates)
 };
 ColumnScore scoreColumns(const Complement& complement, const Eigen::VectorXd& residual, const Eigen::MatrixXd& columns,
                          bool oneSided);
 
 /// Quantile of the largest `explained - columns * ln(rows)` over all candidates when the residual is noise alone,
 /// from draws with the candidates' own correlation: accounts for how many were tried and how alike they are.
-double noiseThreshold(const std::vector<Eigen::MatrixXd>& directions, double logRows, double quantile, std::uint64_t seed);
+double noiseThreshold(const std::vector<Eigen::MatrixXd>& directions, double logRows, double quantile,
+                      std::uint64_t seed);
 
 /// H = (SSE0 - SSE1) / |f1 - f0|^2 on blocks of the data left out in turn, each model refitted to the rest (to
 /// first order). Tends to +1 for a true effect and to -1 for a false one.
-double heldOutGain(const std::vector<ResidualChannel>& channels, const Linearisation& without, const Linearisation& with,
-                   int blocks);
+double heldOutGain(const std::vector<ResidualChannel>& channels, const Linearisation& without,
+                   const Linearisation& with, int blocks);
 
 /// N / (1 + 2 sum rho_k) over the channels of a residual.
 double effectiveCount(const std::vector<ResidualChannel>& channels, const Eigen::VectorXd& residual);

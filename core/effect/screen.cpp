@@ -17,7 +17,9 @@ constexpr long evaluationsPerSample = 600;  // a candidate that needs more is no
 /// Series of variables over the fitted experiments, simulated with the effect off.
 class Observations {
 public:
-    void add(const std::string& variable, std::vector<std::vector<double>> series) { series_[variable] = std::move(series); }
+    void add(const std::string& variable, std::vector<std::vector<double>> series) {
+        series_[variable] = std::move(series);
+    }
 
     double statistic(const std::string& function, const std::string& variable) const {
         const auto found = series_.find(function == "flow" ? "flow " + variable : variable);
@@ -32,7 +34,8 @@ public:
                 sum += x[k];
                 squares += x[k] * x[k];
                 count += 1;
-                if (k > 0) largestRate = std::max(largestRate, std::abs(x[k] - x[k - 1]) / (times_[e][k] - times_[e][k - 1]));
+                if (k > 0)
+                    largestRate = std::max(largestRate, std::abs(x[k] - x[k - 1]) / (times_[e][k] - times_[e][k - 1]));
             }
         }
         if (count == 0) return std::nan("");
@@ -177,7 +180,8 @@ std::string reason(const Diagnostics& diagnostics) {
 /// Takes the traces of one wired candidate.
 class Prober {
 public:
-    Prober(const NullModel& null, const Screened& screened, const SimulationOptions& simulation, const Progress& progress)
+    Prober(const NullModel& null, const Screened& screened, const SimulationOptions& simulation,
+           const Progress& progress)
         : null_(null),
           placed_(screened.wired.effects.back()),
           wired_(screened.wired),
@@ -209,18 +213,18 @@ public:
         at[0] = secant;
         const bool isSlope = secant == 0;
         const bool needsTangents = isSlope || !placed_.effect.linear.empty();
-        const Linearisation l = linearise(held_.problem, at, needsTangents, isSlope ? null_.fit.plans : std::vector<GridPlan>{},
-                                          simulation_, progress_);
+        const Linearisation l = linearise(held_.problem, at, needsTangents,
+                                          isSlope ? null_.fit.plans : std::vector<GridPlan>{}, simulation_, progress_);
         if (!l.ok || l.residuals.size() != null_.fit.optimum.residuals.size()) return false;
-        Eigen::MatrixXd columns =
-            needsTangents ? l.jacobian : Eigen::MatrixXd(l.residuals.size(), 1);
+        Eigen::MatrixXd columns = needsTangents ? l.jacobian : Eigen::MatrixXd(l.residuals.size(), 1);
         if (!isSlope) columns.col(0) = (l.residuals - null_.fit.optimum.residuals) / secant;
         if (!columns.allFinite()) return false;
         probe.values = shape;
         probe.secant = secant;
         probe.column = columns.col(0);
         probe.plain = scoreColumns(complement_, null_.fit.optimum.residuals, columns, placed_.effect.oneSided);
-        probe.whitened = scoreColumns(whiteComplement_, whiteResidual_, null_.whitener(columns), placed_.effect.oneSided);
+        probe.whitened =
+            scoreColumns(whiteComplement_, whiteResidual_, null_.whitener(columns), placed_.effect.oneSided);
         return true;
     }
 
@@ -274,12 +278,13 @@ double Screened::whitenedScore() const {
 }
 
 bool Screened::isAbsorbed() const {
-    return !probes.empty() && std::all_of(probes.begin(), probes.end(),
-                                          [](const Probe& p) { return p.plain.visible < visibleThreshold; });
+    return !probes.empty() &&
+           std::all_of(probes.begin(), probes.end(), [](const Probe& p) { return p.plain.visible < visibleThreshold; });
 }
 
 bool Screened::isWrongSign() const {
-    return !probes.empty() && std::all_of(probes.begin(), probes.end(), [](const Probe& p) { return p.plain.wrongSign; });
+    return !probes.empty() &&
+           std::all_of(probes.begin(), probes.end(), [](const Probe& p) { return p.plain.wrongSign; });
 }
 
 Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std::vector<EffectClass>& catalogue) {
@@ -300,9 +305,10 @@ Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std:
     std::vector<Candidate> candidates;
     for (const EffectClass& e : catalogue)
         for (const EffectPlace& p : nodes.placesFor(e, spares)) {
-            const bool isThere = std::any_of(variant.effects.begin(), variant.effects.end(), [&](const PlacedEffect& x) {
-                return x.effect.className == e.className && x.place.at == p.at && x.place.spare == p.spare;
-            });
+            const bool isThere =
+                std::any_of(variant.effects.begin(), variant.effects.end(), [&](const PlacedEffect& x) {
+                    return x.effect.className == e.className && x.place.at == p.at && x.place.spare == p.spare;
+                });
             if (!isThere) candidates.push_back({e, p});
         }
     return candidates;
@@ -358,9 +364,8 @@ Screened screen(const NullModel& null, const Candidate& candidate, const Simulat
             if (prober.take(shape, secant, probe)) result.probes.push_back(std::move(probe));
         }
     if (result.probes.empty()) return fail({error("no simulation with this effect succeeded")});
-    std::stable_sort(result.probes.begin(), result.probes.end(), [](const Probe& a, const Probe& b) {
-        return scoreOf(a.plain) > scoreOf(b.plain);
-    });
+    std::stable_sort(result.probes.begin(), result.probes.end(),
+                     [](const Probe& a, const Probe& b) { return scoreOf(a.plain) > scoreOf(b.plain); });
     if (result.isAbsorbed()) result.absorbedBy = prober.imitators(result.probes.front().column);
     return result;
 }

@@ -13,9 +13,9 @@ namespace analogon {
 struct NullModel {
     Variant variant;
     FitResult fit;
-    std::vector<Eigen::VectorXd> noise;      // standard deviation per recording and output of the system
+    std::vector<Eigen::VectorXd> noise;  // standard deviation per recording and output of the system
     std::vector<ResidualChannel> channels;
-    Whitener whitener;                       // from the residual of this model
+    Whitener whitener;  // from the residual of this model
 
     double sumOfSquares() const { return fit.optimum.residuals.squaredNorm(); }
     int parameterCount() const { return static_cast<int>(fit.estimates.size()); }
@@ -41,16 +41,16 @@ struct Probe {
 /// A candidate with what its probes show.
 struct Screened {
     Candidate candidate;
-    Variant wired;                          // the effect in the model, fixed values set, parameters not yet freed
+    Variant wired;  // the effect in the model, fixed values set, parameters not yet freed
     std::map<std::string, double> fixed;
-    std::vector<Probe> probes;              // best first
-    std::string failure;                    // why it could not be tried; empty: it was
+    std::vector<Probe> probes;  // best first
+    std::string failure;        // why it could not be tried; empty: it was
 
-    double score() const;                   // fall in the sum of squares of the best probe (right sign)
+    double score() const;  // fall in the sum of squares of the best probe (right sign)
     double whitenedScore() const;
-    bool isAbsorbed() const;                // no probe is visible
+    bool isAbsorbed() const;  // no probe is visible
     bool isWrongSign() const;
-    std::vector<std::string> absorbedBy;    // parameters that imitate it
+    std::vector<std::string> absorbedBy;  // parameters that imitate it
 };
 
 /// Every effect of the catalogue at every place where it fits.

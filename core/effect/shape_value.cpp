@@ -14,9 +14,12 @@ using syntax::Expression;
 double evaluate(const Expression& e, const ShapeContext& context) {
     const auto operand = [&](std::size_t i) { return evaluate(e.operands[i], context); };
     switch (e.kind) {
-        case Expression::Kind::Number: return e.number;
-        case Expression::Kind::Reference: return context.quantity(e.name.text());
-        case Expression::Kind::Unary: return e.text == "-" ? -operand(0) : operand(0);
+        case Expression::Kind::Number:
+            return e.number;
+        case Expression::Kind::Reference:
+            return context.quantity(e.name.text());
+        case Expression::Kind::Unary:
+            return e.text == "-" ? -operand(0) : operand(0);
         case Expression::Kind::Binary:
             if (e.text == "+") return operand(0) + operand(1);
             if (e.text == "-") return operand(0) - operand(1);
@@ -32,8 +35,10 @@ double evaluate(const Expression& e, const ShapeContext& context) {
             if (e.operands.size() != 1 || e.operands[0].kind != Expression::Kind::Reference) return std::nan("");
             return context.statistic(function, e.operands[0].name.text());
         }
-        case Expression::Kind::Tuple: return e.operands.size() == 1 ? operand(0) : std::nan("");
-        default: return std::nan("");
+        case Expression::Kind::Tuple:
+            return e.operands.size() == 1 ? operand(0) : std::nan("");
+        default:
+            return std::nan("");
     }
 }
 
@@ -54,8 +59,9 @@ Outcome<double> shapeValue(const std::string& text, const ShapeContext& context)
     if (!expression) return expression.diagnostics();
     const double value = evaluate(*expression, context);
     if (!std::isfinite(value))
-        return error(fmt::format("'{}' has no value here", text), {},
-                     "it may use sample, duration and range(v), maxabs(v), rms(v), mean(v), start(v) of the effect's variables");
+        return error(
+            fmt::format("'{}' has no value here", text), {},
+            "it may use sample, duration and range(v), maxabs(v), rms(v), mean(v), start(v) of the effect's variables");
     return value;
 }
 

@@ -129,7 +129,8 @@ void rank(const NullModel& null, std::vector<Trial>& trials) {
     const double logCount = std::log(effectiveCount(null.channels, best->fit.optimum.residuals));
     for (Trial& t : trials)
         t.evidence = t.ok ? (null.sumOfSquares() - t.sumOfSquares()) / variance - t.freed() * logCount : -1e300;
-    std::stable_sort(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) { return a.evidence > b.evidence; });
+    std::stable_sort(trials.begin(), trials.end(),
+                     [](const Trial& a, const Trial& b) { return a.evidence > b.evidence; });
 }
 
 Acceptance examine(const NullModel& null, const Trial& trial, double threshold) {
@@ -140,8 +141,16 @@ Acceptance examine(const NullModel& null, const Trial& trial, double threshold) 
     Acceptance a;
     a.explained = whiteSum(null.fit.optimum) - whiteSum(trial.fit.optimum);
     a.evidence = a.explained - trial.freed() * std::log(static_cast<double>(null.fit.optimum.residuals.size()));
+    // An autoregressive model of a residual that still holds other slow effects takes their slow part for noise. What
+    // counts the same residual as noise of its own correlation time is the more patient judge of slow effects.
+    const double rows = static_cast<double>(null.fit.optimum.residuals.size());
+    const double count = effectiveCount(null.channels, trial.fit.optimum.residuals);
+    const double variance =
+        trial.sumOfSquares() / std::max(1.0, rows - static_cast<double>(trial.fit.estimates.size()));
+    a.effective =
+        (null.sumOfSquares() - trial.sumOfSquares()) / variance * count / rows - trial.freed() * std::log(count);
     a.heldOut = heldOutGain(null.channels, null.fit.optimum, trial.fit.optimum, heldOutBlocks);
-    a.isSignificant = a.evidence > std::max(leastEvidence, threshold);
+    a.isSignificant = std::max(a.evidence, a.effective) > std::max(leastEvidence, threshold);
     a.holdsOut = a.heldOut > leastHeldOut;
     return a;
 }

@@ -7,11 +7,11 @@ namespace analogon {
 /// A candidate refitted together with all parameters of the model.
 struct Trial {
     Screened screened;
-    Variant variant;     // with the effect's parameters freed, at the optimum
+    Variant variant;  // with the effect's parameters freed, at the optimum
     FitResult fit;
     bool ok{};
     std::string failure;
-    double evidence{};   // fall in the sum of squares over the residual variance, less k ln N_eff (set by `rank`)
+    double evidence{};  // fall in the sum of squares over the residual variance, less k ln N_eff (set by `rank`)
 
     double sumOfSquares() const { return fit.optimum.residuals.squaredNorm(); }
     int freed() const { return static_cast<int>(variant.effects.back().freed.size()); }
@@ -31,6 +31,7 @@ void rank(const NullModel& null, std::vector<Trial>& trials);
 struct Acceptance {
     double explained{};  // fall in the sum of squares under the winner's noise model
     double evidence{};   // the same less k ln N
+    double effective{};  // fall in the sum of squares over variance and correlation time, less k ln N_eff
     double heldOut{};    // H on blocks left out in turn
     bool isSignificant{}, holdsOut{};
 

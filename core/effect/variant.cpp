@@ -25,7 +25,8 @@ Outcome<EstimationTask> withText(const EstimationTask& task, std::string text) {
 /// Lets a recorded but unused channel drive a new top-level input.
 void connectSpare(EstimationTask& task, const std::string& spare, const std::string& input) {
     for (Recording& r : task.recordings) {
-        const auto channel = std::find_if(r.spares.begin(), r.spares.end(), [&](const SpareChannel& s) { return s.name == spare; });
+        const auto channel =
+            std::find_if(r.spares.begin(), r.spares.end(), [&](const SpareChannel& s) { return s.name == spare; });
         if (channel == r.spares.end()) continue;
         r.inputNames.push_back(input);
         r.inputs.conservativeResize(r.inputs.rows() + 1, static_cast<Eigen::Index>(r.time.size()));
@@ -79,9 +80,8 @@ Outcome<Variant> withEffects(const Variant& base, const std::vector<PlacedEffect
     }
     // values of effects that are not in this variant belong to nothing
     std::erase_if(variant.values, [&](const ParameterValue& v) {
-        return v.experiment < 0 &&
-               std::none_of(variant.task.parameters.begin(), variant.task.parameters.end(),
-                            [&](const FitParameter& p) { return p.name == v.name; });
+        return v.experiment < 0 && std::none_of(variant.task.parameters.begin(), variant.task.parameters.end(),
+                                                [&](const FitParameter& p) { return p.name == v.name; });
     });
     return variant;
 }

@@ -22,9 +22,9 @@ struct PlacedEffect {
     EffectClass effect;
     EffectPlace place;
     std::string instance;
-    std::string newInput;                   // top-level input that carries place.spare
-    std::vector<FitParameter> freed;        // its fitted parameters (full names), the strength first
-    std::map<std::string, double> values;   // of its own parameters, at the time it was wired in
+    std::string newInput;                  // top-level input that carries place.spare
+    std::vector<FitParameter> freed;       // its fitted parameters (full names), the strength first
+    std::map<std::string, double> values;  // of its own parameters, at the time it was wired in
 };
 
 /// A model with effects wired in and the values at which it stands.

@@ -110,8 +110,7 @@ private:
 
     void addSpareInput() {
         std::string base;
-        for (const char c : place_.spare)
-            base += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+        for (const char c : place_.spare) base += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
         if (base.empty() || std::isdigit(static_cast<unsigned char>(base[0]))) base = "channel_" + base;
         NewComponent input;
         input.className = "Analogon.Interfaces.RealInput";
@@ -143,9 +142,15 @@ Outcome<WiredEffect> wireIn(const Library& library, const syntax::ClassDefinitio
     if (!diagram) return diagram.diagnostics();
     Wiring wiring(library, model, effect, place, values, std::move(*diagram));
     switch (effect.way) {
-        case Way::Attach: wiring.attach(); break;
-        case Way::Insert: wiring.insert(); break;
-        case Way::Specialise: wiring.specialise(values); break;
+        case Way::Attach:
+            wiring.attach();
+            break;
+        case Way::Insert:
+            wiring.insert();
+            break;
+        case Way::Specialise:
+            wiring.specialise(values);
+            break;
     }
     return wiring.finish();
 }

@@ -10,9 +10,9 @@ namespace analogon {
 
 /// An effect put into the text of a model.
 struct WiredEffect {
-    syntax::TextEdit edit;   // undoes as one
-    std::string instance;    // "coulomb", or the specialised component
-    std::string newInput;    // top-level input that carries a spare channel; empty: none
+    syntax::TextEdit edit;  // undoes as one
+    std::string instance;   // "coulomb", or the specialised component
+    std::string newInput;   // top-level input that carries a spare channel; empty: none
 };
 
 /// The edit that adds an effect at a place (attach: a component and a connection; insert: a component between a

@@ -26,6 +26,54 @@ struct Descent {
     double lossScale{1};
 };
 
+/// A descent goes on in rounds: the scatter of the residuals and the integration steps are judged where it starts, and
+/// again where it arrives. Least squares goes most of the way with coarse steps (what they get wrong is far less than
+/// what is to be fitted there); the last part, and the simplex, take steps as fine as the options ask for.
+class Rounds {
+public:
+    Rounds(Misfit& misfit, const FitOptions& options, const Eigen::VectorXd& start)
+        : misfit_(misfit), options_(options), isRough_(options.method == FitMethod::LeastSquares), plannedAt_(start) {
+        constexpr double looseness = 30.0;
+        misfit.plan(start, isRough_ ? looseness : 1.0);
+        misfit.rescaleLoss(start);
+    }
+
+    FitOptions optionsNow() const {
+        FitOptions now = options_;
+        if (isRough_) now.costTolerance = std::max(options_.costTolerance, 1e-4);
+        return now;
+    }
+
+    /// Whether another round is due from where the last one ended.
+    bool goOn(const Minimum& minimum) {
+        if (minimum.status == FitStatus::Cancelled || minimum.status == FitStatus::IterationLimit) return false;
+        bool goesOn = isRough_;
+        if (options_.loss != RobustLoss::None && lossRounds_++ < 5) {
+            const double before = misfit_.lossScale();
+            misfit_.rescaleLoss(minimum.values);
+            goesOn = goesOn || std::abs(misfit_.lossScale() - before) > 0.02 * before;
+        }
+        const auto moved = (minimum.values - plannedAt_).array().abs() > 0.05 * plannedAt_.array().abs();
+        if (isRough_) {
+            misfit_.plan(minimum.values);
+            plannedAt_ = minimum.values;
+        } else if (planRounds_ < 3 && (moved.any() || minimum.status == FitStatus::Failed)) {
+            ++planRounds_;
+            goesOn = misfit_.refinePlan(minimum.values) || goesOn;
+            plannedAt_ = minimum.values;
+        }
+        isRough_ = false;
+        return goesOn;
+    }
+
+private:
+    Misfit& misfit_;
+    const FitOptions& options_;
+    bool isRough_{};
+    Eigen::VectorXd plannedAt_;
+    int lossRounds_{}, planRounds_{};
+};
+
 Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const FitOptions& options,
                 const Progress& progress) {
     Descent descent;
@@ -33,57 +81,28 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
     for (std::size_t i = 0; i < parameters.size(); ++i) parameters[i].start = start[static_cast<Eigen::Index>(i)];
     Coordinates coordinates(parameters);
     Misfit misfit(problem, options, progress);
-    Eigen::VectorXd origin = start;
-    int iterations = 0, lossRounds = 0, planRounds = 0;
-    // Least squares goes most of the way with coarse steps; what they get wrong is far less than what is to be
-    // fitted there. The last part, and the simplex, take steps as fine as the options ask for.
-    constexpr double looseness = 30.0;
-    bool isRough = options.method == FitMethod::LeastSquares;
-    Eigen::VectorXd plannedAt = start;
-    const auto hasMoved = [&] { return ((origin - plannedAt).array().abs() > 0.05 * plannedAt.array().abs()).any(); };
-    misfit.plan(start, isRough ? looseness : 1.0);
-    misfit.rescaleLoss(start);
-    for (bool isFirst = true;; isFirst = false) {
-        const ReducedMisfit here = misfit.reduced(origin);
+    Rounds rounds(misfit, options, start);
+    Minimum& minimum = descent.minimum;
+    minimum.values = start;
+    int iterations = 0;
+    for (bool isFirst = true; isFirst || rounds.goOn(minimum); isFirst = false) {
+        const ReducedMisfit here = misfit.reduced(minimum.values);
         if (!here.ok) {
-            descent.minimum.values = origin;
-            descent.minimum.status = misfit.isCancelled() ? FitStatus::Cancelled : FitStatus::Failed;
-            descent.minimum.message = misfit.isCancelled() ? "cancelled" : misfit.failure();
+            minimum.status = misfit.isCancelled() ? FitStatus::Cancelled : FitStatus::Failed;
+            minimum.message = misfit.isCancelled() ? "cancelled" : misfit.failure();
             break;
         }
         if (isFirst) descent.startCost = here.cost();
-        coordinates.moveOrigin(origin);
+        coordinates.moveOrigin(minimum.values);
         coordinates.scaleBy(here.jacobian.colwise().norm());
-        FitOptions now = options;
-        if (isRough) now.costTolerance = std::max(options.costTolerance, 1e-4);
-        descent.minimum = options.method == FitMethod::NelderMead
-                              ? nelderMead(misfit, coordinates, now)
-                              : leastSquares(misfit, coordinates, now, options.maxIterations - iterations);
-        iterations += descent.minimum.iterations;
-        if (descent.minimum.status == FitStatus::Cancelled || descent.minimum.status == FitStatus::IterationLimit)
-            break;
-        origin = descent.minimum.values;
-        // The scatter and the steps were judged at the start: judge them again here, and go on if they changed.
-        bool goesOn = isRough;
-        if (options.loss != RobustLoss::None && lossRounds++ < 5) {
-            const double before = misfit.lossScale();
-            misfit.rescaleLoss(origin);
-            goesOn = goesOn || std::abs(misfit.lossScale() - before) > 0.02 * before;
-        }
-        if (isRough) {
-            misfit.plan(origin);
-            plannedAt = origin;
-        } else if (planRounds < 3 && (hasMoved() || descent.minimum.status == FitStatus::Failed)) {
-            ++planRounds;
-            goesOn = misfit.refinePlan(origin) || goesOn;
-            plannedAt = origin;
-        }
-        isRough = false;
-        if (!goesOn) break;
+        minimum = options.method == FitMethod::NelderMead
+                      ? nelderMead(misfit, coordinates, rounds.optionsNow())
+                      : leastSquares(misfit, coordinates, rounds.optionsNow(), options.maxIterations - iterations);
+        iterations += minimum.iterations;
     }
-    descent.minimum.iterations = iterations;
-    if (descent.minimum.status == FitStatus::Converged && options.method == FitMethod::LeastSquares) {
-        descent.minimum.message = fmt::format("converged after {} iterations", iterations);
+    minimum.iterations = iterations;
+    if (minimum.status == FitStatus::Converged && options.method == FitMethod::LeastSquares) {
+        minimum.message = fmt::format("converged after {} iterations", iterations);
     }
     descent.plans = misfit.plans();
     descent.optimum = misfit.takeBestLinearisation();
@@ -152,7 +171,7 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
     result.optimum = std::move(best.optimum);
     // Not cancellable: what was found so far is to be told.
     if (!result.optimum.ok) result.optimum = linearise(problem, result.values, true, best.plans, options.simulation);
-    result.cost = 0.5 * result.optimum.residuals.squaredNorm();
+    result.cost = 0.5 * result.optimum.residuals.squaredNorm();  // NaN when even the best point failed
 
     const auto K = static_cast<Eigen::Index>(problem.parameters.size());
     const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 namespace analogon {
 
@@ -117,7 +118,7 @@ Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values
                         const Progress& progress) {
     Linearisation result;
     const Eigen::Index rows = problem.residualCount();
-    result.residuals.resize(rows);
+    result.residuals.setConstant(rows, std::numeric_limits<double>::quiet_NaN());
     if (withJacobian)
         result.jacobian = Eigen::MatrixXd::Zero(rows, static_cast<Eigen::Index>(problem.parameters.size()));
     Eigen::Index row = 0;

@@ -106,7 +106,7 @@ protected:
   parameter Real T(unit="s") = 1;
   parameter Real k = 1;
   Analogon.Interfaces.RealInput u;
-  Analogon.Interfaces.RealOutput y(start=0, fixed=true);
+  Analogon.Interfaces.RealOutput y(unit="K", start=0, fixed=true);
 equation
   T*der(y) = k*u - y;
 end Lag;
@@ -144,8 +144,7 @@ TEST_F(CommandLine, ChecksAStudyAndAModel) {
 }
 
 TEST_F(CommandLine, FitsAndLeavesAllResults) {
-    const Result fitted =
-        run({"fit", study(lag).string(), "--out", (scratch / "out").string(), "--progress", "json"});
+    const Result fitted = run({"fit", study(lag).string(), "--out", (scratch / "out").string(), "--progress", "json"});
     EXPECT_EQ(fitted.status, done) << fitted.err;
     for (const char* file : {"report.json", "report.html", "traces.csv", "study/study.json", "study/model.mo"})
         EXPECT_TRUE(fs::exists(scratch / "out" / file)) << file;
@@ -179,7 +178,8 @@ TEST_F(CommandLine, NamesTheFaultOfTheInputOnceAndWritesNothing) {
         EXPECT_EQ(result.status, inputAtFault) << result.err;
         EXPECT_THAT(result.err, HasSubstr(message));
         std::size_t count = 0;
-        for (auto at = result.err.find("error:"); at != std::string::npos; at = result.err.find("error:", at + 1)) ++count;
+        for (auto at = result.err.find("error:"); at != std::string::npos; at = result.err.find("error:", at + 1))
+            ++count;
         EXPECT_EQ(count, 1u) << result.err;
         EXPECT_FALSE(fs::exists(out)) << "nothing is half-written";
     };

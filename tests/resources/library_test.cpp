@@ -247,7 +247,8 @@ TEST(EffectAnnotations, TheStrengthIsAParameterThatIsZeroByDefault) {
 
 /// Names used in the texts: statistics of variables of the class itself, and the two times.
 void checkText(const syntax::Expression& e, const std::map<std::string, const Component*>& variables) {
-    static const std::set<std::string> statistics{"range", "maxabs", "rms", "mean", "start", "minimum", "maximum", "rate", "flow"};
+    static const std::set<std::string> statistics{"range",   "maxabs",  "rms",  "mean", "start",
+                                                  "minimum", "maximum", "rate", "flow"};
     using Kind = syntax::Expression::Kind;
     if (e.kind == Kind::Call) {
         EXPECT_TRUE(statistics.contains(e.name.text())) << e.name.text();

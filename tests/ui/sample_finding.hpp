@@ -9,8 +9,8 @@ namespace analogon::ui {
 /// A made-up finding for a study that is open and simulated: an effect is attached to a connector, and the traces
 /// after it lie closer to the measured ones. For tests of the panels, which must not depend on what a search finds.
 inline RunResult sampleFinding(const Document& document, const std::string& kind, const std::string& className,
-                               const std::string& description, const std::string& connector,
-                               const std::string& port, const std::string& strength) {
+                               const std::string& description, const std::string& connector, const std::string& port,
+                               const std::string& strength) {
     RunResult result;
     Finding& finding = result.finding;
     finding.kind = FindingKind::Effect;
@@ -39,7 +39,10 @@ inline RunResult sampleFinding(const Document& document, const std::string& kind
     const std::string instance = freeName(*document.definition(), kind.substr(kind.find('.') + 1));
     const Point at = document.diagram().anchor(connector).value_or(Point{});
     ModelEdit edit(*document.definition(), &document.diagram(), &document.library());
-    edit.addComponent({className, instance, {{strength, "0.0021"}}, "",
+    edit.addComponent({className,
+                       instance,
+                       {{strength, "0.0021"}},
+                       "",
                        freePlacement(document.diagram(), {at.x, at.y - 30}, 20, 20)});
     edit.addConnection(connector, instance + "." + port, {}, domainColour(document.diagram().domain(connector)));
     const auto change = edit.finish("add");
@@ -55,7 +58,11 @@ inline RunResult sampleFinding(const Document& document, const std::string& kind
     effect.instance = instance;
     effect.description = description;
     effect.parameters = {{strength, 0.0021, 3.1e-5, "N.m"}};
-    effect.evidence = {812.0, 0, -1540, 0.93, finding.baseline.experiments.front().errorPercent,
+    effect.evidence = {812.0,
+                       0,
+                       -1540,
+                       0.93,
+                       finding.baseline.experiments.front().errorPercent,
                        finding.final.experiments.front().errorPercent};
     effect.alternatives = {{"actuator.deadzone", "input v_cmd", -610, false}, {"voltage.drop", "motor", -1538, true}};
     finding.effects = {effect};

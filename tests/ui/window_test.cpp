@@ -1,5 +1,3 @@
-#include "ui/window/main_window.hpp"
-
 #include <gtest/gtest.h>
 
 #include <QAction>
@@ -38,6 +36,7 @@
 #include "ui/plot/plot_panel.hpp"
 #include "ui/style/style.hpp"
 #include "ui/text/text_view.hpp"
+#include "ui/window/main_window.hpp"
 #include "ui/window/start_page.hpp"
 
 namespace analogon::ui {
@@ -95,8 +94,8 @@ void writeRecording(const fs::path& file, double radiation, double period, unsig
         constexpr int substeps = 50;
         for (int k = 0; k < substeps; ++k) {
             const double between = power(t) + (power(t + step) - power(t)) * (k + 0.5) / substeps;
-            const double loss = conductance * (temperature - ambient) +
-                                radiation * (std::pow(temperature, 4) - std::pow(ambient, 4));
+            const double loss =
+                conductance * (temperature - ambient) + radiation * (std::pow(temperature, 4) - std::pow(ambient, 4));
             temperature += step / substeps * (between - loss) / capacity;
         }
     }
@@ -286,11 +285,12 @@ TEST_F(Window, FitsFromTheToolbarAndShowsErrorsAndStandardErrors) {
     ASSERT_TRUE(waitUntil([&] { return document().before() != nullptr; }));
     const double errorBefore = document().before()->experiments.front().errorPercent;
     run("fit");
-    ASSERT_TRUE(document().after()) << (document().messages().empty() ? "" : document().messages().front().diagnostic.message);
+    ASSERT_TRUE(document().after()) << (document().messages().empty()
+                                            ? ""
+                                            : document().messages().front().diagnostic.message);
     EXPECT_LT(document().after()->experiments.front().errorPercent, 0.3 * errorBefore);
     ParameterModel* parameters = panel<ParameterPanel>()->model();
-    const QString result =
-        parameters->index(parameters->rowOf("mount.G"), ParameterModel::Result).data().toString();
+    const QString result = parameters->index(parameters->rowOf("mount.G"), ParameterModel::Result).data().toString();
     EXPECT_TRUE(result.contains("±")) << result.toStdString();
     EXPECT_NEAR(result.section(' ', 0, 0).toDouble(), 0.08, 0.004);
     const OutputPlot& plot = *panel<PlotPanel>()->plots().front();
@@ -304,7 +304,9 @@ TEST_F(Window, FindsTheMissingEffectAndShowsItOnTheDiagram) {
     open(makeStudy("radiating", 3e-9));
     const QString original = document().modelText();
     run("discover");
-    ASSERT_TRUE(document().finding()) << (document().messages().empty() ? "" : document().messages().front().diagnostic.message);
+    ASSERT_TRUE(document().finding()) << (document().messages().empty()
+                                              ? ""
+                                              : document().messages().front().diagnostic.message);
     ASSERT_FALSE(document().finding()->effects.empty());
     const AddedEffect& effect = document().finding()->effects.front();
     EXPECT_EQ(effect.kind, "thermal.radiation");

@@ -47,7 +47,7 @@ private:
     Block block_;
     QTransform transform_;
     QRectF body_, bounds_;
-    QPointF nameAt_;       // where the icon wants the component's name: its edge next to the body
+    QPointF nameAt_;  // where the icon wants the component's name: its edge next to the body
     bool isNameAbove_{};
     std::vector<PortShape> ports_;
     const PortShape* hovered_{};

@@ -23,8 +23,9 @@ public:
     QRectF boundingRect() const override { return boundsOf(primitives_, flip_).adjusted(-2, -2, 2, 2); }
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget* widget) override {
         painter->setRenderHint(QPainter::Antialiasing);
-        paintPrimitives(*painter, primitives_, flip_, [](const QString& name) { return name; },
-                        widget ? widget->palette() : QPalette());
+        paintPrimitives(
+            *painter, primitives_, flip_, [](const QString& name) { return name; },
+            widget ? widget->palette() : QPalette());
     }
 
 private:
@@ -45,8 +46,8 @@ std::vector<QPointF> junctions(const Wire& wire, const std::vector<Wire>& wires)
     std::vector<QPointF> result;
     for (const Wire& other : wires) {
         if (&other == &wire) continue;
-        const bool isSameNode = other.from == wire.from || other.from == wire.to || other.to == wire.from ||
-                                other.to == wire.to;
+        const bool isSameNode =
+            other.from == wire.from || other.from == wire.to || other.to == wire.from || other.to == wire.to;
         if (!isSameNode) continue;
         for (const Point p : wire.points)
             for (std::size_t i = 1; i < other.points.size(); ++i)
@@ -74,8 +75,8 @@ void reachAnchors(Wire& wire, const Diagram& diagram) {
             points[1] = isHorizontal ? Point{second.x, anchor->y} : Point{anchor->x, second.y};
             first = *anchor;
         } else {
-            const Point corner = isHorizontal ? Point{(first.x + second.x) / 2, anchor->y}
-                                              : Point{anchor->x, (first.y + second.y) / 2};
+            const Point corner =
+                isHorizontal ? Point{(first.x + second.x) / 2, anchor->y} : Point{anchor->x, (first.y + second.y) / 2};
             const Point onward = isHorizontal ? Point{corner.x, second.y} : Point{second.x, corner.y};
             points = {*anchor, corner, onward, second};
         }
@@ -98,7 +99,10 @@ bool DiagramScene::hasRoomBelow(const BlockItem& item) const {
     const bool coversWire = std::any_of(wires_.begin(), wires_.end(), [&](const WireItem* wire) {
         const auto& points = wire->wire().points;
         for (std::size_t i = 1; i < points.size(); ++i)
-            if (QRectF(toScene(points[i - 1]), toScene(points[i])).normalized().adjusted(-1, -1, 1, 1).intersects(label))
+            if (QRectF(toScene(points[i - 1]), toScene(points[i]))
+                    .normalized()
+                    .adjusted(-1, -1, 1, 1)
+                    .intersects(label))
                 return true;
         return false;
     });
@@ -161,8 +165,7 @@ BlockItem* DiagramScene::block(const std::string& name) const {
 
 QString DiagramScene::selectedBlock() const {
     for (QGraphicsItem* item : selectedItems())
-        if (item->type() == BlockItem::Type)
-            return QString::fromStdString(static_cast<BlockItem*>(item)->block().name);
+        if (item->type() == BlockItem::Type) return QString::fromStdString(static_cast<BlockItem*>(item)->block().name);
     return {};
 }
 
@@ -173,7 +176,10 @@ void DiagramScene::select(const std::string& name) {
 
 QRectF DiagramScene::contents() const {
     QRectF rect;
-    for (const auto& [name, item] : blocks_) rect |= item->boundingRect();
+    constexpr double labelHeight = 14;
+    for (const auto& [name, item] : blocks_)
+        rect |=
+            item->isMarked() ? item->boundingRect().adjusted(0, -labelHeight, 0, labelHeight) : item->boundingRect();
     for (const WireItem* item : wires_) rect |= item->boundingRect();
     return rect;
 }

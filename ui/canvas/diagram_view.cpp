@@ -22,7 +22,7 @@ DiagramView::DiagramView(DiagramScene& scene, QWidget* parent) : QGraphicsView(&
     setFrameShape(NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setTransformationAnchor(AnchorUnderMouse);
+    setTransformationAnchor(NoAnchor);
     setViewportUpdateMode(FullViewportUpdate);
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
@@ -33,30 +33,40 @@ void DiagramView::fitView() {
     isFitted_ = true;
     const QRectF contents = scene_.contents().adjusted(-12, -12, 12, 12);
     if (scene_.isEmpty() || viewport()->width() < 20) return;
-    const double zoom = std::min({viewport()->width() / contents.width(), viewport()->height() / contents.height(), 5.0});
+    const double zoom =
+        std::min({viewport()->width() / contents.width(), viewport()->height() / contents.height(), 5.0});
     setTransform(QTransform::fromScale(zoom, zoom));
     centerOn(contents.center());
 }
 
-void DiagramView::zoomBy(double factor) {
+void DiagramView::zoomBy(double factor, QPoint about) {
     const double wanted = std::clamp(zoom() * factor, smallestZoom, largestZoom);
+    const QPointF fixed = mapToScene(about);
     scale(wanted / zoom(), wanted / zoom());
+    const QPoint moved = mapFromScene(fixed) - about;
+    horizontalScrollBar()->setValue(horizontalScrollBar()->value() + moved.x());
+    verticalScrollBar()->setValue(verticalScrollBar()->value() + moved.y());
     isFitted_ = false;
 }
 
 void DiagramView::wheelEvent(QWheelEvent* event) {
-    zoomBy(std::pow(1.0015, event->angleDelta().y()));
+    zoomBy(std::pow(1.0015, event->angleDelta().y()), event->position().toPoint());
     event->accept();
 }
 
 void DiagramView::keyPressEvent(QKeyEvent* event) {
     switch (event->key()) {
-        case Qt::Key_Space: return fitView();
+        case Qt::Key_Space:
+            return fitView();
         case Qt::Key_Plus:
-        case Qt::Key_Equal: return zoomBy(1.25);
-        case Qt::Key_Minus: return zoomBy(0.8);
-        case Qt::Key_Escape: return scene_.clearSelection();
-        default: QGraphicsView::keyPressEvent(event);
+        case Qt::Key_Equal:
+            return zoomBy(1.25, viewport()->rect().center());
+        case Qt::Key_Minus:
+            return zoomBy(0.8, viewport()->rect().center());
+        case Qt::Key_Escape:
+            return scene_.clearSelection();
+        default:
+            QGraphicsView::keyPressEvent(event);
     }
 }
 
@@ -92,7 +102,7 @@ void DiagramView::mouseReleaseEvent(QMouseEvent* event) {
 
 void DiagramView::resizeEvent(QResizeEvent* event) {
     QGraphicsView::resizeEvent(event);
-    if (isFitted_) fitView();
+    refit();
 }
 
 void DiagramView::changeEvent(QEvent* event) {

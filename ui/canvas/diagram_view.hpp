@@ -14,6 +14,10 @@ public:
     explicit DiagramView(DiagramScene& scene, QWidget* parent = nullptr);
 
     void fitView();
+    /// The same, unless the user has zoomed or panned since.
+    void refit() {
+        if (isFitted_) fitView();
+    }
     /// Device pixels per diagram unit.
     double zoom() const { return transform().m11(); }
 
@@ -28,7 +32,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void zoomBy(double factor);
+    void zoomBy(double factor, QPoint about);
 
     DiagramScene& scene_;
     QPoint panFrom_;

@@ -53,12 +53,15 @@ QPainterPath shapeOf(const Primitive& p) {
     QPainterPath path;
     const QRectF rect = rectOf(p.extent);
     switch (p.kind) {
-        case Primitive::Kind::Line: return curve(p.points, p.smooth);
+        case Primitive::Kind::Line:
+            return curve(p.points, p.smooth);
         case Primitive::Kind::Polygon:
             path = curve(p.points, p.smooth);
             path.closeSubpath();
             return path;
-        case Primitive::Kind::Rectangle: path.addRoundedRect(rect, p.radius, p.radius); return path;
+        case Primitive::Kind::Rectangle:
+            path.addRoundedRect(rect, p.radius, p.radius);
+            return path;
         case Primitive::Kind::Ellipse: {
             const double sweep = p.endAngle - p.startAngle;
             if (std::abs(sweep) >= 360) {
@@ -71,7 +74,8 @@ QPainterPath shapeOf(const Primitive& p) {
             return path;
         }
         case Primitive::Kind::Text:
-        case Primitive::Kind::Bitmap: break;
+        case Primitive::Kind::Bitmap:
+            break;
     }
     path.addRect(rect);
     return path;

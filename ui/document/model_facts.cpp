@@ -16,8 +16,8 @@ ModelFacts modelFacts(const Study& study) {
         const FlatVariable& v = flat->variables[i];
         if (v.causality == FlatCausality::Input) facts.inputs.push_back({v.name, v.unit, v.description});
         if (v.causality == FlatCausality::Output) facts.outputs.push_back({v.name, v.unit, v.description});
-        const bool isListed = v.variability == FlatVariability::Parameter && v.type == FlatType::Real && !v.isFinal &&
-                              !v.isProtected;
+        const bool isListed =
+            v.variability == FlatVariability::Parameter && v.type == FlatType::Real && !v.isFinal && !v.isProtected;
         if (!isListed) continue;
         const auto value = flat->parameterValue(VariableId{static_cast<std::uint32_t>(i)});
         facts.parameters.push_back({v.name, v.unit, v.description, value, v.min, v.max});

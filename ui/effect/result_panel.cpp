@@ -83,14 +83,16 @@ Headline headlineOf(const Finding& finding, RunKind kind, const QPalette& palett
                                                         : tr("%1 effects").arg(finding.effects.size());
     switch (finding.kind) {
         case FindingKind::Adequate:
-            return {tr("The model is adequate"), tr("What is left between model and measurement is noise. Nothing was added."),
+            return {tr("The model is adequate"),
+                    tr("What is left between model and measurement is noise. Nothing was added."),
                     style::good(palette)};
         case FindingKind::Effect:
             return {found, tr("Added to the model and refitted. What is left is noise."), style::good(palette)};
         case FindingKind::Partial:
             return {found, tr("Added to the model and refitted. Some structure remains that no candidate explains."),
                     style::caution(palette)};
-        case FindingKind::Unexplained: break;
+        case FindingKind::Unexplained:
+            break;
     }
     return {tr("Unexplained structure"), tr("The residual is not noise, and no effect of the library explains it."),
             style::caution(palette)};
@@ -100,10 +102,14 @@ QString verdictTip(const CandidateResult& candidate) {
     switch (candidate.verdict) {
         case Verdict::Absorbed:
             return ResultPanel::tr("The data cannot show it: it only shifts %1").arg(joined(candidate.absorbedBy));
-        case Verdict::Equivalent: return ResultPanel::tr("This data cannot tell it from the chosen effect");
-        case Verdict::FailsHeldOut: return ResultPanel::tr("It does not help on data that was left out of the fit");
-        case Verdict::WrongSign: return ResultPanel::tr("It would need a strength of the wrong physical sign");
-        default: return {};
+        case Verdict::Equivalent:
+            return ResultPanel::tr("This data cannot tell it from the chosen effect");
+        case Verdict::FailsHeldOut:
+            return ResultPanel::tr("It does not help on data that was left out of the fit");
+        case Verdict::WrongSign:
+            return ResultPanel::tr("It would need a strength of the wrong physical sign");
+        default:
+            return {};
     }
 }
 
@@ -159,7 +165,7 @@ void ResultPanel::refresh() {
         addHeadline(*finding);
         addAdoption();
         addComparison(*finding);
-        for (const AddedEffect& effect : finding->effects) addEffect(effect);
+        for (const AddedEffect& effect : finding->effects) addEffect(effect, finding->effects.size() > 1);
         addRemainder(*finding);
         if (!finding->candidates.empty()) addCandidates(*finding);
     }
@@ -169,10 +175,11 @@ void ResultPanel::refresh() {
 
 void ResultPanel::addEmptyState() {
     column_->addStretch(1);
-    auto* label = addText(document_.isOpen() ? tr("<b>Fit</b> estimates the parameters.<br><b>Find effects</b> also asks "
-                                                  "what the model lacks, adds it and shows the evidence here.")
-                                             : tr("Results appear here once a study is open."),
-                          true);
+    auto* label =
+        addText(document_.isOpen() ? tr("<b>Fit</b> estimates the parameters.<br><b>Find effects</b> also asks "
+                                        "what the model lacks, adds it and shows the evidence here.")
+                                   : tr("Results appear here once a study is open."),
+                true);
     label->setAlignment(Qt::AlignCenter);
 }
 
@@ -198,11 +205,11 @@ void ResultPanel::addAdoption() {
     if (document_.isResultStale() || document_.isResultAdopted()) return;
     const bool isFit = document_.resultKind() == RunKind::Fit;
     if (!isFit && document_.finding()->effects.empty()) return;
-    auto* button = new QPushButton(isFit ? tr("Write fitted values into the model") : tr("Add it to the model again"), body_);
+    auto* button =
+        new QPushButton(isFit ? tr("Write fitted values into the model") : tr("Add it to the model again"), body_);
     button->setIcon(style::icon("apply"));
-    connect(button, &QPushButton::clicked, this, [this, isFit] {
-        document_.adoptCompleted(isFit ? tr("Write fitted values") : tr("Add what was found"));
-    });
+    connect(button, &QPushButton::clicked, this,
+            [this, isFit] { document_.adoptCompleted(isFit ? tr("Write fitted values") : tr("Add what was found")); });
     column_->addSpacing(style::unit);
     auto* row = new QHBoxLayout;
     row->addWidget(button);
@@ -219,8 +226,9 @@ void ResultPanel::addComparison(const Finding& finding) {
         if (before)
             for (const ExperimentState& b : before->experiments)
                 if (b.name == after.name) was = b.errorPercent;
-        auto* item = new QTreeWidgetItem(comparison_, {text(after.name), after.role == Role::Fit ? tr("fit") : tr("validate"),
-                                                       percent(was), percent(after.errorPercent)});
+        auto* item =
+            new QTreeWidgetItem(comparison_, {text(after.name), after.role == Role::Fit ? tr("fit") : tr("validate"),
+                                              percent(was), percent(after.errorPercent)});
         alignRight(item, {2, 3});
         QFont bold = item->font(3);
         bold.setWeight(QFont::DemiBold);
@@ -236,8 +244,8 @@ void ResultPanel::addComparison(const Finding& finding) {
     fitHeight(comparison_);
 }
 
-void ResultPanel::addEffect(const AddedEffect& effect) {
-    addHeading(effectTitle(effect));
+void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
+    addHeading(isOneOfSeveral ? effectTitle(effect) : tr("Evidence"));
     addText(QStringLiteral("%1 · %2").arg(text(effect.kind), text(effect.className)), true);
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(3 * style::unit);
@@ -259,19 +267,21 @@ void ResultPanel::addEffect(const AddedEffect& effect) {
         add(text(p.name), value + " " + text(p.unit));
     }
     const Evidence& e = effect.evidence;
-    add(tr("Error"), percent(e.errorPercentBefore) + " → " + percent(e.errorPercentAfter), tr("Over the fitted experiments"));
+    add(tr("Error"), percent(e.errorPercentBefore) + " → " + percent(e.errorPercentAfter),
+        tr("Over the fitted experiments"));
     add(tr("Score"), numberText(e.score, 4), tr("Squared signal-to-noise ratio of the effect in the residual"));
     add(tr("ΔBIC"), numberText(e.deltaBic, 4), tr("Negative: the fit gains more than the added parameters cost"));
-    add(tr("Held-out blocks"), numberText(e.heldOut, 2), tr("+1: the gain holds on data left out of the fit; −1: it does not"));
+    add(tr("Held-out blocks"), numberText(e.heldOut, 2),
+        tr("+1: the gain holds on data left out of the fit; −1: it does not"));
     column_->addLayout(grid);
 
     QStringList equivalent;
     for (const Alternative& a : effect.alternatives)
         if (a.equivalent) equivalent << tr("%1 at %2").arg(text(a.kind), text(a.at));
-    if (!equivalent.isEmpty())
-        addText(tr("This data cannot tell it from: %1.").arg(equivalent.join("; ")), true);
+    if (!equivalent.isEmpty()) addText(tr("This data cannot tell it from: %1.").arg(equivalent.join("; ")), true);
     auto* show = new QPushButton(tr("Show in the diagram"), body_);
-    connect(show, &QPushButton::clicked, this, [this, instance = text(effect.instance)] { Q_EMIT effectChosen(instance); });
+    connect(show, &QPushButton::clicked, this,
+            [this, instance = text(effect.instance)] { Q_EMIT effectChosen(instance); });
     auto* line = new QHBoxLayout;
     line->addWidget(show);
     line->addStretch(1);
@@ -286,7 +296,8 @@ void ResultPanel::addRemainder(const Finding& finding) {
         if (!r.node.empty()) sentence += tr(", acting at %1").arg(text(r.node));
         addText(sentence + ".");
         QStringList moves;
-        for (const Correlate& c : r.movesWith) moves << QStringLiteral("%1 (%2)").arg(text(c.variable), numberText(c.correlation, 2));
+        for (const Correlate& c : r.movesWith)
+            moves << QStringLiteral("%1 (%2)").arg(text(c.variable), numberText(c.correlation, 2));
         if (!moves.isEmpty()) addText(tr("It moves with %1.").arg(moves.join(", ")), true);
         if (!r.proposedEquation.empty()) addText(text(r.proposedEquation), true);
     }
@@ -300,9 +311,9 @@ void ResultPanel::addCandidates(const Finding& finding) {
     addHeading(tr("What was tried"));
     candidates_ = makeTable({tr("Effect"), tr("At"), tr("Score"), tr("ΔBIC"), tr("Verdict")}, body_);
     for (const CandidateResult& c : finding.candidates) {
-        auto* item = new QTreeWidgetItem(candidates_, {text(c.kind), text(c.at), numberText(c.score, 3),
-                                                       c.deltaBic ? numberText(*c.deltaBic, 4) : QString(),
-                                                       text(name(c.verdict))});
+        auto* item = new QTreeWidgetItem(candidates_,
+                                         {text(c.kind), text(c.at), numberText(c.score, 3),
+                                          c.deltaBic ? numberText(*c.deltaBic, 4) : QString(), text(name(c.verdict))});
         alignRight(item, {2, 3});
         item->setToolTip(4, verdictTip(c));
         if (c.verdict == Verdict::Chosen) {

@@ -36,7 +36,7 @@ private:
     void addHeadline(const Finding& finding);
     void addAdoption();
     void addComparison(const Finding& finding);
-    void addEffect(const AddedEffect& effect);
+    void addEffect(const AddedEffect& effect, bool isOneOfSeveral);
     void addRemainder(const Finding& finding);
     void addCandidates(const Finding& finding);
     QLabel* addText(const QString& text, bool isCaption = false);

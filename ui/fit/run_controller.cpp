@@ -6,9 +6,12 @@ namespace {
 
 Outcome<RunResult> run(RunKind kind, const Study& study, const RunOptions& options, const Progress& progress) {
     switch (kind) {
-        case RunKind::Simulate: return runSimulate(study, options, progress);
-        case RunKind::Fit: return runFit(study, options, progress);
-        case RunKind::Discover: break;
+        case RunKind::Simulate:
+            return runSimulate(study, options, progress);
+        case RunKind::Fit:
+            return runFit(study, options, progress);
+        case RunKind::Discover:
+            break;
     }
     return runDiscover(study, options, progress);
 }
@@ -28,18 +31,24 @@ Diagnostics messagesOf(const RunResult& result) {
 
 QString runName(RunKind kind) {
     switch (kind) {
-        case RunKind::Simulate: return RunController::tr("Simulation");
-        case RunKind::Fit: return RunController::tr("Fit");
-        case RunKind::Discover: break;
+        case RunKind::Simulate:
+            return RunController::tr("Simulation");
+        case RunKind::Fit:
+            return RunController::tr("Fit");
+        case RunKind::Discover:
+            break;
     }
     return RunController::tr("Search for effects");
 }
 
 const char* commandName(RunKind kind) {
     switch (kind) {
-        case RunKind::Simulate: return "simulate";
-        case RunKind::Fit: return "fit";
-        case RunKind::Discover: break;
+        case RunKind::Simulate:
+            return "simulate";
+        case RunKind::Fit:
+            return "fit";
+        case RunKind::Discover:
+            break;
     }
     return "discover";
 }
@@ -81,8 +90,9 @@ void RunController::conclude(RunKind kind, const Study& ranOn, unsigned long rev
         return Q_EMIT concluded(tr("%1 failed: see the messages.").arg(name));
     }
     if (revision != document_.revision()) {
-        document_.setRunMessages({warning("the study was changed during the run; its result does not belong to what is "
-                                          "shown and was dropped")});
+        document_.setRunMessages(
+            {warning("the study was changed during the run; its result does not belong to what is "
+                     "shown and was dropped")});
         return Q_EMIT concluded(tr("%1: the study changed meanwhile, result dropped.").arg(name));
     }
     const bool interrupted = outcome->finding.interrupted || run_.isCancelling();

@@ -35,7 +35,7 @@ private:
     Document& document_;
     RunOptions options_;
     JobRunner run_;
-    JobRunner preview_;   // simulates the model as it stands whenever it has changed
+    JobRunner preview_;  // simulates the model as it stands whenever it has changed
     QTimer previewDelay_;
 };
 

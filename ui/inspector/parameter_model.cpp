@@ -16,8 +16,7 @@ QString numberText(double value, int digits) {
     return QString::number(value, 'g', digits);
 }
 
-ParameterModel::ParameterModel(Document& document, QObject* parent)
-    : QAbstractTableModel(parent), document_(document) {
+ParameterModel::ParameterModel(Document& document, QObject* parent) : QAbstractTableModel(parent), document_(document) {
     connect(&document, &Document::opened, this, &ParameterModel::refresh);
     connect(&document, &Document::factsChanged, this, &ParameterModel::refresh);
     connect(&document, &Document::parametersChanged, this, &ParameterModel::refresh);
@@ -60,9 +59,9 @@ void ParameterModel::refresh() {
         // Those that are fitted first: they are what the table is for.
         std::stable_partition(rows.begin(), rows.end(), [](const Row& r) { return r.setting && r.setting->fit; });
     }
-    const bool isSame = rows.size() == rows_.size() &&
-                        std::equal(rows.begin(), rows.end(), rows_.begin(),
-                                   [](const Row& a, const Row& b) { return a.name == b.name; });
+    const bool isSame =
+        rows.size() == rows_.size() && std::equal(rows.begin(), rows.end(), rows_.begin(),
+                                                  [](const Row& a, const Row& b) { return a.name == b.name; });
     if (isSame) {
         rows_ = std::move(rows);
         if (!rows_.empty()) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
@@ -94,14 +93,19 @@ QString ParameterModel::boundText(const Row& row) const {
 
 QVariant ParameterModel::display(const Row& row, int column) const {
     switch (column) {
-        case Name: return QString::fromStdString(row.name);
-        case Value: return row.value ? numberText(*row.value) : QString();
-        case Unit: return QString::fromStdString(row.unit);
-        case Min: return row.setting && row.setting->min ? numberText(*row.setting->min) : QString();
-        case Max: return row.setting && row.setting->max ? numberText(*row.setting->max) : QString();
+        case Name:
+            return QString::fromStdString(row.name);
+        case Value:
+            return row.value ? numberText(*row.value) : QString();
+        case Unit:
+            return QString::fromStdString(row.unit);
+        case Min:
+            return row.setting && row.setting->min ? numberText(*row.setting->min) : QString();
+        case Max:
+            return row.setting && row.setting->max ? numberText(*row.setting->max) : QString();
         case Result: {
             if (!row.estimate) return {};
-            QString text = numberText(row.estimate->value);
+            QString text = numberText(row.estimate->value, 4);
             if (row.estimate->atBound) return text + "  " + boundText(row);
             if (std::isfinite(row.estimate->standardError))
                 text += QStringLiteral(" ± ") + numberText(row.estimate->standardError, 2);
@@ -109,7 +113,8 @@ QVariant ParameterModel::display(const Row& row, int column) const {
                 text += tr("  not determined");
             return text;
         }
-        default: return {};
+        default:
+            return {};
     }
 }
 
@@ -117,8 +122,9 @@ QString ParameterModel::tooltip(const Row& row, int column) const {
     QString tip = QString::fromStdString(row.description.empty() ? row.name : row.description);
     if (column == Result && row.estimate) {
         if (row.estimate->atBound)
-            tip += tr("\nThe fit ran into the bound: it wants a value beyond. Widen the bound, or ask what the model "
-                      "lacks.");
+            tip +=
+                tr("\nThe fit ran into the bound: it wants a value beyond. Widen the bound, or ask what the model "
+                   "lacks.");
         else if (!std::isfinite(row.estimate->standardError))
             tip += tr("\nThe data do not determine this value on its own.");
         else if (row.estimate->value != 0)
@@ -133,7 +139,8 @@ QVariant ParameterModel::data(const QModelIndex& index, int role) const {
     const Row& row = rows_[static_cast<std::size_t>(index.row())];
     const bool isFitted = row.setting && row.setting->fit;
     switch (role) {
-        case Qt::DisplayRole: return display(row, index.column());
+        case Qt::DisplayRole:
+            return display(row, index.column());
         case Qt::EditRole:
             if (index.column() == Value && row.value) return QString::number(*row.value, 'g', 12);
             return display(row, index.column());
@@ -143,7 +150,8 @@ QVariant ParameterModel::data(const QModelIndex& index, int role) const {
         case Qt::TextAlignmentRole:
             if (index.column() == Name || index.column() == Unit) return QVariant(Qt::AlignLeft | Qt::AlignVCenter);
             return QVariant(Qt::AlignRight | Qt::AlignVCenter);
-        case Qt::ToolTipRole: return tooltip(row, index.column());
+        case Qt::ToolTipRole:
+            return tooltip(row, index.column());
         case Qt::ForegroundRole: {
             const QPalette palette = QGuiApplication::palette();
             if (index.column() == Result && row.estimate &&
@@ -152,10 +160,14 @@ QVariant ParameterModel::data(const QModelIndex& index, int role) const {
             if (index.column() == Unit || (!isFitted && index.column() != Name)) return style::mutedText(palette);
             return {};
         }
-        case IsFittedRole: return isFitted;
-        case AtBoundRole: return row.estimate && row.estimate->atBound;
-        case NameRole: return QString::fromStdString(row.name);
-        default: return {};
+        case IsFittedRole:
+            return isFitted;
+        case AtBoundRole:
+            return row.estimate && row.estimate->atBound;
+        case NameRole:
+            return QString::fromStdString(row.name);
+        default:
+            return {};
     }
 }
 
@@ -175,13 +187,20 @@ QVariant ParameterModel::headerData(int section, Qt::Orientation orientation, in
     if (role == Qt::ToolTipRole && section == Result) return tr("Estimate ± standard error of the last run");
     if (role != Qt::DisplayRole) return {};
     switch (section) {
-        case Name: return tr("Parameter");
-        case Value: return tr("Value");
-        case Unit: return tr("Unit");
-        case Min: return tr("Min");
-        case Max: return tr("Max");
-        case Result: return tr("Result");
-        default: return {};
+        case Name:
+            return tr("Parameter");
+        case Value:
+            return tr("Value");
+        case Unit:
+            return tr("Unit");
+        case Min:
+            return tr("Min");
+        case Max:
+            return tr("Max");
+        case Result:
+            return tr("Result");
+        default:
+            return {};
     }
 }
 

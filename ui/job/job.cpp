@@ -33,20 +33,20 @@ void JobRunner::launch(const QString& what, std::function<Delivery(const Progres
         mailbox->latest = report;
         if (mailbox->isPosted || !mailbox->runner) return;
         mailbox->isPosted = true;  // further reports only replace the latest until it has been shown
-        QMetaObject::invokeMethod(mailbox->runner, [runner = mailbox->runner] { runner->showLatest(); },
-                                  Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            mailbox->runner, [runner = mailbox->runner] { runner->showLatest(); }, Qt::QueuedConnection);
     };
     isDone_ = std::make_shared<std::atomic<bool>>(false);
-    thread_ = std::jthread([job, mailbox = mailbox_, sink, work = std::move(work), isDone = isDone_](
-                               std::stop_token stop) {
-        const Delivery deliver = work(Progress(std::move(stop), sink));
-        isDone->store(true);
-        const std::lock_guard lock(mailbox->mutex);
-        if (!mailbox->runner) return;
-        QMetaObject::invokeMethod(
-            mailbox->runner, [runner = mailbox->runner, job, deliver] { runner->finish(job, deliver); },
-            Qt::QueuedConnection);
-    });
+    thread_ =
+        std::jthread([job, mailbox = mailbox_, sink, work = std::move(work), isDone = isDone_](std::stop_token stop) {
+            const Delivery deliver = work(Progress(std::move(stop), sink));
+            isDone->store(true);
+            const std::lock_guard lock(mailbox->mutex);
+            if (!mailbox->runner) return;
+            QMetaObject::invokeMethod(
+                mailbox->runner, [runner = mailbox->runner, job, deliver] { runner->finish(job, deliver); },
+                Qt::QueuedConnection);
+        });
     Q_EMIT started(what);
 }
 

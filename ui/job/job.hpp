@@ -60,7 +60,7 @@ private:
     };
     std::shared_ptr<std::atomic<bool>> isDone_;  // of thread_
     std::vector<Retired> retired_;               // dropped jobs that are still about to stop
-    unsigned long job_{};                // number of the job whose result counts
+    unsigned long job_{};                        // number of the job whose result counts
     bool busy_{}, cancelling_{};
     QString what_;
 };

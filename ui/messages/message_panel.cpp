@@ -13,9 +13,12 @@ namespace {
 
 QString iconName(Severity severity) {
     switch (severity) {
-        case Severity::Error: return QStringLiteral("error");
-        case Severity::Warning: return QStringLiteral("warning");
-        case Severity::Note: break;
+        case Severity::Error:
+            return QStringLiteral("error");
+        case Severity::Warning:
+            return QStringLiteral("warning");
+        case Severity::Note:
+            break;
     }
     return QStringLiteral("note");
 }

@@ -142,8 +142,8 @@ void OutputPlot::pointAt(std::optional<double> time) {
     if (!time || !content_.time || content_.time->empty()) return;
     const auto& stamps = *content_.time;
     const auto at = std::lower_bound(stamps.begin(), stamps.end(), *time);
-    const auto i = static_cast<std::size_t>(std::min<std::ptrdiff_t>(
-        at - stamps.begin(), static_cast<std::ptrdiff_t>(stamps.size()) - 1));
+    const auto i = static_cast<std::size_t>(
+        std::min<std::ptrdiff_t>(at - stamps.begin(), static_cast<std::ptrdiff_t>(stamps.size()) - 1));
     QString text = tr("%1 s").arg(stamps[i], 0, 'g', 6);
     const auto add = [&](const QString& name, const std::vector<double>& values) {
         if (i < values.size() && std::isfinite(values[i]))

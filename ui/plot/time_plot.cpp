@@ -24,9 +24,12 @@ constexpr double leftMargin = 64, rightMargin = 26, topMargin = 6;  // [px] equa
 
 QColor traceColour(TraceRole role, const QPalette& palette) {
     switch (role) {
-        case TraceRole::Measured: return style::measuredTrace(palette);
-        case TraceRole::Before: return style::beforeTrace(palette);
-        case TraceRole::After: break;
+        case TraceRole::Measured:
+            return style::measuredTrace(palette);
+        case TraceRole::Before:
+            return style::beforeTrace(palette);
+        case TraceRole::After:
+            break;
     }
     return style::afterTrace(palette);
 }
@@ -256,10 +259,17 @@ bool TimePlot::eventFilter(QObject* watched, QEvent* event) {
             Q_EMIT pointedAt(timeAt(mouse->position().x()));
             return true;
         }
-        case QEvent::MouseButtonRelease: dragFrom_.reset(); return true;
-        case QEvent::MouseButtonDblClick: Q_EMIT allWanted(); return true;
-        case QEvent::Leave: Q_EMIT pointerLeft(); break;
-        default: break;
+        case QEvent::MouseButtonRelease:
+            dragFrom_.reset();
+            return true;
+        case QEvent::MouseButtonDblClick:
+            Q_EMIT allWanted();
+            return true;
+        case QEvent::Leave:
+            Q_EMIT pointerLeft();
+            break;
+        default:
+            break;
     }
     return QWidget::eventFilter(watched, event);
 }

@@ -3,10 +3,14 @@
 #include <QFile>
 #include <QGuiApplication>
 #include <QIconEngine>
+#include <QPainter>
 #include <QPixmap>
+#include <QProxyStyle>
 #include <QStyleFactory>
+#include <QStyleOption>
 #include <QSvgRenderer>
 #include <QWidget>
+#include <algorithm>
 
 // Resources of a static library must be asked for; the macro wants the global namespace.
 static void loadIcons() { Q_INIT_RESOURCE(icons); }
@@ -73,6 +77,45 @@ QPalette darkPalette() {
     return p;
 }
 
+/// Fusion with flat tool bars, and check marks that can be seen on a dark ground.
+class Flat : public QProxyStyle {
+public:
+    Flat() : QProxyStyle(QStyleFactory::create("Fusion")) {}
+
+    void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+        if (element != CE_ToolBar) return QProxyStyle::drawControl(element, option, painter, widget);
+        painter->fillRect(option->rect, option->palette.window());
+        painter->fillRect(QRect(option->rect.left(), option->rect.bottom(), option->rect.width(), 1),
+                          hairline(option->palette));
+    }
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override {
+        if (element != PE_IndicatorItemViewItemCheck && element != PE_IndicatorCheckBox)
+            return QProxyStyle::drawPrimitive(element, option, painter, widget);
+        const QPalette& p = option->palette;
+        const bool isOn = option->state & State_On;
+        const double side = std::min({option->rect.width(), option->rect.height(), 15}) - 1.0;
+        QRectF box(0, 0, side, side);
+        box.moveCenter(QRectF(option->rect).center());
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing);
+        const QColor frame = isOn ? accent(p) : mix(p.color(QPalette::Base), p.color(QPalette::Text), 0.4);
+        painter->setPen(QPen(frame, 1));
+        painter->setBrush(isOn ? accent(p) : p.color(QPalette::Base));
+        painter->drawRoundedRect(box, 3, 3);
+        if (isOn) {
+            painter->setPen(QPen(p.color(QPalette::Active, QPalette::HighlightedText), 1.7, Qt::SolidLine, Qt::RoundCap,
+                                 Qt::RoundJoin));
+            const auto at = [&](double x, double y) { return box.topLeft() + QPointF(x * side, y * side); };
+            const QPointF tick[] = {at(0.24, 0.53), at(0.43, 0.72), at(0.77, 0.31)};
+            painter->drawPolyline(tick, 3);
+        }
+        painter->restore();
+    }
+};
+
 /// Paints an SVG of :/icons whose strokes are `currentColor` in the palette's colour of the moment.
 class TintedIcon : public QIconEngine {
 public:
@@ -112,7 +155,7 @@ void apply(QApplication& application, Theme theme) {
     loadIcons();
     chosen = theme;
     const bool dark = theme == Theme::Dark || (theme == Theme::System && isDark(desktop));
-    if (application.style()->objectName() != "fusion") QApplication::setStyle(QStyleFactory::create("Fusion"));
+    if (!dynamic_cast<Flat*>(application.style())) QApplication::setStyle(new Flat);
     QApplication::setPalette(dark ? darkPalette() : lightPalette());
 }
 
@@ -139,7 +182,9 @@ QColor canvas(const QPalette& palette) {
 }
 
 QColor good(const QPalette& palette) { return isDark(palette) ? QColor(0x5f, 0xc2, 0x8a) : QColor(0x1d, 0x7f, 0x4c); }
-QColor caution(const QPalette& palette) { return isDark(palette) ? QColor(0xe5, 0xb0, 0x54) : QColor(0xa8, 0x66, 0x00); }
+QColor caution(const QPalette& palette) {
+    return isDark(palette) ? QColor(0xe5, 0xb0, 0x54) : QColor(0xa8, 0x66, 0x00);
+}
 QColor fault(const QPalette& palette) { return isDark(palette) ? QColor(0xf0, 0x7b, 0x72) : QColor(0xc0, 0x2f, 0x2a); }
 
 QColor measuredTrace(const QPalette& palette) {

@@ -10,11 +10,12 @@ namespace analogon::ui {
 namespace {
 
 const QSet<QString>& keywords() {
-    static const QSet<QString> words{
-        "within",  "package",  "model",    "block",       "connector", "type",      "record",    "partial", "final",
-        "extends", "redeclare", "replaceable", "protected", "public",  "parameter", "constant",  "input",   "output",
-        "flow",    "equation", "initial",  "connect",     "if",        "then",      "else",      "elseif",  "for",
-        "loop",    "in",       "end",      "der",         "time",      "annotation", "constrainedby", "each", "import"};
+    static const QSet<QString> words{"within",    "package",  "model",      "block",         "connector", "type",
+                                     "record",    "partial",  "final",      "extends",       "redeclare", "replaceable",
+                                     "protected", "public",   "parameter",  "constant",      "input",     "output",
+                                     "flow",      "equation", "initial",    "connect",       "if",        "then",
+                                     "else",      "elseif",   "for",        "loop",          "in",        "end",
+                                     "der",       "time",     "annotation", "constrainedby", "each",      "import"};
     return words;
 }
 

@@ -155,7 +155,7 @@ void MainWindow::createActions() {
     undoAction_->setShortcut(QKeySequence::Undo);
     redoAction_ = document_->undoStack().createRedoAction(this, tr("Redo"));
     redoAction_->setIcon(style::icon("redo"));
-    redoAction_->setShortcut(QKeySequence::Redo);
+    redoAction_->setShortcuts({Qt::CTRL | Qt::SHIFT | Qt::Key_Z, Qt::CTRL | Qt::Key_Y});
     fitAction_ = make(tr("Fit"), "fit", Qt::Key_F5, tr("Estimate the checked parameters"));
     fitAction_->setObjectName("fit");
     discoverAction_ = make(tr("Find effects"), "discover", Qt::Key_F6,
@@ -208,9 +208,7 @@ void MainWindow::createToolBar() {
     bar->setMovable(false);
     bar->setIconSize({20, 20});
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    bar->setStyleSheet(QStringLiteral("QToolBar { background: palette(window); border: none; border-bottom: 1px solid "
-                                      "palette(mid); padding: %1px; spacing: %1px }")
-                           .arg(style::unit));
+    bar->setContentsMargins(style::unit, style::unit, style::unit, style::unit);
     bar->addAction(openAction_);
     bar->addSeparator();
     bar->addAction(undoAction_);
@@ -233,6 +231,7 @@ void MainWindow::connectPanels() {
     connect(document_, &Document::modelChanged, this, &MainWindow::showModel);
     connect(document_, &Document::resultChanged, this, [this] {
         showEffects();
+        view_->refit();
         updateActions();
     });
     connect(document_, &Document::readingChanged, this, [this] {
@@ -248,7 +247,8 @@ void MainWindow::connectPanels() {
         if (controller_->isRunning()) statusBar()->clearMessage();
         updateActions();
     });
-    connect(controller_, &RunController::concluded, statusBar(), [this](const QString& s) { statusBar()->showMessage(s); });
+    connect(controller_, &RunController::concluded, statusBar(),
+            [this](const QString& s) { statusBar()->showMessage(s); });
     connect(measurements_, &MeasurementPanel::experimentChosen, plots_, &PlotPanel::showExperiment);
     connect(scene_, &DiagramScene::blockSelected, parameters_, &ParameterPanel::showComponent);
     connect(parameters_, &ParameterPanel::componentCleared, scene_, &QGraphicsScene::clearSelection);
@@ -338,6 +338,7 @@ void MainWindow::showStudy() {
 void MainWindow::showModel() {
     scene_->show(document_->diagram());
     showEffects();
+    view_->refit();
 }
 
 void MainWindow::showEffects() {
@@ -392,7 +393,8 @@ void MainWindow::askWhereToSave() {
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         const std::filesystem::path directory = path.toStdString();
         writer_->start<Outcome<Done>>(
-            tr("Saving"), [study = document_->study(), directory](const Progress&) { return writeStudy(study, directory); },
+            tr("Saving"),
+            [study = document_->study(), directory](const Progress&) { return writeStudy(study, directory); },
             [this, path](Outcome<Done> done) {
                 document_->setRunMessages(done.diagnostics());
                 if (done) document_->undoStack().setClean();
@@ -412,7 +414,9 @@ void MainWindow::askWhereToReport() {
         const std::filesystem::path directory = path.toStdString();
         writer_->start<Outcome<Done>>(
             tr("Writing the report"),
-            [result = *document_->result(), kind = document_->resultKind(), directory](const Progress&) { return writeResults(result, commandName(kind), directory); },
+            [result = *document_->result(), kind = document_->resultKind(), directory](const Progress&) {
+                return writeResults(result, commandName(kind), directory);
+            },
             [this, path](Outcome<Done> done) {
                 document_->setRunMessages(done.diagnostics());
                 statusBar()->showMessage(done ? tr("Report written to %1/report.html.").arg(path)

@@ -119,9 +119,10 @@ std::vector<Example> findExamples() {
 StartPage::StartPage(std::vector<Example> examples, QWidget* parent) : QWidget(parent), fault_(new QLabel(this)) {
     auto* title = new QLabel(QStringLiteral("Analogon"), this);
     style::makeHeading(title, 2.4);
-    auto* subtitle = new QLabel(tr("Physical models from test-bench measurements: fit the parameters, find the effect the "
-                                   "model lacks, see the evidence."),
-                                this);
+    auto* subtitle =
+        new QLabel(tr("Physical models from test-bench measurements: fit the parameters, find the effect the "
+                      "model lacks, see the evidence."),
+                   this);
     subtitle->setWordWrap(true);
     auto* open = new QPushButton(tr("Open a study …"), this);
     open->setIcon(style::icon("open"));

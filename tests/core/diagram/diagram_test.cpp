@@ -222,8 +222,8 @@ TEST(Diagram, EndsACycleOfBaseClasses) {
 
 TEST(Annotation, PlacementReadsBackAsWritten) {
     const Placement placement{{{12.5, -10}, {-7.5, 10}}, {3, -0.0}, 270};
-    const Library library =
-        libraryOf({parts, ("model M Parts.Shaft s annotation (" + placementAnnotation(placement) + "); end M;").c_str()});
+    const Library library = libraryOf(
+        {parts, ("model M Parts.Shaft s annotation (" + placementAnnotation(placement) + "); end M;").c_str()});
     const auto diagram = readDiagram(library, "M");
     ASSERT_TRUE(diagram);
     const Placement& read = diagram->blocks.front().placement;

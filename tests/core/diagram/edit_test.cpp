@@ -65,7 +65,8 @@ TEST(ModelEdit, ChangesNothingWhenNothingWasAsked) {
 
 TEST(ModelEdit, SetsAnExistingModificationAndKeepsTheLayoutAroundIt) {
     const Edited text(drive);
-    EXPECT_THAT(text(text.edit().setModifier("motor", "k", "0.05")), HasSubstr("motor(R=0.36, k = 0.05) \"the motor\""));
+    EXPECT_THAT(text(text.edit().setModifier("motor", "k", "0.05")),
+                HasSubstr("motor(R=0.36, k = 0.05) \"the motor\""));
 }
 
 TEST(ModelEdit, CombinesSeveralModificationsOfOneComponent) {
@@ -126,14 +127,18 @@ TEST(ModelEdit, SetsAndRemovesBindings) {
 
 TEST(ModelEdit, AddsComponentsBehindTheLastPublicOne) {
     const Edited text(drive);
-    NewComponent friction{"Analogon.Effects.Mechanics.DryFriction", "friction", {{"tau_c", "0.002"}}, "dry friction",
+    NewComponent friction{"Analogon.Effects.Mechanics.DryFriction",
+                          "friction",
+                          {{"tau_c", "0.002"}},
+                          "dry friction",
                           {{{10, 20}, {30, 40}}, {}, 0}};
     const std::string result = text(text.edit().addComponent(friction).addComponent({"Clutch", "clutch", {}, "", {}}));
-    EXPECT_THAT(result, HasSubstr("  parameter Real bare;\n"
-                                  "  Analogon.Effects.Mechanics.DryFriction friction(tau_c=0.002) \"dry friction\" "
-                                  "annotation (Placement(transformation(extent={{10,20},{30,40}})));\n"
-                                  "  Clutch clutch annotation (Placement(transformation(extent={{-10,-10},{10,10}})));\n"
-                                  "protected\n"));
+    EXPECT_THAT(result,
+                HasSubstr("  parameter Real bare;\n"
+                          "  Analogon.Effects.Mechanics.DryFriction friction(tau_c=0.002) \"dry friction\" "
+                          "annotation (Placement(transformation(extent={{10,20},{30,40}})));\n"
+                          "  Clutch clutch annotation (Placement(transformation(extent={{-10,-10},{10,10}})));\n"
+                          "protected\n"));
 }
 
 TEST(ModelEdit, SetsModificationsOfAComponentItAdds) {
@@ -209,9 +214,10 @@ TEST(ModelEdit, ChangesTheClassOfOneComponentOfAClause) {
 }
 
 TEST(ModelEdit, RenamesEverywhereButNotShadowedOrForeignNames) {
-    const Edited text(model("  Rotor a, ab(J=a.J);\n  Real x[3] = {a * a.k for a in 1:3};\nequation\n"
-                            "  connect(a.flange, ab.flange);\n  for i in 1:3 loop\n    x[i] = a.w[i] + ab.a;\n"
-                            "  end for;\n"));
+    const Edited text(
+        model("  Rotor a, ab(J=a.J);\n  Real x[3] = {a * a.k for a in 1:3};\nequation\n"
+              "  connect(a.flange, ab.flange);\n  for i in 1:3 loop\n    x[i] = a.w[i] + ab.a;\n"
+              "  end for;\n"));
     const std::string result = text(text.edit().renameComponent("a", "rotor1"));
     EXPECT_THAT(result, HasSubstr("Rotor rotor1, ab(J=rotor1.J);"));
     EXPECT_THAT(result, HasSubstr("{a * a.k for a in 1:3}"));
@@ -239,18 +245,22 @@ TEST(ModelEdit, RemovesAConnectionInEitherDirection) {
 TEST(ModelEdit, MovesBlocksAndLines) {
     const Edited text(drive);
     const Placement moved{{{0, 0}, {20, 20}}, {5, 5}, 90};
-    EXPECT_THAT(text(text.edit().setPlacement("motor", moved)),
-                HasSubstr("(Placement(transformation(origin={5,5}, extent={{0,0},{20,20}}, rotation=90)));  // hand-wound"));
+    EXPECT_THAT(
+        text(text.edit().setPlacement("motor", moved)),
+        HasSubstr("(Placement(transformation(origin={5,5}, extent={{0,0},{20,20}}, rotation=90)));  // hand-wound"));
     EXPECT_THAT(text(text.edit().setPlacement("a", moved)), HasSubstr("Rotor a annotation (Placement("));
     EXPECT_THAT(text(text.edit().setLine("v", "motor.v", {{1, 2}, {3, 4}})),
                 HasSubstr("(Line(points={{1,2},{3,4}}, color={0,0,127}));"));
-    EXPECT_THAT(text(text.edit().setLine("motor.flange", "a.flange_a", {{1, 2}, {3, 4}})),
-                HasSubstr("connect(motor.flange, a.flange_a) annotation (Line(points={{1,2},{3,4}}, color={0,0,0}));  // rigid"));
+    EXPECT_THAT(
+        text(text.edit().setLine("motor.flange", "a.flange_a", {{1, 2}, {3, 4}})),
+        HasSubstr(
+            "connect(motor.flange, a.flange_a) annotation (Line(points={{1,2},{3,4}}, color={0,0,0}));  // rigid"));
 }
 
 TEST(ModelEdit, KeepsOtherAnnotationsOfAMovedBlock) {
-    const Edited text(model("  Motor m annotation (Dialog(group=\"x\"), Placement(visible=true, transformation(extent="
-                            "{{0,0},{1,1}}), iconTransformation(rotation=5)));\n  Motor n annotation (Dialog(tab=\"y\"));\n"));
+    const Edited text(
+        model("  Motor m annotation (Dialog(group=\"x\"), Placement(visible=true, transformation(extent="
+              "{{0,0},{1,1}}), iconTransformation(rotation=5)));\n  Motor n annotation (Dialog(tab=\"y\"));\n"));
     auto edit = text.edit();
     edit.setPlacement("m", {{{0, 0}, {2, 2}}, {}, 0}).setPlacement("n", {{{0, 0}, {3, 3}}, {}, 0});
     const std::string result = text(edit);
@@ -302,6 +312,7 @@ TEST(FreePlacement, CoversNoBlockAndStaysOnTheGrid) {
     EXPECT_EQ(std::fmod(e.p1.y, 10), 0);
     EXPECT_GE(std::abs((e.p1.y + e.p2.y) / 2), 20) << "beside the row of blocks";
     EXPECT_LE(std::hypot(e.p1.x + 10, e.p1.y + 10), 45) << "near the place that was asked for";
+    EXPECT_GT(e.p1.x, 0) << "its left port can be reached from the point without crossing it";
 }
 
 }  // namespace
