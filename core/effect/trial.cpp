@@ -8,7 +8,7 @@ namespace {
 
 constexpr double leastEvidence = 10;  // fall in BIC that an effect must bring
 constexpr double leastHeldOut = 0.5;
-constexpr int heldOutBlocks = 5;
+constexpr int heldOutBlocks = 10;  // fewer leave out more of the excitation than the rest can make up for
 
 double smallestSecant(const Screened& s) {
     double smallest = 0;

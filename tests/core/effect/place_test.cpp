@@ -1,0 +1,130 @@
+#include "core/effect/place.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/effect/wire_in.hpp"
+#include "core/eval/system.hpp"
+#include "core/syntax/text_edit.hpp"
+
+namespace analogon {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+//  v -> motor - rotor - impeller - load      (one rigid shaft)
+//                          |
+//                        speed -> w
+constexpr const char* pump = R"(model Pump
+  Analogon.Interfaces.RealInput v(unit="V");
+  Analogon.Interfaces.RealOutput w(unit="rad/s");
+  Analogon.ElectricMechanical.BasicElectricMechanical motor(R=0.4, L=0, k=0.03);
+  Analogon.Mechanics.Inertia rotor(J=3e-5); // the rotor alone
+  Analogon.Mechanics.Inertia impeller(J=1e-5);
+  Analogon.Mechanics.QuadraticLoad load(k_q=1e-6);
+  Analogon.Sensors.SpeedSensor speed;
+equation
+  connect(v, motor.v);
+  connect(motor.flange, rotor.flange_a);
+  connect(rotor.flange_b, impeller.flange_a);
+  connect(impeller.flange_b, load.flange);
+  connect(impeller.flange_b, speed.flange);
+  connect(speed.w, w);
+end Pump;
+)";
+
+class Places : public testing::Test {
+protected:
+    void SetUp() override {
+        Outcome<Library> builtIn = builtInLibrary();
+        ASSERT_TRUE(builtIn) << format(builtIn.diagnostics());
+        Outcome<Library> with = builtIn->withSource(std::make_shared<Source>("model.mo", pump));
+        ASSERT_TRUE(with) << format(with.diagnostics());
+        library = std::move(*with);
+        Outcome<std::vector<EffectClass>> effects = effectCatalogue(library);
+        ASSERT_TRUE(effects);
+        EXPECT_THAT(effects.diagnostics(), IsEmpty());
+        catalogue = std::move(*effects);
+    }
+
+    const EffectClass& effect(const std::string& kind) const {
+        for (const EffectClass& e : catalogue)
+            if (e.kind == kind) return e;
+        throw std::runtime_error("no effect " + kind);
+    }
+
+    std::vector<std::string> placesOf(const std::string& kind) const {
+        Outcome<FlatModel> flat = flatten(library, "Pump");
+        Outcome<Structure> structure = analyse(std::make_shared<FlatModel>(std::move(*flat)));
+        Outcome<Diagram> diagram = readDiagram(library, "Pump");
+        std::vector<std::string> names;
+        for (const EffectPlace& p : ModelNodes(library, *diagram, *structure).placesFor(effect(kind), {}))
+            names.push_back(p.at);
+        return names;
+    }
+
+    std::string wired(const std::string& kind, const EffectPlace& place, const std::map<std::string, double>& values) {
+        Outcome<WiredEffect> w = wireIn(library, *library.find("Pump")->definition, effect(kind), place, values);
+        EXPECT_TRUE(w) << format(w.diagnostics());
+        if (!w) return {};
+        const syntax::AppliedEdit applied = syntax::apply(pump, w->edit);
+        EXPECT_EQ(syntax::apply(applied.text, applied.inverse).text, pump) << "undone byte for byte";
+        Outcome<Library> with = library.withSource(std::make_shared<Source>("model.mo", applied.text));
+        EXPECT_TRUE(with) << format(with.diagnostics());
+        Outcome<SystemPtr> system = compile(*with, "Pump");
+        EXPECT_TRUE(system) << format(system.diagnostics());
+        return applied.text;
+    }
+
+    Library library;
+    std::vector<EffectClass> catalogue;
+};
+
+TEST_F(Places, TakeOneRigidShaftForOnePlace) { EXPECT_THAT(placesOf("friction.coulomb"), SizeIs(1)); }
+
+TEST_F(Places, OfSignalsAreTheInputsAndOutputsOfTheModel) {
+    EXPECT_EQ(placesOf("sensor.lag"), std::vector<std::string>{"output w"});
+    EXPECT_EQ(placesOf("actuator.deadzone"), std::vector<std::string>{"input v"});
+}
+
+TEST_F(Places, OfSpecialisedClassesAreTheComponentsOfTheirBase) {
+    EXPECT_EQ(placesOf("resistance.series"), std::vector<std::string>{"motor"});
+}
+
+TEST_F(Places, OfHeatEffectsAreNoneWithoutHeatPorts) { EXPECT_THAT(placesOf("thermal.loss"), IsEmpty()); }
+
+TEST_F(Places, NeverCutOffAnIdealSensor) {
+    const std::vector<std::string> cuts = placesOf("compliance.shaft");
+    EXPECT_THAT(cuts, Not(IsEmpty()));
+    EXPECT_THAT(cuts, Not(Contains(HasSubstr("speed"))));
+}
+
+TEST_F(Places, TakeAnAttachedEffectAsAComponentAndAConnection) {
+    const std::string text = wired("friction.coulomb", {"rotor.flange_a", "rotor.flange_a", {}}, {{"tau_c", 0.01}});
+    EXPECT_THAT(text, HasSubstr("tau_c=0.01"));
+    EXPECT_THAT(text, HasSubstr("rotor.flange_a)"));
+    EXPECT_THAT(text, HasSubstr("// the rotor alone"));
+}
+
+TEST_F(Places, TakeASensorEffectBetweenTheSensorAndTheOutput) {
+    const std::string text = wired("sensor.lag", {"output w", "w", {}}, {{"T", 0.1}});
+    EXPECT_THAT(text, HasSubstr("connect(speed.w, lag.u)"));
+    EXPECT_THAT(text, HasSubstr("lag.y, w)"));
+}
+
+TEST_F(Places, TakeAnActuatorEffectBehindTheInput) {
+    const std::string text = wired("actuator.offset", {"input v", "v", {}}, {{"b", 0.1}});
+    EXPECT_THAT(text, HasSubstr("connect(offset.y, motor.v)"));
+}
+
+TEST_F(Places, TakeASpecialisedEffectAsAnotherClassOfTheComponent) {
+    const std::string text = wired("resistance.series", {"motor", "motor", {}}, {{"R_s", 0.1}});
+    EXPECT_THAT(text, HasSubstr("SeriesResistance motor("));
+    EXPECT_THAT(text, HasSubstr("R_s=0.1"));
+}
+
+}  // namespace
+}  // namespace analogon
