@@ -76,13 +76,13 @@ BlockItem::BlockItem(const Block& block) : block_(block) {
         ports_.push_back(shape);
     }
     // Names are set by us: readable at every zoom, which a text that scales with the icon is not.
-    nameAt_ = {body_.center().x(), body_.bottom()};
+    nameAt_ = {body_.center().x(), body_.bottom() + outlineGap};
     auto& primitives = block_.icon.primitives;
     for (const Primitive& p : primitives) {
         if (p.kind != Primitive::Kind::Text || p.text != "%name") continue;
         const QPointF at = boundsOf({p}, transform_).center();
         isNameAbove_ = at.y() < body_.center().y();
-        nameAt_ = {at.x(), isNameAbove_ ? body_.top() : body_.bottom()};
+        nameAt_ = {at.x(), isNameAbove_ ? body_.top() - outlineGap : body_.bottom() + outlineGap};
     }
     std::erase_if(primitives, [](const Primitive& p) { return p.kind == Primitive::Kind::Text && p.text == "%name"; });
     bounds_ = body_ | boundsOf(block_.icon.primitives, transform_);
@@ -142,8 +142,8 @@ void BlockItem::paintName(QPainter& painter, const QPalette& palette) const {
     painter.setPen(block_.isResolved ? style::mix(palette.color(QPalette::Text), style::canvas(palette), 0.2)
                                      : style::fault(palette));
     const QPointF at = world.map(nameAt_);
-    const double height = QFontMetricsF(font).height(), gap = 3;
-    const QRectF box(at.x() - 200, isNameAbove_ ? at.y() - height - gap : at.y() + gap, 400, height);
+    const double height = QFontMetricsF(font).height();
+    const QRectF box(at.x() - 200, isNameAbove_ ? at.y() - height : at.y(), 400, height);
     painter.drawText(box, Qt::AlignHCenter | Qt::AlignVCenter, QString::fromStdString(block_.name));
     painter.restore();
 }

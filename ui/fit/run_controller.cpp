@@ -72,6 +72,7 @@ void RunController::start(RunKind kind) {
     preview_.drop();
     const Study study = document_.study();
     const unsigned long revision = document_.revision();
+    clock_.start();
     run_.start<Outcome<RunResult>>(
         runName(kind),
         [kind, study, options = options_](const Progress& progress) { return run(kind, study, options, progress); },
@@ -96,7 +97,7 @@ void RunController::conclude(RunKind kind, const Study& ranOn, unsigned long rev
         return Q_EMIT concluded(tr("%1: the study changed meanwhile, result dropped.").arg(name));
     }
     const bool interrupted = outcome->finding.interrupted || run_.isCancelling();
-    const double seconds = outcome->finding.seconds;
+    const double seconds = static_cast<double>(clock_.elapsed()) / 1000;
     const bool hasEffects = !outcome->finding.effects.empty();
     Diagnostics messages = messagesOf(*outcome);
     for (const Diagnostic& d : outcome.diagnostics()) messages.push_back(d);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 
@@ -37,6 +38,7 @@ private:
     JobRunner run_;
     JobRunner preview_;  // simulates the model as it stands whenever it has changed
     QTimer previewDelay_;
+    QElapsedTimer clock_;  // of the run
 };
 
 QString runName(RunKind kind);

@@ -40,7 +40,7 @@ QString extentText(const Table& table, const StudyExperiment& experiment) {
         const double first = experiment.range ? experiment.range->first : time->values.front();
         const double last = experiment.range ? experiment.range->second : time->values.back();
         const QString unit = time->unit.empty() ? QStringLiteral("s") : QString::fromStdString(time->unit);
-        text += QStringLiteral(" · %1 … %2 %3").arg(first, 0, 'g', 5).arg(last, 0, 'g', 5).arg(unit);
+        text += QStringLiteral(" · %1 %2").arg(last - first, 0, 'g', 5).arg(unit);
     }
     return text;
 }
