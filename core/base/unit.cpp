@@ -300,7 +300,15 @@ private:
         return UnitPtr(ut_parse(system_.get(), translated->c_str(), UT_UTF8));
     }
 
-    bool isPerTime(const ut_unit* unit) const { return ut_are_convertible(unit, hertz_.get()) != 0; }
+    bool isPerTime(ut_unit* unit) const { return lineBetween(unit, hertz_.get()) != nullptr; }
+
+    /// Null unless one unit is a straight line of the other: UDUNITS also turns a time into a frequency (1/x).
+    static ConverterPtr lineBetween(ut_unit* from, ut_unit* to) {
+        if (!ut_are_convertible(from, to)) return nullptr;
+        ConverterPtr converter(ut_get_converter(from, to));
+        if (converter && !std::isfinite(cv_convert_double(converter.get(), 0.0))) return nullptr;
+        return converter;
+    }
 
     int anglePower(const ut_unit* unit) const {
         AnglePower angle{radian_.get(), 0};
@@ -343,13 +351,12 @@ private:
         if (!source) return unknown(from);
         if (!target) return unknown(to);
         readTurns(from, source, to, target);
-        if (!ut_are_convertible(source.get(), target.get())) {
+        const ConverterPtr converter = lineBetween(source.get(), target.get());
+        if (!converter) {
             return error(
                 fmt::format("\"{}\" cannot be converted to \"{}\": they measure different quantities", from, to), {},
                 mismatchHint(from, to));
         }
-        const ConverterPtr converter(ut_get_converter(source.get(), target.get()));
-        if (!converter) return error(fmt::format("\"{}\" cannot be converted to \"{}\"", from, to));
         return lineOf(*converter);
     }
 

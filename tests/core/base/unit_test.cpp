@@ -139,5 +139,12 @@ TEST(Unit, IsSafeToUseFromSeveralThreads) {
     EXPECT_EQ(failures, std::vector<int>(4, 0));
 }
 
+TEST(Unit, DoesNotTurnATimeIntoAFrequency) {
+    EXPECT_FALSE(convertUnit("rpm", "s"));
+    EXPECT_FALSE(convertUnit("s", "Hz"));
+    EXPECT_FALSE(areConvertible("Ohm", "S"));
+    EXPECT_TRUE(areConvertible("1/s", "Hz"));
+}
+
 }  // namespace
 }  // namespace analogon
