@@ -95,6 +95,30 @@ void locate(const NullModel& null, const PreparedTask& prepared, const ResidualC
     }
 }
 
+/// F test of all regressors together on the residual made white.
+double pWhitened(const ColumnScore& all, double total, int count) {
+    const double dof = static_cast<double>(all.directions.cols());
+    const double f = all.explained / dof / std::max(1e-300, (total - all.explained) / (count - dof));
+    return boost::math::cdf(boost::math::complement(boost::math::fisher_f(dof, count - dof), std::max(0.0, f)));
+}
+
+/// The same on the residual as it is, taken for noise of its own correlation time: an autoregressive model hides slow
+/// structure, this does not.
+double pPatient(const NullModel& null, const ResidualChannel& channel, const Eigen::MatrixXd& columns) {
+    const int count = channel.end - channel.begin;
+    const Eigen::VectorXd& residual = null.fit.optimum.residuals;
+    const Eigen::MatrixXd rest = Complement(null.fit.optimum.jacobian)(columns);
+    const ColumnScore all = scoreColumns(Complement(Eigen::MatrixXd(residual.size(), 0)), residual, rest, false);
+    const double dof = static_cast<double>(all.directions.cols());
+    const Eigen::VectorXd left = residual - all.directions * (all.directions.transpose() * residual);
+    const ResidualSummary noise = summarise(left.segment(channel.begin, count));
+    const double effective = count / std::max(1.0, noise.autocorrelationTime);
+    if (dof < 1 || effective < 2 * dof + 10) return 1;
+    const double variance = left.segment(channel.begin, count).squaredNorm() / (count - dof);
+    const double f = all.explained / variance * effective / count / dof;
+    return boost::math::cdf(boost::math::complement(boost::math::fisher_f(dof, effective - dof), std::max(0.0, f)));
+}
+
 }  // namespace
 
 std::vector<Remainder> remainders(const NullModel& null, const SimulationOptions& simulation) {
@@ -122,15 +146,14 @@ std::vector<Remainder> remainders(const NullModel& null, const SimulationOptions
         const double dof = static_cast<double>(all.directions.cols());
         const double total = white.segment(channel.begin, count).squaredNorm();
         if (dof < 1 || count < 2 * dof + 10) continue;
-        const double f = all.explained / dof / std::max(1e-300, (total - all.explained) / (count - dof));
-        const double p =
-            boost::math::cdf(boost::math::complement(boost::math::fisher_f(dof, count - dof), std::max(0.0, f)));
-        if (!(p * tests < significance)) continue;
+        const double p = std::min(pWhitened(all, total, count), pPatient(null, channel, columns));
+        if (!(p * 2 * tests < significance)) continue;
 
         Remainder r;
         r.output = prepared->system->outputs()[static_cast<std::size_t>(channel.output)].name;
         r.experiment = prepared->problem.experiments[static_cast<std::size_t>(channel.experiment)].name;
-        r.evidence = all.explained - dof * std::log(static_cast<double>(count));
+        r.evidence =
+            std::max(all.explained - dof * std::log(static_cast<double>(count)), -std::log(std::max(p, 1e-300)));
         locate(null, *prepared, channel, r);
         for (std::size_t j = 0; j < candidates.size(); ++j) {
             const Eigen::VectorXd c = rest.col(static_cast<Eigen::Index>(j));
