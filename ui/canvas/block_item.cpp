@@ -144,7 +144,11 @@ void BlockItem::paintName(QPainter& painter, const QPalette& palette) const {
     const QPointF at = world.map(nameAt_);
     const double height = QFontMetricsF(font).height();
     const QRectF box(at.x() - 200, isNameAbove_ ? at.y() - height : at.y(), 400, height);
-    painter.drawText(box, Qt::AlignHCenter | Qt::AlignVCenter, QString::fromStdString(block_.name));
+    const QString name = QString::fromStdString(block_.name);
+    QColor ground = style::canvas(palette);  // a wire that runs under the name does not strike it out
+    ground.setAlphaF(0.8f);
+    painter.fillRect(QFontMetricsF(font).boundingRect(box, Qt::AlignCenter, name), ground);
+    painter.drawText(box, Qt::AlignCenter, name);
     painter.restore();
 }
 

@@ -57,6 +57,7 @@ void Document::show(Opened read) {
     facts_ = {};
     setMessages(Message::Origin::Run, {});
     ++revision_;
+    ++tracesVersion_;
     readModel();
     Q_EMIT opened();
     Q_EMIT modelChanged();
@@ -151,6 +152,7 @@ std::optional<double> Document::parameterValue(const std::string& name) const {
 
 void Document::setSimulated(ModelState state) {
     simulated_ = std::move(state);
+    ++tracesVersion_;
     Q_EMIT resultChanged();
 }
 
@@ -159,6 +161,7 @@ void Document::setResult(RunKind kind, RunResult result, const Study& ranOn) {
     result_ = std::make_unique<RunResult>(std::move(result));
     resultStudy_ = ranOn;
     resultKind_ = kind;
+    ++tracesVersion_;
     Q_EMIT resultChanged();
 }
 

@@ -73,6 +73,8 @@ public:
     /// Traces to show: as it stood before, and with what was found (null: there is none).
     const ModelState* before() const;
     const ModelState* after() const;
+    /// Changes whenever the traces to show do.
+    unsigned long tracesVersion() const { return 2 * tracesVersion_ + (isResultStale() ? 1 : 0); }
 
     void setRunMessages(Diagnostics messages);
     const std::vector<Message>& messages() const { return messages_; }
@@ -106,7 +108,7 @@ private:
     std::optional<ModelState> beforeFit_;
     RunKind resultKind_{RunKind::Simulate};
     std::vector<Message> messages_;
-    unsigned long revision_{};
+    unsigned long revision_{}, tracesVersion_{};
     QUndoStack undo_;
     JobRunner reader_;
     JobRunner analyser_;

@@ -26,6 +26,13 @@ QString percent(double value) {
     return QStringLiteral("%1 %").arg(value, 0, 'f', std::abs(value) < 9.995 ? 2 : 1);
 }
 
+/// Three digits at most: evidence spans many powers of ten, and nobody reads its fourth digit.
+QString evidenceText(double value) {
+    if (!std::isfinite(value)) return QStringLiteral("–");
+    if (std::abs(value) < 9999.5) return QString::number(value, 'f', std::abs(value) < 99.5 ? 1 : 0);
+    return QString::number(value, 'e', 1).remove("+0").remove('+');
+}
+
 /// A table that is as high as its rows and scrolls with the page.
 QTreeWidget* makeTable(const QStringList& headers, QWidget* parent) {
     auto* table = new QTreeWidget(parent);
@@ -125,9 +132,13 @@ ResultPanel::ResultPanel(Document& document, QWidget* parent) : QScrollArea(pare
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    connect(&document, &Document::resultChanged, this, &ResultPanel::refresh);
-    connect(&document, &Document::modelChanged, this, &ResultPanel::refresh);
-    connect(&document, &Document::parametersChanged, this, &ResultPanel::refresh);
+    // A run that is taken over changes all three at once: the page is built only then.
+    soon_.setSingleShot(true);
+    connect(&soon_, &QTimer::timeout, this, &ResultPanel::refresh);
+    const auto refreshSoon = [this] { soon_.start(0); };
+    connect(&document, &Document::resultChanged, this, refreshSoon);
+    connect(&document, &Document::modelChanged, this, refreshSoon);
+    connect(&document, &Document::parametersChanged, this, refreshSoon);
     refresh();
 }
 
@@ -175,11 +186,10 @@ void ResultPanel::refresh() {
 
 void ResultPanel::addEmptyState() {
     column_->addStretch(1);
-    auto* label =
-        addText(document_.isOpen() ? tr("<b>Fit</b> estimates the parameters.<br><b>Find effects</b> also asks "
-                                        "what the model lacks, adds it and shows the evidence here.")
-                                   : tr("Results appear here once a study is open."),
-                true);
+    auto* label = addText(document_.isOpen() ? tr("<b>Fit</b> estimates the parameters.<br><b>Discover</b> also asks "
+                                                  "what the model lacks, adds it and shows the evidence here.")
+                                             : tr("Results appear here once a study is open."),
+                          true);
     label->setAlignment(Qt::AlignCenter);
 }
 
@@ -269,8 +279,8 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
     const Evidence& e = effect.evidence;
     add(tr("Error"), percent(e.errorPercentBefore) + " → " + percent(e.errorPercentAfter),
         tr("Over the fitted experiments"));
-    add(tr("Score"), numberText(e.score, 4), tr("Squared signal-to-noise ratio of the effect in the residual"));
-    add(tr("ΔBIC"), numberText(e.deltaBic, 4), tr("Negative: the fit gains more than the added parameters cost"));
+    add(tr("Score"), evidenceText(e.score), tr("Squared signal-to-noise ratio of the effect in the residual"));
+    add(tr("ΔBIC"), evidenceText(e.deltaBic), tr("Negative: the fit gains more than the added parameters cost"));
     add(tr("Held-out blocks"), numberText(e.heldOut, 2),
         tr("+1: the gain holds on data left out of the fit; −1: it does not"));
     column_->addLayout(grid);
@@ -312,8 +322,8 @@ void ResultPanel::addCandidates(const Finding& finding) {
     candidates_ = makeTable({tr("Effect"), tr("At"), tr("Score"), tr("ΔBIC"), tr("Verdict")}, body_);
     for (const CandidateResult& c : finding.candidates) {
         auto* item = new QTreeWidgetItem(candidates_,
-                                         {text(c.kind), text(c.at), numberText(c.score, 3),
-                                          c.deltaBic ? numberText(*c.deltaBic, 4) : QString(), text(name(c.verdict))});
+                                         {text(c.kind), text(c.at), evidenceText(c.score),
+                                          c.deltaBic ? evidenceText(*c.deltaBic) : QString(), text(name(c.verdict))});
         alignRight(item, {2, 3});
         item->setToolTip(4, verdictTip(c));
         if (c.verdict == Verdict::Chosen) {

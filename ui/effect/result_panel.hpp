@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QScrollArea>
+#include <QTimer>
 
 class QLabel;
 class QTreeWidget;
@@ -43,6 +44,7 @@ private:
     void addHeading(const QString& text);
 
     Document& document_;
+    QTimer soon_;
     QWidget* body_{};
     QVBoxLayout* column_{};
     QLabel* headline_{};

@@ -38,7 +38,7 @@ QString runName(RunKind kind) {
         case RunKind::Discover:
             break;
     }
-    return RunController::tr("Search for effects");
+    return RunController::tr("Discovery");
 }
 
 const char* commandName(RunKind kind) {

@@ -96,7 +96,7 @@ QVariant ParameterModel::display(const Row& row, int column) const {
         case Name:
             return QString::fromStdString(row.name);
         case Value:
-            return row.value ? numberText(*row.value) : QString();
+            return row.value ? numberText(*row.value, 4) : QString();
         case Unit:
             return QString::fromStdString(row.unit);
         case Min:

@@ -75,7 +75,8 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
     table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 2 * style::unit + 2);
     table_->horizontalHeader()->setHighlightSections(false);
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table_->horizontalHeader()->setStretchLastSection(true);
+    table_->horizontalHeader()->setSectionResizeMode(ParameterModel::Name, QHeaderView::Stretch);
+    table_->horizontalHeader()->setMinimumSectionSize(9 * style::unit);
     table_->setAccessibleName(tr("Parameters"));
 
     empty_->setAlignment(Qt::AlignCenter);

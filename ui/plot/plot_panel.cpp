@@ -78,6 +78,9 @@ void PlotPanel::showExperiment(const QString& name) {
 }
 
 void PlotPanel::refresh() {
+    const unsigned long version = document_.isOpen() ? document_.tracesVersion() : 0;
+    if (version == version_ && version != 0) return;
+    version_ = version;
     const ModelState* shown = document_.after() ? document_.after() : document_.before();
     std::vector<std::string> names;
     if (shown)

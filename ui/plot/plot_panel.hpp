@@ -51,7 +51,8 @@ private:
     std::vector<OutputPlot*> plots_;
     std::vector<std::string> names_;
     double from_{0}, to_{0}, first_{0}, last_{0};
-    QString shown_;  // experiment the time range belongs to
+    unsigned long version_{};  // of the traces shown
+    QString shown_;            // experiment the time range belongs to
 };
 
 /// One output: a heading that is also the legend, values, residual.

@@ -20,6 +20,15 @@ namespace {
 
 constexpr double leftMargin = 64, rightMargin = 26, topMargin = 6;  // [px] equal, so that stacked plots line up
 
+/// Range and ticks of an axis. Each change lays the axis out anew, with one label a tick: so none is made without
+/// need, and never a wide range with the narrow step of the range before.
+void setAxis(QValueAxis& axis, double low, double high, double step) {
+    if (axis.min() == low && axis.max() == high && axis.tickInterval() == step) return;
+    if (axis.tickInterval() < step) axis.setTickInterval(step);
+    axis.setRange(low, high);
+    if (axis.tickInterval() != step) axis.setTickInterval(step);
+}
+
 }  // namespace
 
 QColor traceColour(TraceRole role, const QPalette& palette) {
@@ -42,6 +51,7 @@ struct TimePlot::Chart {
     std::vector<QLineSeries*> series;
     QGraphicsLineItem* cursor{};
     QGraphicsSimpleTextItem* caption{};
+    QRectF area;
     int points{};
 };
 
@@ -84,19 +94,19 @@ void TimePlot::setTraces(std::shared_ptr<const std::vector<double>> time, std::v
     time_ = std::move(time);
     traces_ = std::move(traces);
     Chart& c = *chart_;
-    for (QLineSeries* series : c.series) {
-        c.chart->removeSeries(series);
-        delete series;
+    while (c.series.size() > traces_.size()) {
+        c.chart->removeSeries(c.series.back());
+        delete c.series.back();
+        c.series.pop_back();
     }
-    c.series.clear();
-    for (std::size_t i = 0; i < traces_.size(); ++i) {
+    while (c.series.size() < traces_.size()) {
         auto* series = new QLineSeries;
         c.chart->addSeries(series);
         series->attachAxis(c.time);
         series->attachAxis(c.value);
         c.series.push_back(series);
     }
-    recolour();
+    colourTraces();
     fitValues();
     refresh();
 }
@@ -109,6 +119,7 @@ void TimePlot::setVisible(TraceRole role, bool isVisible) {
 }
 
 void TimePlot::setTimeRange(double from, double to) {
+    if (from == from_ && to == to_) return;
     from_ = from;
     to_ = to;
     refresh();
@@ -141,7 +152,7 @@ void TimePlot::setCursorTime(std::optional<double> time) {
 
 int TimePlot::paintedPoints() const { return chart_->points; }
 
-std::pair<double, double> TimePlot::valueRange() const { return {chart_->value->min(), chart_->value->max()}; }
+std::pair<double, double> TimePlot::valueRange() const { return {low_, high_}; }
 
 void TimePlot::fitValues() {
     double low = 1e300, high = -1e300;
@@ -164,7 +175,8 @@ void TimePlot::fitValues() {
         high += around;
     }
     const double pad = (high - low) * 0.06;
-    chart_->value->setRange(low - pad, high + pad);
+    low_ = low - pad;
+    high_ = high + pad;
     layOut();
 }
 
@@ -172,8 +184,7 @@ void TimePlot::refresh() {
     Chart& c = *chart_;
     c.points = 0;
     if (!time_ || !(to_ > from_)) return;
-    c.time->setRange(from_, to_);
-    c.time->setTickInterval(niceStep(to_ - from_, std::max(2, width() / 110)));
+    setAxis(*c.time, from_, to_, niceStep(to_ - from_, std::max(2, width() / 110)));
     const int pixels = std::max(1, static_cast<int>(c.chart->plotArea().width()));
     for (std::size_t i = 0; i < traces_.size(); ++i) {
         const bool isHidden = std::find(hidden_.begin(), hidden_.end(), traces_[i].role) != hidden_.end();
@@ -200,10 +211,16 @@ void TimePlot::recolour() {
     }
     c.cursor->setPen(QPen(label, 1));
     c.caption->setBrush(label);
+    colourTraces();
+}
+
+void TimePlot::colourTraces() {
+    Chart& c = *chart_;
+    const QPalette p = palette();
     for (std::size_t i = 0; i < c.series.size(); ++i) {
         QPen pen(traceColour(traces_[i].role, p), traces_[i].role == TraceRole::Measured ? 1.0 : 1.6);
         pen.setJoinStyle(Qt::RoundJoin);
-        c.series[i]->setPen(pen);
+        if (c.series[i]->pen() != pen) c.series[i]->setPen(pen);
     }
 }
 
@@ -211,10 +228,11 @@ void TimePlot::layOut() {
     Chart& c = *chart_;
     c.view->setGeometry(rect());
     const double bottom = hasTimeLabels_ ? fontMetrics().height() + 8 : 8;
-    c.chart->setPlotArea(QRectF(leftMargin, topMargin, std::max(10.0, width() - leftMargin - rightMargin),
-                                std::max(10.0, height() - topMargin - bottom)));
-    const double span = c.value->max() - c.value->min();
-    c.value->setTickInterval(niceStep(span, std::max(2, static_cast<int>(c.chart->plotArea().height() / 18))));
+    const QRectF area(leftMargin, topMargin, std::max(10.0, width() - leftMargin - rightMargin),
+                      std::max(10.0, height() - topMargin - bottom));
+    if (area != c.area) c.chart->setPlotArea(area);
+    c.area = area;
+    setAxis(*c.value, low_, high_, niceStep(high_ - low_, std::max(2, static_cast<int>(area.height() / 18))));
     c.caption->setPos(leftMargin + 6, topMargin);
 }
 

@@ -53,6 +53,7 @@ protected:
 private:
     void refresh();
     void recolour();
+    void colourTraces();
     void layOut();
     void fitValues();
     double timeAt(double x) const;
@@ -62,7 +63,8 @@ private:
     std::shared_ptr<const std::vector<double>> time_;
     std::vector<Trace> traces_;
     std::vector<TraceRole> hidden_;
-    double from_{0}, to_{1};
+    double from_{0}, to_{1};   // [s] shown
+    double low_{0}, high_{1};  // values shown
     bool isSymmetric_{}, hasTimeLabels_{true};
     std::optional<double> dragFrom_;  // [px]
 };

@@ -158,8 +158,8 @@ void MainWindow::createActions() {
     redoAction_->setShortcuts({Qt::CTRL | Qt::SHIFT | Qt::Key_Z, Qt::CTRL | Qt::Key_Y});
     fitAction_ = make(tr("Fit"), "fit", Qt::Key_F5, tr("Estimate the checked parameters"));
     fitAction_->setObjectName("fit");
-    discoverAction_ = make(tr("Find effects"), "discover", Qt::Key_F6,
-                           tr("Fit, find the effect that the model lacks, add it and refit"));
+    discoverAction_ =
+        make(tr("Discover"), "discover", Qt::Key_F6, tr("Fit, find the effect that the model lacks, add it and refit"));
     discoverAction_->setObjectName("discover");
     fitViewAction_ = make(tr("Show all"), "fit-view", {}, tr("Show the whole diagram (Space)"));
 
@@ -208,7 +208,7 @@ void MainWindow::createToolBar() {
     bar->setMovable(false);
     bar->setIconSize({20, 20});
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    bar->setContentsMargins(style::unit, style::unit, style::unit, style::unit);
+    bar->setContentsMargins(style::unit, 0, style::unit, 0);
     bar->addAction(openAction_);
     bar->addSeparator();
     bar->addAction(undoAction_);
@@ -283,7 +283,7 @@ void MainWindow::resetLayout() {
 
 /// Sizes only hold for docks that are shown, so they wait for the first study.
 void MainWindow::sizeDocks() {
-    resizeDocks({measurementDock_, parameterDock_}, {270, 460}, Qt::Horizontal);
+    resizeDocks({measurementDock_, parameterDock_}, {270, 500}, Qt::Horizontal);
     resizeDocks({plotDock_}, {410}, Qt::Vertical);
     resizeDocks({parameterDock_, resultDock_}, {2, 3}, Qt::Vertical);
     isLayoutFresh_ = false;
