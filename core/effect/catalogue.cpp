@@ -117,6 +117,7 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
     e.linear = read.list(annotation, "linear");
     e.secant = read.list(annotation, "secant");
     e.quantity = read.text(annotation, "quantity", false);
+    e.valid = read.text(annotation, "valid", false);
     e.channel = read.text(annotation, "channel", false);
     if (const Modification* fixed = child(annotation, "fixed"))
         for (const Modification& m : fixed->arguments)

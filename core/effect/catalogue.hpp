@@ -20,12 +20,14 @@
 ///     linear = {"tau_s"},               // further parameters in which the model is linear at 0
 ///     fixed(w_eps = "0.002*maxabs(w)"), // set before screening and kept
 ///     shape(w_s = {"0.05*maxabs(w)", "0.3*maxabs(w)"}),  // tried in turn, freed in the refit
+///     valid = "n*range(phi) - 6.28",    // a shape for which this is not above 0 is left out
 ///     secant = {"2*sample", "8*sample"},// strengths of the screening where the slope at 0 misleads
 ///     quantity = "K",                   // signals only: restrict to channels of this unit; absent: any
 ///     channel = "flow")))               // specialise: a signal input to be driven by a recorded, unused channel
 ///
-/// Texts are Modelica expressions over sample, duration (of the recording, s) and range(v), maxabs(v), rms(v),
-/// mean(v), start(v) of the variables v of the effect's own instance, as simulated with the effect off.
+/// Texts are Modelica expressions over sample, duration (of the recording, s) and range(v), minimum(v), maximum(v),
+/// maxabs(v), rms(v), mean(v), start(v), rate(v), flow(port) of the variables v and connectors of the effect's own
+/// instance, as simulated with the effect off.
 namespace analogon {
 
 struct EffectClass {
@@ -40,6 +42,7 @@ struct EffectClass {
     std::vector<std::string> linear;
     std::map<std::string, std::string> fixed;  // parameter -> expression
     std::map<std::string, std::vector<std::string>> shape;
+    std::string valid;
     std::vector<std::string> secant;
     std::string quantity;
     std::string channel;                       // signal input driven by a spare channel; empty: none

@@ -20,7 +20,12 @@ namespace {
 constexpr double equivalenceMargin = 10;   // evidence within which two candidates cannot be told apart
 constexpr double twinCorrelation = 0.999;  // projected traces more alike than this are twins
 constexpr double largeResidual = 1.2;      // in units of the noise: above it, first-order scores may mislead
+constexpr double nearlyAsMuch = 0.6;       // of the fall in the sum of squares
 constexpr double falseAlarmQuantile = 0.99;
+constexpr double rivalShare = 0.3;  // of the winner's evidence, from which on a weaker candidate is looked at again
+constexpr std::size_t mostRivals = 5;
+constexpr double leastGain = 1;   // in evidence, for which an effect is exchanged: exact twins are not
+constexpr double mostGrowth = 5;  // of an effect's strength when another joins it
 constexpr int startsPerTrial = 2;
 constexpr int trialIterations = 12;  // a trial must show what it is worth; the winner is refitted to convergence
 constexpr int glanceIterations = 5;  // of the whole catalogue, to see who deserves a trial
@@ -85,6 +90,41 @@ double pValue(double explained, int dof, std::size_t tried) {
     return -std::expm1(static_cast<double>(tried) * std::log1p(-p));
 }
 
+/// What a fit leaves, in units of the noise.
+double levelOf(const FitResult& fit) {
+    return std::sqrt(fit.optimum.residuals.squaredNorm() / static_cast<double>(fit.optimum.residuals.size()));
+}
+
+/// Of the samples, those that speak for themselves: neighbours in a slow residual say the same.
+double independentShare(const NullModel& null, const FitResult& fit) {
+    const Eigen::VectorXd& r = fit.optimum.residuals;
+    return effectiveCount(null.channels, r) / static_cast<double>(r.size());
+}
+
+/// Between kinds that the data cannot tell apart while much is left: a command is followed at once more often than a
+/// sensor is fast.
+int plausibility(const EffectClass& effect) { return effect.signalSide == "input" ? 1 : 0; }
+
+/// Whether the strength rests at a bound: the effect then stands for something else.
+bool isAtBound(const Trial& trial) {
+    const std::string& strength = trial.variant.effects.back().freed.front().name;
+    return std::any_of(trial.fit.estimates.begin(), trial.fit.estimates.end(),
+                       [&](const FitEstimate& e) { return e.name == strength && e.atBound; });
+}
+
+/// Whether a new effect and an old one grow against each other: two that cancel explain what neither does.
+bool fightsAnother(const NullModel& null, const Trial& trial) {
+    const auto valueOf = [](const FitResult& fit, const std::string& name) {
+        for (const FitEstimate& e : fit.estimates)
+            if (e.name == name) return std::abs(e.value);
+        return 0.0;
+    };
+    return std::any_of(null.variant.effects.begin(), null.variant.effects.end(), [&](const PlacedEffect& e) {
+        const std::string& strength = e.freed.front().name;
+        return valueOf(trial.fit, strength) > mostGrowth * valueOf(null.fit, strength);
+    });
+}
+
 /// One search, from the model as given to the model that leaves noise.
 class Search {
 public:
@@ -99,6 +139,8 @@ private:
         Acceptance acceptance;
         double pValue{};
         std::vector<Alternative> alternatives;
+        std::vector<Candidate> rivals;  // what else explained a good part of the same
+        double errorWithout{-1};        // [%] of the fitted data when this effect alone is left out; -1: not known
     };
 
     std::vector<Screened> screenAll(const NullModel& null);
@@ -109,7 +151,11 @@ private:
     std::optional<Step> round(const NullModel& null);
     std::vector<std::size_t> equivalents(const NullModel& null, const std::vector<Trial>& trials,
                                          std::size_t best) const;
+    std::optional<NullModel> without(const NullModel& null, std::size_t effect);
+    bool reconsider(NullModel& null);
+    bool replace(NullModel& null, std::size_t effect);
     void removeUnneeded(NullModel& null);
+    void setVerdict(const std::string& kind, const std::string& at, Verdict verdict);
     void note(const Screened& s, Verdict verdict, std::optional<double> deltaBic);
     AddedEffect describe(const NullModel& last, const PlacedEffect& placed, const Step& step) const;
     void say(std::string stage, std::string detail, double fraction) const {
@@ -216,9 +262,10 @@ std::vector<std::size_t> Search::equivalents(const NullModel& null, const std::v
         return Eigen::VectorXd(rest.col(0).normalized());
     };
     const Eigen::VectorXd own = direction(trials[best]);
+    const double weight = independentShare(null, trials[best].fit);
     for (std::size_t i = 0; i < trials.size(); ++i) {
         if (i == best || !trials[i].ok) continue;
-        const double gap = trials[best].evidence - trials[i].evidence;
+        const double gap = weight * std::abs(trials[best].evidence - trials[i].evidence);
         if (gap < equivalenceMargin ||
             (gap < 3 * equivalenceMargin && std::abs(own.dot(direction(trials[i]))) > twinCorrelation))
             members.push_back(i);
@@ -259,23 +306,39 @@ std::optional<Search::Step> Search::round(const NullModel& null) {
     std::set<const Trial*> failsHeldOut;
     for (std::size_t i = 0; i < trials.size() && !chosen; ++i) {
         if (!trials[i].ok || trials[i].evidence < equivalenceMargin) break;
-        acceptance = examine(null, trials[i], threshold);
+        if (isAtBound(trials[i]) || fightsAnother(null, trials[i])) continue;
+        acceptance = examine(null, trials[i].fit, trials[i].freed(), threshold);
         if (acceptance.accepted())
             chosen = i;
         else if (acceptance.isSignificant)
             failsHeldOut.insert(&trials[i]);
     }
     if (chosen) {
+        // While much is left whatever is taken, one step explains with its flexible parameters what belongs to others:
+        // the simplest that explains nearly as much goes first.
+        const double fall = null.sumOfSquares() - trials[*chosen].sumOfSquares();
+        const bool leavesMuch = levelOf(trials[*chosen].fit) > largeResidual;
         members = equivalents(null, trials, *chosen);
-        const auto simplest = std::min_element(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
-            return trials[a].freed() < trials[b].freed();
-        });
-        if (trials[*simplest].freed() < trials[*chosen].freed()) {
-            const Acceptance simpler = examine(null, trials[*simplest], threshold);
-            if (simpler.accepted()) {
-                chosen = *simplest;
-                acceptance = simpler;
-            }
+        std::vector<std::size_t> simpler;
+        for (std::size_t i = 0; i < trials.size(); ++i) {
+            if (!trials[i].ok || isAtBound(trials[i]) || fightsAnother(null, trials[i])) continue;
+            const bool isSimpler = trials[i].freed() < trials[*chosen].freed();
+            const bool isLikelier = leavesMuch && trials[i].freed() == trials[*chosen].freed() &&
+                                    plausibility(trials[i].screened.candidate.effect) <
+                                        plausibility(trials[*chosen].screened.candidate.effect);
+            const bool isMember = std::find(members.begin(), members.end(), i) != members.end();
+            const bool isNearly = leavesMuch && null.sumOfSquares() - trials[i].sumOfSquares() > nearlyAsMuch * fall;
+            if ((isMember && (isSimpler || isLikelier)) || (isNearly && isSimpler)) simpler.push_back(i);
+        }
+        std::stable_sort(simpler.begin(), simpler.end(),
+                         [&](std::size_t a, std::size_t b) { return trials[a].freed() < trials[b].freed(); });
+        for (const std::size_t i : simpler) {
+            const Acceptance a = examine(null, trials[i].fit, trials[i].freed(), threshold);
+            if (!a.accepted()) continue;
+            chosen = i;
+            acceptance = a;
+            members = equivalents(null, trials, i);
+            break;
         }
     }
 
@@ -289,6 +352,12 @@ std::optional<Search::Step> Search::round(const NullModel& null) {
             if (m != *chosen)
                 s.alternatives.push_back({trials[m].screened.candidate.effect.kind,
                                           trials[m].screened.candidate.place.at, -trials[m].evidence, true});
+        for (const std::size_t m : members)
+            if (m != *chosen) s.rivals.push_back(trials[m].screened.candidate);
+        for (std::size_t i = 0; i < trials.size() && s.rivals.size() < mostRivals; ++i)
+            if (trials[i].ok && std::find(members.begin(), members.end(), i) == members.end() &&
+                trials[i].evidence > rivalShare * trials[*chosen].evidence)
+                s.rivals.push_back(trials[i].screened.candidate);
         for (std::size_t i = 0; i < trials.size() && s.alternatives.size() < 6; ++i)
             if (trials[i].ok && std::find(members.begin(), members.end(), i) == members.end())
                 s.alternatives.push_back({trials[i].screened.candidate.effect.kind,
@@ -328,35 +397,142 @@ std::optional<Search::Step> Search::round(const NullModel& null) {
     return step;
 }
 
+/// The model refitted with one effect taken out.
+std::optional<NullModel> Search::without(const NullModel& null, std::size_t effect) {
+    std::vector<PlacedEffect> others;
+    for (std::size_t k = 0; k < null.variant.effects.size(); ++k)
+        if (k != effect) others.push_back(null.variant.effects[k]);
+    Outcome<Variant> variant = withEffects(base_, others, null.variant.values);
+    if (!variant) return std::nullopt;
+    Outcome<NullModel> refitted = fitNull(*variant, null.noise, NoiseLevel::Keep, options_.fit, progress_);
+    if (!refitted) return std::nullopt;
+    return std::move(*refitted);
+}
+
+/// Tries the rivals of one effect again, now that others have joined it: what came second alone may be the better
+/// half of a pair. True when one of them took its place (at the end of the list).
+bool Search::replace(NullModel& null, std::size_t effect) {
+    const PlacedEffect old = null.variant.effects[effect];
+    std::optional<NullModel> rest = without(null, effect);
+    if (!rest) return false;
+    Outcome<std::vector<Candidate>> places = candidatesFor(rest->variant, catalogue_);
+    if (!places) return false;
+    std::vector<Candidate> rivals;
+    for (const Candidate& rival : steps_[effect].rivals)
+        for (const Candidate& place : *places)
+            if (place.effect.className == rival.effect.className && place.place.at == rival.place.at &&
+                place.place.spare == rival.place.spare)
+                rivals.push_back(place);
+    std::vector<Screened> screened(rivals.size());
+    parallelFor(static_cast<int>(rivals.size()), options_.threads, [&](int i) {
+        say("reconsider",
+            rivals[static_cast<std::size_t>(i)].effect.kind + " at " + rivals[static_cast<std::size_t>(i)].place.at +
+                " for " + old.effect.kind,
+            -1);
+        screened[static_cast<std::size_t>(i)] =
+            screen(*rest, rivals[static_cast<std::size_t>(i)], options_.fit.simulation, progress_);
+    });
+    std::vector<const Screened*> chosen;
+    for (const Screened& s : screened)
+        if (s.failure.empty() && s.score() > 0) chosen.push_back(&s);
+    std::vector<Trial> trials = tryThese(*rest, chosen, 2 * trialIterations, startsPerTrial);
+    rank(*rest, trials);
+    if (trials.empty() || !trials.front().ok || progress_.stopRequested()) return false;
+    Trial& best = trials.front();
+    const double rows = static_cast<double>(null.fit.optimum.residuals.size());
+    const double least = std::min(best.sumOfSquares(), null.sumOfSquares());
+    const double variance = least / std::max(1.0, rows - null.parameterCount());
+    const double gain = (null.sumOfSquares() - best.sumOfSquares()) / variance -
+                        (best.freed() - static_cast<int>(old.freed.size())) *
+                            std::log(effectiveCount(null.channels, null.fit.optimum.residuals));
+    // alternatives are judged beside the other effects of today
+    std::vector<Alternative>& alternatives = steps_[effect].alternatives;
+    const double own = best.evidence - gain;
+    const double weight = independentShare(null, best.fit);
+    for (const Trial& t : trials) {
+        const EffectPlace& place = t.screened.candidate.place;
+        const std::string& kind = t.screened.candidate.effect.kind;
+        std::erase_if(alternatives, [&](const Alternative& a) { return a.kind == kind && a.at == place.at; });
+        if (t.ok)
+            alternatives.push_back({kind, place.at, -t.evidence, weight * (own - t.evidence) < equivalenceMargin});
+    }
+    if (!(gain > leastGain)) return false;
+    const double fall = rest->sumOfSquares() - null.sumOfSquares(),
+                 bestFall = rest->sumOfSquares() - best.sumOfSquares();
+    if (levelOf(best.fit) > largeResidual && best.freed() > static_cast<int>(old.freed.size()) &&
+        fall > nearlyAsMuch * bestFall)
+        return false;
+    Outcome<NullModel> next = fitNull(best.variant, null.noise, NoiseLevel::Keep, options_.fit, progress_);
+    if (!next) return false;
+
+    Step step;
+    step.acceptance = examine(*rest, best.fit, best.freed(), 0);
+    step.pValue = pValue(step.acceptance.explained, best.freed(), screened.size());
+    step.alternatives.push_back(
+        {old.effect.kind, old.place.at, -(best.evidence - gain), weight * gain < equivalenceMargin});
+    for (std::size_t i = 1; i < trials.size(); ++i)
+        if (trials[i].ok)
+            step.alternatives.push_back({trials[i].screened.candidate.effect.kind,
+                                         trials[i].screened.candidate.place.at, -trials[i].evidence,
+                                         weight * (best.evidence - trials[i].evidence) < equivalenceMargin});
+    for (const Candidate& c : steps_[effect].rivals)
+        if (c.effect.className != best.screened.candidate.effect.className ||
+            c.place.at != best.screened.candidate.place.at)
+            step.rivals.push_back(c);
+    step.rivals.push_back({old.effect, old.place});
+    step.winner = std::move(best);
+    setVerdict(old.effect.kind, old.place.at, Verdict::Weaker);
+    setVerdict(step.winner.screened.candidate.effect.kind, step.winner.screened.candidate.place.at, Verdict::Chosen);
+    null = std::move(*next);
+    steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(effect));
+    steps_.push_back(std::move(step));
+    return true;
+}
+
+/// Gives the rivals of every effect but the newest another chance. Bounded: each change lowers the misfit.
+bool Search::reconsider(NullModel& null) {
+    bool changed = false;
+    for (int pass = 0; pass < 2; ++pass) {
+        bool changedNow = false;
+        for (std::size_t i = 0; i + 1 < steps_.size() && !progress_.stopRequested();)
+            if (!steps_[i].rivals.empty() && replace(null, i))
+                changedNow = true;
+            else
+                ++i;
+        changed = changed || changedNow;
+        if (!changedNow) break;
+    }
+    return changed;
+}
+
+void Search::setVerdict(const std::string& kind, const std::string& at, Verdict verdict) {
+    for (auto c = candidates_.rbegin(); c != candidates_.rend(); ++c)
+        if (c->kind == kind && c->at == at) {
+            c->verdict = verdict;
+            return;
+        }
+}
+
 /// Takes each effect out again and keeps only those that are missed.
 void Search::removeUnneeded(NullModel& null) {
     for (std::size_t i = 0; i < steps_.size() && steps_.size() > 1 && !progress_.stopRequested();) {
-        std::vector<PlacedEffect> others;
-        for (std::size_t k = 0; k < null.variant.effects.size(); ++k)
-            if (k != i) others.push_back(null.variant.effects[k]);
-        Outcome<Variant> without = withEffects(base_, others, null.variant.values);
-        if (!without) {
-            ++i;
-            continue;
-        }
         say("remove", null.variant.effects[i].effect.kind + " at " + null.variant.effects[i].place.at, -1);
-        Outcome<NullModel> refitted = fitNull(*without, null.noise, NoiseLevel::Keep, options_.fit, progress_);
+        std::optional<NullModel> refitted = without(null, i);
         if (!refitted) {
             ++i;
             continue;
         }
-        const double rows = static_cast<double>(null.fit.optimum.residuals.size());
-        const double variance = null.sumOfSquares() / std::max(1.0, rows - null.parameterCount());
-        const double freed = static_cast<double>(null.variant.effects[i].freed.size());
-        const double missed = (refitted->sumOfSquares() - null.sumOfSquares()) / variance - freed * std::log(rows);
-        if (missed > equivalenceMargin) {
+        const int freed = static_cast<int>(null.variant.effects[i].freed.size());
+        const Acceptance missed = examine(*refitted, null.fit, freed, 0);
+        if (missed.isSignificant && missed.isWorthwhile && missed.heldOut > 0) {
+            steps_[i].acceptance = missed;
+            if (Outcome<ModelState> state =
+                    stateOf(refitted->variant, refitted->fit, options_.fit.simulation, progress_))
+                steps_[i].errorWithout = errorPercentOf(*state, Role::Fit);
             ++i;
             continue;
         }
-        for (CandidateResult& c : candidates_)
-            if (c.verdict == Verdict::Chosen && c.kind == null.variant.effects[i].effect.kind &&
-                c.at == null.variant.effects[i].place.at)
-                c.verdict = Verdict::NotSignificant;
+        setVerdict(null.variant.effects[i].effect.kind, null.variant.effects[i].place.at, Verdict::NotSignificant);
         null = std::move(*refitted);
         steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
         i = 0;
@@ -410,7 +586,6 @@ Outcome<Finding> Search::run() {
     finding.baseline = std::move(*state);
     finding.final = finding.baseline;
     bestError_ = errorPercentOf(finding.baseline, Role::Fit);
-    std::vector<double> errors{bestError_};
 
     for (round_ = 1; round_ <= options_.maxRounds && !progress_.stopRequested(); ++round_) {
         std::optional<Step> step = round(*null);
@@ -421,18 +596,20 @@ Outcome<Finding> Search::run() {
         Outcome<NullModel> next = fitNull(wider, null->noise, NoiseLevel::Estimate, options_.fit, progress_);
         if (!next) return next.diagnostics();
         null = std::move(next);
+        reconsider(*null);
         removeUnneeded(*null);
         Outcome<ModelState> after = stateOf(null->variant, null->fit, options_.fit.simulation, progress_);
         if (!after) return after.diagnostics();
         finding.final = std::move(*after);
         bestError_ = errorPercentOf(finding.final, Role::Fit);
-        errors.push_back(bestError_);
     }
 
     for (std::size_t i = 0; i < steps_.size() && i < null->variant.effects.size(); ++i) {
         AddedEffect effect = describe(*null, null->variant.effects[i], steps_[i]);
-        effect.evidence.errorPercentBefore = i < errors.size() ? errors[i] : errors.back();
-        effect.evidence.errorPercentAfter = i + 1 < errors.size() ? errors[i + 1] : errors.back();
+        // what the model is without this effect, and with it; the others are there in both
+        effect.evidence.errorPercentBefore =
+            steps_[i].errorWithout >= 0 ? steps_[i].errorWithout : errorPercentOf(finding.baseline, Role::Fit);
+        effect.evidence.errorPercentAfter = errorPercentOf(finding.final, Role::Fit);
         finding.effects.push_back(std::move(effect));
     }
     finding.candidates = std::move(candidates_);

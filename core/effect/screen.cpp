@@ -61,6 +61,7 @@ std::vector<std::string> texts(const EffectClass& effect) {
     std::vector<std::string> all = effect.secant;
     for (const auto& [name, text] : effect.fixed) all.push_back(text);
     for (const auto& [name, list] : effect.shape) all.insert(all.end(), list.begin(), list.end());
+    if (!effect.valid.empty()) all.push_back(effect.valid);
     return all;
 }
 
@@ -170,7 +171,21 @@ Outcome<std::vector<std::map<std::string, double>>> shapesOf(const EffectClass& 
         }
         shapes = std::move(wider);
     }
-    return shapes;
+    if (effect.valid.empty()) return shapes;
+    std::vector<std::map<std::string, double>> valid;
+    for (std::map<std::string, double>& s : shapes) {
+        ShapeContext with = context;
+        with.quantity = [&](const std::string& name) {
+            const auto own = s.find(name);
+            return own == s.end() ? context.quantity(name) : own->second;
+        };
+        Outcome<double> value = shapeValue(effect.valid, with);
+        if (!value) return value.diagnostics();
+        if (*value > 0) valid.push_back(std::move(s));
+    }
+    if (valid.empty())
+        return error("the recording does not show what tells this effect apart: " + effect.valid + " > 0");
+    return valid;
 }
 
 std::string reason(const Diagnostics& diagnostics) {

@@ -2,13 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace analogon {
 namespace {
 
-constexpr double leastEvidence = 10;  // fall in BIC that an effect must bring
+constexpr double leastEvidence = 10;   // fall in BIC that an effect must bring
+constexpr std::size_t mostStarts = 8;  // that are weighed against each other
 constexpr double leastHeldOut = 0.5;
-constexpr int heldOutBlocks = 10;  // fewer leave out more of the excitation than the rest can make up for
+constexpr double leastHeldOutOfMuch = 0.7;  // where other structure remains, which a wrong effect may feed on
+constexpr double muchLeft = 1.44;           // squared residual over squared noise
+constexpr double leastShare = 0.05;  // beside what stays unexplained: a detail on top of a riddle explains nothing
+constexpr int heldOutBlocks = 10;    // fewer leave out more of the excitation than the rest can make up for
 
 double smallestSecant(const Screened& s) {
     double smallest = 0;
@@ -74,6 +80,44 @@ std::vector<FitParameter> freedParameters(const Screened& s, const Probe& probe)
     return freed;
 }
 
+/// A point from which a candidate may be refitted.
+struct Start {
+    Variant variant;  // effect's parameters freed, at their start values
+    PreparedTask prepared;
+    double promised{};  // half the sum of squares once the linearised problem is solved from here
+};
+
+/// The starts that a screened candidate offers: every probe's estimate of the strength, and for traces taken at a
+/// strength that strength itself, since what sets in at a threshold has no slope below it.
+std::vector<std::pair<const Probe*, double>> startsOf(const Screened& screened) {
+    std::vector<std::pair<const Probe*, double>> starts;
+    for (const Probe& probe : screened.probes) {
+        if (probe.strength() != 0) starts.emplace_back(&probe, 0);
+        if (probe.secant != 0) starts.emplace_back(&probe, probe.secant);
+    }
+    return starts;
+}
+
+/// Half the sum of squares that is left when all parameters follow the tangent at this point.
+double promisedCost(const Linearisation& at) { return 0.5 * Complement(at.jacobian)(at.residuals).squaredNorm(); }
+
+std::optional<Start> prepareStart(const NullModel& null, const Screened& screened, const Probe& probe, double strength,
+                                  std::string& failure) {
+    Start start;
+    start.variant = screened.wired;
+    start.variant.effects.back().freed = freedParameters(screened, probe);
+    if (strength != 0) start.variant.effects.back().freed.front().start = strength;
+    for (const FitParameter& p : start.variant.effects.back().freed) start.variant.task.parameters.push_back(p);
+    Outcome<PreparedTask> prepared = prepareAt(start.variant, null.noise);
+    if (!prepared) {
+        failure = prepared.diagnostics().front().message;
+        return std::nullopt;
+    }
+    start.prepared = std::move(*prepared);
+    for (FitParameter& p : start.prepared.problem.parameters) p.start = std::clamp(p.start, p.min, p.max);
+    return start;
+}
+
 }  // namespace
 
 Trial refit(const NullModel& null, const Screened& screened, const FitOptions& options, int starts,
@@ -81,28 +125,42 @@ Trial refit(const NullModel& null, const Screened& screened, const FitOptions& o
     Trial best;
     best.screened = screened;
     best.variant = screened.wired;
-    int tried = 0;
-    for (const Probe& probe : screened.probes) {
-        if (tried == starts || progress.stopRequested()) break;
-        if (probe.strength() == 0) continue;
-        ++tried;
-        Variant variant = screened.wired;
-        variant.effects.back().freed = freedParameters(screened, probe);
-        for (const FitParameter& p : variant.effects.back().freed) variant.task.parameters.push_back(p);
-        Outcome<PreparedTask> prepared = prepareAt(variant, null.noise);
-        if (!prepared) {
-            best.failure = prepared.diagnostics().front().message;
-            continue;
+    std::vector<Start> ready;
+    const std::vector<std::pair<const Probe*, double>> offered = startsOf(screened);
+    for (const auto& [probe, strength] : offered) {
+        if (progress.stopRequested() || ready.size() == mostStarts) break;
+        std::optional<Start> start = prepareStart(null, screened, *probe, strength, best.failure);
+        if (!start) continue;
+        if (offered.size() > static_cast<std::size_t>(starts)) {
+            Eigen::VectorXd values(static_cast<Eigen::Index>(start->prepared.problem.parameters.size()));
+            for (Eigen::Index j = 0; j < values.size(); ++j)
+                values[j] = start->prepared.problem.parameters[static_cast<std::size_t>(j)].start;
+            const Linearisation at = linearise(start->prepared.problem, values, true, {}, options.simulation, progress);
+            if (!at.ok || !at.jacobian.allFinite()) continue;
+            start->promised = promisedCost(at);
+            // where the effect is not felt at all (below a threshold) a search by slopes has nowhere to go
+            const std::string& strengthName = start->variant.effects.back().freed.front().name;
+            const auto& parameters = start->prepared.problem.parameters;
+            const auto strengthAt = std::find_if(parameters.begin(), parameters.end(),
+                                                 [&](const FitParameter& p) { return p.name == strengthName; });
+            const Eigen::Index strengthColumn = strengthAt - parameters.begin();
+            if (at.jacobian.col(strengthColumn).norm() * std::abs(values[strengthColumn]) < 1e-6 * at.residuals.norm())
+                continue;
         }
-        for (FitParameter& p : prepared->problem.parameters) p.start = std::clamp(p.start, p.min, p.max);
-        FitResult result = fit(prepared->problem, options, progress);
+        ready.push_back(std::move(*start));
+    }
+    std::stable_sort(ready.begin(), ready.end(),
+                     [](const Start& a, const Start& b) { return a.promised < b.promised; });
+    for (std::size_t i = 0; i < std::min(ready.size(), static_cast<std::size_t>(starts)); ++i) {
+        if (progress.stopRequested()) break;
+        FitResult result = fit(ready[i].prepared.problem, options, progress);
         if (!result.optimum.ok) {
             best.failure = result.message;
             continue;
         }
         if (best.ok && result.cost >= best.fit.cost) continue;
-        variant.values = valuesOf(result);
-        best.variant = std::move(variant);
+        best.variant = std::move(ready[i].variant);
+        best.variant.values = valuesOf(result);
         best.fit = std::move(result);
         best.ok = true;
     }
@@ -133,25 +191,28 @@ void rank(const NullModel& null, std::vector<Trial>& trials) {
                      [](const Trial& a, const Trial& b) { return a.evidence > b.evidence; });
 }
 
-Acceptance examine(const NullModel& null, const Trial& trial, double threshold) {
-    const Whitener whiten(null.channels, trial.fit.optimum.residuals);
+Acceptance examine(const NullModel& null, const FitResult& with, int freed, double threshold) {
+    const Whitener whiten(null.channels, with.optimum.residuals);
     const auto whiteSum = [&](const Linearisation& l) {
         return Complement(whiten(l.jacobian))(whiten(l.residuals)).squaredNorm();
     };
     Acceptance a;
-    a.explained = whiteSum(null.fit.optimum) - whiteSum(trial.fit.optimum);
-    a.evidence = a.explained - trial.freed() * std::log(static_cast<double>(null.fit.optimum.residuals.size()));
+    a.explained = whiteSum(null.fit.optimum) - whiteSum(with.optimum);
+    a.evidence = a.explained - freed * std::log(static_cast<double>(null.fit.optimum.residuals.size()));
     // An autoregressive model of a residual that still holds other slow effects takes their slow part for noise. What
     // counts the same residual as noise of its own correlation time is the more patient judge of slow effects.
     const double rows = static_cast<double>(null.fit.optimum.residuals.size());
-    const double count = effectiveCount(null.channels, trial.fit.optimum.residuals);
+    const double count = effectiveCount(null.channels, with.optimum.residuals);
     const double variance =
-        trial.sumOfSquares() / std::max(1.0, rows - static_cast<double>(trial.fit.estimates.size()));
-    a.effective =
-        (null.sumOfSquares() - trial.sumOfSquares()) / variance * count / rows - trial.freed() * std::log(count);
-    a.heldOut = heldOutGain(null.channels, null.fit.optimum, trial.fit.optimum, heldOutBlocks);
+        with.optimum.residuals.squaredNorm() / std::max(1.0, rows - static_cast<double>(with.estimates.size()));
+    a.effective = (null.sumOfSquares() - with.optimum.residuals.squaredNorm()) / variance * count / rows -
+                  freed * std::log(count);
+    a.heldOut = heldOutGain(null.channels, null.fit.optimum, with.optimum, heldOutBlocks);
     a.isSignificant = std::max(a.evidence, a.effective) > std::max(leastEvidence, threshold);
-    a.holdsOut = a.heldOut > leastHeldOut;
+    const double left = with.optimum.residuals.squaredNorm(), unexplained = left - rows;
+    a.holdsOut = a.heldOut > (left > muchLeft * rows ? leastHeldOutOfMuch : leastHeldOut);
+    a.share = unexplained > 0 ? (null.sumOfSquares() - left) / unexplained : std::numeric_limits<double>::infinity();
+    a.isWorthwhile = a.share > leastShare;
     return a;
 }
 

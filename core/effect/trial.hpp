@@ -33,10 +33,11 @@ struct Acceptance {
     double evidence{};   // the same less k ln N
     double effective{};  // fall in the sum of squares over variance and correlation time, less k ln N_eff
     double heldOut{};    // H on blocks left out in turn
-    bool isSignificant{}, holdsOut{};
+    double share{};      // fall in the sum of squares over what stays unexplained (above the noise)
+    bool isSignificant{}, holdsOut{}, isWorthwhile{};
 
-    bool accepted() const { return isSignificant && holdsOut; }
+    bool accepted() const { return isSignificant && holdsOut && isWorthwhile; }
 };
-Acceptance examine(const NullModel& null, const Trial& trial, double threshold);
+Acceptance examine(const NullModel& null, const FitResult& with, int freed, double threshold);
 
 }  // namespace analogon

@@ -13,7 +13,7 @@ equation
       at = "input",
       strength = "s",
       oneSided = true,
-      secant = {"1/(0.9*maxabs(u))", "1/(0.7*maxabs(u))"})),
+      secant = {"1/(0.98*maxabs(u))", "1/(0.92*maxabs(u))", "1/(0.75*maxabs(u))"})),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
         Line(points={{-80,0},{85,0}}, color={128,128,128}),
         Line(points={{0,80},{0,-80}}, color={128,128,128}),

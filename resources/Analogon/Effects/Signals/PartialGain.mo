@@ -1,7 +1,7 @@
 within Analogon.Effects.Signals;
 partial block PartialGain "A signal that is off by a factor"
   extends Analogon.Interfaces.PartialSignal;
-  parameter Real g(unit="1", min=-0.9, max=10) = 0 "Relative error of the gain (0: off)"
+  parameter Real g(unit="1", min=-0.5, max=0.5) = 0 "Relative error of the gain (0: off)"
     annotation (Dialog(group="Effect"));
 equation
   y = (1 + g)*u;
