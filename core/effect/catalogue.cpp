@@ -118,7 +118,9 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
     e.secant = read.list(annotation, "secant");
     e.quantity = read.text(annotation, "quantity", false);
     e.valid = read.text(annotation, "valid", false);
+    e.proposal = read.text(annotation, "proposal", false);
     e.channel = read.text(annotation, "channel", false);
+    e.node = read.text(annotation, "node", false);
     if (const Modification* fixed = child(annotation, "fixed"))
         for (const Modification& m : fixed->arguments)
             if (m.value)

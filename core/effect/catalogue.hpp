@@ -21,8 +21,10 @@
 ///     fixed(w_eps = "0.002*maxabs(w)"), // set before screening and kept
 ///     shape(w_s = {"0.05*maxabs(w)", "0.3*maxabs(w)"}),  // tried in turn, freed in the refit
 ///     valid = "n*range(phi) - 6.28",    // a shape for which this is not above 0 is left out
+///     proposal = "flange.tau = a*w^3",  // no named effect: offered as this equation, never added by itself
 ///     secant = {"2*sample", "8*sample"},// strengths of the screening where the slope at 0 misleads
 ///     quantity = "K",                   // signals only: restrict to channels of this unit; absent: any
+///     node = "heatPort",                // specialise: a connector to be joined to a node of the model
 ///     channel = "flow")))               // specialise: a signal input to be driven by a recorded, unused channel
 ///
 /// Texts are Modelica expressions over sample, duration (of the recording, s) and range(v), minimum(v), maximum(v),
@@ -43,9 +45,11 @@ struct EffectClass {
     std::map<std::string, std::string> fixed;  // parameter -> expression
     std::map<std::string, std::vector<std::string>> shape;
     std::string valid;
+    std::string proposal;  // equation; empty: a named effect
     std::vector<std::string> secant;
     std::string quantity;
     std::string channel;                       // signal input driven by a spare channel; empty: none
+    std::string node;                          // connector joined to an existing node; empty: none
     std::string base;                          // specialise: qualified name of the class it extends
     std::map<std::string, std::string> units;  // of its parameters
 };

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/base/parallel.hpp"
+#include "core/effect/change.hpp"
 #include "core/effect/model_state.hpp"
 #include "core/effect/remainder.hpp"
 #include "core/effect/trial.hpp"
@@ -26,6 +27,7 @@ constexpr double rivalShare = 0.3;  // of the winner's evidence, from which on a
 constexpr std::size_t mostRivals = 5;
 constexpr double leastGain = 1;   // in evidence, for which an effect is exchanged: exact twins are not
 constexpr double mostGrowth = 5;  // of an effect's strength when another joins it
+constexpr double changeShare = 0.5, firstOrderShare = 0.85, leastChange = 100;
 constexpr int startsPerTrial = 2;
 constexpr int trialIterations = 12;  // a trial must show what it is worth; the winner is refitted to convergence
 constexpr int glanceIterations = 5;  // of the whole catalogue, to see who deserves a trial
@@ -81,6 +83,7 @@ Outcome<NullModel> fitNull(const Variant& start, const std::vector<Eigen::Vector
         if (pass + 1 < passes) null.noise = noiseOf(null.variant.task, *prepared, null.fit);
     }
     null.whitener = Whitener(null.channels, null.fit.optimum.residuals);
+    null.period = dominantPeriod(null);
     return null;
 }
 
@@ -89,6 +92,8 @@ double pValue(double explained, int dof, std::size_t tried) {
     const double p = boost::math::cdf(boost::math::complement(boost::math::chi_squared(dof), explained));
     return -std::expm1(static_cast<double>(tried) * std::log1p(-p));
 }
+
+bool isProposal(const Trial& trial) { return !trial.screened.candidate.effect.proposal.empty(); }
 
 /// What a fit leaves, in units of the noise.
 double levelOf(const FitResult& fit) {
@@ -125,6 +130,58 @@ bool fightsAnother(const NullModel& null, const Trial& trial) {
     });
 }
 
+/// Whether a proposed equation explains more than every named effect: clearly, and not just as one flexible form more
+/// while much is left anyway.
+bool beatsNames(const NullModel& null, const std::vector<Trial>& trials, std::size_t proposal,
+                std::optional<std::size_t> chosen) {
+    if (!chosen) return trials[proposal].evidence > 2 * equivalenceMargin;
+    const double weight = independentShare(null, trials[proposal].fit);
+    double best = -1e300, leastLeft = 1e300;
+    for (const Trial& t : trials) {
+        if (!t.ok || isProposal(t)) continue;
+        best = std::max(best, t.evidence);
+        leastLeft = std::min(leastLeft, t.sumOfSquares());
+    }
+    if (!(weight * (trials[proposal].evidence - best) > equivalenceMargin)) return false;
+    const double named = null.sumOfSquares() - leastLeft,
+                 proposed = null.sumOfSquares() - trials[proposal].sumOfSquares();
+    return levelOf(trials[proposal].fit) <= largeResidual || named < nearlyAsMuch * proposed;
+}
+
+double excess(const NullModel& null) {
+    return null.sumOfSquares() - static_cast<double>(null.fit.optimum.residuals.size());
+}
+
+/// Whether a change in mid run accounts for most of what is above the noise, by a wide margin over chance.
+bool isMost(const NullModel& null, const Change& change) {
+    return change.explained > changeShare * excess(null) && change.explained > leastChange;
+}
+
+/// Whether it does so no worse than an effect that leaves much. (The change is judged to first order, so by less than
+/// it is worth.)
+bool isBetterThan(const NullModel& null, const FitResult& with, const Change& change) {
+    return levelOf(with) > largeResidual && isMost(null, change) &&
+           change.explained > firstOrderShare * (null.sumOfSquares() - with.optimum.residuals.squaredNorm());
+}
+
+/// Puts proposals first among what is left; the strongest channel tells when it shows and what it moves with.
+void offer(std::vector<Remainder> proposed, std::vector<Remainder>& left) {
+    for (Remainder& r : proposed)
+        if (!left.empty()) {
+            const auto strongest =
+                std::max_element(left.begin(), left.end(),
+                                 [](const Remainder& a, const Remainder& b) { return a.evidence < b.evidence; });
+            r.output = strongest->output;
+            r.experiment = strongest->experiment;
+            if (r.to <= r.from) {
+                r.from = strongest->from;
+                r.to = strongest->to;
+            }
+            r.movesWith = strongest->movesWith;
+        }
+    left.insert(left.begin(), std::make_move_iterator(proposed.begin()), std::make_move_iterator(proposed.end()));
+}
+
 /// One search, from the model as given to the model that leaves noise.
 class Search {
 public:
@@ -153,6 +210,7 @@ private:
                                          std::size_t best) const;
     std::optional<NullModel> without(const NullModel& null, std::size_t effect);
     bool reconsider(NullModel& null);
+    std::vector<Remainder> takeOutProposals(NullModel& null);
     bool replace(NullModel& null, std::size_t effect);
     void removeUnneeded(NullModel& null);
     void setVerdict(const std::string& kind, const std::string& at, Verdict verdict);
@@ -168,6 +226,7 @@ private:
     std::vector<EffectClass> catalogue_;
     std::vector<CandidateResult> candidates_;
     std::vector<Step> steps_;
+    std::optional<Change> change_;  // in mid run, that explains better than any effect
     int round_{};
     double bestError_{-1};
 };
@@ -220,8 +279,15 @@ std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>&
             --count;
         }
     };
+    // proposals compete, but do not take the place of a named effect
+    const auto isProposal = [](const Screened* s) { return !s->candidate.effect.proposal.empty(); };
+    std::vector<const Screened*> proposals;
+    std::copy_if(order.begin(), order.end(), std::back_inserter(proposals), isProposal);
+    std::erase_if(order, isProposal);
+    std::erase_if(byWhitened, isProposal);
     choose(order, options_.refitted);
     choose(byWhitened, options_.refitted / 2);
+    choose(proposals, options_.refitted / 3);
     std::vector<Trial> trials = tryThese(null, chosen, trialIterations, startsPerTrial);
 
     double least = null.sumOfSquares();
@@ -264,7 +330,7 @@ std::vector<std::size_t> Search::equivalents(const NullModel& null, const std::v
     const Eigen::VectorXd own = direction(trials[best]);
     const double weight = independentShare(null, trials[best].fit);
     for (std::size_t i = 0; i < trials.size(); ++i) {
-        if (i == best || !trials[i].ok) continue;
+        if (i == best || !trials[i].ok || isProposal(trials[i])) continue;
         const double gap = weight * std::abs(trials[best].evidence - trials[i].evidence);
         if (gap < equivalenceMargin ||
             (gap < 3 * equivalenceMargin && std::abs(own.dot(direction(trials[i]))) > twinCorrelation))
@@ -304,8 +370,16 @@ std::optional<Search::Step> Search::round(const NullModel& null) {
     std::vector<std::size_t> members;
     Acceptance acceptance;
     std::set<const Trial*> failsHeldOut;
+    std::optional<std::size_t> proposal;
+    Acceptance ofProposal;
     for (std::size_t i = 0; i < trials.size() && !chosen; ++i) {
         if (!trials[i].ok || trials[i].evidence < equivalenceMargin) break;
+        if (isProposal(trials[i])) {
+            if (proposal || isAtBound(trials[i])) continue;
+            ofProposal = examine(null, trials[i].fit, trials[i].freed(), threshold);
+            if (ofProposal.accepted()) proposal = i;
+            continue;
+        }
         if (isAtBound(trials[i]) || fightsAnother(null, trials[i])) continue;
         acceptance = examine(null, trials[i].fit, trials[i].freed(), threshold);
         if (acceptance.accepted())
@@ -321,7 +395,8 @@ std::optional<Search::Step> Search::round(const NullModel& null) {
         members = equivalents(null, trials, *chosen);
         std::vector<std::size_t> simpler;
         for (std::size_t i = 0; i < trials.size(); ++i) {
-            if (!trials[i].ok || isAtBound(trials[i]) || fightsAnother(null, trials[i])) continue;
+            if (!trials[i].ok || isProposal(trials[i]) || isAtBound(trials[i]) || fightsAnother(null, trials[i]))
+                continue;
             const bool isSimpler = trials[i].freed() < trials[*chosen].freed();
             const bool isLikelier = leavesMuch && trials[i].freed() == trials[*chosen].freed() &&
                                     plausibility(trials[i].screened.candidate.effect) <
@@ -340,6 +415,13 @@ std::optional<Search::Step> Search::round(const NullModel& null) {
             members = equivalents(null, trials, i);
             break;
         }
+    }
+
+    // Where an equation without a name explains clearly more than any name, none of the names fits.
+    if (proposal && beatsNames(null, trials, *proposal, chosen)) {
+        chosen = proposal;
+        acceptance = ofProposal;
+        members = {*proposal};
     }
 
     std::optional<Step> step;
@@ -369,7 +451,7 @@ std::optional<Search::Step> Search::round(const NullModel& null) {
     for (std::size_t i = 0; i < trials.size(); ++i) {
         const Trial& t = trials[i];
         refitted.insert(t.screened.candidate.effect.className + "@" + t.screened.candidate.place.at + "@" +
-                        t.screened.candidate.place.spare);
+                        t.screened.candidate.place.spare + "@" + t.screened.candidate.place.node);
         Verdict verdict = Verdict::NotSignificant;
         if (!t.ok)
             verdict = Verdict::Failed;
@@ -385,7 +467,7 @@ std::optional<Search::Step> Search::round(const NullModel& null) {
     }
     for (const Screened& s : screened) {
         if (refitted.contains(s.candidate.effect.className + "@" + s.candidate.place.at + "@" +
-                              s.candidate.place.spare))
+                              s.candidate.place.spare + "@" + s.candidate.place.node))
             continue;
         const Verdict verdict = !s.failure.empty()                            ? Verdict::Failed
                                 : s.isAbsorbed()                              ? Verdict::Absorbed
@@ -420,9 +502,7 @@ bool Search::replace(NullModel& null, std::size_t effect) {
     std::vector<Candidate> rivals;
     for (const Candidate& rival : steps_[effect].rivals)
         for (const Candidate& place : *places)
-            if (place.effect.className == rival.effect.className && place.place.at == rival.place.at &&
-                place.place.spare == rival.place.spare)
-                rivals.push_back(place);
+            if (place.effect.className == rival.effect.className && place.place == rival.place) rivals.push_back(place);
     std::vector<Screened> screened(rivals.size());
     parallelFor(static_cast<int>(rivals.size()), options_.threads, [&](int i) {
         say("reconsider",
@@ -539,6 +619,34 @@ void Search::removeUnneeded(NullModel& null) {
     }
 }
 
+/// Proposals explain while the search goes on and are offered, not added: the model ends without them.
+std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
+    std::vector<Remainder> found;
+    for (std::size_t i = steps_.size(); i-- > 0;) {
+        const PlacedEffect& placed = null.variant.effects[i];
+        if (placed.effect.proposal.empty()) continue;
+        Remainder r;
+        r.node = placed.place.at;
+        r.evidence = steps_[i].acceptance.evidence;
+        r.proposedEquation = placed.effect.proposal;
+        std::string values;
+        for (const FitParameter& p : placed.freed)
+            for (const FitEstimate& e : null.fit.estimates)
+                if (e.name == p.name)
+                    values += fmt::format("{}{} = {:.4g}{}{}", values.empty() ? "" : ", ",
+                                          p.name.substr(placed.instance.size() + 1), e.value, e.unit.empty() ? "" : " ",
+                                          e.unit);
+        if (!values.empty()) r.proposedEquation += " with " + values;
+        std::optional<NullModel> rest = without(null, i);
+        if (!rest) continue;
+        found.push_back(std::move(r));
+        null = std::move(*rest);
+        steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    std::reverse(found.begin(), found.end());
+    return found;
+}
+
 AddedEffect Search::describe(const NullModel& last, const PlacedEffect& placed, const Step& step) const {
     AddedEffect effect;
     effect.kind = placed.effect.kind;
@@ -587,6 +695,7 @@ Outcome<Finding> Search::run() {
     finding.final = finding.baseline;
     bestError_ = errorPercentOf(finding.baseline, Role::Fit);
 
+    const NullModel base = *null;
     for (round_ = 1; round_ <= options_.maxRounds && !progress_.stopRequested(); ++round_) {
         std::optional<Step> step = round(*null);
         if (!step) break;
@@ -604,6 +713,23 @@ Outcome<Finding> Search::run() {
         bestError_ = errorPercentOf(finding.final, Role::Fit);
     }
 
+    // A parameter that changed in mid run is imitated by many slow effects; none of them is it.
+    change_ = strongestChange(base);
+    if (change_ && isBetterThan(base, null->fit, *change_)) {
+        for (const PlacedEffect& e : null->variant.effects)
+            setVerdict(e.effect.kind, e.place.at, Verdict::NotSignificant);
+        steps_.clear();
+        null = base;
+        finding.final = finding.baseline;
+    } else {
+        change_.reset();
+    }
+    std::vector<Remainder> proposed = takeOutProposals(*null);
+    if (!proposed.empty()) {
+        Outcome<ModelState> after = stateOf(null->variant, null->fit, options_.fit.simulation, progress_);
+        if (!after) return after.diagnostics();
+        finding.final = std::move(*after);
+    }
     for (std::size_t i = 0; i < steps_.size() && i < null->variant.effects.size(); ++i) {
         AddedEffect effect = describe(*null, null->variant.effects[i], steps_[i]);
         // what the model is without this effect, and with it; the others are there in both
@@ -614,7 +740,24 @@ Outcome<Finding> Search::run() {
     }
     finding.candidates = std::move(candidates_);
     finding.interrupted = progress_.stopRequested();
-    if (!finding.interrupted) finding.remainders = remainders(*null, options_.fit.simulation);
+    if (!finding.interrupted) {
+        finding.remainders = remainders(*null, options_.fit.simulation);
+        offer(std::move(proposed), finding.remainders);
+        if (change_) {
+            Remainder r;
+            r.node = change_->parameter.substr(0, change_->parameter.rfind('.'));
+            r.from = change_->time;
+            r.to = finding.final.experiments[static_cast<std::size_t>(change_->experiment)].time.back();
+            r.evidence = change_->explained;
+            r.proposedEquation = fmt::format("{} = if time < {:.4g} then {:.4g} else {:.4g}", change_->parameter,
+                                             change_->time, change_->before, change_->after);
+            finding.warnings.push_back(
+                fmt::format("the condition seems to have changed in mid run: {} at about {:.4g} s", change_->parameter,
+                            change_->time));
+            offer({r}, finding.remainders);
+            if (finding.remainders.front().output.empty()) finding.remainders.erase(finding.remainders.begin());
+        }
+    }
     finding.kind = finding.remainders.empty()
                        ? (finding.effects.empty() ? FindingKind::Adequate : FindingKind::Effect)
                        : (finding.effects.empty() ? FindingKind::Unexplained : FindingKind::Partial);

@@ -193,7 +193,10 @@ std::vector<EffectPlace> ModelNodes::specialisePlaces(const EffectClass& effect,
         if (b.isConnector || !b.isResolved || b.className == effect.className) continue;
         if (!library_.isDerived(b.className, effect.base)) continue;
         if (b.isEffect) continue;  // already specialised: the new class would take the old effect away
-        if (effect.channel.empty())
+        if (!effect.node.empty())
+            for (const EffectPlace& n : attachPlaces(signatureOf(effect, effect.node)))
+                places.push_back({b.name, b.name, {}, n.connector});
+        else if (effect.channel.empty())
             places.push_back({b.name, b.name, {}});
         else
             for (const std::string& s : spares) places.push_back({b.name, b.name, s});
@@ -201,17 +204,19 @@ std::vector<EffectPlace> ModelNodes::specialisePlaces(const EffectClass& effect,
     return places;
 }
 
+std::string ModelNodes::signatureOf(const EffectClass& effect, const std::string& port) const {
+    for (const Port& p : readPorts(library_, effect.className))
+        if (p.name == port) return connectorSignature(library_, p.className);
+    return {};
+}
+
 std::vector<EffectPlace> ModelNodes::placesFor(const EffectClass& effect,
                                                const std::vector<std::string>& spares) const {
     if (effect.way == Way::Specialise) return specialisePlaces(effect, spares);
     if (!effect.signalSide.empty()) return signalPlaces(effect);
-    const LibraryClass* c = library_.find(effect.className);
-    const std::vector<Port> ports = readPorts(library_, effect.className);
-    if (c == nullptr || effect.ports.empty()) return {};
-    const auto port =
-        std::find_if(ports.begin(), ports.end(), [&](const Port& p) { return p.name == effect.ports.front(); });
-    if (port == ports.end()) return {};
-    const std::string signature = connectorSignature(library_, port->className);
+    if (effect.ports.empty()) return {};
+    const std::string signature = signatureOf(effect, effect.ports.front());
+    if (signature.empty()) return {};
     return effect.way == Way::Attach ? attachPlaces(signature) : insertPlaces(signature);
 }
 

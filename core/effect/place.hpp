@@ -14,6 +14,9 @@ struct EffectPlace {
     std::string at;         // as the report says it: "rotor.flange_a", "element", "output i_mod"
     std::string connector;  // attach, insert: "rotor.flange_a" or the top-level signal's name; specialise: the instance
     std::string spare;      // recorded channel that drives the effect's signal input; empty: none
+    std::string node{};     // connector of the node that the effect's further connector joins; empty: none
+
+    bool operator==(const EffectPlace&) const = default;
 };
 
 /// The connectors of a composed model by the node they belong to, with what the structure knows of them.
@@ -42,6 +45,8 @@ private:
     std::vector<EffectPlace> insertPlaces(const std::string& signature) const;
     std::vector<EffectPlace> signalPlaces(const EffectClass& effect) const;
     std::vector<EffectPlace> specialisePlaces(const EffectClass& effect, const std::vector<std::string>& spares) const;
+    /// Signature of a connector that an effect class has; empty: it has none of that name.
+    std::string signatureOf(const EffectClass& effect, const std::string& port) const;
 
     const Library& library_;
     const Diagram& diagram_;

@@ -146,8 +146,10 @@ std::vector<Remainder> remainders(const NullModel& null, const SimulationOptions
         const double dof = static_cast<double>(all.directions.cols());
         const double total = white.segment(channel.begin, count).squaredNorm();
         if (dof < 1 || count < 2 * dof + 10) continue;
-        const double p = std::min(pWhitened(all, total, count), pPatient(null, channel, columns));
-        if (!(p * 2 * tests < significance)) continue;
+        const ResidualSummary summary = summarise(null.fit.optimum.residuals.segment(channel.begin, count));
+        const double p =
+            std::min({pWhitened(all, total, count), pPatient(null, channel, columns), summary.whiteProbability});
+        if (!(p * 3 * tests < significance)) continue;
 
         Remainder r;
         r.output = prepared->system->outputs()[static_cast<std::size_t>(channel.output)].name;

@@ -170,7 +170,7 @@ Eigen::VectorXd leftOutResidual(const Linearisation& model, const Eigen::MatrixX
 }  // namespace
 
 double heldOutGain(const std::vector<ResidualChannel>& channels, const Linearisation& without,
-                   const Linearisation& with, int blocks) {
+                   const Linearisation& with, int blocks, int folds) {
     const auto scaleOf = [](const Linearisation& m) {
         Eigen::VectorXd scale = m.jacobian.colwise().norm().transpose();
         for (double& s : scale) s = s > 0 ? 1 / s : 0;
@@ -183,12 +183,13 @@ double heldOutGain(const std::vector<ResidualChannel>& channels, const Linearisa
     };
     const Eigen::MatrixXd normal0 = normalOf(without, scale0), normal1 = normalOf(with, scale1);
     double gained = 0, moved = 0;
-    for (int b = 0; b < blocks; ++b) {
+    for (int fold = 0; fold < std::min(folds, blocks); ++fold) {
         std::vector<Eigen::Index> rows;
         for (const ResidualChannel& c : channels) {
             const int last = c.samples.back() + 1;
             for (int row = c.begin; row < c.end; ++row)
-                if (static_cast<long>(c.samples[static_cast<std::size_t>(row - c.begin)]) * blocks / last == b)
+                if (static_cast<long>(c.samples[static_cast<std::size_t>(row - c.begin)]) * blocks / last % folds ==
+                    fold)
                     rows.push_back(row);
         }
         if (rows.empty()) continue;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <set>
+#include <unsupported/Eigen/FFT>
 
 #include "core/effect/shape_value.hpp"
 
@@ -147,6 +149,7 @@ ShapeContext contextOf(const NullModel& null, const Observations& observations) 
         const double duration = time->back() - time->front();
         if (name == "duration") return duration;
         if (name == "sample") return duration / static_cast<double>(time->size() - 1);
+        if (name == "period") return null.period > 0 ? null.period : std::nan("");
         if (name == "pi") return 3.14159265358979323846;
         return std::nan("");
     };
@@ -302,6 +305,31 @@ bool Screened::isWrongSign() const {
            std::all_of(probes.begin(), probes.end(), [](const Probe& p) { return p.plain.wrongSign; });
 }
 
+double dominantPeriod(const NullModel& null) {
+    const Eigen::VectorXd white = null.whitener(null.fit.optimum.residuals);
+    std::vector<const Recording*> fitted;
+    for (const Recording& r : null.variant.task.recordings)
+        if (r.role == Role::Fit) fitted.push_back(&r);
+    double largest = 0, period = 0;
+    Eigen::FFT<double> transform;
+    for (const ResidualChannel& c : null.channels) {
+        const std::vector<double>& time = fitted[static_cast<std::size_t>(c.experiment)]->time;
+        const int count = c.end - c.begin;
+        if (count < 16) continue;
+        const std::vector<double> x(white.data() + c.begin, white.data() + c.end);
+        std::vector<std::complex<double>> spectrum;
+        transform.fwd(spectrum, x);
+        const double span =
+            time[static_cast<std::size_t>(c.samples.back())] - time[static_cast<std::size_t>(c.samples.front())];
+        for (std::size_t k = 2; k < spectrum.size() / 2 && k < static_cast<std::size_t>(count) / 2; ++k)
+            if (std::norm(spectrum[k]) / count > largest) {
+                largest = std::norm(spectrum[k]) / count;
+                period = span * count / (count - 1.0) / static_cast<double>(k);
+            }
+    }
+    return period;
+}
+
 Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std::vector<EffectClass>& catalogue) {
     Outcome<FlatModel> flat = flatten(variant.task.library, variant.task.className);
     if (!flat) return flat.diagnostics();
@@ -321,9 +349,8 @@ Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std:
     for (const EffectClass& e : catalogue)
         for (const EffectPlace& p : nodes.placesFor(e, spares)) {
             const bool isThere =
-                std::any_of(variant.effects.begin(), variant.effects.end(), [&](const PlacedEffect& x) {
-                    return x.effect.className == e.className && x.place.at == p.at && x.place.spare == p.spare;
-                });
+                std::any_of(variant.effects.begin(), variant.effects.end(),
+                            [&](const PlacedEffect& x) { return x.effect.className == e.className && x.place == p; });
             if (!isThere) candidates.push_back({e, p});
         }
     return candidates;

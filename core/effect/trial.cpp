@@ -14,7 +14,9 @@ constexpr double leastHeldOut = 0.5;
 constexpr double leastHeldOutOfMuch = 0.7;  // where other structure remains, which a wrong effect may feed on
 constexpr double muchLeft = 1.44;           // squared residual over squared noise
 constexpr double leastShare = 0.05;  // beside what stays unexplained: a detail on top of a riddle explains nothing
-constexpr int heldOutBlocks = 10;    // fewer leave out more of the excitation than the rest can make up for
+constexpr int heldOutFolds = 10;     // fewer leave out more of the excitation than the rest can make up for
+constexpr int mostBlocks = 40;
+constexpr double samplesPerBlock = 3;  // independent ones, at least
 
 double smallestSecant(const Screened& s) {
     double smallest = 0;
@@ -207,7 +209,9 @@ Acceptance examine(const NullModel& null, const FitResult& with, int freed, doub
         with.optimum.residuals.squaredNorm() / std::max(1.0, rows - static_cast<double>(with.estimates.size()));
     a.effective = (null.sumOfSquares() - with.optimum.residuals.squaredNorm()) / variance * count / rows -
                   freed * std::log(count);
-    a.heldOut = heldOutGain(null.channels, null.fit.optimum, with.optimum, heldOutBlocks);
+    a.heldOut =
+        heldOutGain(null.channels, null.fit.optimum, with.optimum,
+                    std::clamp(static_cast<int>(count / samplesPerBlock), heldOutFolds, mostBlocks), heldOutFolds);
     a.isSignificant = std::max(a.evidence, a.effective) > std::max(leastEvidence, threshold);
     const double left = with.optimum.residuals.squaredNorm(), unexplained = left - rows;
     a.holdsOut = a.heldOut > (left > muchLeft * rows ? leastHeldOutOfMuch : leastHeldOut);

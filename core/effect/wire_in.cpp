@@ -92,6 +92,9 @@ public:
         edit_.setClass(place_.connector, effect_.className);
         for (const auto& [name, value] : modifications(values)) edit_.setModifier(place_.connector, name, value);
         if (!place_.spare.empty()) addSpareInput();
+        if (!place_.node.empty())
+            edit_.addConnection(place_.connector + "." + effect_.node, place_.node, {},
+                                colourAt(diagram_, place_.node));
     }
 
     Outcome<WiredEffect> finish() const {

@@ -243,6 +243,7 @@ ResidualSummary summarise(const Eigen::Ref<const Eigen::VectorXd>& residual) {
     const int lags = static_cast<int>(std::min<Eigen::Index>(20, count / 5));
     if (lags < 1) return summary;
     const double probability = ljungBox(autocorrelation(residual, lags), n);
+    summary.whiteProbability = probability;
     const double mean = sum / n;
     const bool hasOffset = mean * mean * n > 2.576 * 2.576 * (square / n - mean * mean);
     // The two deviations differ by chance: about 1 / sqrt(n) each.

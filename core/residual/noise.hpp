@@ -25,6 +25,7 @@ struct ResidualSummary {
     double standardDeviation{};    // of the residual itself
     double autocorrelationTime{};  // integrated, in samples: 1 for white noise
     bool white{};                  // no significant autocorrelation (Ljung-Box at 1 %) and no excess over the noise
+    double whiteProbability{1};    // of so much autocorrelation in white noise (Ljung-Box, 20 lags)
 };
 ResidualSummary summarise(const Eigen::Ref<const Eigen::VectorXd>& residual);
 

@@ -497,6 +497,7 @@ std::string rig(const EffectClass* effect) {
         text += "  connect(heater.heatPort, effect.port_a);\n  connect(effect.port_b, element.solid);\n";
     else
         text += "  connect(heater.heatPort, element.solid);\n";
+    if (specialise && !effect->node.empty()) text += "  connect(motor." + effect->node + ", element.solid);\n";
     if (specialise && !effect->channel.empty()) text += "  connect(gas_flow, element." + effect->channel + ");\n";
     return text;
 }

@@ -157,7 +157,8 @@ TEST(BlockLibrary, EveryVariableHasADescriptionAndAKnownUnit) {
             if (type != "Real" && !isSignal) continue;
             const std::string unit = attribute(v, "unit");
             // a recorded flow may be anything that measures the stream
-            const bool isFree = isSignalBlock(c->qualifiedName) || v.name == "u_flow" || v.name == "flow_ref";
+            const bool isFree = isSignalBlock(c->qualifiedName) || v.name == "u_flow" || v.name == "flow_ref" ||
+                                c->qualifiedName.starts_with("Analogon.Effects.Proposals.Sensor");
             EXPECT_TRUE(isFree || !unit.empty()) << "no unit";
             EXPECT_TRUE(unit.empty() || isKnownUnit(unit)) << unit;
         }
@@ -245,7 +246,7 @@ TEST(EffectAnnotations, TheStrengthIsAParameterThatIsZeroByDefault) {
     }
 }
 
-/// Names used in the texts: statistics of variables of the class itself, and the two times.
+/// Names used in the texts: statistics of variables of the class itself, and the three times.
 void checkText(const syntax::Expression& e, const std::map<std::string, const Component*>& variables) {
     static const std::set<std::string> statistics{"range",   "maxabs",  "rms",  "mean", "start",
                                                   "minimum", "maximum", "rate", "flow"};
@@ -258,7 +259,8 @@ void checkText(const syntax::Expression& e, const std::map<std::string, const Co
         return;
     }
     if (e.kind == Kind::Reference) {
-        EXPECT_TRUE(e.name.text() == "sample" || e.name.text() == "duration") << e.name.text();
+        EXPECT_TRUE(e.name.text() == "sample" || e.name.text() == "duration" || e.name.text() == "period")
+            << e.name.text();
     }
     for (const syntax::Expression& operand : e.operands) checkText(operand, variables);
 }

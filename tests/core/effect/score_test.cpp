@@ -119,8 +119,8 @@ TEST(HeldOutGain, IsNearOneForATrueEffectAndNegativeForAFalseOne) {
     };
     const Eigen::VectorXd r = noise - truth;
     const Linearisation none = fitted(r, Eigen::MatrixXd(n, 0));
-    EXPECT_GT(heldOutGain(channels, none, fitted(r, truth), 5), 0.8);
-    EXPECT_LT(heldOutGain(channels, fitted(noise, Eigen::MatrixXd(n, 0)), fitted(noise, wrong), 5), 0.5);
+    EXPECT_GT(heldOutGain(channels, none, fitted(r, truth), 5, 5), 0.8);
+    EXPECT_LT(heldOutGain(channels, fitted(noise, Eigen::MatrixXd(n, 0)), fitted(noise, wrong), 5, 5), 0.5);
 }
 
 }  // namespace
