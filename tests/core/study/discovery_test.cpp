@@ -1,0 +1,165 @@
+// The closed loop on recordings made here, by equations of their own.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <random>
+
+#include "core/study/run.hpp"
+
+namespace analogon {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int samples = 1501;
+constexpr double step = 0.02;  // [s]
+
+/// A shaft: J*der(w) = u - torque(t, w, phi).
+struct Shaft {
+    double inertia{0.02};  // [kg.m2]
+    std::function<double(double t, double w, double phi)> torque;
+};
+
+double excitation(double t) {
+    const double levels[] = {0.4, -0.3, 0.8, 0.1, -0.7, 0.5, -0.1, 0.9, -0.5, 0.2};
+    return levels[static_cast<int>(t / 3.0) % 10] + 0.15 * std::sin(1.7 * t);
+}
+
+std::vector<double> speedOf(const Shaft& shaft) {
+    constexpr int inner = 40;
+    double w = 0, phi = 0;
+    std::vector<double> speed;
+    for (int k = 0; k < samples; ++k) {
+        speed.push_back(w);
+        for (int i = 0; i < inner; ++i) {
+            const double h = step / inner, t = k * step + i * h;
+            // the program joins samples by straight lines
+            const double a = (t - k * step) / step;
+            const double u = (1 - a) * excitation(k * step) + a * excitation((k + 1) * step);
+            const double half = w + 0.5 * h * (u - shaft.torque(t, w, phi)) / shaft.inertia;
+            phi += h * half;
+            w += h * (u - shaft.torque(t + 0.5 * h, half, phi)) / shaft.inertia;
+        }
+    }
+    return speed;
+}
+
+class Discovery : public testing::Test {
+protected:
+    void SetUp() override {
+        directory_ =
+            fs::temp_directory_path() /
+            ("analogon-discovery-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+        fs::remove_all(directory_);
+        fs::create_directories(directory_);
+    }
+    void TearDown() override { fs::remove_all(directory_); }
+
+    /// Discovers what a model of inertia and viscous friction lacks.
+    Finding search(const Shaft& shaft, double noise = 0.05) {
+        std::ofstream(directory_ / "model.mo") << R"(model Rotor
+  Analogon.Interfaces.RealInput tau(unit="N.m");
+  Analogon.Interfaces.RealOutput w(unit="rad/s");
+  Analogon.Sources.PrescribedTorque drive;
+  Analogon.Mechanics.Inertia rotor(J=0.03);
+  Analogon.Mechanics.ViscousLoad load(b=0.02);
+  Analogon.Sensors.SpeedSensor tacho;
+equation
+  connect(tau, drive.tau);
+  connect(drive.flange, rotor.flange_a);
+  connect(rotor.flange_b, load.flange);
+  connect(rotor.flange_b, tacho.flange);
+  connect(tacho.w, w);
+end Rotor;
+)";
+        std::ofstream(directory_ / "study.json") << R"({"format": "analogon-study-1", "class": "Rotor",
+  "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
+                   "inputs": {"tau": "tau"}, "outputs": {"w": "w"}}],
+  "parameters": {"rotor.J": {"fit": true, "min": 0.001, "max": 1}, "load.b": {"fit": true, "min": 0.0001, "max": 1}}})";
+        std::mt19937 random(7);
+        std::normal_distribution<double> scatter(0, noise);
+        std::ofstream csv(directory_ / "run.csv");
+        csv.precision(10);
+        csv << "t [s],tau [N.m],w [rad/s]\n";
+        const std::vector<double> speed = speedOf(shaft);
+        for (int k = 0; k < samples; ++k)
+            csv << k * step << ',' << excitation(k * step) << ','
+                << speed[static_cast<std::size_t>(k)] + scatter(random) << '\n';
+        csv.close();
+        const Outcome<Study> study = readStudy(directory_);
+        EXPECT_TRUE(study) << format(study.diagnostics());
+        if (!study) return {};
+        Outcome<RunResult> result = runDiscover(*study, {});
+        EXPECT_TRUE(result) << format(result.diagnostics());
+        return result ? std::move(result->finding) : Finding{};
+    }
+
+private:
+    fs::path directory_;
+};
+
+double signOf(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
+
+TEST_F(Discovery, AddsNothingToNoise) {
+    const Finding finding = search({0.02, [](double, double w, double) { return 0.03 * w; }});
+    EXPECT_EQ(finding.kind, FindingKind::Adequate);
+    EXPECT_TRUE(finding.effects.empty());
+    EXPECT_TRUE(finding.remainders.empty());
+}
+
+TEST_F(Discovery, FindsTwoEffectsThatHideEachOther) {
+    const Finding finding = search({0.02, [](double, double w, double) { return 0.03 * w + 0.04 * signOf(w) - 0.05; }});
+    ASSERT_EQ(finding.effects.size(), 2u);
+    for (const AddedEffect& e : finding.effects) {
+        if (e.kind == "friction.coulomb") {
+            EXPECT_NEAR(e.parameters.front().value, 0.04, 0.004);
+        } else {
+            // a load torque and an offset of the commanded torque are the same thing here
+            EXPECT_TRUE(e.kind == "torque.constant" || e.kind == "actuator.offset") << e.kind;
+            EXPECT_NEAR(std::abs(e.parameters.front().value), 0.05, 0.005);
+        }
+        // each is judged by what the model is without it
+        EXPECT_GT(e.evidence.errorPercentBefore, 1.2 * e.evidence.errorPercentAfter) << e.kind;
+        EXPECT_GT(e.evidence.heldOut, 0.5);
+    }
+    EXPECT_EQ(finding.kind, FindingKind::Effect);
+}
+
+TEST_F(Discovery, ProposesAnEquationWhereNoNameFits) {
+    const Finding finding = search({0.02, [](double, double w, double) { return 0.02 * w + 4e-5 * w * w * w; }});
+    EXPECT_TRUE(finding.effects.empty());
+    EXPECT_EQ(finding.kind, FindingKind::Unexplained);
+    ASSERT_FALSE(finding.remainders.empty());
+    EXPECT_NE(finding.remainders.front().proposedEquation.find("a*w^3"), std::string::npos)
+        << finding.remainders.front().proposedEquation;
+    EXPECT_EQ(finding.remainders.front().output, "w");
+    EXPECT_FALSE(finding.remainders.front().node.empty());
+}
+
+TEST_F(Discovery, TellsAPeriodicTorqueFromTheShaftsOwn) {
+    const Finding finding = search(
+        {0.02, [](double t, double w, double) { return 0.03 * w + 0.02 * std::sin(2 * 3.14159265358979 * t / 2.3); }});
+    EXPECT_TRUE(finding.effects.empty());
+    ASSERT_FALSE(finding.remainders.empty());
+    const std::string& equation = finding.remainders.front().proposedEquation;
+    const std::size_t at = equation.find("P = ");
+    ASSERT_NE(at, std::string::npos) << equation;
+    EXPECT_NEAR(std::stod(equation.substr(at + 4)), 2.3, 0.02);
+}
+
+TEST_F(Discovery, SaysWhenAParameterChangedInMidRun) {
+    const Finding finding = search({0.02, [](double t, double w, double) { return (t < 16.0 ? 0.03 : 0.045) * w; }});
+    EXPECT_TRUE(finding.effects.empty());
+    EXPECT_EQ(finding.kind, FindingKind::Unexplained);
+    ASSERT_FALSE(finding.remainders.empty());
+    EXPECT_EQ(finding.remainders.front().node, "load");
+    EXPECT_NEAR(finding.remainders.front().from, 16.0, 0.5);
+    ASSERT_FALSE(finding.warnings.empty());
+    EXPECT_NE(finding.warnings.front().find("load.b"), std::string::npos) << finding.warnings.front();
+}
+
+}  // namespace
+}  // namespace analogon
