@@ -307,6 +307,13 @@ std::vector<Instruction>& Lowering::target(const RegisterInfo& info) {
 }
 
 std::uint32_t Lowering::emit(Opcode opcode, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    // The reciprocal of what depends on parameters alone is found once, not at every step.
+    if (opcode == Opcode::Divide && !isPreludeClosed_ && registers_[a].stage == RegisterInfo::Dynamic &&
+        registers_[b].stage == RegisterInfo::Parameter) {
+        const auto [at, isNew] = reciprocals_.try_emplace(b, 0);
+        if (isNew) at->second = emit(Opcode::Divide, constant(1), b);
+        return emit(Opcode::Multiply, a, at->second);
+    }
     Instruction instruction{.opcode = opcode, .a = a, .b = b, .c = c};
     const std::uint32_t operands[] = {a, b, c};
     RegisterInfo info{.stage = RegisterInfo::Parameter};

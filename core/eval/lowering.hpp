@@ -118,7 +118,8 @@ private:
     std::unordered_map<std::uint32_t, const StartValue*> startOf_;
     std::unordered_map<std::uint32_t, const SolutionBlock*> parameterBlockOf_;
     std::unordered_map<std::uint32_t, int> delayOf_;
-    std::unordered_map<std::uint64_t, std::uint32_t> constants_;  // bits of the value -> register
+    std::unordered_map<std::uint64_t, std::uint32_t> constants_;    // bits of the value -> register
+    std::unordered_map<std::uint32_t, std::uint32_t> reciprocals_;  // of registers of the prelude
     Program prelude_, program_;
     std::vector<Instruction>* scope_{};  // body of the nonlinear block under way
     Given given_{Given::States};

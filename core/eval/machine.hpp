@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <memory>
+#include <new>
 #include <span>
 #include <string>
 #include <vector>
@@ -8,19 +11,44 @@
 
 namespace analogon {
 
+struct SystemCode;
+struct RecurrenceCode;
+
+/// Memory on lines of the cache, so that wide vectors do not straddle them.
+template <class T>
+struct LineAllocator {
+    using value_type = T;
+    LineAllocator() = default;
+    template <class U>
+    LineAllocator(const LineAllocator<U>&) {}
+    T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), line)); }
+    void deallocate(T* at, std::size_t) { ::operator delete(at, line); }
+    friend bool operator==(const LineAllocator&, const LineAllocator&) { return true; }
+    static constexpr std::align_val_t line{64};
+};
+using LineVector = std::vector<double, LineAllocator<double>>;
+
 /// The registers of one evaluation thread. Tangents are padded to `lanes` a register so that loops over them
 /// have a fixed width.
 struct Registers {
     int directions{};  // asked for
     int lanes{};       // directions rounded up to a multiple of 4
-    std::vector<double> values;
-    std::vector<double> tangents;  // register r, direction k at [r * lanes + k]
-    std::vector<double> guesses;   // last solutions of the nonlinear blocks
-    std::vector<char> hasGuess;    // by the same places
+    LineVector values;
+    LineVector tangents;          // register r, direction k at [r * lanes + k]
+    std::vector<double> guesses;  // last solutions of the nonlinear blocks
+    std::vector<char> hasGuess;   // by the same places
     std::vector<double> matrix, vector, trial, start, scale, rowScale, rows;  // scratch of the solvers
     std::vector<int> pivots;
     std::string failure;
     bool failedToSolve{};
+
+    bool isInterpreted{};                    // machine code is not wanted, or not to be had
+    int runs{};                              // before it was made
+    std::shared_ptr<const SystemCode> code;  // null: not made yet
+    std::array<LineVector, 3> scratch;       // of its functions: derivative, output, step
+
+    std::shared_ptr<const RecurrenceCode> recurrence;  // with its matrices in the scratch memory
+    LineVector recurrenceScratch;
 
     void resize(std::size_t registers, std::size_t guessCount);
 };

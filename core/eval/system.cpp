@@ -6,8 +6,11 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <mutex>
 
+#include "core/eval/program_code.hpp"
+#include "core/eval/recurrence.hpp"
 #include "core/eval/system_builder.hpp"
 
 namespace analogon {
@@ -30,6 +33,40 @@ struct System::Impl {
     const Observation& observe() const {
         std::call_once(observeOnce, [this] { observation = buildObservation(programs); });
         return observation;
+    }
+
+    mutable std::mutex codeMutex;
+    mutable std::map<int, std::shared_ptr<const SystemCode>> codes;  // by lanes; null: not to be had
+
+    std::shared_ptr<const SystemCode> codeFor(int lanes) const {
+        const std::lock_guard lock(codeMutex);
+        const auto [at, isNew] = codes.try_emplace(lanes);
+        if (isNew) at->second = compileCode(programs, lanes);
+        return at->second;
+    }
+
+    mutable std::map<int, std::shared_ptr<const RecurrenceCode>> recurrences;
+
+    std::shared_ptr<const RecurrenceCode> recurrenceFor(int lanes) const {
+        const std::lock_guard lock(codeMutex);
+        const auto [at, isNew] = recurrences.try_emplace(lanes);
+        if (isNew) at->second = compileRecurrence(programs, lanes);
+        return at->second;
+    }
+
+    /// Gives the registers machine code; false where there is none.
+    bool equip(Registers& r) const {
+        if (r.code) return true;
+        if (r.isInterpreted) return false;
+        r.code = codeFor(r.lanes);
+        r.isInterpreted = !r.code;
+        if (!r.code) return false;
+        const CompiledProgram* const functions[] = {&r.code->derivative, &r.code->output, &r.code->step};
+        for (std::size_t f = 0; f < r.scratch.size(); ++f) {
+            r.scratch[f].assign(functions[f]->scratchSize, 0.0);
+            for (const auto& [offset, value] : functions[f]->constants) r.scratch[f][offset] = value;
+        }
+        return true;
     }
 };
 
@@ -139,13 +176,14 @@ int System::parameterIndex(std::string_view name) const { return indexOf(impl_->
 int System::inputIndex(std::string_view name) const { return indexOf(impl_->programs.inputs, name); }
 int System::outputIndex(std::string_view name) const { return indexOf(impl_->programs.outputs, name); }
 
-Workspace System::workspace(int directions) const {
+Workspace System::workspace(int directions, bool isInterpreted) const {
     const SystemPrograms& s = impl_->programs;
     Workspace w;
     w.directions_ = directions;
     w.data_ = std::make_unique<Workspace::Data>();
     Registers& r = w.data_->registers;
     r.directions = directions;
+    r.isInterpreted = isInterpreted;
     r.lanes = (directions + 3) / 4 * 4;
     r.resize(s.registerCount, s.guessCount);
     for (const auto& [reg, value] : s.preloads) r.values[reg] = value;
@@ -172,6 +210,7 @@ struct Evaluation {
     Registers& r;
     bool hasTangents;
     TangentMode mode;
+    bool isByCode{};
 
     Evaluation(const SystemPrograms& programs, Registers& registers, bool tangents, std::span<const double> du)
         : s(programs),
@@ -192,11 +231,24 @@ struct Evaluation {
     bool run(const Program& program) {
         return hasTangents ? runTangents(program, s.tables, r, mode) : runValues(program, s.tables, r);
     }
+    /// The same by machine code (`number` among the functions of the code) once it pays.
+    template <class Impl>
+    bool run(const Impl& impl, const Program& program, const CompiledProgram SystemCode::*function,
+             std::size_t number) {
+        constexpr int runsBefore = 100;
+        const bool fits = hasTangents ? mode == InputsConstant : r.directions == 0;
+        isByCode = fits && !r.isInterpreted && (r.code || (++r.runs > runsBefore && impl.equip(r)));
+        if (!isByCode) return run(program);
+        return (*((*r.code).*function).function)(r.values.data(), r.tangents.data(), r.scratch[number].data(), &r);
+    }
     bool store(const Program& program, const std::vector<ResultRegister>& results,
                const std::vector<SignalInfo>& signals, std::span<double> values, std::span<double> tangents) {
         const bool isFinite = storeValues(r, results, values) &&
                               (!hasTangents || tangents.empty() || storeTangents(r, results, mode, tangents));
-        if (!isFinite) blame(r, program, results, signals);
+        if (!isFinite) {
+            if (isByCode) run(program);  // the names are those of the interpreter's registers
+            blame(r, program, results, signals);
+        }
         return isFinite;
     }
 };
@@ -219,7 +271,8 @@ bool System::derivatives(Workspace& w, double t, std::span<const double> x, std:
     Evaluation evaluation(impl_->programs, w.data_->registers, false, {});
     evaluation.at(t, x, u);
     const SystemPrograms& s = impl_->programs;
-    return evaluation.run(s.derivative) && evaluation.store(s.derivative, s.stateDerivatives, s.states, xdot, {});
+    return evaluation.run(*impl_, s.derivative, &SystemCode::derivative, 0) &&
+           evaluation.store(s.derivative, s.stateDerivatives, s.states, xdot, {});
 }
 
 bool System::derivatives(Workspace& w, double t, std::span<const double> x, std::span<const double> dx,
@@ -229,7 +282,8 @@ bool System::derivatives(Workspace& w, double t, std::span<const double> x, std:
     Evaluation evaluation(s, w.data_->registers, true, du);
     evaluation.at(t, x, u);
     evaluation.along(dx, du);
-    return evaluation.run(s.derivative) && evaluation.store(s.derivative, s.stateDerivatives, s.states, xdot, dxdot);
+    return evaluation.run(*impl_, s.derivative, &SystemCode::derivative, 0) &&
+           evaluation.store(s.derivative, s.stateDerivatives, s.states, xdot, dxdot);
 }
 
 bool System::outputs(Workspace& w, double t, std::span<const double> x, std::span<const double> u, std::span<double> y,
@@ -237,7 +291,9 @@ bool System::outputs(Workspace& w, double t, std::span<const double> x, std::spa
     const SystemPrograms& s = impl_->programs;
     Evaluation evaluation(s, w.data_->registers, false, {});
     evaluation.at(t, x, u);
-    if (!evaluation.run(s.output) || !evaluation.store(s.output, s.outputResults, s.outputs, y, {})) return false;
+    if (!evaluation.run(*impl_, s.output, &SystemCode::output, 1) ||
+        !evaluation.store(s.output, s.outputResults, s.outputs, y, {}))
+        return false;
     return taps.empty() || evaluation.store(s.output, s.tapResults, s.tapSignals, taps, {});
 }
 
@@ -248,8 +304,150 @@ bool System::outputs(Workspace& w, double t, std::span<const double> x, std::spa
     Evaluation evaluation(s, w.data_->registers, true, du);
     evaluation.at(t, x, u);
     evaluation.along(dx, du);
-    if (!evaluation.run(s.output) || !evaluation.store(s.output, s.outputResults, s.outputs, y, dy)) return false;
+    if (!evaluation.run(*impl_, s.output, &SystemCode::output, 1) ||
+        !evaluation.store(s.output, s.outputResults, s.outputs, y, dy))
+        return false;
     return taps.empty() || evaluation.store(s.output, s.tapResults, s.tapSignals, taps, dtaps);
+}
+
+bool System::prepareSteps(Workspace& w) const { return impl_->equip(w.data_->registers); }
+
+void System::loadState(Workspace& w, std::span<const double> x, std::span<const double> dx) const {
+    const SystemPrograms& s = impl_->programs;
+    Registers& r = w.data_->registers;
+    load(r, s.firstState, x.first(s.states.size()));
+    if (r.directions > 0) loadTangents(r, s.firstState, s.states.size(), dx);
+}
+
+void System::storeState(const Workspace& w, std::span<double> x, std::span<double> dx) const {
+    const SystemPrograms& s = impl_->programs;
+    const Registers& r = w.data_->registers;
+    std::copy_n(r.values.begin() + s.firstState, s.states.size(), x.begin());
+    for (std::size_t i = 0; i < s.states.size() && !dx.empty(); ++i)
+        std::copy_n(r.tangents.data() + (s.firstState + i) * static_cast<std::size_t>(r.lanes), r.directions,
+                    dx.data() + i * static_cast<std::size_t>(r.directions));
+}
+
+bool System::step(Workspace& w, double t, double h, const double* uBegin, const double* uMiddle,
+                  const double* uEnd) const {
+    const SystemPrograms& s = impl_->programs;
+    Registers& r = w.data_->registers;
+    const StepArguments& to = r.code->arguments;
+    double* const scratch = r.scratch[2].data();
+    scratch[to.fullStep] = h;
+    scratch[to.halfStep] = 0.5 * h;
+    scratch[to.thirdStep] = h / 3;
+    scratch[to.sixthStep] = h / 6;
+    const double times[] = {t, t + 0.5 * h, t + h};
+    const double* const slots[] = {uBegin, uMiddle, uEnd};
+    for (int p = 0; p < 3; ++p) {
+        scratch[to.time[p]] = times[p];
+        std::copy_n(slots[p], s.layout.slots, scratch + to.slots[p]);
+    }
+    return (*r.code->step.function)(r.values.data(), r.tangents.data(), scratch, &r);
+}
+
+namespace {
+
+/// A, B and c from what the rates are at unit states and inputs; false when they are not affine there.
+bool probe(const System& system, Workspace& w, LinearRates& rates) {
+    const auto n = static_cast<std::size_t>(rates.states), m = static_cast<std::size_t>(rates.slots);
+    const auto K = static_cast<std::size_t>(rates.directions), columns = n + m + 1;
+    std::vector<double> x(n), u(m), dx(n * K), f(n), df(n * K);
+    const auto evaluate = [&] {
+        return K > 0 ? system.derivatives(w, 0, x, dx, u, {}, f, df) : system.derivatives(w, 0, x, u, f);
+    };
+    rates.matrix.assign(n * columns, 0);
+    rates.tangents.assign(n * columns * K, 0);
+    const auto put = [&](std::size_t column, double sign, const std::vector<double>& from,
+                         const std::vector<double>& tangents) {
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::size_t entry = i * columns + column;
+            rates.matrix[entry] += sign * from[i];
+            for (std::size_t k = 0; k < K; ++k) rates.tangents[entry * K + k] += sign * tangents[i * K + k];
+        }
+    };
+    if (!evaluate()) return false;
+    put(n + m, 1, f, df);
+    const std::vector<double> f0 = f, df0 = df;
+    for (std::size_t j = 0; j < n + m; ++j) {
+        double& unit = j < n ? x[j] : u[j - n];
+        unit = 1;
+        if (!evaluate()) return false;
+        put(j, 1, f, df);
+        put(j, -1, f0, df0);
+        unit = 0;
+    }
+    for (std::size_t j = 0; j < n; ++j) x[j] = 1.7 - 0.9 * static_cast<double>(j % 3);
+    for (std::size_t j = 0; j < m; ++j) u[j] = 2.3 - 0.8 * static_cast<double>(j % 4);
+    if (!evaluate()) return false;
+    for (std::size_t i = 0; i < n; ++i) {
+        double sum = rates.matrix[i * columns + n + m], size = std::fabs(sum);
+        for (std::size_t j = 0; j < n + m; ++j) {
+            const double term = rates.matrix[i * columns + j] * (j < n ? x[j] : u[j - n]);
+            sum += term;
+            size += std::fabs(term);
+        }
+        if (!(std::fabs(sum - f[i]) <= 1e-9 * size)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+bool System::prepareRecurrence(Workspace& w, double h) const {
+    constexpr std::size_t mostColumns = 24, mostLanes = 32;  // beyond, steps of a general method are no dearer
+    const SystemPrograms& s = impl_->programs;
+    Registers& r = w.data_->registers;
+    const auto n = s.states.size(), m = static_cast<std::size_t>(s.layout.slots), size = n + 2 * m + 1;
+    const auto K = static_cast<std::size_t>(r.directions);
+    if (!s.isLinearTimeInvariant || n == 0 || size > mostColumns || K > mostLanes || !impl_->equip(r)) return false;
+    LinearRates rates{stateCount(), slotCount(), r.directions, {}, {}};
+    if (!probe(*this, w, rates)) return false;
+    r.recurrence = impl_->recurrenceFor(r.lanes);
+    if (!r.recurrence) return false;
+    const LinearRecurrence exact = recurrenceOf(rates, h);
+    const RecurrenceCode& code = *r.recurrence;
+    r.recurrenceScratch.assign(code.program.scratchSize, 0.0);
+    for (const auto& [offset, value] : code.program.constants) r.recurrenceScratch[offset] = value;
+    for (std::size_t e = 0; e < exact.matrix.size(); ++e) {
+        if (!std::isfinite(exact.matrix[e])) return false;
+        r.recurrenceScratch[code.entries[e]] = exact.matrix[e];
+        for (std::size_t k = 0; k < K; ++k)
+            r.recurrenceScratch[code.tangents[e * static_cast<std::size_t>(r.lanes) + k]] = exact.tangents[e * K + k];
+    }
+    return true;
+}
+
+void System::recur(Workspace& w, const double* uBegin, const double* uEnd) const {
+    Registers& r = w.data_->registers;
+    const auto m = static_cast<std::size_t>(slotCount());
+    double* const scratch = r.recurrenceScratch.data();
+    std::copy_n(uBegin, m, scratch + r.recurrence->begin);
+    std::copy_n(uEnd, m, scratch + r.recurrence->end);
+    (*r.recurrence->program.function)(r.values.data(), r.tangents.data(), scratch, &r);
+}
+
+bool System::isStateFinite(const Workspace& w) const {
+    const SystemPrograms& s = impl_->programs;
+    const Registers& r = w.data_->registers;
+    const auto lanes = static_cast<std::size_t>(r.lanes);
+    const auto isFinite = [](double value) { return std::isfinite(value); };
+    const auto* x = r.values.data() + s.firstState;
+    const auto* dx = r.tangents.data() + s.firstState * lanes;
+    return std::all_of(x, x + s.states.size(), isFinite) && std::all_of(dx, dx + s.states.size() * lanes, isFinite);
+}
+
+bool System::outputsOfState(Workspace& w, double t, const double* u, double* y, double* dy) const {
+    const SystemPrograms& s = impl_->programs;
+    Registers& r = w.data_->registers;
+    r.values[s.timeRegister] = t;
+    std::copy_n(u, s.layout.slots, r.values.begin() + s.firstSlot);
+    if (!(*r.code->output.function)(r.values.data(), r.tangents.data(), r.scratch[1].data(), &r)) return false;
+    const std::size_t count = s.outputResults.size();
+    return storeValues(r, s.outputResults, {y, count}) &&
+           (!dy ||
+            storeTangents(r, s.outputResults, InputsConstant, {dy, count * static_cast<std::size_t>(r.directions)}));
 }
 
 void System::delayTimes(const Workspace& w, std::span<double> times, std::span<double> dtimes) const {

@@ -73,8 +73,9 @@ public:
     int inputIndex(std::string_view name) const;
     int outputIndex(std::string_view name) const;
 
-    /// K tangent directions; 0: values only.
-    Workspace workspace(int directions) const;
+    /// K tangent directions; 0: values only. What is evaluated often runs as machine code where the processor allows
+    /// it, unless `isInterpreted`; results agree to rounding.
+    Workspace workspace(int directions, bool isInterpreted = false) const;
 
     /// Takes the parameters (and, with K > 0, their directions: parameterCount x K) and evaluates all that
     /// depends on nothing else. Must be called first, and again when p changes.
@@ -97,6 +98,24 @@ public:
     bool outputs(Workspace& w, double t, std::span<const double> x, std::span<const double> dx,
                  std::span<const double> u, std::span<const double> du, std::span<double> y, std::span<double> dy,
                  std::span<double> taps = {}, std::span<double> dtaps = {}) const;
+
+    // Steps of the classic Runge-Kutta method in machine code, on a state that stays in the workspace. The slots must
+    // not depend on the parameters (no `du`).
+
+    /// Makes the code ready; false where there is none.
+    bool prepareSteps(Workspace& w) const;
+    void loadState(Workspace& w, std::span<const double> x, std::span<const double> dx) const;
+    void storeState(const Workspace& w, std::span<double> x, std::span<double> dx) const;
+    /// From t to t + h; u at the begin, the middle and the end of it. False: an algebraic block has no solution. What
+    /// is not finite stays so: ask isStateFinite() at the end.
+    bool step(Workspace& w, double t, double h, const double* uBegin, const double* uMiddle, const double* uEnd) const;
+    /// The same for a linear, time-invariant system and inputs that run linearly: exact steps of length h, set up by
+    /// prepareRecurrence(). False: the system is not of that kind, too large, or there is no machine code.
+    bool prepareRecurrence(Workspace& w, double h) const;
+    void recur(Workspace& w, const double* uBegin, const double* uEnd) const;
+    bool isStateFinite(const Workspace& w) const;
+    /// Outputs at the state in the workspace; y outputCount, dy outputCount x K (may be null).
+    bool outputsOfState(Workspace& w, double t, const double* u, double* y, double* dy) const;
 
     /// Delay times in force (one per delay), with tangents delays x K.
     void delayTimes(const Workspace& w, std::span<double> times, std::span<double> dtimes = {}) const;

@@ -198,7 +198,7 @@ void Builder::lowerOutputs() {
     out_.output = lower.end();
 }
 
-/// The relations outside noEvent that decide something in these blocks.
+/// The relations (and signs) outside noEvent that decide something in these blocks.
 std::vector<ExpressionId> Builder::relations(const std::vector<const SolutionBlock*>& blocks) const {
     std::vector<ExpressionId> found, stack;
     std::vector<char> isSeen(pool().size(), 0);
@@ -218,6 +218,7 @@ std::vector<ExpressionId> Builder::relations(const std::vector<const SolutionBlo
             case Operation::LessEqual:
             case Operation::Greater:
             case Operation::GreaterEqual:
+            case Operation::Sign:
                 found.push_back(id);
                 break;
             default:
@@ -231,16 +232,18 @@ std::vector<ExpressionId> Builder::relations(const std::vector<const SolutionBlo
     return found;
 }
 
-/// Event indicators: a - b of each relation. Relations over parameters alone never change.
+/// Event indicators: a - b of each relation, a of sign(a). Relations over parameters alone never change.
 void Builder::lowerRoots() {
     Lowering& lower = *out_.lowering;
     lower.begin(Lowering::Given::States);
     std::map<std::pair<std::uint32_t, std::uint32_t>, bool> known;
     for (const ExpressionId relation : relations(usedBlocks_)) {
         const ExpressionNode node = pool()[relation];
-        const ExpressionId sides[] = {node.a, node.b};
+        std::vector<ExpressionId> sides{node.a};
+        if (node.operation != Operation::Sign) sides.push_back(node.b);
         lower.require(sides);
-        const std::uint32_t a = lower.registerOf(node.a), b = lower.registerOf(node.b);
+        const std::uint32_t a = lower.registerOf(node.a);
+        const std::uint32_t b = sides.size() > 1 ? lower.registerOf(node.b) : lower.number(0);
         if (lower.info(a).stage == RegisterInfo::Parameter && lower.info(b).stage == RegisterInfo::Parameter) continue;
         if (!known.emplace(std::pair(std::min(a, b), std::max(a, b)), true).second) continue;
         roots_.push_back(lower.difference(a, b));

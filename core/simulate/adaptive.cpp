@@ -1,4 +1,5 @@
 #include <cvodes/cvodes.h>
+#include <fmt/format.h>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
 #include <sunlinsol/sunlinsol_dense.h>
@@ -11,6 +12,7 @@
 
 #include "core/simulate/grid.hpp"
 #include "core/simulate/sample_recorder.hpp"
+#include "core/simulate/sliding.hpp"
 
 namespace analogon {
 
@@ -49,6 +51,9 @@ private:
     int count_;
 };
 
+/// The errors of single steps add up: each may have this part of the tolerance that is asked for the whole.
+constexpr double localShare = 0.05;
+
 /// CVODES with backward differentiation formulas from kink to kink of the inputs (Hindmarsh et al. 2005), roots
 /// located and the integration restarted there, tangents by staggered forward sensitivities.
 class AdaptivePass final : public StateInterpolant {
@@ -65,6 +70,8 @@ public:
           K_(dynamics.shape().directions),
           slots_(dynamics, inputs),
           recorder_(dynamics, slots_, inputs, 0, last_, keepStates, result),
+          sliding_(
+              dynamics, [this](double t) { slotsAt(t, nullptr); }, u_),
           started_(std::chrono::steady_clock::now()) {
         const auto n = static_cast<std::size_t>(n_), K = static_cast<std::size_t>(K_);
         u_.resize(static_cast<std::size_t>(dynamics.shape().slots));
@@ -86,13 +93,17 @@ public:
         nextSample_ = 1;
         if (last_ == 0) return;
         if (n_ == 0) return sampleOnly();
+        joinWhatHolds();
         if (!setUp()) return fail(nextSample_, {}, "the integrator could not be set up");
         findStops();
         for (std::size_t i = 0; i < stops_.size(); ++i) {
             // Just inside the piece that begins here, whatever rounding did to the time.
             interval_ = slots_.intervalOf(time_, interval_);
             if (!integrateTo(stops_[i])) return;
-            if (restartsAtKinks_ && i + 1 < stops_.size()) restart();
+            if (restartsAtKinks_ && i + 1 < stops_.size()) {
+                CVodeGetDky(cvodes_.get(), time_, 0, y_.get());
+                restart();
+            }
         }
     }
 
@@ -149,18 +160,27 @@ private:
         CVodeSetStopTime(cvodes_.get(), stop);
         while (time_ < stop) {
             if (!isWithinLimits()) return false;
-            const double from = time_;
             const int flag = CVode(cvodes_.get(), stop, y_.get(), &time_, CV_ONE_STEP);
-            if (flag < 0) return explain(flag);
+            if (flag < 0) {
+                // What held the state may have ended within the step.
+                if (!sliding_.isActive() || !isAllowedAnEvent()) return explain(flag);
+                sliding_.release();
+                if (!restart()) return explain(flag);
+                CVodeSetStopTime(cvodes_.get(), stop);
+                continue;
+            }
             std::copy_n(N_VGetArrayPointer(y_.get()), n_, x_.begin());
             if (!recordUpTo(time_)) return false;
             if (flag == CV_ROOT_RETURN) {
-                eventsHere_ = time_ - from <= 1e-12 * std::max(std::abs(time_), 1e-3) ? eventsHere_ + 1 : 0;
-                if (eventsHere_ > 100) return fail(nextSample_, {}, "events without end"), false;
+                if (!isAllowedAnEvent())
+                    return fail(nextSample_, stateBehind(lastRoots()), "events without end"), false;
+                passEvent();
                 if (!restart()) return fail(nextSample_, {}, "the integrator could not restart"), false;
                 CVodeSetStopTime(cvodes_.get(), stop);
-            } else {
-                eventsHere_ = 0;
+            } else if (isStalled() && joinWhatHolds()) {
+                std::copy(x_.begin(), x_.end(), N_VGetArrayPointer(y_.get()));
+                if (!restart()) return fail(nextSample_, {}, "the integrator could not restart"), false;
+                CVodeSetStopTime(cvodes_.get(), stop);
             }
             if (flag == CV_TSTOP_RETURN) break;
         }
@@ -180,9 +200,111 @@ private:
         return true;
     }
 
-    /// Starts anew from where it is.
-    bool restart() {
+    /// Events that pile up at one time: chattering that nothing holds, or a ball that bounces ever lower.
+    bool isAllowedAnEvent() {
+        constexpr std::size_t most = 200;
+        constexpr double window = 1e-6;  // of the whole time
+        eventTimes_.push_back(time_);
+        if (eventTimes_.size() <= most) return true;
+        return time_ - eventTimes_[eventTimes_.size() - 1 - most] >
+               window * (inputs_.time.back() - inputs_.time.front());
+    }
+
+    /// Where both sides of a surface lead back to it an implicit step across has no solution: steps become tiny.
+    bool isStalled() const {
+        if (dynamics_.shape().roots == 0) return false;
+        double step = 0;
+        CVodeGetLastStep(cvodes_.get(), &step);
+        return step < 1e-6 * (inputs_.time.back() - inputs_.time.front());
+    }
+
+    /// The roots whose surface is nearer than the tolerance of the states.
+    std::vector<int> nearRoots() {
+        std::vector<double> values(static_cast<std::size_t>(dynamics_.shape().roots)), moved(values.size()),
+            tolerance(values.size(), 1e-14), x = x_;
+        slotsAt(time_, nullptr);
+        if (!dynamics_.roots(time_, x.data(), u_.data(), values.data())) return {};
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            x[i] += options_.relativeTolerance * std::abs(x[i]) +
+                    options_.absoluteTolerance * dynamics_.shape().stateNominal[i];
+            const bool isKnown = dynamics_.roots(time_, x.data(), u_.data(), moved.data());
+            x[i] = x_[i];
+            for (std::size_t j = 0; isKnown && j < moved.size(); ++j) tolerance[j] += std::abs(moved[j] - values[j]);
+        }
+        std::vector<int> near;
+        for (std::size_t j = 0; j < values.size(); ++j)
+            if (std::abs(values[j]) <= tolerance[j]) near.push_back(static_cast<int>(j));
+        return near;
+    }
+
+    /// Joins the surfaces on which the state lies, and that hold it.
+    bool joinWhatHolds() {
+        if (dynamics_.shape().roots == 0 || !sliding_.join(time_, x_.data(), nearRoots())) return false;
+        remarkHeld();
+        return true;
+    }
+
+    void remarkHeld() {
+        constexpr std::size_t most = 20;
+        if (result_.remarks.size() >= most) return;
+        result_.remarks.push_back(
+            fmt::format("from t = {:.6g} s a relation of {} holds the model between its two sides (sliding)", time_,
+                        stateBehind(sliding_.surfaces())));
+    }
+
+    /// At a root: surfaces that no longer hold the state are left, one that was reached and holds it is joined.
+    void passEvent() {
         CVodeGetDky(cvodes_.get(), time_, 0, y_.get());
+        double* const x = N_VGetArrayPointer(y_.get());
+        bool isLeft = false;
+        std::vector<int> reached;
+        for (const int j : lastRoots()) {
+            if (sliding_.holds(j))
+                isLeft = true;
+            else
+                reached.push_back(j);
+        }
+        if (isLeft) sliding_.leave(time_, x);
+        std::copy_n(x, n_, x_.begin());
+        // An event may also end what kept the state off another surface.
+        const std::vector<int> near = nearRoots();
+        reached.insert(reached.end(), near.begin(), near.end());
+        if (sliding_.join(time_, x_.data(), reached)) remarkHeld();
+        std::copy_n(x_.begin(), n_, x);
+    }
+
+    /// The relations that the last event came from.
+    std::vector<int> lastRoots() {
+        std::vector<int> found(static_cast<std::size_t>(dynamics_.shape().roots), 0), roots;
+        CVodeGetRootInfo(cvodes_.get(), found.data());
+        for (std::size_t j = 0; j < found.size(); ++j)
+            if (found[j] != 0) roots.push_back(static_cast<int>(j));
+        return roots;
+    }
+
+    /// The state that these relations depend on most.
+    std::string stateBehind(const std::vector<int>& roots) {
+        std::vector<double> values(static_cast<std::size_t>(dynamics_.shape().roots)), moved(values.size()), x = x_;
+        std::string name = dynamics_.shape().stateNames.front();
+        slotsAt(time_, nullptr);
+        if (!dynamics_.roots(time_, x.data(), u_.data(), values.data())) return name;
+        double largest = 0;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            x[i] += 1e-3 * dynamics_.shape().stateNominal[i];
+            const bool isKnown = dynamics_.roots(time_, x.data(), u_.data(), moved.data());
+            x[i] = x_[i];
+            for (const int j : roots) {
+                const auto at = static_cast<std::size_t>(j);
+                if (!isKnown || std::abs(moved[at] - values[at]) <= largest) continue;
+                largest = std::abs(moved[at] - values[at]);
+                name = dynamics_.shape().stateNames[i];
+            }
+        }
+        return name;
+    }
+
+    /// Starts anew from where it is: y holds the state.
+    bool restart() {
         if (K_ > 0) CVodeGetSensDky(cvodes_.get(), time_, 0, sensitivities_->get());
         interval_ = slots_.intervalOf(time_, interval_);
         if (CVodeReInit(cvodes_.get(), time_, y_.get()) != CV_SUCCESS) return false;
@@ -270,12 +392,14 @@ private:
     int last_{}, n_{}, K_{};
     InputSlots slots_;
     SampleRecorder recorder_;
+    Sliding sliding_;
     std::chrono::steady_clock::time_point started_;
     std::vector<double> u_, du_, x_, dx_, dxdot_, jacobian_, sampleX_, sampleDx_;
     std::vector<double> stops_;
     bool restartsAtKinks_{true};
     double time_{};
-    int interval_{}, nextSample_{}, eventsHere_{};
+    int interval_{}, nextSample_{};
+    std::vector<double> eventTimes_;
     long steps_{};
     // Freed in the opposite order: the solver before what it uses, the context last.
     Owned<SUNContext, FreeContext> context_;
@@ -288,6 +412,8 @@ private:
 
 int AdaptivePass::derivatives(double t, N_Vector y, N_Vector ydot, void* self) {
     auto& pass = *static_cast<AdaptivePass*>(self);
+    if (pass.sliding_.isActive())
+        return pass.sliding_.derivatives(t, N_VGetArrayPointer(y), N_VGetArrayPointer(ydot)) ? 0 : 1;
     pass.slotsAt(t, nullptr);
     return pass.dynamics_.derivatives(t, N_VGetArrayPointer(y), pass.u_.data(), N_VGetArrayPointer(ydot)) ? 0 : 1;
 }
@@ -296,10 +422,12 @@ int AdaptivePass::jacobian(double t, N_Vector y, N_Vector, SUNMatrix J, void* se
                            N_Vector) {
     auto& pass = *static_cast<AdaptivePass*>(self);
     pass.slotsAt(t, nullptr);
-    if (!pass.dynamics_.jacobian(t, N_VGetArrayPointer(y), pass.u_.data(), N_VGetArrayPointer(scratch),
-                                 pass.jacobian_.data())) {
-        return 1;
-    }
+    const double* const x = N_VGetArrayPointer(y);
+    const bool isKnown =
+        pass.sliding_.isActive()
+            ? pass.sliding_.jacobian(t, x, pass.jacobian_.data())
+            : pass.dynamics_.jacobian(t, x, pass.u_.data(), N_VGetArrayPointer(scratch), pass.jacobian_.data());
+    if (!isKnown) return 1;
     for (int i = 0; i < pass.n_; ++i) {
         for (int j = 0; j < pass.n_; ++j) {
             SM_ELEMENT_D(J, i, j) = pass.jacobian_[static_cast<std::size_t>(i * pass.n_ + j)];
@@ -314,10 +442,13 @@ int AdaptivePass::sensitivityRates(int count, double t, N_Vector y, N_Vector, N_
     double* const du = pass.du_.empty() ? nullptr : pass.du_.data();
     pass.slotsAt(t, du);
     pass.gather(yS, pass.dx_.data());
-    if (!pass.dynamics_.derivatives(t, N_VGetArrayPointer(y), pass.dx_.data(), pass.u_.data(), du,
-                                    N_VGetArrayPointer(scratch), pass.dxdot_.data())) {
-        return 1;
-    }
+    const double* const x = N_VGetArrayPointer(y);
+    double* const rates = N_VGetArrayPointer(scratch);
+    const bool isKnown =
+        pass.sliding_.isActive()
+            ? pass.sliding_.derivatives(t, x, pass.dx_.data(), du, rates, pass.dxdot_.data())
+            : pass.dynamics_.derivatives(t, x, pass.dx_.data(), pass.u_.data(), du, rates, pass.dxdot_.data());
+    if (!isKnown) return 1;
     for (int k = 0; k < count; ++k) {
         double* column = N_VGetArrayPointer(ySdot[k]);
         for (int i = 0; i < pass.n_; ++i) column[i] = pass.dxdot_[static_cast<std::size_t>(i * count + k)];
@@ -328,7 +459,8 @@ int AdaptivePass::sensitivityRates(int count, double t, N_Vector y, N_Vector, N_
 int AdaptivePass::rootFunctions(double t, N_Vector y, double* values, void* self) {
     auto& pass = *static_cast<AdaptivePass*>(self);
     pass.slotsAt(t, nullptr);
-    return pass.dynamics_.roots(t, N_VGetArrayPointer(y), pass.u_.data(), values) ? 0 : -1;
+    if (!pass.dynamics_.roots(t, N_VGetArrayPointer(y), pass.u_.data(), values)) return -1;
+    return !pass.sliding_.isActive() || pass.sliding_.exits(t, N_VGetArrayPointer(y), values) ? 0 : -1;
 }
 
 bool AdaptivePass::setUp() {
@@ -349,9 +481,9 @@ bool AdaptivePass::setUp() {
     Owned<N_Vector, FreeVector> absolute(N_VClone(y_.get()));
     for (int i = 0; i < n_; ++i) {
         N_VGetArrayPointer(absolute.get())[i] =
-            options_.absoluteTolerance * dynamics_.shape().stateNominal[static_cast<std::size_t>(i)];
+            localShare * options_.absoluteTolerance * dynamics_.shape().stateNominal[static_cast<std::size_t>(i)];
     }
-    bool ok = CVodeSVtolerances(memory, options_.relativeTolerance, absolute.get()) == CV_SUCCESS &&
+    bool ok = CVodeSVtolerances(memory, localShare * options_.relativeTolerance, absolute.get()) == CV_SUCCESS &&
               CVodeSetUserData(memory, this) == CV_SUCCESS &&
               CVodeSetLinearSolver(memory, solver_.get(), matrix_.get()) == CV_SUCCESS &&
               CVodeSetJacFn(memory, jacobian) == CV_SUCCESS && CVodeSetMaxErrTestFails(memory, 20) == CV_SUCCESS &&

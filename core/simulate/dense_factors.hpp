@@ -15,6 +15,7 @@ public:
         n_ = n;
         entries_.assign(static_cast<std::size_t>(n * n), 0.0);
         pivots_.assign(static_cast<std::size_t>(n), 0);
+        inverses_.assign(static_cast<std::size_t>(n), 0.0);
     }
     double* matrix() { return entries_.data(); }  // filled by the caller before factorise()
 
@@ -29,8 +30,9 @@ public:
             if (pivot != k) std::swap_ranges(row(k), row(k) + n_, row(pivot));
             const double diagonal = row(k)[k];
             if (!std::isfinite(diagonal) || diagonal == 0.0) return false;
+            const double inverse = inverses_[static_cast<std::size_t>(k)] = 1.0 / diagonal;
             for (int i = k + 1; i < n_; ++i) {
-                const double factor = row(i)[k] /= diagonal;
+                const double factor = row(i)[k] *= inverse;
                 if (factor == 0.0) continue;
                 for (int j = k + 1; j < n_; ++j) row(i)[j] -= factor * row(k)[j];
             }
@@ -40,6 +42,7 @@ public:
 
     /// Solves in place for `width` right-hand sides, row-major n x width.
     void solve(double* b, int width) const {
+        if (width == 1) return solveOne(b);
         const auto line = [&](int i) { return b + static_cast<std::ptrdiff_t>(i) * width; };
         for (int k = 0; k < n_; ++k) {
             const int pivot = pivots_[static_cast<std::size_t>(k)];
@@ -50,12 +53,27 @@ public:
         }
         for (int i = n_ - 1; i >= 0; --i) {
             for (int k = i + 1; k < n_; ++k) subtract(line(i), row(i)[k], line(k), width);
-            const double inverse = 1.0 / row(i)[i];
+            const double inverse = inverses_[static_cast<std::size_t>(i)];
             for (int j = 0; j < width; ++j) line(i)[j] *= inverse;
         }
     }
 
 private:
+    void solveOne(double* b) const {
+        for (int k = 0; k < n_; ++k) std::swap(b[k], b[pivots_[static_cast<std::size_t>(k)]]);
+        for (int i = 1; i < n_; ++i) {
+            const double* const factors = row(i);
+            double sum = b[i];
+            for (int k = 0; k < i; ++k) sum -= factors[k] * b[k];
+            b[i] = sum;
+        }
+        for (int i = n_ - 1; i >= 0; --i) {
+            const double* const factors = row(i);
+            double sum = b[i];
+            for (int k = i + 1; k < n_; ++k) sum -= factors[k] * b[k];
+            b[i] = sum * inverses_[static_cast<std::size_t>(i)];
+        }
+    }
     double* row(int i) { return entries_.data() + static_cast<std::ptrdiff_t>(i) * n_; }
     const double* row(int i) const { return entries_.data() + static_cast<std::ptrdiff_t>(i) * n_; }
     static void subtract(double* to, double factor, const double* from, int width) {
@@ -64,7 +82,7 @@ private:
     }
 
     int n_{};
-    std::vector<double> entries_;
+    std::vector<double> entries_, inverses_;
     std::vector<int> pivots_;
 };
 

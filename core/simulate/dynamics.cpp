@@ -18,7 +18,7 @@ std::span<double> view(double* data, int count) {
 }  // namespace
 
 SystemDynamics::SystemDynamics(const SimulationTask& task, bool withDirections)
-    : system_(*task.system), parameters_(task.parameters) {
+    : system_(*task.system), isInterpreted_(task.isInterpreted), parameters_(task.parameters) {
     shape_.states = system_.stateCount();
     shape_.inputs = system_.inputCount();
     shape_.slots = system_.slotCount();
@@ -50,10 +50,10 @@ SystemDynamics::SystemDynamics(const SimulationTask& task, bool withDirections)
         }
         shape_.directionScale.push_back(scale > 0.0 ? scale : 1.0);
     }
-    values_ = system_.workspace(0);
+    values_ = system_.workspace(0, task.isInterpreted);
     isReady_ = noted(system_.setParameters(values_, parameters_), values_);
     if (isReady_ && K > 0) {
-        tangents_ = system_.workspace(K);
+        tangents_ = system_.workspace(K, task.isInterpreted);
         isReady_ = noted(system_.setParameters(tangents_, parameters_, directions_), tangents_);
     }
 }
@@ -94,7 +94,7 @@ SystemDynamics::Partials& SystemDynamics::partials(std::unique_ptr<Partials>& sl
     const int n = shape_.states, K = parameterDirections;
     const auto width = static_cast<std::size_t>(n + K);
     slot->width = n + K;
-    slot->workspace = system_.workspace(n + K);
+    slot->workspace = system_.workspace(n + K, isInterpreted_);
     std::vector<double> seeds(parameters_.size() * width, 0.0);
     for (std::size_t i = 0; i < parameters_.size(); ++i) {
         for (int k = 0; k < K; ++k) {
@@ -158,6 +158,26 @@ void SystemDynamics::delayTimes(double* times, double* dtimes) {
 bool SystemDynamics::roots(double t, const double* x, const double* u, double* values) {
     return noted(system_.roots(values_, t, view(x, shape_.states), view(u, shape_.slots), view(values, shape_.roots)),
                  values_);
+}
+
+bool SystemDynamics::prepareSteps() { return system_.prepareSteps(stepping()); }
+
+void SystemDynamics::loadState(const double* x, const double* dx) {
+    system_.loadState(stepping(), view(x, shape_.states), view(dx, shape_.states * shape_.directions));
+}
+
+void SystemDynamics::storeState(double* x, double* dx) {
+    system_.storeState(stepping(), view(x, shape_.states), view(dx, shape_.states * shape_.directions));
+}
+
+bool SystemDynamics::step(double t, double h, const double* uBegin, const double* uMiddle, const double* uEnd) {
+    evaluations_ += 4;
+    return system_.step(stepping(), t, h, uBegin, uMiddle, uEnd);
+}
+
+bool SystemDynamics::outputsOfState(double t, const double* u, double* y, double* dy) {
+    ++evaluations_;
+    return system_.outputsOfState(stepping(), t, u, y, dy);
 }
 
 bool SystemDynamics::observed(double t, const double* x, const double* u, double* values) {

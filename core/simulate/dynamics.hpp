@@ -50,6 +50,21 @@ public:
     /// Delay times in force, with their tangents (delays x K) when K > 0.
     virtual void delayTimes(double* times, double* dtimes) = 0;
     virtual bool roots(double t, const double* x, const double* u, double* values) = 0;
+    // Runge-Kutta steps on a state that stays inside, as machine code (System::step). Offered when prepareSteps() says
+    // so, and the slots must not depend on the parameters.
+    virtual bool prepareSteps() { return false; }
+    virtual void loadState(const double*, const double*) {}
+    virtual void storeState(double*, double*) {}
+    virtual bool step(double /*t*/, double /*h*/, const double* /*uBegin*/, const double* /*uMiddle*/,
+                      const double* /*uEnd*/) {
+        return false;
+    }
+    /// Exact steps of length h (System::prepareRecurrence).
+    virtual bool prepareRecurrence(double /*h*/) { return false; }
+    virtual void recur(const double* /*uBegin*/, const double* /*uEnd*/) {}
+    virtual bool isStateFinite() { return false; }
+    virtual bool outputsOfState(double /*t*/, const double* /*u*/, double* /*y*/, double* /*dy*/) { return false; }
+
     /// The variables asked for in the task.
     virtual int observedCount() const { return 0; }
     virtual bool observed(double, const double*, const double*, double*) { return true; }
@@ -84,6 +99,19 @@ public:
                  double* taps, double* dtaps) override;
     void delayTimes(double* times, double* dtimes) override;
     bool roots(double t, const double* x, const double* u, double* values) override;
+    bool prepareSteps() override;
+    void loadState(const double* x, const double* dx) override;
+    void storeState(double* x, double* dx) override;
+    bool step(double t, double h, const double* uBegin, const double* uMiddle, const double* uEnd) override;
+    bool prepareRecurrence(double h) override {
+        return system_.isLinearTimeInvariant() && system_.prepareRecurrence(stepping(), h);
+    }
+    void recur(const double* uBegin, const double* uEnd) override {
+        ++evaluations_;
+        system_.recur(stepping(), uBegin, uEnd);
+    }
+    bool isStateFinite() override { return system_.isStateFinite(stepping()); }
+    bool outputsOfState(double t, const double* u, double* y, double* dy) override;
     int observedCount() const override { return static_cast<int>(handles_.size()); }
     bool observed(double t, const double* x, const double* u, double* values) override;
     std::string failure() const override;
@@ -98,8 +126,10 @@ private:
     };
     Partials& partials(std::unique_ptr<Partials>& slot, int parameterDirections);
     bool noted(bool ok, const Workspace& workspace);
+    Workspace& stepping() { return shape_.directions > 0 ? tangents_ : values_; }
 
     const System& system_;
+    bool isInterpreted_{};
     std::vector<double> parameters_;
     std::vector<double> directions_;  // parameters x K, row-major
     Workspace values_;

@@ -12,11 +12,20 @@ struct GridRun {
     int last{-1};                // sample to end at; -1: the last one
     const double* startState{};  // null: the model's consistent start
     bool keepStates{};
+    SampleSink* sink{};  // null: all goes into the trajectory
 };
 
 /// One pass of the grid engine. Columns of the result are the samples first … last.
 Trajectory runGrid(Dynamics& dynamics, const SampledInputs& inputs, const GridRun& run,
                    const SimulationOptions& options = {}, const Progress& progress = {});
+
+/// The same by machine code, for exact steps and the classic Runge-Kutta method, and models without delays. False: not
+/// possible, or a value was not finite; runGrid knows where and why.
+bool runCompiled(Dynamics& dynamics, const SampledInputs& inputs, const GridRun& run, const SimulationOptions& options,
+                 const Progress& progress, Trajectory& result);
+
+/// Whether runCompiled() can take exact steps: the dynamics are made ready for them.
+bool canBeExact(Dynamics& dynamics, const SampledInputs& inputs);
 
 /// The cheapest plan whose outputs move by less than the tolerance when the steps are halved.
 GridPlan choosePlan(Dynamics& dynamics, const SampledInputs& inputs, const SimulationOptions& options = {},

@@ -40,6 +40,9 @@ public:
             return {options_.method == GridMethod::Esdirk ? GridMethod::Esdirk : GridMethod::RungeKutta4,
                     std::max(1, options_.substeps), 0.0};
         }
+        const bool mayBeExact = options_.method == GridMethod::Auto || options_.method == GridMethod::Exact;
+        if (mayBeExact && options_.substeps == 0 && canBeExact(dynamics_, inputs_)) return {GridMethod::Exact, 1, 0.0};
+        if (options_.method == GridMethod::Exact) options_.method = GridMethod::Auto;
         if (!surveyWholeRecord()) return fallback();
         for (int round = 0; round < 4; ++round) {
             const GridPlan plan = cheapestOnWindows();

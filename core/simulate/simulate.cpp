@@ -56,7 +56,7 @@ GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options, 
 }
 
 Trajectory simulateGrid(const SimulationTask& task, const GridPlan& plan, const SimulationOptions& options,
-                        const Progress& progress) {
+                        const Progress& progress, SampleSink* sink) {
     if (const char* reason = misfit(task)) return refused(task, Engine::Grid, {}, reason);
     SystemDynamics dynamics(task, true);
     if (!dynamics.isReady()) return refused(task, Engine::Grid, dynamics.failure(), "not finite");
@@ -64,6 +64,7 @@ Trajectory simulateGrid(const SimulationTask& task, const GridPlan& plan, const 
     run.plan = plan;
     run.plan.substeps = std::max(1, plan.substeps);
     run.keepStates = task.keepStates;
+    run.sink = sink;
     return runGrid(dynamics, *task.inputs, run, options, progress);
 }
 

@@ -14,8 +14,10 @@ namespace analogon {
 
 /// Which integration engine; `Auto` chooses the grid method from an error estimate.
 enum class Engine { Auto, Grid, Adaptive };
-/// One-step methods of the grid engine. Steps end on the samples; `substeps` of them per sample.
-enum class GridMethod { Auto, RungeKutta4, Esdirk };
+/// One-step methods of the grid engine. Steps end on the samples; `substeps` of them per sample. `Exact` is the
+/// recurrence of a linear, time-invariant model on equidistant samples; where it does not apply, the choice is among
+/// the others.
+enum class GridMethod { Auto, RungeKutta4, Esdirk, Exact };
 
 struct SimulationOptions {
     Engine engine{Engine::Auto};
@@ -51,6 +53,8 @@ struct Trajectory {
     SimulationFailure failure;
     GridPlan plan;
     Engine engine{Engine::Grid};
+    /// What a reader should know though nothing failed: where a switch holds the model between its two sides.
+    std::vector<std::string> remarks;
 };
 
 /// What to simulate: one experiment of one system. The referenced objects must outlive the call.
@@ -62,6 +66,17 @@ struct SimulationTask {
     Eigen::MatrixXd directions;
     bool keepStates{};
     std::vector<std::string> observe;  // variables to record at the samples
+    bool isInterpreted{};              // never run machine code
+};
+
+/// Sees the samples of a simulation one after the other, where the whole of them would take too much memory.
+class SampleSink {
+public:
+    virtual ~SampleSink() = default;
+    /// Outputs at a sample and their tangents (outputs x K, row-major; null when K = 0).
+    virtual void take(int sample, const double* y, const double* dy) = 0;
+    /// All samples so far are void: they come again from the first one.
+    virtual void restart() = 0;
 };
 
 /// The plan an experiment needs at these parameters: explicit or implicit, and the number of substeps, from
@@ -70,8 +85,9 @@ GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options =
 
 /// One pass with a given plan (grid engine), values and tangents together. Its tangents are those of the
 /// discrete solution.
+/// With a sink, outputs and tangents go there and are left out of the trajectory.
 Trajectory simulateGrid(const SimulationTask& task, const GridPlan& plan, const SimulationOptions& options = {},
-                        const Progress& progress = {});
+                        const Progress& progress = {}, SampleSink* sink = nullptr);
 
 /// SUNDIALS CVODES between the true kinks of the inputs, with root finding for events: the reference.
 /// Tangents, when asked for, by CVODES forward sensitivities.

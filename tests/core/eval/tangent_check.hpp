@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/eval/system.hpp"
+#include "tests/core/eval/machine_code_check.hpp"
 
 namespace analogon::test {
 
@@ -72,6 +73,7 @@ inline void checkTangents(const System& system, const std::vector<double>& x, co
                 << "result " << i << " direction " << k;
         }
     }
+    checkMachineCode(system, x, u, t);
 }
 
 }  // namespace analogon::test

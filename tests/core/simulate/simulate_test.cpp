@@ -68,13 +68,47 @@ TEST(Simulate, GridAndAdaptiveEnginesAgreeOnAMotorWithNoisyVoltage) {
 TEST(Simulate, TakesTheImplicitMethodForAStiffMotor) {
     const SystemPtr system = compileText(test::motorText, "Motor", {"L"});
     ASSERT_TRUE(system);
-    const SampledInputs inputs = noisyVoltage(4000);
+    SampledInputs inputs = noisyVoltage(4000);
+    inputs.time.back() += 1e-4 * (inputs.time[1] - inputs.time[0]);  // not equidistant: no exact steps
     SimulationTask task = taskOf(system, inputs, true);
     task.parameters = {1e-7};
     const Trajectory y = simulate(task);
     ASSERT_FALSE(y.failure.failed) << y.failure.reason;
     EXPECT_EQ(y.plan.method, GridMethod::Esdirk);
     EXPECT_TRUE(y.tangents[1].allFinite());
+}
+
+TEST(Simulate, TakesExactStepsWhereTheModelIsLinear) {
+    const SystemPtr system = compileText(test::motorText, "Motor", {"R", "J2", "c"});
+    ASSERT_TRUE(system);
+    const SampledInputs inputs = noisyVoltage(600);
+    const SimulationTask task = taskOf(system, inputs, true);
+    const Trajectory exact = simulate(task);
+    if (exact.plan.method != GridMethod::Exact) GTEST_SKIP() << "no machine code on this processor";
+    const Trajectory fine = simulateGrid(task, {GridMethod::RungeKutta4, 64, 0.0});
+    ASSERT_FALSE(exact.failure.failed);
+    EXPECT_LT((exact.outputs - fine.outputs).cwiseAbs().maxCoeff(), 1e-8 * fine.outputs.cwiseAbs().maxCoeff());
+    for (std::size_t o = 0; o < 2; ++o) {
+        const Eigen::MatrixXd gap = exact.tangents[o] - fine.tangents[o];
+        for (Eigen::Index k = 0; k < 3; ++k)
+            EXPECT_LT(gap.col(k).cwiseAbs().maxCoeff(), 1e-7 * fine.tangents[o].col(k).cwiseAbs().maxCoeff());
+    }
+}
+
+TEST(Simulate, GivesTheSameByMachineCodeAndByTheInterpreter) {
+    const SystemPtr system = compileText(test::motorText, "Motor", {"R", "J2", "c"});
+    ASSERT_TRUE(system);
+    const SampledInputs inputs = noisyVoltage(600);
+    SimulationTask task = taskOf(system, inputs, true);
+    const GridPlan plan{GridMethod::RungeKutta4, 2, 0.0};
+    const Trajectory byCode = simulateGrid(task, plan);
+    task.isInterpreted = true;
+    const Trajectory interpreted = simulateGrid(task, plan);
+    EXPECT_LT((byCode.outputs - interpreted.outputs).cwiseAbs().maxCoeff(),
+              1e-12 * interpreted.outputs.cwiseAbs().maxCoeff());
+    for (std::size_t o = 0; o < 2; ++o)
+        EXPECT_LT((byCode.tangents[o] - interpreted.tangents[o]).cwiseAbs().maxCoeff(),
+                  1e-11 * interpreted.tangents[o].cwiseAbs().maxCoeff());
 }
 
 TEST(Simulate, KeepsStatesAndObservesVariables) {

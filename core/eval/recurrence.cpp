@@ -1,0 +1,168 @@
+#include "core/eval/recurrence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/eval/program_emitter.hpp"
+
+namespace analogon {
+namespace {
+
+/// A square matrix with K tangents: [value; tangent 1; …], each row-major.
+class TangentMatrix {
+public:
+    TangentMatrix(int size, int directions)
+        : size_(static_cast<std::size_t>(size)),
+          count_(static_cast<std::size_t>(1 + directions)),
+          entries_(size_ * size_ * count_) {}
+
+    double& at(std::size_t i, std::size_t j, std::size_t k = 0) { return entries_[(k * size_ + i) * size_ + j]; }
+    double at(std::size_t i, std::size_t j, std::size_t k = 0) const { return entries_[(k * size_ + i) * size_ + j]; }
+
+    void scale(double factor) {
+        for (double& entry : entries_) entry *= factor;
+    }
+    void addIdentity() {
+        for (std::size_t i = 0; i < size_; ++i) at(i, i) += 1;
+    }
+    friend TangentMatrix operator*(const TangentMatrix& a, const TangentMatrix& b) {
+        TangentMatrix product(static_cast<int>(a.size_), static_cast<int>(a.count_) - 1);
+        product.add(a, 0, b, 0, 0);
+        for (std::size_t k = 1; k < a.count_; ++k) {
+            product.add(a, k, b, 0, k);
+            product.add(a, 0, b, k, k);
+        }
+        return product;
+    }
+    double norm() const {
+        double largest = 0;
+        for (std::size_t i = 0; i < size_; ++i) {
+            double sum = 0;
+            for (std::size_t j = 0; j < size_; ++j) sum += std::fabs(at(i, j));
+            largest = std::max(largest, sum);
+        }
+        return largest;
+    }
+
+private:
+    /// Adds the product of two layers to a third.
+    void add(const TangentMatrix& a, std::size_t layerA, const TangentMatrix& b, std::size_t layerB,
+             std::size_t layer) {
+        for (std::size_t i = 0; i < size_; ++i)
+            for (std::size_t j = 0; j < size_; ++j) {
+                const double factor = a.at(i, j, layerA);
+                if (factor == 0) continue;
+                const double* from = &b.entries_[(layerB * size_ + j) * size_];
+                double* to = &entries_[(layer * size_ + i) * size_];
+                for (std::size_t l = 0; l < size_; ++l) to[l] += factor * from[l];
+            }
+    }
+
+    std::size_t size_, count_;
+    std::vector<double> entries_;
+};
+
+TangentMatrix exponential(TangentMatrix matrix, int size, int directions) {
+    const double norm = matrix.norm();
+    const int squarings = std::isfinite(norm) && norm > 0.5 ? static_cast<int>(std::ceil(std::log2(norm / 0.5))) : 0;
+    matrix.scale(std::ldexp(1.0, -squarings));
+    TangentMatrix sum(size, directions);
+    sum.addIdentity();
+    constexpr int terms = 14;  // 0.5^15 / 15! is below rounding
+    for (int k = terms; k >= 1; --k) {
+        sum = matrix * sum;
+        sum.scale(1.0 / k);
+        sum.addIdentity();
+    }
+    for (int s = 0; s < squarings; ++s) sum = sum * sum;
+    return sum;
+}
+
+}  // namespace
+
+LinearRecurrence recurrenceOf(const LinearRates& rates, double h) {
+    // Over the time of a step as unit: x' = h (A x + B u + c), u' = u1 - u0, both slopes and 1 constant.
+    const auto n = static_cast<std::size_t>(rates.states), m = static_cast<std::size_t>(rates.slots);
+    const auto K = static_cast<std::size_t>(rates.directions), columns = n + m + 1;
+    const std::size_t size = n + 2 * m + 1;
+    TangentMatrix matrix(static_cast<int>(size), rates.directions);
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < columns; ++j) {
+            const std::size_t to = j < n + m ? j : size - 1, entry = i * columns + j;
+            matrix.at(i, to) = h * rates.matrix[entry];
+            for (std::size_t k = 0; k < K; ++k) matrix.at(i, to, k + 1) = h * rates.tangents[entry * K + k];
+        }
+    for (std::size_t j = 0; j < m; ++j) matrix.at(n + j, n + m + j) = 1;
+    const TangentMatrix result = exponential(std::move(matrix), static_cast<int>(size), rates.directions);
+
+    LinearRecurrence recurrence;
+    recurrence.matrix.resize(n * size);
+    recurrence.tangents.resize(n * size * K);
+    for (std::size_t k = 0; k <= K; ++k)
+        for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t j = 0; j < size; ++j) {
+                // What multiplies u0 is the hold less the ramp, what multiplies u1 is the ramp.
+                double entry = result.at(i, j, k);
+                if (j >= n && j < n + m) entry -= result.at(i, j + m, k);
+                if (k == 0) {
+                    recurrence.matrix[i * size + j] = entry;
+                } else {
+                    recurrence.tangents[(i * size + j) * K + k - 1] = entry;
+                }
+            }
+    return recurrence;
+}
+
+std::shared_ptr<const RecurrenceCode> compileRecurrence(const SystemPrograms& s, int lanes) {
+    if (!VectorCode::isAvailable()) return nullptr;
+    using Op = VectorCode::Operation;
+    auto code = std::make_shared<RecurrenceCode>();
+    ProgramEmitter emitter(s, lanes, code->program);
+    VectorCode& out = emitter.code();
+    const std::size_t n = s.states.size(), m = static_cast<std::size_t>(s.layout.slots), size = n + 2 * m + 1;
+    const std::size_t chunks = emitter.chunks().size();
+
+    std::vector<VectorCode::Entity> factors;  // what each column multiplies
+    for (std::size_t j = 0; j < n; ++j) factors.push_back(emitter.value(s.firstState + static_cast<std::uint32_t>(j)));
+    for (std::size_t j = 0; j < 2 * m; ++j) {
+        factors.push_back(emitter.inMemory(1));
+        if (j == 0) code->begin = emitter.offsetOf(factors.back());
+        if (j == m) code->end = emitter.offsetOf(factors.back());
+    }
+    factors.push_back(emitter.constant(1));
+
+    std::vector<VectorCode::Entity> values(n), tangents(n * chunks);
+    for (std::size_t i = 0; i < n; ++i) {
+        std::vector<VectorCode::Entity> sums(chunks);
+        for (std::size_t c = 0; c < chunks; ++c) sums[c] = emitter.zero(c);
+        VectorCode::Entity value{};
+        for (std::size_t j = 0; j < size; ++j) {
+            const VectorCode::Entity entry = emitter.inMemory(1);
+            code->entries.push_back(emitter.offsetOf(entry));
+            value = j == 0 ? out.emit(Op::Multiply, 1, factors[j], entry)
+                           : out.emit(Op::MultiplyAdd, 1, factors[j], entry, value);
+            for (std::size_t c = 0; c < chunks; ++c) {
+                const int width = emitter.chunks()[c].width;
+                const VectorCode::Entity slope = emitter.inMemory(width);
+                for (int lane = 0; lane < width; ++lane)
+                    code->tangents.push_back(emitter.offsetOf(slope) + static_cast<std::uint32_t>(lane));
+                sums[c] = out.emit(Op::MultiplyAdd, width, factors[j], slope, sums[c]);
+                if (j >= n) continue;
+                const VectorCode::Entity dx = emitter.tangent(s.firstState + static_cast<std::uint32_t>(j), c);
+                sums[c] = out.emit(Op::MultiplyAdd, width, entry, dx, sums[c]);
+            }
+        }
+        values[i] = value;
+        for (std::size_t c = 0; c < chunks; ++c) tangents[i * chunks + c] = sums[c];
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::uint32_t reg = s.firstState + static_cast<std::uint32_t>(i);
+        emitter.bind(reg, values[i]);
+        for (std::size_t c = 0; c < chunks; ++c) emitter.bindTangent(reg, c, tangents[i * chunks + c]);
+        emitter.storeResult({reg, {1, 1}});
+    }
+    if (!emitter.finish()) return nullptr;
+    return code;
+}
+
+}  // namespace analogon

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace analogon {
+
+struct Registers;
+
+/// Straight-line code on short vectors, and its translation to machine code of this processor (x86-64 with AVX2
+/// and FMA, or AVX-512). Every entity is assigned once. It has a home in memory, from which it is read when it was
+/// there at the start, and to which it goes when the processor runs out of registers.
+class VectorCode {
+public:
+    using Entity = std::uint32_t;
+    static constexpr Entity none = 0xffffffffu;
+    enum class Space : std::uint8_t { Values, Tangents, Scratch };
+
+    enum class Operation : std::uint8_t {
+        Add,               // a + b
+        Subtract,          // a - b
+        Multiply,          // a * b
+        MultiplyAdd,       // a * b + c
+        NegativeMultiply,  // c - a * b
+        Divide,            // of values alone
+        SquareRoot,        // of values alone
+        Absolute,
+        Less,  // 1 or 0, as the relations below
+        LessEqual,
+        Equal,
+        NotEqual,
+        Select,  // a != 0 ? b : c
+        Move,    // a
+        Store,   // a to its home; no result
+        Call,    // a C function of a pointer (when `data` is given) and one to three values
+        Block    // a call that reads and writes homes; no result
+    };
+    using BlockFunction = bool (*)(Registers*, const void*);
+
+    /// Whether this processor, and this build, can run machine code.
+    static bool isAvailable();
+    /// Doubles in the widest vectors here.
+    static int vectorWidth();
+
+    /// An entity of `width` doubles; width 1 is a value, the same in every place of a vector. Offsets count doubles.
+    Entity add(Space space, std::uint32_t offset, int width, bool isInMemory);
+    /// One with a home of its own in the scratch memory.
+    Entity fresh(int width);
+
+    Entity emit(Operation operation, int width, Entity a, Entity b = none, Entity c = none);
+    void emitTo(Entity target, Operation operation, Entity a, Entity b = none, Entity c = none);
+    /// `function` is double (*)([const void* data,] double, ...), free of side effects.
+    Entity call(const void* function, const void* data, Entity a, Entity b = none, Entity c = none);
+    /// Calls a block after storing what it reads; what it writes is in memory afterwards. False ends the run.
+    void block(BlockFunction function, const void* data, std::vector<Entity> reads);
+    void store(Entity entity) { emitTo(none, Operation::Store, entity); }
+
+    std::size_t scratchSize() const { return scratchSize_; }  // doubles
+
+    struct Home {
+        Space space{};
+        std::uint8_t width{1};
+        bool isInMemory{};
+        std::uint32_t offset{};
+    };
+    struct Step {
+        Operation operation{};
+        Entity target{none}, a{none}, b{none}, c{none};
+        const void *function{}, *data{};
+        std::uint32_t block{none};  // index in blocks
+    };
+    struct BlockCall {
+        BlockFunction function{};
+        const void* data{};
+        std::vector<Entity> reads;
+    };
+    const std::vector<Home>& homes() const { return homes_; }
+    const std::vector<Step>& steps() const { return steps_; }
+    const std::vector<BlockCall>& blocks() const { return blocks_; }
+
+private:
+    std::vector<Home> homes_;
+    std::vector<Step> steps_;
+    std::vector<BlockCall> blocks_;
+    std::uint32_t scratchSize_{};
+};
+
+/// A translated VectorCode. Const, callable from any thread.
+class MachineFunction {
+public:
+    /// Null when it could not be translated.
+    static std::unique_ptr<const MachineFunction> translate(const VectorCode& code);
+    ~MachineFunction();
+    /// False: a block failed.
+    bool operator()(double* values, double* tangents, double* scratch, Registers* registers) const {
+        return function_(values, tangents, scratch, registers) != 0;
+    }
+
+private:
+    struct Memory;
+    using Function = int (*)(double*, double*, double*, Registers*);
+    MachineFunction(std::unique_ptr<Memory> memory, Function function);
+    std::unique_ptr<Memory> memory_;
+    Function function_;
+};
+
+}  // namespace analogon

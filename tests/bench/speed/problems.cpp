@@ -1,0 +1,196 @@
+#include "tests/bench/speed/problems.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+namespace analogon::speed {
+namespace {
+
+/// splitmix64 with the Box-Muller transform.
+class Random {
+public:
+    explicit Random(std::uint64_t seed) : state_(seed) {}
+    double uniform() {
+        std::uint64_t z = state_ += 0x9e3779b97f4a7c15ull;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+        return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
+    }
+    double normal() {
+        const double a = uniform(), b = uniform();
+        return std::sqrt(-2 * std::log(1 - a)) * std::cos(2 * M_PI * b);
+    }
+    int between(int first, int count) { return first + static_cast<int>(uniform() * count); }
+
+private:
+    std::uint64_t state_;
+};
+
+const char* const heaterText = R"(
+model LambdaHeater
+  input Real v(unit = "V");
+  input Real T_amb(unit = "K");
+  output Real i(unit = "A");
+  parameter Real R0 = 3.2;
+  parameter Real a = 2e-3;
+  parameter Real C = 1.5;
+  parameter Real c_o = 1;
+  parameter Real A = 1e-3;
+  Real T(unit = "K");
+  Real R;
+  Real P;
+initial equation
+  T = T_amb;
+equation
+  R = R0*(1 + a*(T - 293.15));
+  i = v/R;
+  P = R*i^2;
+  C*der(T) = P - c_o*A*(T_amb/3.6)^0.78*(T - T_amb);
+end LambdaHeater;
+)";
+
+const char* const motorText = R"(
+model Motor
+  input Real v(unit = "V");
+  output Real i(unit = "A");
+  output Real w2(unit = "rad/s");
+  parameter Real R = 1.2;
+  parameter Real L = 2e-3;
+  parameter Real k = 0.05;
+  parameter Real b = 0.01;
+  parameter Real J1 = 2e-3;
+  parameter Real J2 = 5e-3;
+  parameter Real c = 20;
+  parameter Real d = 0.02;
+  parameter Real r = 5;
+  Real w1(start = 0, fixed = true);
+  Real phi1(start = 0, fixed = true);
+  Real phi2(start = 0, fixed = true);
+  Real tau;
+initial equation
+  i = 0;
+  w2 = 0;
+equation
+  v = R*i + L*der(i) + k*r*w1;
+  tau = c*(phi1 - phi2) + d*(w1 - w2);
+  J1*der(w1) = r*k*i - tau;
+  der(phi1) = w1;
+  J2*der(w2) = tau - b*w2;
+  der(phi2) = w2;
+end Motor;
+)";
+
+FitParameter parameter(const char* name, double start, double min, double max) {
+    FitParameter p;
+    p.name = name;
+    p.start = start;
+    p.min = min;
+    p.max = max;
+    return p;
+}
+
+void addNoise(SpeedProblem& problem, Random& random) {
+    for (Eigen::Index o = 0; o < problem.measured.rows(); ++o)
+        for (Eigen::Index k = 0; k < problem.measured.cols(); ++k)
+            problem.measured(o, k) += problem.sigma[o] * random.normal();
+}
+
+}  // namespace
+
+SpeedProblem lambdaHeater(int samples, bool hasNoisyInput) {
+    SpeedProblem problem;
+    problem.name = hasNoisyInput ? "P1n heater" : "P1 heater";
+    problem.text = heaterText;
+    problem.className = "LambdaHeater";
+    problem.parameters = {parameter("R0", 5, 0.5, 20), parameter("a", 4e-3, 1e-4, 2e-2), parameter("C", 4, 0.1, 50),
+                          parameter("c_o", 3, 0.05, 50)};
+    problem.truth = {3.2, 2e-3, 1.5, 1.0};
+    Random random(20260101);
+    problem.inputs.values.resize(2, samples);
+    for (int k = 0; k < samples; ++k) problem.inputs.time.push_back(k * 0.01);
+    for (int k = 0; k < samples;) {
+        const double level = random.uniform() < 0.15 ? 0 : 2 + 10 * random.uniform();
+        for (int left = random.between(500, 1501); left > 0 && k < samples; --left, ++k)
+            problem.inputs.values(0, k) = level;
+    }
+    int begin = 0;
+    double from = 293.15;
+    problem.inputs.values(1, 0) = from;
+    while (begin < samples - 1) {
+        const int length = random.between(1000, 3001);
+        const double to = 293 + 607 * random.uniform();
+        for (int j = 1; j <= length && begin + j < samples; ++j)
+            problem.inputs.values(1, begin + j) = from + (to - from) * j / length;
+        begin += length;
+        from = to;
+    }
+    for (int input = 0; hasNoisyInput && input < 2; ++input)
+        for (int k = 0; k < samples; ++k)
+            problem.inputs.values(input, k) += (input == 0 ? 0.02 : 1.0) * random.normal();
+    problem.measured =
+        Eigen::Map<const Eigen::MatrixXd>(heaterOutputs(problem.record(), problem.truth.data(), 8).data(), 1, samples);
+    problem.sigma = Eigen::VectorXd::Constant(1, 0.01 * std::sqrt(problem.measured.row(0).squaredNorm() / samples));
+    addNoise(problem, random);
+    return problem;
+}
+
+SpeedProblem motor(int samples, bool hasNoisyInput) {
+    SpeedProblem problem;
+    problem.name = hasNoisyInput ? "P2n motor" : "P2 motor";
+    problem.text = motorText;
+    problem.className = "Motor";
+    const char* const names[] = {"R", "L", "k", "b", "J1", "J2", "c", "d"};
+    problem.truth = {1.2, 2e-3, 0.05, 0.01, 2e-3, 5e-3, 20, 0.02};
+    const double factors[] = {1.4, 0.6, 1.35, 0.6, 0.65, 1.5, 0.7, 1.5};
+    for (std::size_t i = 0; i < 8; ++i) {
+        const double start = problem.truth[i] * factors[i];
+        problem.parameters.push_back(parameter(names[i], start, start / 10, start * 10));
+    }
+    Random random(20260102);
+    problem.inputs.values.resize(1, samples);
+    for (int k = 0; k < samples; ++k) problem.inputs.time.push_back(k * 1e-3);
+    problem.inputs.values(0, 0) = 0;
+    double from = 0;
+    for (int begin = 0; begin < samples - 1;) {
+        const int length = random.between(100, 501);
+        const bool isStep = random.uniform() < 0.6;
+        const double to = -24 + 48 * random.uniform();
+        for (int j = 1; j <= length && begin + j < samples; ++j)
+            problem.inputs.values(0, begin + j) = isStep ? to : from + (to - from) * j / length;
+        begin += length;
+        from = to;
+    }
+    for (int k = 0; hasNoisyInput && k < samples; ++k) problem.inputs.values(0, k) += 0.05 * random.normal();
+    problem.measured =
+        Eigen::Map<const Eigen::MatrixXd>(motorOutputs(problem.record(), problem.truth.data(), 8).data(), 2, samples);
+    problem.sigma = 0.01 * problem.measured.cwiseAbs().rowwise().maxCoeff();
+    addNoise(problem, random);
+    return problem;
+}
+
+FitProblem fitProblem(const SpeedProblem& problem) {
+    const auto source = std::make_shared<const Source>("model.mo", problem.text);
+    Outcome<Library> library = Library().withSource(source);
+    std::vector<std::string> kept;
+    for (const FitParameter& p : problem.parameters) kept.push_back(p.name);
+    Outcome<SystemPtr> system = library ? compile(*library, problem.className, {kept}) : library.diagnostics();
+    if (!system) {
+        std::fputs(format(system.diagnostics()).c_str(), stderr);
+        std::exit(1);
+    }
+    FitExperiment experiment;
+    experiment.name = problem.name;
+    experiment.system = *system;
+    experiment.inputs = problem.inputs;
+    experiment.measured = problem.measured;
+    experiment.weights = problem.sigma.cwiseInverse();
+    for (const SignalInfo& p : (*system)->parameters()) experiment.parameters.push_back(p.value);
+    FitProblem result;
+    result.experiments.push_back(std::move(experiment));
+    result.parameters = problem.parameters;
+    return result;
+}
+
+}  // namespace analogon::speed
