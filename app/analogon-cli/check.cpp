@@ -7,6 +7,7 @@
 #include <ostream>
 #include <set>
 
+#include "core/archive/archive.hpp"
 #include "core/base/outcome.hpp"
 #include "core/eval/system.hpp"
 #include "core/flat/flat_model.hpp"
@@ -68,13 +69,14 @@ Outcome<Subject> modelSubject(const Options& options) {
 }
 
 Outcome<Subject> studySubject(const Options& options) {
-    Outcome<Study> study = readStudy(options.input);
-    if (!study) return study.diagnostics();
+    Outcome<OpenedStudy> opened = openStudy(options.input);
+    if (!opened) return opened.diagnostics();
+    Study* const study = &opened->study;
     for (const fs::path& p : options.libraries) study->libraryPaths.push_back(fs::absolute(p).string());
     Outcome<Library> library = studyLibrary(*study);
-    if (!library) return library.diagnostics();
+    if (!library) return namedAs(library.diagnostics(), *opened);
     const Outcome<EstimationTask> task = estimationTask(*study);
-    if (!task) return task.diagnostics();
+    if (!task) return namedAs(task.diagnostics(), *opened);
     Subject subject{std::move(*library), study->className, {}, {}};
     for (const FitParameter& p : task->parameters) subject.keep.push_back(p.name);
     for (const Recording& r : task->recordings)
@@ -128,6 +130,7 @@ int check(const Options& options, std::ostream& out, std::ostream& err) {
     if (!subject) return fails(subject.diagnostics());
     Outcome<FlatModel> flat = flatten(subject->library, subject->className);
     if (!flat) return fails(flat.diagnostics());
+    if (!flat.diagnostics().empty()) err << format(flat.diagnostics()) << '\n';
     if (options.print == PrintKind::Flat) {
         out << print(*flat);
         return done;

@@ -186,9 +186,14 @@ std::string suggestion(std::string_view misspelt, const std::vector<std::string>
     for (const std::string& name : names) {
         const std::size_t lengthGap =
             name.size() > wanted.size() ? name.size() - wanted.size() : wanted.size() - name.size();
-        if (lengthGap >= least) continue;
+        if (lengthGap > least) continue;
         const std::size_t distance = editDistance(wanted, lowered(name));
-        if (distance < least) {
+        // Of names that are equally like, the one that begins alike: 'sinn' means sin rather than sign.
+        const auto common = [&](const std::string& other) {
+            const std::string text = lowered(other);
+            return std::mismatch(wanted.begin(), wanted.end(), text.begin(), text.end()).first - wanted.begin();
+        };
+        if (distance < least || (best && distance == least && common(name) > common(*best))) {
             least = distance;
             best = &name;
         }

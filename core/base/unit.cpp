@@ -261,6 +261,33 @@ ut_status visitTimestamp(const ut_unit*, const ut_unit*, double, void*) { return
 ut_status visitLogarithmic(const ut_unit*, double, const ut_unit*, void*) { return UT_SUCCESS; }
 const ut_visitor anglePowerVisitor{visitBasic, visitProduct, visitGalilean, visitTimestamp, visitLogarithmic};
 
+/// The base units by their names in UDUNITS, and the powers that are found of each.
+constexpr std::array<const char*, 7> baseNames{"meter", "kilogram", "second", "ampere", "kelvin", "mole", "candela"};
+
+struct BasePowers {
+    std::array<UnitPtr, 7>* bases{};
+    Dimension powers{};
+
+    void add(const ut_unit* basic, int power) {
+        for (std::size_t i = 0; i < bases->size(); ++i)
+            if (ut_compare(basic, (*bases)[i].get()) == 0) powers[i] = power;
+    }
+};
+
+ut_status addBasic(const ut_unit* unit, void* argument) {
+    static_cast<BasePowers*>(argument)->add(unit, 1);
+    return UT_SUCCESS;
+}
+ut_status addProduct(const ut_unit*, int count, const ut_unit* const* basics, const int* powers, void* argument) {
+    for (int i = 0; i < count; ++i) static_cast<BasePowers*>(argument)->add(basics[i], powers[i]);
+    return UT_SUCCESS;
+}
+extern const ut_visitor basePowersVisitor;
+ut_status addGalilean(const ut_unit*, double, const ut_unit* underlying, double, void* argument) {
+    return ut_accept_visitor(underlying, &basePowersVisitor, argument);
+}
+const ut_visitor basePowersVisitor{addBasic, addProduct, addGalilean, visitTimestamp, visitLogarithmic};
+
 /// The unit system and what was converted before. UDUNITS is not thread-safe: everything runs under one lock.
 class UnitTable {
 public:
@@ -284,6 +311,19 @@ public:
         return parse(unit, Reading::AsWritten) != nullptr;
     }
 
+    std::optional<Dimension> dimension(std::string_view unit) {
+        const std::lock_guard lock(mutex_);
+        std::string key(unit);
+        if (const auto known = dimensions_.find(key); known != dimensions_.end()) return known->second;
+        if (dimensions_.size() > 10000) dimensions_.clear();
+        std::optional<Dimension> found;
+        if (const UnitPtr parsed = parse(unit, Reading::AsWritten)) {
+            BasePowers powers{&bases_, {}};
+            if (ut_accept_visitor(parsed.get(), &basePowersVisitor, &powers) == UT_SUCCESS) found = powers.powers;
+        }
+        return dimensions_.emplace(std::move(key), found).first->second;
+    }
+
 private:
     UnitTable() {
         ut_set_error_message_handler(ut_ignore);
@@ -291,6 +331,8 @@ private:
         if (!system_) return;
         radian_.reset(ut_get_unit_by_name(system_.get(), "radian"));
         hertz_.reset(ut_get_unit_by_name(system_.get(), "hertz"));
+        for (std::size_t i = 0; i < bases_.size(); ++i)
+            bases_[i].reset(ut_get_unit_by_name(system_.get(), baseNames[i]));
     }
 
     UnitPtr parse(std::string_view text, Reading reading) const {
@@ -390,6 +432,8 @@ private:
     std::unique_ptr<ut_system, SystemDeleter> system_;
     UnitPtr radian_;
     UnitPtr hertz_;
+    std::array<UnitPtr, 7> bases_;
+    std::unordered_map<std::string, std::optional<Dimension>> dimensions_;
     std::unordered_map<std::string, Outcome<UnitConversion>> conversions_;
 };
 
@@ -402,5 +446,34 @@ Outcome<UnitConversion> convertUnit(std::string_view from, std::string_view to) 
 bool isKnownUnit(std::string_view unit) { return unit.empty() || UnitTable::instance().isKnown(unit); }
 
 bool areConvertible(std::string_view a, std::string_view b) { return convertUnit(a, b).hasValue(); }
+
+std::optional<Dimension> dimensionOf(std::string_view unit) { return UnitTable::instance().dimension(unit); }
+
+std::string text(const Dimension& dimension) {
+    constexpr std::array<const char*, 7> symbols{"m", "kg", "s", "A", "K", "mol", "cd"};
+    constexpr std::array<std::size_t, 7> order{1, 0, 2, 3, 4, 5, 6};
+    struct Derived {
+        const char* symbol;
+        Dimension dimension;
+    };
+    static constexpr std::array derived{Derived{"V", {2, 1, -3, -1, 0, 0, 0}}, Derived{"Ohm", {2, 1, -3, -2, 0, 0, 0}},
+                                        Derived{"W", {2, 1, -3, 0, 0, 0, 0}}, Derived{"N", {1, 1, -2, 0, 0, 0, 0}},
+                                        Derived{"Pa", {-1, 1, -2, 0, 0, 0, 0}}};
+    for (const Derived& unit : derived)
+        if (unit.dimension == dimension) return unit.symbol;
+    std::string above, below;
+    int divisors = 0;
+    for (const std::size_t i : order) {
+        const double power = dimension[i];
+        if (power == 0) continue;
+        std::string& side = power > 0 ? above : below;
+        divisors += power < 0;
+        side += (side.empty() ? "" : ".") + std::string(symbols[i]);
+        if (std::abs(power) != 1) side += fmt::format("{:g}", std::abs(power));
+    }
+    if (above.empty()) above = "1";
+    if (below.empty()) return above;
+    return above + "/" + (divisors > 1 ? "(" + below + ")" : below);
+}
 
 }  // namespace analogon

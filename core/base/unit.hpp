@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,5 +29,11 @@ bool isKnownUnit(std::string_view unit);
 
 /// Whether both measure the same quantity (convertible).
 bool areConvertible(std::string_view a, std::string_view b);
+
+/// Powers of m, kg, s, A, K, mol and cd in a unit; an angle counts as 1. Empty: a unit that is not known.
+using Dimension = std::array<double, 7>;
+std::optional<Dimension> dimensionOf(std::string_view unit);
+/// "kg.m2/s2"; "1" for none.
+std::string text(const Dimension& dimension);
 
 }  // namespace analogon

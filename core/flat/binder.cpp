@@ -54,7 +54,23 @@ bool Binder::bindParameter(Instance& instance, Element& element) {
     bindAttributes(instance, element);
     const bool succeeded = bindValue(instance, element);
     element.binding = Element::Binding::Done;
+    freeParameters(instance, element);
     return succeeded;
+}
+
+/// A parameter with fixed = false and no value is found at the start, from an initial equation (section 8.6): an
+/// unknown that stays as it is from then on. Its start value is where the search begins.
+void Binder::freeParameters(Instance& instance, Element& element) {
+    for (std::size_t k = 0; k < element.count(); ++k) {
+        const VariableId id{static_cast<std::uint32_t>(element.firstVariable.value + k)};
+        FlatVariable& variable = work_.model.variables[id.value];
+        if (!free_.contains(id) || variable.binding.valid() || variable.type != FlatType::Real) continue;
+        variable.variability = FlatVariability::Continuous;
+        Instance& component = instance.component();
+        work_.model.equations.push_back(
+            {work_.pool.derivativeOf(id), work_.pool.constant(0), variable.declared, component.name, false});
+        ++component.equations;
+    }
 }
 
 /// The value of a modification, of the size of the element; `each` repeats a scalar.
@@ -141,6 +157,8 @@ void Binder::setAttribute(Instance& instance, Element& element, const std::strin
                 work_.model.variables[id].start = value->elements[k];
         } else if (const auto number = work_.translator->constantNumber(value->elements[k], false)) {
             setNumber(work_.model.variables[id], name, *number);
+            if (name == "fixed" && *number == 0 && work_.model.variables[id].variability == FlatVariability::Parameter)
+                free_.insert({static_cast<std::uint32_t>(id)});
         } else {
             work_.messages.error(fmt::format("the attribute '{}' must be known before the simulation", name), span);
             return;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 
 #include "core/flat/flattening.hpp"
 
@@ -28,9 +29,11 @@ private:
     std::optional<Value> valueFor(Instance& instance, Element& element, const Modifier& modifier,
                                   const std::string& what);
     bool fitsType(const Element& element, const Value& value) const;
+    void freeParameters(Instance& instance, Element& element);
     void checkParameter(VariableId id);
 
     Flattening& work_;
+    std::set<VariableId> free_;  // parameters with fixed = false
 };
 
 }  // namespace analogon

@@ -7,6 +7,7 @@
 #include "core/flat/flat_model.hpp"
 #include "core/flat/flattening.hpp"
 #include "core/flat/instantiator.hpp"
+#include "core/flat/unit_check.hpp"
 
 namespace analogon {
 namespace {
@@ -19,9 +20,10 @@ void listComponents(Flattening& work) {
     }
 }
 
-/// The steps in order; each needs the one before without faults.
+/// The steps in order. A component that could not be made does not hide the faults of the others: what names it is
+/// passed over. What counts the whole model needs it without faults.
 void run(Flattening& work, const LibraryClass& definition) {
-    if (!work.instantiator->instantiate(definition) || work.messages.hasErrors()) return;
+    if (!work.instantiator->instantiate(definition) || work.messages.full()) return;
     work.binder->bindAll();
     Balance balance(work);
     balance.checkConnectors();
@@ -33,6 +35,7 @@ void run(Flattening& work, const LibraryClass& definition) {
     if (work.messages.hasErrors()) return;
     balance.check();
     listComponents(work);
+    if (!work.messages.hasErrors()) UnitCheck(work).check();
 }
 
 }  // namespace

@@ -14,6 +14,23 @@ bool isBuiltinName(const syntax::Name& name) {
     return n == "Real" || n == "Integer" || n == "Boolean" || n == "String";
 }
 
+/// The name that is meant, or the few that there are.
+std::string whatThereIs(const std::string& name, const Instance& instance) {
+    std::string hint = didYouMean(name, instance.elementNames());
+    if (!hint.empty()) return hint;
+    constexpr std::size_t most = 8;
+    std::string names;
+    std::size_t count = 0;
+    for (const Element& element : instance.elements) {
+        const syntax::Component& declared = *element.declaration;
+        if (declared.variability != syntax::Variability::Parameter || declared.isProtected || declared.isFinal)
+            continue;
+        if (++count > most) return {};
+        names += (names.empty() ? "" : ", ") + declared.name;
+    }
+    return names.empty() ? std::string() : "its parameters are " + names;
+}
+
 std::string qualifiedOrEmpty(const LibraryClass* definition) { return definition ? definition->qualifiedName : ""; }
 
 }  // namespace
@@ -226,7 +243,7 @@ void Instantiator::checkModifiedNames(Instance& instance, const Modifier& modifi
                                      child.span);
         } else {
             work_.messages.error(fmt::format("'{}' has no element '{}' to modify", instance.className, name),
-                                 child.span, didYouMean(name, instance.elementNames()));
+                                 child.span, whatThereIs(name, instance));
         }
     }
 }

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <map>
 
+#include "core/structure/cancellation.hpp"
 #include "core/structure/rewrite.hpp"
 
 namespace analogon {
@@ -26,7 +27,10 @@ namespace {
 class IndexReduction {
 public:
     IndexReduction(EquationSystem system, const std::vector<Equation>& redundant)
-        : system_(std::move(system)), redundant_(redundant), incidence_(incidenceOf(system_)) {}
+        : system_(std::move(system)), redundant_(redundant) {
+        combineCancellingDerivatives(system_);
+        incidence_ = incidenceOf(system_);
+    }
 
     Outcome<ReducedSystem> run();
 
@@ -38,6 +42,15 @@ private:
     ExpressionId derivativeOfLeaf(const ExpressionNode& node);
     int chainTop(int unknown) const;
     void chooseStates();
+    struct Level {
+        std::vector<int> constraints;  // equations
+        std::vector<int> candidates;   // unknowns, the least wanted states first
+        Adjacency rows;                // by candidate: positions in `constraints`
+    };
+    Level levelOf(std::vector<int> constraints, const std::vector<char>& isOffered);
+    std::vector<char> dummiesOf(const Level& level);
+    bool isSafelySolvedFor(int constraint, const std::vector<char>& isDummy);
+    void stabilise(std::vector<Equation>& equations, std::vector<char>& isLeftOut);
     double wishToBeState(int unknown, const std::vector<int>& constraints);
     double startValue(ExpressionId of);
 
@@ -46,7 +59,8 @@ private:
     Adjacency incidence_;
     std::vector<int> derivativeEquation_, integralEquation_;  // by equation; -1: none
     std::vector<char> isHighest_;                             // by unknown: it has no derivative
-    std::vector<char> isState_;
+    std::vector<char> isState_, isSolvedAtStart_;             // by unknown
+    std::vector<int> stabilised_;                             // constraints, of the order below the highest
     int differentiated_{};
     Diagnostics faults_;
 };
@@ -239,72 +253,132 @@ double IndexReduction::wishToBeState(int unknown, const std::vector<int>& constr
             wish -= std::fabs((*system_.pool)[slope].value) == 1 ? 20 : 10;  // easily solved for
         else if (std::fabs(startValue(slope)) < 1e-12)
             wish += 1000;  // cannot be solved for where the simulation starts
+        else
+            wish += 30;  // may be lost where the slope passes through 0
     }
     return wish;
 }
 
-/// Dummy derivatives: of every constraint that was differentiated, one differentiated unknown is no state.
+/// Whether a choice made at the start holds for good: the slopes of a constraint along the unknowns that it is solved
+/// for are the same in every state. Where the model says itself what should be a state, that is kept.
+bool IndexReduction::isSafelySolvedFor(int constraint, const std::vector<char>& isDummy) {
+    const ExpressionId residual = system_.residual(system_.equations[static_cast<std::size_t>(constraint)]);
+    LeafCollector collect(*system_.pool);
+    for (const int u : incidence_[static_cast<std::size_t>(constraint)])
+        if (system_.unknowns[static_cast<std::size_t>(u)].stateSelect != StateSelect::Default) return true;
+    for (const int u : incidence_[static_cast<std::size_t>(constraint)]) {
+        if (!isDummy[static_cast<std::size_t>(u)]) continue;
+        const ExpressionId slope =
+            system_.pool->differentiate(residual, system_.unknowns[static_cast<std::size_t>(u)].node);
+        for (const ExpressionId leaf : collect.leaves(slope))
+            if (system_.unknownOf(leaf) >= 0) return false;
+    }
+    return true;
+}
+
+/// Constraints of one order, and the differentiated unknowns that may be solved from them.
+IndexReduction::Level IndexReduction::levelOf(std::vector<int> constraints, const std::vector<char>& isOffered) {
+    Level level;
+    level.constraints = std::move(constraints);
+    std::map<int, std::vector<int>> positions;
+    for (std::size_t i = 0; i < level.constraints.size(); ++i)
+        for (const int u : incidence_[static_cast<std::size_t>(level.constraints[i])])
+            if (isOffered[static_cast<std::size_t>(u)]) positions[u].push_back(static_cast<int>(i));
+    std::map<int, double> wish;
+    for (const auto& [u, rows] : positions) {
+        std::vector<int> equations;
+        for (const int i : rows) equations.push_back(level.constraints[static_cast<std::size_t>(i)]);
+        wish[u] = wishToBeState(u, equations);
+        level.candidates.push_back(u);
+    }
+    std::sort(level.candidates.begin(), level.candidates.end(), [&](int a, int b) {
+        return wish[a] != wish[b] ? wish[a] < wish[b] : a > b;  // of equals the later one yields
+    });
+    for (const int u : level.candidates) level.rows.push_back(std::move(positions[u]));
+    return level;
+}
+
+/// Greedy over a transversal matroid: the least wanted states that can pay for all constraints.
+std::vector<char> IndexReduction::dummiesOf(const Level& level) {
+    Matching matching(level.rows, static_cast<int>(level.constraints.size()));
+    std::vector<char> isDummy(system_.unknowns.size(), 0);
+    for (int i = 0; i < static_cast<int>(level.rows.size()); ++i)
+        if (matching.augment(i)) isDummy[static_cast<std::size_t>(level.candidates[static_cast<std::size_t>(i)])] = 1;
+    for (std::size_t i = 0; i < level.constraints.size(); ++i) {
+        if (matching.rowOf(static_cast<int>(i)) >= 0) continue;
+        const Equation& equation = system_.equations[static_cast<std::size_t>(level.constraints[i])];
+        faults_.push_back(error(
+            fmt::format("No state can be eliminated by the constraint {}.", system_.textOf(equation)), equation.span));
+    }
+    return isDummy;
+}
+
+/// Dummy derivatives: of every constraint that was differentiated, one differentiated unknown is no state. Where no
+/// such choice holds in every state (a pendulum in Cartesian coordinates), all of them stay states and the constraint
+/// is held by the equation that replaces its last derivative.
 void IndexReduction::chooseStates() {
     const auto count = system_.unknowns.size();
     isState_.assign(count, 0);
     for (std::size_t u = 0; u < count; ++u) isState_[u] = system_.unknowns[u].derivative.valid();
-    std::vector<int> level;  // constraints whose derivative is one of the highest equations
+    isSolvedAtStart_.assign(count, 0);
+    std::vector<int> constraints;  // those whose derivative is one of the highest equations
     for (std::size_t e = 0; e < derivativeEquation_.size(); ++e) {
         const int derived = derivativeEquation_[e];
         if (derived >= 0 && derivativeEquation_[static_cast<std::size_t>(derived)] < 0)
-            level.push_back(static_cast<int>(e));
+            constraints.push_back(static_cast<int>(e));
     }
     std::vector<char> isOffered(count, 0);  // its derivative may become a dummy
     for (std::size_t u = 0; u < count; ++u)
         isOffered[u] = system_.unknowns[u].derivative.valid() && system_.unknowns[u].derivativeUnknown >= 0 &&
                        isHighest_[static_cast<std::size_t>(system_.unknowns[u].derivativeUnknown)];
-    while (!level.empty()) {
-        std::vector<int> candidates;
-        std::vector<std::vector<int>> constraintsOf(count);  // positions in `level`
-        for (std::size_t i = 0; i < level.size(); ++i)
-            for (const int u : incidence_[static_cast<std::size_t>(level[i])]) {
-                if (!isOffered[static_cast<std::size_t>(u)]) continue;
-                if (constraintsOf[static_cast<std::size_t>(u)].empty()) candidates.push_back(u);
-                constraintsOf[static_cast<std::size_t>(u)].push_back(static_cast<int>(i));
-            }
-        std::vector<double> wish(count, 0);
-        for (const int u : candidates) {
-            std::vector<int> constraints;
-            for (const int i : constraintsOf[static_cast<std::size_t>(u)])
-                constraints.push_back(level[static_cast<std::size_t>(i)]);
-            wish[static_cast<std::size_t>(u)] = wishToBeState(u, constraints);
+    for (bool isTop = true; !constraints.empty(); isTop = false) {
+        std::vector<char> isDummy = dummiesOf(levelOf(constraints, isOffered));
+        for (std::size_t u = 0; u < count; ++u) isSolvedAtStart_[u] |= isDummy[u];
+        while (isTop) {  // orders below follow: their slopes are the same
+            std::vector<int> safe;
+            for (const int e : constraints)
+                if (isSafelySolvedFor(e, isDummy))
+                    safe.push_back(e);
+                else
+                    stabilised_.push_back(e);
+            if (safe.size() == constraints.size()) break;
+            constraints = std::move(safe);
+            isDummy = dummiesOf(levelOf(constraints, isOffered));
         }
-        std::stable_sort(candidates.begin(), candidates.end(), [&](int a, int b) {
-            const double wa = wish[static_cast<std::size_t>(a)], wb = wish[static_cast<std::size_t>(b)];
-            return wa != wb ? wa < wb : a > b;  // of equals the later one yields
-        });
-        // Greedy over a transversal matroid: the least wanted states that can pay for all constraints.
-        Adjacency rows;
-        for (const int u : candidates) rows.push_back(constraintsOf[static_cast<std::size_t>(u)]);
-        Matching matching(rows, static_cast<int>(level.size()));
-        std::vector<char> isDummy(count, 0);
-        for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
-            if (!matching.augment(i)) continue;
-            const int u = candidates[static_cast<std::size_t>(i)];
-            isDummy[static_cast<std::size_t>(u)] = 1;
-            isState_[static_cast<std::size_t>(u)] = 0;
-        }
-        for (std::size_t i = 0; i < level.size(); ++i)
-            if (matching.rowOf(static_cast<int>(i)) < 0) {
-                const Equation& equation = system_.equations[static_cast<std::size_t>(level[i])];
-                faults_.push_back(
-                    error(fmt::format("No state can be eliminated by the constraint {}.", system_.textOf(equation)),
-                          equation.span));
-            }
+        for (std::size_t u = 0; u < count; ++u)
+            if (isDummy[u]) isState_[u] = 0;
         // One order down: constraints whose derivative was just served, among integrals of the dummies.
         std::vector<int> lower;
-        for (const int e : level)
+        for (const int e : constraints)
             if (const int below = integralEquation_[static_cast<std::size_t>(e)]; below >= 0) lower.push_back(below);
         for (std::size_t u = 0; u < count; ++u) {
             const int derivative = system_.unknowns[u].derivativeUnknown;
             isOffered[u] = derivative >= 0 && isDummy[static_cast<std::size_t>(derivative)];
         }
-        level = std::move(lower);
+        constraints = std::move(lower);
+    }
+}
+
+/// (d/dt + a)^k g = 0 in place of the k-th derivative of a constraint g = 0 (Baumgarte 1972): the same solution, but
+/// what rounding and the integration leave of g dies away instead of adding up.
+void IndexReduction::stabilise(std::vector<Equation>& equations, std::vector<char>& isLeftOut) {
+    constexpr double decay = 10;  // [1/s]
+    ExpressionPool& pool = *system_.pool;
+    for (const int constraint : stabilised_) {
+        int highest = derivativeEquation_[static_cast<std::size_t>(constraint)];
+        ExpressionId sum = system_.residual(equations[static_cast<std::size_t>(highest)]);
+        std::vector<int> chain;
+        for (int e = constraint; e >= 0; e = integralEquation_[static_cast<std::size_t>(e)]) chain.push_back(e);
+        double weight = 1;
+        const auto order = static_cast<double>(chain.size());
+        for (std::size_t i = 0; i < chain.size(); ++i) {
+            weight *= decay * (order - static_cast<double>(i)) / static_cast<double>(i + 1);
+            const ExpressionId residual = system_.residual(equations[static_cast<std::size_t>(chain[i])]);
+            sum = pool.add(sum, pool.multiply(pool.constant(weight), residual));
+            isLeftOut[static_cast<std::size_t>(chain[i])] = 1;
+        }
+        equations[static_cast<std::size_t>(highest)].left = sum;
+        equations[static_cast<std::size_t>(highest)].right = pool.constant(0);
     }
 }
 
@@ -313,8 +387,16 @@ Outcome<ReducedSystem> IndexReduction::run() {
     chooseStates();
     if (!faults_.empty()) return faults_;
     ReducedSystem out;
+    out.startEquations = system_.equations;
+    std::vector<char> isLeftOut(system_.equations.size(), 0);
+    std::vector<Equation> equations = system_.equations;
+    stabilise(equations, isLeftOut);
+    system_.equations.clear();
+    for (std::size_t e = 0; e < equations.size(); ++e)
+        if (!isLeftOut[e]) system_.equations.push_back(std::move(equations[e]));
     out.system = std::move(system_);
     out.isState = std::move(isState_);
+    out.isSolvedAtStart = std::move(isSolvedAtStart_);
     out.differentiated = differentiated_;
     return out;
 }

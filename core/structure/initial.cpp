@@ -29,6 +29,7 @@ private:
     Equation startEquation(const Unknown& unknown) const;
     void enterModel();
     bool tryToHold(const Equation& equation);
+    bool isSolved(int unknown) const { return reduced_.isSolvedAtStart[static_cast<std::size_t>(unknown)]; }
     void holdInitialEquations();
     void holdFixedStarts();
     void holdOtherStarts();
@@ -78,11 +79,12 @@ std::vector<SolutionBlock> InitialConditions::needed(std::vector<SolutionBlock> 
 
 /// The model's own equations, matched with what they are solved for anyway; states are left free.
 void InitialConditions::enterModel() {
-    for (const Equation& equation : system_.equations) enter(equation);
+    for (const Equation& equation : reduced_.startEquations) enter(equation);
     matching_.resize(columns_);
     std::vector<char> isUsable(reduced_.isState.size());
     for (std::size_t u = 0; u < isUsable.size(); ++u) isUsable[u] = !reduced_.isState[u];
     matching_.augmentAll(isUsable);
+    matching_.augmentAll();  // constraints between states
 }
 
 /// Adds a condition unless those before it already decide all its unknowns.
@@ -106,8 +108,12 @@ void InitialConditions::holdInitialEquations() {
 }
 
 void InitialConditions::holdFixedStarts() {
-    for (const Unknown& unknown : system_.unknowns)
-        if (unknown.isFixed && !tryToHold(startEquation(unknown)))
+    std::vector<int> fixed;
+    for (int u = 0; u < columns_; ++u)
+        if (system_.unknowns[static_cast<std::size_t>(u)].isFixed) fixed.push_back(u);
+    std::stable_sort(fixed.begin(), fixed.end(), [this](int a, int b) { return isSolved(a) < isSolved(b); });
+    for (const int u : fixed)
+        if (const Unknown& unknown = system_.unknowns[static_cast<std::size_t>(u)]; !tryToHold(startEquation(unknown)))
             warnings_.push_back(
                 warning(fmt::format("The fixed start value of '{}' is not used: the start is decided without it.",
                                     system_.nameOf(unknown.node)),
@@ -121,6 +127,7 @@ void InitialConditions::holdOtherStarts() {
         if (reduced_.isState[static_cast<std::size_t>(u)] && !system_.unknowns[static_cast<std::size_t>(u)].isFixed)
             others.push_back(u);
     std::stable_sort(others.begin(), others.end(), [&](int a, int b) {
+        if (isSolved(a) != isSolved(b)) return isSolved(a) < isSolved(b);
         return system_.unknowns[static_cast<std::size_t>(a)].start.valid() >
                system_.unknowns[static_cast<std::size_t>(b)].start.valid();
     });

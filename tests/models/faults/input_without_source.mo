@@ -1,0 +1,6 @@
+model M
+  Analogon.Sources.PrescribedTorque torque;
+  Analogon.Mechanics.Inertia rotor;
+equation
+  connect(torque.flange, rotor.flange_a);
+end M;

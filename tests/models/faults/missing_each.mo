@@ -1,0 +1,3 @@
+model M
+  Analogon.Thermal.HeatCapacitor mass[3](C = 5);
+end M;

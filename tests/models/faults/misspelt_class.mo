@@ -1,0 +1,3 @@
+model M
+  Analogon.Mechanics.Inertja rotor(J = 1e-4);
+end M;

@@ -1,0 +1,3 @@
+model M "a motor
+  Real x = 1;
+end M;

@@ -1,0 +1,8 @@
+connector Port
+  Real p;
+  flow Real m_flow;
+  stream Real h;
+end Port;
+model M
+  Real x = 1;
+end M;

@@ -1,0 +1,6 @@
+model M
+  Real x(start = 0, fixed = true);
+equation
+  der(x) = 1;
+  x = time;
+end M;

@@ -1,0 +1,5 @@
+model M
+  Real x(start = 0, fixed = true;
+equation
+  der(x) = 1;
+end M;

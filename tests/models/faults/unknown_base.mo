@@ -1,0 +1,3 @@
+model M
+  extends Analogon.Interfaces.PartialTwoFlange;
+end M;
