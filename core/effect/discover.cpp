@@ -110,6 +110,14 @@ double independentShare(const NullModel& null, const FitResult& fit) {
 /// sensor is fast.
 int plausibility(const EffectClass& effect) { return effect.signalSide == "input" ? 1 : 0; }
 
+/// Whether the data fix the strength of an effect: a standard error, and one smaller than the value.
+bool isDetermined(const NullModel& null, std::size_t effect) {
+    const std::string& strength = null.variant.effects[effect].freed.front().name;
+    return std::any_of(null.fit.estimates.begin(), null.fit.estimates.end(), [&](const FitEstimate& e) {
+        return e.name == strength && std::isfinite(e.standardError) && e.standardError < std::abs(e.value);
+    });
+}
+
 /// Whether the strength rests at a bound: the effect then stands for something else.
 bool isAtBound(const Trial& trial) {
     const std::string& strength = trial.variant.effects.back().freed.front().name;
@@ -212,7 +220,7 @@ private:
     bool reconsider(NullModel& null);
     std::vector<Remainder> takeOutProposals(NullModel& null);
     bool replace(NullModel& null, std::size_t effect);
-    void removeUnneeded(NullModel& null);
+    void removeUnneeded(NullModel& null, std::size_t least);
     void setVerdict(const std::string& kind, const std::string& at, Verdict verdict);
     void note(const Screened& s, Verdict verdict, std::optional<double> deltaBic);
     AddedEffect describe(const NullModel& last, const PlacedEffect& placed, const Step& step) const;
@@ -594,8 +602,8 @@ void Search::setVerdict(const std::string& kind, const std::string& at, Verdict 
 }
 
 /// Takes each effect out again and keeps only those that are missed.
-void Search::removeUnneeded(NullModel& null) {
-    for (std::size_t i = 0; i < steps_.size() && steps_.size() > 1 && !progress_.stopRequested();) {
+void Search::removeUnneeded(NullModel& null, std::size_t least) {
+    for (std::size_t i = 0; i < steps_.size() && steps_.size() > least && !progress_.stopRequested();) {
         say("remove", null.variant.effects[i].effect.kind + " at " + null.variant.effects[i].place.at, -1);
         std::optional<NullModel> refitted = without(null, i);
         if (!refitted) {
@@ -604,7 +612,7 @@ void Search::removeUnneeded(NullModel& null) {
         }
         const int freed = static_cast<int>(null.variant.effects[i].freed.size());
         const Acceptance missed = examine(*refitted, null.fit, freed, 0);
-        if (missed.isSignificant && missed.isWorthwhile && missed.heldOut > 0) {
+        if (missed.isSignificant && missed.isWorthwhile && missed.heldOut > 0 && isDetermined(null, i)) {
             steps_[i].acceptance = missed;
             if (Outcome<ModelState> state =
                     stateOf(refitted->variant, refitted->fit, options_.fit.simulation, progress_))
@@ -706,7 +714,7 @@ Outcome<Finding> Search::run() {
         if (!next) return next.diagnostics();
         null = std::move(next);
         reconsider(*null);
-        removeUnneeded(*null);
+        removeUnneeded(*null, 1);  // a single one has just passed its tests
         Outcome<ModelState> after = stateOf(null->variant, null->fit, options_.fit.simulation, progress_);
         if (!after) return after.diagnostics();
         finding.final = std::move(*after);
@@ -726,6 +734,7 @@ Outcome<Finding> Search::run() {
     }
     std::vector<Remainder> proposed = takeOutProposals(*null);
     if (!proposed.empty()) {
+        removeUnneeded(*null, 0);  // what was seen only beside a proposal is not kept without it
         Outcome<ModelState> after = stateOf(null->variant, null->fit, options_.fit.simulation, progress_);
         if (!after) return after.diagnostics();
         finding.final = std::move(*after);
