@@ -24,9 +24,10 @@ constexpr double largeResidual = 1.2;      // in units of the noise: above it, f
 constexpr double nearlyAsMuch = 0.6;       // of the fall in the sum of squares
 constexpr double falseAlarmQuantile = 0.99;
 constexpr double rivalShare = 0.3;  // of the winner's evidence, from which on a weaker candidate is looked at again
-constexpr std::size_t mostRivals = 5;
-constexpr double leastGain = 1;   // in evidence, for which an effect is exchanged: exact twins are not
-constexpr double mostGrowth = 5;  // of an effect's strength when another joins it
+constexpr std::size_t mostRivals = 5, mostAlternatives = 6, otherPaths = 2;
+constexpr double structuredResidual = 1.1;  // in units of the noise: something is left to find
+constexpr double leastGain = 1;             // in evidence, for which an effect is exchanged: exact twins are not
+constexpr double mostGrowth = 5;            // of an effect's strength when another joins it
 constexpr double changeShare = 0.5, firstOrderShare = 0.85, leastChange = 100;
 constexpr int startsPerTrial = 2;
 constexpr int trialIterations = 12;  // a trial must show what it is worth; the winner is refitted to convergence
@@ -213,7 +214,31 @@ private:
     std::vector<Trial> tryThese(const NullModel& null, const std::vector<const Screened*>& chosen, int iterations,
                                 int starts);
     void continueBest(const NullModel& null, std::vector<Trial>& trials);
-    std::optional<Step> round(const NullModel& null);
+    /// What was tried beside one model, and what was decided.
+    struct Round {
+        std::vector<Screened> screened;
+        std::vector<Trial> trials;  // best first
+        double threshold{};
+        std::optional<std::size_t> chosen;  // of the trials
+        std::vector<std::size_t> members;   // of its class
+        std::set<std::size_t> failsHeldOut;
+        Acceptance acceptance;
+    };
+    /// Effects added one after the other, and the model they lead to.
+    struct Path {
+        NullModel null;
+        std::vector<Step> steps;
+        std::vector<CandidateResult> candidates;
+    };
+
+    Round tryAll(const NullModel& null);
+    void decide(const NullModel& null, Round& round) const;
+    void preferSimple(const NullModel& null, Round& round) const;
+    static Step stepOf(const Round& round);
+    void noteAll(const Round& round);
+    Outcome<Done> goOn(Path& path, Round first);
+    std::vector<std::size_t> otherBeginnings(const NullModel& null, const Round& round) const;
+    Outcome<Path> bestPath(const NullModel& base);
     std::vector<std::size_t> equivalents(const NullModel& null, const std::vector<Trial>& trials,
                                          std::size_t best) const;
     std::optional<NullModel> without(const NullModel& null, std::size_t effect);
@@ -361,130 +386,214 @@ void Search::note(const Screened& s, Verdict verdict, std::optional<double> delt
     candidates_.push_back(std::move(c));
 }
 
-std::optional<Search::Step> Search::round(const NullModel& null) {
-    std::vector<Screened> screened = screenAll(null);
-    if (progress_.stopRequested()) return std::nullopt;
+/// Screens every candidate and refits those that promise most.
+Search::Round Search::tryAll(const NullModel& null) {
+    Round round;
+    round.screened = screenAll(null);
+    if (progress_.stopRequested()) return round;
     std::vector<Eigen::MatrixXd> directions;
-    for (const Screened& s : screened)
+    for (const Screened& s : round.screened)
         if (!s.probes.empty() && !s.isAbsorbed()) directions.push_back(s.probes.front().plain.directions);
     const double logRows = std::log(static_cast<double>(null.fit.optimum.residuals.size()));
-    const double threshold = noiseThreshold(directions, logRows, falseAlarmQuantile, 1);
-    std::vector<Trial> trials = tryBest(null, screened);
-    if (progress_.stopRequested()) return std::nullopt;
-    rank(null, trials);
+    round.threshold = noiseThreshold(directions, logRows, falseAlarmQuantile, 1);
+    round.trials = tryBest(null, round.screened);
+    rank(null, round.trials);
+    return round;
+}
 
-    // the best that passes its tests; what lies close to it is its class, of which the simplest is taken
-    std::optional<std::size_t> chosen;
-    std::vector<std::size_t> members;
-    Acceptance acceptance;
-    std::set<const Trial*> failsHeldOut;
+/// The best that passes its tests; what lies close to it is its class, of which the simplest is taken.
+void Search::decide(const NullModel& null, Round& round) const {
+    const std::vector<Trial>& trials = round.trials;
     std::optional<std::size_t> proposal;
     Acceptance ofProposal;
-    for (std::size_t i = 0; i < trials.size() && !chosen; ++i) {
+    for (std::size_t i = 0; i < trials.size() && !round.chosen; ++i) {
         if (!trials[i].ok || trials[i].evidence < equivalenceMargin) break;
         if (isProposal(trials[i])) {
             if (proposal || isAtBound(trials[i])) continue;
-            ofProposal = examine(null, trials[i].fit, trials[i].freed(), threshold);
+            ofProposal = examine(null, trials[i].fit, trials[i].freed(), round.threshold);
             if (ofProposal.accepted()) proposal = i;
             continue;
         }
         if (isAtBound(trials[i]) || fightsAnother(null, trials[i])) continue;
-        acceptance = examine(null, trials[i].fit, trials[i].freed(), threshold);
-        if (acceptance.accepted())
-            chosen = i;
-        else if (acceptance.isSignificant)
-            failsHeldOut.insert(&trials[i]);
+        round.acceptance = examine(null, trials[i].fit, trials[i].freed(), round.threshold);
+        if (round.acceptance.accepted())
+            round.chosen = i;
+        else if (round.acceptance.isSignificant)
+            round.failsHeldOut.insert(i);
     }
-    if (chosen) {
-        // While much is left whatever is taken, one step explains with its flexible parameters what belongs to others:
-        // the simplest that explains nearly as much goes first.
-        const double fall = null.sumOfSquares() - trials[*chosen].sumOfSquares();
-        const bool leavesMuch = levelOf(trials[*chosen].fit) > largeResidual;
-        members = equivalents(null, trials, *chosen);
-        std::vector<std::size_t> simpler;
-        for (std::size_t i = 0; i < trials.size(); ++i) {
-            if (!trials[i].ok || isProposal(trials[i]) || isAtBound(trials[i]) || fightsAnother(null, trials[i]))
-                continue;
-            const bool isSimpler = trials[i].freed() < trials[*chosen].freed();
-            const bool isLikelier = leavesMuch && trials[i].freed() == trials[*chosen].freed() &&
-                                    plausibility(trials[i].screened.candidate.effect) <
-                                        plausibility(trials[*chosen].screened.candidate.effect);
-            const bool isMember = std::find(members.begin(), members.end(), i) != members.end();
-            const bool isNearly = leavesMuch && null.sumOfSquares() - trials[i].sumOfSquares() > nearlyAsMuch * fall;
-            if ((isMember && (isSimpler || isLikelier)) || (isNearly && isSimpler)) simpler.push_back(i);
-        }
-        std::stable_sort(simpler.begin(), simpler.end(),
-                         [&](std::size_t a, std::size_t b) { return trials[a].freed() < trials[b].freed(); });
-        for (const std::size_t i : simpler) {
-            const Acceptance a = examine(null, trials[i].fit, trials[i].freed(), threshold);
-            if (!a.accepted()) continue;
-            chosen = i;
-            acceptance = a;
-            members = equivalents(null, trials, i);
-            break;
-        }
-    }
-
+    if (round.chosen) preferSimple(null, round);
     // Where an equation without a name explains clearly more than any name, none of the names fits.
-    if (proposal && beatsNames(null, trials, *proposal, chosen)) {
-        chosen = proposal;
-        acceptance = ofProposal;
-        members = {*proposal};
+    if (proposal && beatsNames(null, trials, *proposal, round.chosen)) {
+        round.chosen = proposal;
+        round.acceptance = ofProposal;
+        round.members = {*proposal};
     }
+}
 
-    std::optional<Step> step;
-    if (chosen) {
-        Step s;
-        s.winner = trials[*chosen];
-        s.acceptance = acceptance;
-        s.pValue = pValue(acceptance.explained, trials[*chosen].freed(), screened.size());
-        for (const std::size_t m : members)
-            if (m != *chosen)
-                s.alternatives.push_back({trials[m].screened.candidate.effect.kind,
-                                          trials[m].screened.candidate.place.at, -trials[m].evidence, true});
-        for (const std::size_t m : members)
-            if (m != *chosen) s.rivals.push_back(trials[m].screened.candidate);
-        for (std::size_t i = 0; i < trials.size() && s.rivals.size() < mostRivals; ++i)
-            if (trials[i].ok && std::find(members.begin(), members.end(), i) == members.end() &&
-                trials[i].evidence > rivalShare * trials[*chosen].evidence)
-                s.rivals.push_back(trials[i].screened.candidate);
-        for (std::size_t i = 0; i < trials.size() && s.alternatives.size() < 6; ++i)
-            if (trials[i].ok && std::find(members.begin(), members.end(), i) == members.end())
-                s.alternatives.push_back({trials[i].screened.candidate.effect.kind,
-                                          trials[i].screened.candidate.place.at, -trials[i].evidence, false});
-        step = std::move(s);
-    }
-
-    std::set<std::string> refitted;
+/// While much is left whatever is taken, one step explains with its flexible parameters what belongs to others: the
+/// simplest that explains nearly as much goes first.
+void Search::preferSimple(const NullModel& null, Round& round) const {
+    const std::vector<Trial>& trials = round.trials;
+    const Trial& best = trials[*round.chosen];
+    const double fall = null.sumOfSquares() - best.sumOfSquares();
+    const bool leavesMuch = levelOf(best.fit) > largeResidual;
+    round.members = equivalents(null, trials, *round.chosen);
+    std::vector<std::size_t> simpler;
     for (std::size_t i = 0; i < trials.size(); ++i) {
-        const Trial& t = trials[i];
-        refitted.insert(t.screened.candidate.effect.className + "@" + t.screened.candidate.place.at + "@" +
-                        t.screened.candidate.place.spare + "@" + t.screened.candidate.place.node);
+        if (!trials[i].ok || isProposal(trials[i]) || isAtBound(trials[i]) || fightsAnother(null, trials[i])) continue;
+        const bool isSimpler = trials[i].freed() < best.freed();
+        const bool isLikelier =
+            leavesMuch && trials[i].freed() == best.freed() &&
+            plausibility(trials[i].screened.candidate.effect) < plausibility(best.screened.candidate.effect);
+        const bool isMember = std::find(round.members.begin(), round.members.end(), i) != round.members.end();
+        const bool isNearly = leavesMuch && null.sumOfSquares() - trials[i].sumOfSquares() > nearlyAsMuch * fall;
+        if ((isMember && (isSimpler || isLikelier)) || (isNearly && isSimpler)) simpler.push_back(i);
+    }
+    std::stable_sort(simpler.begin(), simpler.end(),
+                     [&](std::size_t a, std::size_t b) { return trials[a].freed() < trials[b].freed(); });
+    for (const std::size_t i : simpler) {
+        const Acceptance a = examine(null, trials[i].fit, trials[i].freed(), round.threshold);
+        if (!a.accepted()) continue;
+        round.chosen = i;
+        round.acceptance = a;
+        round.members = equivalents(null, trials, i);
+        break;
+    }
+}
+
+/// The step that the round has decided on, with what came near it.
+Search::Step Search::stepOf(const Round& round) {
+    const std::vector<Trial>& trials = round.trials;
+    const std::size_t chosen = *round.chosen;
+    const auto isMember = [&](std::size_t i) {
+        return std::find(round.members.begin(), round.members.end(), i) != round.members.end();
+    };
+    const auto alternative = [&](std::size_t i, bool isEquivalent) {
+        const Candidate& c = trials[i].screened.candidate;
+        return Alternative{c.effect.kind, c.place.at, -trials[i].evidence, isEquivalent};
+    };
+    Step s;
+    s.winner = trials[chosen];
+    s.acceptance = round.acceptance;
+    s.pValue = pValue(round.acceptance.explained, trials[chosen].freed(), round.screened.size());
+    for (const std::size_t m : round.members) {
+        if (m == chosen) continue;
+        s.alternatives.push_back(alternative(m, true));
+        s.rivals.push_back(trials[m].screened.candidate);
+    }
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        if (!trials[i].ok || isMember(i) || i == chosen) continue;
+        if (s.rivals.size() < mostRivals && trials[i].evidence > rivalShare * trials[chosen].evidence)
+            s.rivals.push_back(trials[i].screened.candidate);
+        if (s.alternatives.size() < mostAlternatives) s.alternatives.push_back(alternative(i, false));
+    }
+    return s;
+}
+
+/// The round's line for every candidate of the table.
+void Search::noteAll(const Round& round) {
+    const auto key = [](const Candidate& c) {
+        return c.effect.className + "@" + c.place.at + "@" + c.place.spare + "@" + c.place.node;
+    };
+    std::set<std::string> refitted;
+    for (std::size_t i = 0; i < round.trials.size(); ++i) {
+        const Trial& t = round.trials[i];
+        refitted.insert(key(t.screened.candidate));
         Verdict verdict = Verdict::NotSignificant;
         if (!t.ok)
             verdict = Verdict::Failed;
-        else if (chosen && i == *chosen)
+        else if (round.chosen && i == *round.chosen)
             verdict = Verdict::Chosen;
-        else if (std::find(members.begin(), members.end(), i) != members.end())
+        else if (std::find(round.members.begin(), round.members.end(), i) != round.members.end())
             verdict = Verdict::Equivalent;
-        else if (failsHeldOut.contains(&t))
+        else if (round.failsHeldOut.contains(i))
             verdict = Verdict::FailsHeldOut;
-        else if (chosen && t.evidence > equivalenceMargin)
+        else if (round.chosen && t.evidence > equivalenceMargin)
             verdict = Verdict::Weaker;
         note(t.screened, verdict, t.ok ? std::optional<double>(-t.evidence) : std::nullopt);
     }
-    for (const Screened& s : screened) {
-        if (refitted.contains(s.candidate.effect.className + "@" + s.candidate.place.at + "@" +
-                              s.candidate.place.spare + "@" + s.candidate.place.node))
-            continue;
-        const Verdict verdict = !s.failure.empty()                            ? Verdict::Failed
-                                : s.isAbsorbed()                              ? Verdict::Absorbed
-                                : s.isWrongSign()                             ? Verdict::WrongSign
-                                : chosen && s.score() > 2 * equivalenceMargin ? Verdict::Weaker
-                                                                              : Verdict::NotSignificant;
+    for (const Screened& s : round.screened) {
+        if (refitted.contains(key(s.candidate))) continue;
+        const Verdict verdict = !s.failure.empty()                                  ? Verdict::Failed
+                                : s.isAbsorbed()                                    ? Verdict::Absorbed
+                                : s.isWrongSign()                                   ? Verdict::WrongSign
+                                : round.chosen && s.score() > 2 * equivalenceMargin ? Verdict::Weaker
+                                                                                    : Verdict::NotSignificant;
         note(s, verdict, std::nullopt);
     }
-    return step;
+}
+
+/// Adds one effect a round until nothing passes its tests. The first round is given.
+Outcome<Done> Search::goOn(Path& path, Round first) {
+    std::swap(steps_, path.steps);
+    std::swap(candidates_, path.candidates);
+    Outcome<Done> done = Done{};
+    for (round_ = 1; round_ <= options_.maxRounds && !progress_.stopRequested(); ++round_) {
+        Round round = round_ == 1 ? std::move(first) : tryAll(path.null);
+        if (progress_.stopRequested()) break;
+        if (round_ > 1) decide(path.null, round);
+        noteAll(round);
+        if (!round.chosen) break;
+        Step step = stepOf(round);
+        Variant wider = step.winner.variant;
+        steps_.push_back(std::move(step));
+        // the noise shows better with every effect that is explained
+        Outcome<NullModel> next = fitNull(wider, path.null.noise, NoiseLevel::Estimate, options_.fit, progress_);
+        if (!next) {
+            done = next.diagnostics();
+            break;
+        }
+        path.null = std::move(*next);
+        reconsider(path.null);
+        removeUnneeded(path.null, 1);  // a single one has just passed its tests
+        if (Outcome<ModelState> after = stateOf(path.null.variant, path.null.fit, options_.fit.simulation, progress_))
+            bestError_ = std::min(bestError_, errorPercentOf(*after, Role::Fit));
+    }
+    std::swap(steps_, path.steps);
+    std::swap(candidates_, path.candidates);
+    return done;
+}
+
+/// The other effects with which the search may begin: they pass the same tests alone.
+std::vector<std::size_t> Search::otherBeginnings(const NullModel& null, const Round& round) const {
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < round.trials.size() && others.size() < otherPaths; ++i) {
+        const Trial& t = round.trials[i];
+        if (!t.ok || isProposal(t) || isAtBound(t) || t.evidence < rivalShare * round.trials[*round.chosen].evidence)
+            continue;
+        if (i == *round.chosen || std::find(round.members.begin(), round.members.end(), i) != round.members.end())
+            continue;
+        if (examine(null, t.fit, t.freed(), round.threshold).accepted()) others.push_back(i);
+    }
+    return others;
+}
+
+/// What the best path ends with. Where the first choices leave structure, the search begins again with what came
+/// next: two effects that hide each other may not show in the order of their size.
+Outcome<Search::Path> Search::bestPath(const NullModel& base) {
+    Round first = tryAll(base);
+    Path best{base, {}, {}};
+    if (progress_.stopRequested()) return best;
+    decide(base, first);
+    std::vector<std::size_t> others;
+    if (first.chosen) others = otherBeginnings(base, first);
+    if (Outcome<Done> done = goOn(best, first); !done) return done.diagnostics();
+    const auto misfit = [&](const Path& p) {
+        const double rows = static_cast<double>(p.null.fit.optimum.residuals.size());
+        return p.null.sumOfSquares() + p.null.parameterCount() * std::log(rows);
+    };
+    for (const std::size_t other : others) {
+        if (progress_.stopRequested() || levelOf(best.null.fit) < structuredResidual) break;
+        Round round = first;
+        round.chosen = other;
+        round.members = equivalents(base, round.trials, other);
+        round.acceptance = examine(base, round.trials[other].fit, round.trials[other].freed(), round.threshold);
+        Path path{base, {}, {}};
+        if (Outcome<Done> done = goOn(path, std::move(round)); !done) continue;
+        const double weight = independentShare(path.null, path.null.fit);
+        if (weight * (misfit(best) - misfit(path)) > equivalenceMargin) best = std::move(path);
+    }
+    return best;
 }
 
 /// The model refitted with one effect taken out.
@@ -704,21 +813,15 @@ Outcome<Finding> Search::run() {
     bestError_ = errorPercentOf(finding.baseline, Role::Fit);
 
     const NullModel base = *null;
-    for (round_ = 1; round_ <= options_.maxRounds && !progress_.stopRequested(); ++round_) {
-        std::optional<Step> step = round(*null);
-        if (!step) break;
-        Variant wider = step->winner.variant;
-        steps_.push_back(std::move(*step));
-        // the noise shows better with every effect that is explained
-        Outcome<NullModel> next = fitNull(wider, null->noise, NoiseLevel::Estimate, options_.fit, progress_);
-        if (!next) return next.diagnostics();
-        null = std::move(next);
-        reconsider(*null);
-        removeUnneeded(*null, 1);  // a single one has just passed its tests
+    Outcome<Path> path = bestPath(base);
+    if (!path) return path.diagnostics();
+    null = std::move(path->null);
+    steps_ = std::move(path->steps);
+    candidates_ = std::move(path->candidates);
+    if (!steps_.empty()) {
         Outcome<ModelState> after = stateOf(null->variant, null->fit, options_.fit.simulation, progress_);
         if (!after) return after.diagnostics();
         finding.final = std::move(*after);
-        bestError_ = errorPercentOf(finding.final, Role::Fit);
     }
 
     // A parameter that changed in mid run is imitated by many slow effects; none of them is it.
