@@ -27,9 +27,6 @@ Softened soften(RobustLoss loss, double r) {
     return {r, 1.0};
 }
 
-/// Work of a substep: an implicit one costs about three explicit ones.
-int workOf(const GridPlan& plan) { return (plan.method == GridMethod::Esdirk ? 3 : 1) * plan.substeps; }
-
 }  // namespace
 
 Misfit::Misfit(const FitProblem& problem, const FitOptions& options, const Progress& progress)
@@ -115,15 +112,14 @@ std::vector<GridPlan> Misfit::plansFor(const Eigen::VectorXd& values, double loo
     options.relativeTolerance *= looseness;
     std::vector<GridPlan> plans;
     for (std::size_t e = 0; e < problem_.experiments.size(); ++e) {
-        plans.push_back(planFor(problem_, static_cast<int>(e), values, options, progress_));
+        plans.push_back(planFor(problem_, static_cast<int>(e), values, options, progress_,
+                                e < plans_.size() ? &plans_[e] : nullptr));
     }
     return plans;
 }
 
 bool Misfit::take(std::vector<GridPlan> plans) {
-    const bool isSame = std::equal(
-        plans.begin(), plans.end(), plans_.begin(), plans_.end(),
-        [](const GridPlan& a, const GridPlan& b) { return a.method == b.method && a.substeps == b.substeps; });
+    const bool isSame = plans == plans_;
     plans_ = std::move(plans);
     if (!isSame) forgetBest();
     return !isSame;
@@ -138,7 +134,7 @@ bool Misfit::refinePlan(const Eigen::VectorXd& values) {
     if (options_.simulation.engine == Engine::Adaptive) return false;
     std::vector<GridPlan> plans = plansFor(values, 1.0);
     for (std::size_t e = 0; e < plans.size(); ++e) {
-        if (workOf(plans[e]) <= workOf(plans_[e])) plans[e] = plans_[e];
+        if (!plans[e].steps && plans[e].work() <= plans_[e].work()) plans[e] = plans_[e];
     }
     return take(std::move(plans));
 }

@@ -109,8 +109,8 @@ int FitProblem::residualCount() const {
 }
 
 GridPlan planFor(const FitProblem& problem, int experiment, const Eigen::VectorXd& values,
-                 const SimulationOptions& options, const Progress& progress) {
-    return planGrid(taskFor(problem, experiment, values, nullptr), options, progress);
+                 const SimulationOptions& options, const Progress& progress, const GridPlan* inForce) {
+    return planGrid(taskFor(problem, experiment, values, nullptr), options, progress, inForce);
 }
 
 Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values, bool withJacobian,

@@ -56,7 +56,8 @@ struct Linearisation {
 
 /// The grid plan of one experiment at these values of the fit parameters.
 GridPlan planFor(const FitProblem& problem, int experiment, const Eigen::VectorXd& values,
-                 const SimulationOptions& options = {}, const Progress& progress = {});
+                 const SimulationOptions& options = {}, const Progress& progress = {},
+                 const GridPlan* inForce = nullptr);
 
 /// `plans`: one per experiment, from planFor; empty: made here.
 Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values, bool withJacobian,

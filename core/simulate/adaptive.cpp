@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <span>
 
 #include "core/simulate/grid.hpp"
 #include "core/simulate/sample_recorder.hpp"
@@ -53,6 +54,10 @@ private:
 
 /// The errors of single steps add up: each may have this part of the tolerance that is asked for the whole.
 constexpr double localShare = 0.05;
+
+/// What switches more often, or faster than this part of the whole time, is not followed but named.
+constexpr std::size_t mostEvents = 100'000;
+constexpr double shortestPart = 1e-6;
 
 /// CVODES with backward differentiation formulas from kink to kink of the inputs (Hindmarsh et al. 2005), roots
 /// located and the integration restarted there, tangents by staggered forward sensitivities.
@@ -160,7 +165,16 @@ private:
         CVodeSetStopTime(cvodes_.get(), stop);
         while (time_ < stop) {
             if (!isWithinLimits()) return false;
+            const double before = time_;
             const int flag = CVode(cvodes_.get(), stop, y_.get(), &time_, CV_ONE_STEP);
+            if (flag >= 0) {
+                if (const std::vector<int> hidden = hiddenRoots(before, flag == CV_ROOT_RETURN); !hidden.empty()) {
+                    if (!repeatStep(before, hidden)) return false;
+                    CVodeSetStopTime(cvodes_.get(), stop);
+                    continue;
+                }
+                relaxSteps();
+            }
             if (flag < 0) {
                 // What held the state may have ended within the step.
                 if (!sliding_.isActive() || !isAllowedAnEvent()) return explain(flag);
@@ -172,6 +186,8 @@ private:
             std::copy_n(N_VGetArrayPointer(y_.get()), n_, x_.begin());
             if (!recordUpTo(time_)) return false;
             if (flag == CV_ROOT_RETURN) {
+                if (eventTimes_.size() >= mostEvents)
+                    return fail(nextSample_, stateBehind(lastRoots()), "more than 100000 events"), false;
                 if (!isAllowedAnEvent())
                     return fail(nextSample_, stateBehind(lastRoots()), "events without end"), false;
                 passEvent();
@@ -210,6 +226,68 @@ private:
                window * (inputs_.time.back() - inputs_.time.front());
     }
 
+    /// Relations that switch forth and back within the step, which root finding between its ends cannot see. `atRoot`:
+    /// the step ends where one is 0.
+    std::vector<int> hiddenRoots(double before, bool atRoot) {
+        const auto count = static_cast<std::size_t>(dynamics_.shape().roots);
+        // Below this a root that was located a rounding error too early would be seen again.
+        const double least = 1e-5 * shortestPart * (inputs_.time.back() - inputs_.time.front());
+        if (count == 0 || sliding_.isActive() || time_ - before < least) return {};
+        // At no simple fraction of the step: a relation with a period would be seen at the same phase.
+        constexpr double places[] = {0.1871, 0.4423, 0.7639, 1.0};
+        const std::span<const double> looked(places, atRoot ? 3 : 4);
+        std::vector<double> values, x(x_.size());
+        for (const double place : looked) {
+            const double t = before + place * (time_ - before);
+            values.resize(values.size() + count);
+            if (!at(t, x.data(), nullptr, nullptr)) return {};
+            slotsAt(t, nullptr);
+            if (!dynamics_.roots(t, x.data(), u_.data(), values.data() + values.size() - count)) return {};
+        }
+        CVodeGetDky(cvodes_.get(), time_, 0, y_.get());
+        const auto changes = [&](std::size_t j, double tolerance) {
+            bool above = false, below = false;
+            for (std::size_t i = j; i < values.size(); i += count) {
+                above = above || values[i] > tolerance;
+                below = below || values[i] < -tolerance;
+            }
+            return above && below;
+        };
+        std::vector<int> hidden;
+        std::vector<double> tolerance;
+        for (std::size_t j = 0; j < count; ++j) {
+            if (!changes(j, 0)) continue;
+            if (tolerance.empty()) tolerance = rootTolerances(time_, x);
+            if (tolerance.empty()) return {};
+            if (changes(j, tolerance[j])) hidden.push_back(static_cast<int>(j));
+        }
+        return hidden;
+    }
+
+    /// Back to where the step began, with shorter steps from now on.
+    bool repeatStep(double before, const std::vector<int>& hidden) {
+        longestStep_ = 0.5 * (time_ - before);
+        quietSteps_ = 0;
+        if (longestStep_ < shortestPart * (inputs_.time.back() - inputs_.time.front())) {
+            std::copy_n(N_VGetArrayPointer(y_.get()), n_, x_.begin());
+            return fail(nextSample_, stateBehind(hidden), "events faster than the steps"), false;
+        }
+        time_ = before;
+        if (CVodeGetDky(cvodes_.get(), time_, 0, y_.get()) != CV_SUCCESS || !restart() ||
+            CVodeSetMaxStep(cvodes_.get(), longestStep_) != CV_SUCCESS)
+            return fail(nextSample_, {}, "the integrator could not restart"), false;
+        return true;
+    }
+
+    /// After a while without a hidden event the steps may grow again.
+    void relaxSteps() {
+        if (longestStep_ == 0 || ++quietSteps_ < 200) return;
+        quietSteps_ = 0;
+        longestStep_ *= 2;
+        if (longestStep_ > inputs_.time.back() - inputs_.time.front()) longestStep_ = 0;
+        CVodeSetMaxStep(cvodes_.get(), longestStep_);  // 0: as long as it likes
+    }
+
     /// Where both sides of a surface lead back to it an implicit step across has no solution: steps become tiny.
     bool isStalled() const {
         if (dynamics_.shape().roots == 0) return false;
@@ -218,19 +296,28 @@ private:
         return step < 1e-6 * (inputs_.time.back() - inputs_.time.front());
     }
 
-    /// The roots whose surface is nearer than the tolerance of the states.
-    std::vector<int> nearRoots() {
+    /// How much each root function changes by what the states are uncertain by; empty when they cannot be evaluated.
+    std::vector<double> rootTolerances(double t, std::vector<double> x) {
         std::vector<double> values(static_cast<std::size_t>(dynamics_.shape().roots)), moved(values.size()),
-            tolerance(values.size(), 1e-14), x = x_;
-        slotsAt(time_, nullptr);
-        if (!dynamics_.roots(time_, x.data(), u_.data(), values.data())) return {};
+            tolerance(values.size(), 1e-14);
+        slotsAt(t, nullptr);
+        if (!dynamics_.roots(t, x.data(), u_.data(), values.data())) return {};
         for (std::size_t i = 0; i < x.size(); ++i) {
-            x[i] += options_.relativeTolerance * std::abs(x[i]) +
+            const double here = x[i];
+            x[i] += options_.relativeTolerance * std::abs(here) +
                     options_.absoluteTolerance * dynamics_.shape().stateNominal[i];
-            const bool isKnown = dynamics_.roots(time_, x.data(), u_.data(), moved.data());
-            x[i] = x_[i];
+            const bool isKnown = dynamics_.roots(t, x.data(), u_.data(), moved.data());
+            x[i] = here;
             for (std::size_t j = 0; isKnown && j < moved.size(); ++j) tolerance[j] += std::abs(moved[j] - values[j]);
         }
+        return tolerance;
+    }
+
+    /// The roots whose surface is nearer than the tolerance of the states.
+    std::vector<int> nearRoots() {
+        const std::vector<double> tolerance = rootTolerances(time_, x_);
+        std::vector<double> values(tolerance.size());
+        if (values.empty() || !dynamics_.roots(time_, x_.data(), u_.data(), values.data())) return {};
         std::vector<int> near;
         for (std::size_t j = 0; j < values.size(); ++j)
             if (std::abs(values[j]) <= tolerance[j]) near.push_back(static_cast<int>(j));
@@ -400,6 +487,8 @@ private:
     double time_{};
     int interval_{}, nextSample_{};
     std::vector<double> eventTimes_;
+    double longestStep_{};  // 0: not limited
+    int quietSteps_{};      // since it was limited
     long steps_{};
     // Freed in the opposite order: the solver before what it uses, the context last.
     Owned<SUNContext, FreeContext> context_;

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "core/simulate/grid.hpp"
-#include "core/simulate/input_slots.hpp"
+#include "core/simulate/step_method.hpp"
 
 namespace analogon {
 
@@ -77,8 +77,9 @@ private:
 
     /// u[2] holds the inputs at the end of the step before; their slopes belong to an interval.
     bool interval(int k) {
-        const int substeps = run_.plan.substeps;
+        const int substeps = run_.plan.substepsIn(k);
         const double begin = time(k), h = (time(k + 1) - begin) / substeps;
+        if (run_.plan.methodIn(k) == GridMethod::Esdirk) return implicitly(k, substeps, h);
         slots_.at(k, begin, u_[2].data());
         if (run_.plan.method == GridMethod::Exact) {
             std::swap(u_[0], u_[2]);
@@ -93,6 +94,17 @@ private:
             for (std::size_t i = 0; i < u_[1].size(); ++i) u_[1][i] = 0.5 * (u_[0][i] + u_[2][i]);
             if (!dynamics_.step(t, h, u_[0].data(), u_[1].data(), u_[2].data())) return false;
         }
+        return true;
+    }
+
+    /// The state comes out of the machine code's memory and goes back.
+    bool implicitly(int k, int substeps, double h) {
+        if (!implicit_) implicit_ = makeStepMethod(GridMethod::Esdirk, dynamics_, slots_, options_);
+        if (k == run_.first || run_.plan.methodIn(k - 1) != GridMethod::Esdirk)
+            dynamics_.storeState(x_.data(), dx_.data());
+        for (int s = 0; s < substeps; ++s)
+            if (!implicit_->step(k, time(k) + s * h, h, x_.data(), K_ > 0 ? dx_.data() : nullptr)) return false;
+        dynamics_.loadState(x_.data(), dx_.data());
         return true;
     }
 
@@ -141,6 +153,7 @@ private:
     const Progress& progress_;
     Trajectory& result_;
     InputSlots slots_;
+    std::unique_ptr<StepMethod> implicit_;
     int last_{}, n_{}, K_{};
     std::vector<double> y_, dy_, x_, dx_;
     std::vector<double> u_[3];
@@ -163,8 +176,8 @@ bool runCompiled(Dynamics& dynamics, const SampledInputs& inputs, const GridRun&
     const Dynamics::Shape& shape = dynamics.shape();
     const bool isExact = run.plan.method == GridMethod::Exact;
     if (isExact ? !canBeExact(dynamics, inputs)
-                : run.plan.method != GridMethod::RungeKutta4 || shape.states == 0 || !shape.delays.empty() ||
-                      inputs.time.size() <= 100 || !dynamics.prepareSteps()) {
+                : (run.plan.method != GridMethod::RungeKutta4 && !run.plan.steps) || shape.states == 0 ||
+                      !shape.delays.empty() || inputs.time.size() <= 100 || !dynamics.prepareSteps()) {
         return false;
     }
     return CompiledPass(dynamics, inputs, run, options, progress, result).execute();

@@ -69,6 +69,8 @@ public:
     virtual int observedCount() const { return 0; }
     virtual bool observed(double, const double*, const double*, double*) { return true; }
     virtual std::string failure() const = 0;
+    /// Whether the last failure was an algebraic loop without a solution.
+    virtual bool failedToSolve() const { return false; }
     /// How often the model was evaluated since this object was made: the measure of effort that is the same on
     /// any machine.
     long evaluations() const { return evaluations_; }
@@ -115,6 +117,7 @@ public:
     int observedCount() const override { return static_cast<int>(handles_.size()); }
     bool observed(double t, const double* x, const double* u, double* values) override;
     std::string failure() const override;
+    bool failedToSolve() const override { return failed_ && system_.failedToSolve(*failed_); }
 
 private:
     /// A workspace whose directions are the n states (identity, added by dx) and then the parameters' own.

@@ -85,7 +85,6 @@ public:
           slots_(dynamics, inputs),
           recorder_(dynamics, slots_, inputs, run.first, last_, run.keepStates, result),
           interpolant_(dynamics, slots_),
-          method_(makeStepMethod(run.plan.method, dynamics, slots_, options)),
           x_(static_cast<std::size_t>(dynamics.shape().states)),
           dx_(x_.size() * static_cast<std::size_t>(dynamics.shape().directions)) {}
 
@@ -130,7 +129,7 @@ private:
         double begin = time(k);
         for (const double end : slots_.piecesOf(k)) {
             // A piece gets its share of the substeps.
-            const double share = run_.plan.substeps * (end - begin) / length;
+            const double share = run_.plan.substepsIn(k) * (end - begin) / length;
             if (const char* reason = piece(k, begin, end, std::max(1, static_cast<int>(std::ceil(share - 1e-6))))) {
                 return reason;
             }
@@ -148,7 +147,8 @@ private:
             if (isLookedAt) interpolant_.setBegin(time_, x_.data(), dx_.data());
             if (!x_.empty()) {
                 slots_.holdLines(time_ + 0.5 * h);
-                if (!method_->step(k, time_, h, x_.data(), dx_.data())) return method_->reason();
+                StepMethod& method = methodIn(k);
+                if (!method.step(k, time_, h, x_.data(), dx_.data())) return method.reason();
                 slots_.releaseLines();
             }
             if (isLookedAt && !(interpolant_.setEnd(k, reached, x_.data(), dx_.data()) &&
@@ -157,6 +157,13 @@ private:
             }
         }
         return nullptr;
+    }
+
+    StepMethod& methodIn(int interval) {
+        const GridMethod method = run_.plan.methodIn(interval);
+        std::unique_ptr<StepMethod>& made = method == GridMethod::Esdirk ? implicit_ : explicit_;
+        if (!made) made = makeStepMethod(method, dynamics_, slots_, options_);
+        return *made;
     }
 
     void fail(int sample, double at, const char* reason) {
@@ -177,7 +184,7 @@ private:
     InputSlots slots_;
     SampleRecorder recorder_;
     HermiteInterpolant interpolant_;
-    std::unique_ptr<StepMethod> method_;
+    std::unique_ptr<StepMethod> explicit_, implicit_;
     std::vector<double> x_, dx_;
     double time_{};
 };

@@ -29,7 +29,7 @@ bool canBeExact(Dynamics& dynamics, const SampledInputs& inputs);
 
 /// The cheapest plan whose outputs move by less than the tolerance when the steps are halved.
 GridPlan choosePlan(Dynamics& dynamics, const SampledInputs& inputs, const SimulationOptions& options = {},
-                    const Progress& progress = {});
+                    const Progress& progress = {}, const GridPlan* inForce = nullptr);
 
 /// The reference engine on the same abstraction.
 Trajectory runAdaptive(Dynamics& dynamics, const SampledInputs& inputs, bool keepStates,

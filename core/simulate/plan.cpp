@@ -4,7 +4,7 @@
 #include <optional>
 #include <tuple>
 
-#include "core/simulate/grid.hpp"
+#include "core/simulate/step_schedule.hpp"
 
 namespace analogon {
 
@@ -35,7 +35,7 @@ public:
         limited_.wallClockLimit = std::min(options.wallClockLimit, 20.0);
     }
 
-    GridPlan choose() {
+    GridPlan choose(const GridPlan* inForce) {
         if (sampleCount_ < 2 || dynamics_.shape().states == 0) {
             return {options_.method == GridMethod::Esdirk ? GridMethod::Esdirk : GridMethod::RungeKutta4,
                     std::max(1, options_.substeps), 0.0};
@@ -44,6 +44,12 @@ public:
         if (mayBeExact && options_.substeps == 0 && canBeExact(dynamics_, inputs_)) return {GridMethod::Exact, 1, 0.0};
         if (options_.method == GridMethod::Exact) options_.method = GridMethod::Auto;
         if (!surveyWholeRecord()) return fallback();
+        if (options_.method == GridMethod::Auto && options_.substeps == 0) {
+            const std::optional<GridPlan> plan =
+                scheduleSteps(dynamics_, inputs_, surveyRun_, tolerance_, limited_, progress_, inForce);
+            if (plan) return *plan;
+        }
+        takeSurvey(surveyRun_);
         for (int round = 0; round < 4; ++round) {
             const GridPlan plan = cheapestOnWindows();
             if (plan.method == survey_.method && plan.substeps == survey_.substeps) return plan;
@@ -99,10 +105,10 @@ private:
         std::vector<GridPlan> plans = ladder();
         std::stable_partition(plans.begin(), plans.end(), [](const GridPlan& plan) { return plan.substeps == 1; });
         for (const GridPlan& plan : plans) {
-            const Trajectory whole = run(plan, wholeRecord(), true);
+            Trajectory whole = run(plan, wholeRecord(), true);
             if (whole.failure.failed || !isPlausible(whole)) continue;
             survey_ = plan;
-            takeSurvey(whole);
+            surveyRun_ = std::move(whole);
             return true;
         }
         return false;
@@ -269,6 +275,7 @@ private:
     int sampleCount_{};
     double least_{};  // plans cheaper than this have failed on the whole record
     GridPlan survey_;
+    Trajectory surveyRun_;
     Eigen::VectorXd ranges_;
     Eigen::MatrixXd statesOfSurvey_;
     std::vector<Window> windows_;
@@ -278,8 +285,8 @@ private:
 }  // namespace
 
 GridPlan choosePlan(Dynamics& dynamics, const SampledInputs& inputs, const SimulationOptions& options,
-                    const Progress& progress) {
-    return Planner(dynamics, inputs, options, progress).choose();
+                    const Progress& progress, const GridPlan* inForce) {
+    return Planner(dynamics, inputs, options, progress).choose(inForce);
 }
 
 }  // namespace analogon

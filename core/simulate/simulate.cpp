@@ -43,36 +43,63 @@ const char* misfit(const SimulationTask& task) {
     return nullptr;
 }
 
+/// Why an evaluation failed, where the integrators only know that it did.
+const char* reasonOf(const Dynamics& dynamics) {
+    return dynamics.failedToSolve() ? "no convergence of an algebraic loop" : "not finite";
+}
+
+Trajectory explained(Trajectory trajectory, const Dynamics& dynamics) {
+    if (trajectory.failure.failed && trajectory.failure.reason == "not finite")
+        trajectory.failure.reason = reasonOf(dynamics);
+    return trajectory;
+}
+
 }  // namespace
 
-GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options, const Progress& progress) {
+double GridPlan::work() const {
+    constexpr double implicitCost = 12.0;
+    if (!steps) return (method == GridMethod::Esdirk ? implicitCost : 1.0) * substeps;
+    double sum = 0.0;
+    for (const int each : *steps) sum += each < 0 ? -implicitCost * each : each;
+    return sum / static_cast<double>(std::max<std::size_t>(1, steps->size()));
+}
+
+bool operator==(const GridPlan& a, const GridPlan& b) {
+    const bool sameSteps = a.steps == b.steps || (a.steps && b.steps && *a.steps == *b.steps);
+    return a.method == b.method && a.substeps == b.substeps && sameSteps;
+}
+
+GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options, const Progress& progress,
+                  const GridPlan* inForce) {
     if (misfit(task)) return {};
     SimulationTask values = task;
     values.directions.resize(0, 0);
     values.observe.clear();
     SystemDynamics dynamics(values, false);
     if (!dynamics.isReady()) return {};
-    return choosePlan(dynamics, *task.inputs, options, progress);
+    return choosePlan(dynamics, *task.inputs, options, progress, inForce);
 }
 
 Trajectory simulateGrid(const SimulationTask& task, const GridPlan& plan, const SimulationOptions& options,
                         const Progress& progress, SampleSink* sink) {
     if (const char* reason = misfit(task)) return refused(task, Engine::Grid, {}, reason);
     SystemDynamics dynamics(task, true);
-    if (!dynamics.isReady()) return refused(task, Engine::Grid, dynamics.failure(), "not finite");
+    if (!dynamics.isReady()) return refused(task, Engine::Grid, dynamics.failure(), reasonOf(dynamics));
     GridRun run;
     run.plan = plan;
     run.plan.substeps = std::max(1, plan.substeps);
+    // Made for another recording: the most demanding steps for all of this one.
+    if (plan.steps && plan.steps->size() + 1 != task.inputs->time.size()) run.plan.steps = nullptr;
     run.keepStates = task.keepStates;
     run.sink = sink;
-    return runGrid(dynamics, *task.inputs, run, options, progress);
+    return explained(runGrid(dynamics, *task.inputs, run, options, progress), dynamics);
 }
 
 Trajectory simulateAdaptive(const SimulationTask& task, const SimulationOptions& options, const Progress& progress) {
     if (const char* reason = misfit(task)) return refused(task, Engine::Adaptive, {}, reason);
     SystemDynamics dynamics(task, true);
-    if (!dynamics.isReady()) return refused(task, Engine::Adaptive, dynamics.failure(), "not finite");
-    return runAdaptive(dynamics, *task.inputs, task.keepStates, options, progress);
+    if (!dynamics.isReady()) return refused(task, Engine::Adaptive, dynamics.failure(), reasonOf(dynamics));
+    return explained(runAdaptive(dynamics, *task.inputs, task.keepStates, options, progress), dynamics);
 }
 
 Trajectory simulate(const SimulationTask& task, const SimulationOptions& options, const Progress& progress) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <span>
 #include <string>
@@ -35,6 +37,20 @@ struct GridPlan {
     GridMethod method{GridMethod::RungeKutta4};
     int substeps{1};
     double errorEstimate{};  // max over outputs of |difference to the reference| / output range
+    /// Where the sample intervals need different steps: for each, how many explicit (> 0) or implicit (< 0) ones;
+    /// above is then the most demanding of them. Null: all alike.
+    std::shared_ptr<const std::vector<std::int16_t>> steps{};
+
+    GridMethod methodIn(int interval) const {
+        if (!steps) return method;
+        return (*steps)[static_cast<std::size_t>(interval)] < 0 ? GridMethod::Esdirk : GridMethod::RungeKutta4;
+    }
+    int substepsIn(int interval) const {
+        return steps ? std::abs((*steps)[static_cast<std::size_t>(interval)]) : substeps;
+    }
+    /// What an interval costs on the average, in explicit steps.
+    double work() const;
+    friend bool operator==(const GridPlan& a, const GridPlan& b);  // the same steps
 };
 
 struct SimulationFailure {
@@ -80,8 +96,9 @@ public:
 };
 
 /// The plan an experiment needs at these parameters: explicit or implicit, and the number of substeps, from
-/// step doubling (design: chosen once, rechecked at the optimum).
-GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options = {}, const Progress& progress = {});
+/// step doubling (chosen once, rechecked at the optimum). A plan in force is returned when it still holds.
+GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options = {}, const Progress& progress = {},
+                  const GridPlan* inForce = nullptr);
 
 /// One pass with a given plan (grid engine), values and tangents together. Its tangents are those of the
 /// discrete solution.

@@ -78,6 +78,34 @@ TEST(Simulate, TakesTheImplicitMethodForAStiffMotor) {
     EXPECT_TRUE(y.tangents[1].allFinite());
 }
 
+TEST(Simulate, TellsALoopWithoutASolutionFromANumberThatIsNotFinite) {
+    const SystemPtr system = compileText(R"(
+model Throttle
+  input Real drop;
+  output Real level;
+  Real inflow(start = 1);
+  Real x(start = 0, fixed = true);
+equation
+  inflow^2 + inflow^4 = drop;
+  der(x) = inflow - x;
+  level = x;
+end Throttle;
+)",
+                                         "Throttle");
+    ASSERT_TRUE(system);
+    SampledInputs inputs;
+    inputs.values.resize(1, 50);
+    for (int k = 0; k < 50; ++k) {
+        inputs.time.push_back(0.1 * k);
+        inputs.values(0, k) = 2.0 - 0.1 * k;  // none from 2 s on
+    }
+    const Trajectory y = simulateGrid(taskOf(system, inputs, false), {GridMethod::RungeKutta4, 1, 0.0});
+    EXPECT_TRUE(y.failure.failed);
+    EXPECT_EQ(y.failure.reason, "no convergence of an algebraic loop");
+    EXPECT_EQ(y.failure.variable, "inflow");
+    EXPECT_NEAR(y.failure.time, 2.0, 0.11);
+}
+
 TEST(Simulate, TakesExactStepsWhereTheModelIsLinear) {
     const SystemPtr system = compileText(test::motorText, "Motor", {"R", "J2", "c"});
     ASSERT_TRUE(system);

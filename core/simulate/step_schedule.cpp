@@ -1,0 +1,287 @@
+#include "core/simulate/step_schedule.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/simulate/interval_stepper.hpp"
+
+namespace analogon {
+
+double costOfImplicitStep(Dynamics& dynamics) { return dynamics.prepareSteps() ? 12.0 : 3.0; }
+
+double spectralRadius(double* matrix, double* scratch, int n) {
+    const int size = n * n;
+    const auto norm = [&] {
+        double sum = 0.0;
+        for (int i = 0; i < size; ++i) sum += matrix[i] * matrix[i];
+        return std::sqrt(sum);
+    };
+    double logarithm = 0.0, power = 1.0;
+    for (int round = 0;; ++round, power *= 2.0) {
+        const double length = norm();
+        if (length == 0.0) return 0.0;
+        logarithm += std::log(length) / power;
+        constexpr int squarings = 6;
+        if (round == squarings) return std::exp(logarithm);
+        for (int i = 0; i < size; ++i) matrix[i] /= length;
+        std::fill_n(scratch, size, 0.0);
+        for (int i = 0; i < n; ++i)
+            for (int k = 0; k < n; ++k)
+                for (int j = 0; j < n; ++j) scratch[i * n + j] += matrix[i * n + k] * matrix[k * n + j];
+        std::copy_n(scratch, size, matrix);
+    }
+}
+
+namespace {
+
+constexpr int kFewestSamples = 200;  // below, one number for all of them serves as well
+constexpr int kMostExplicit = 128;   // substeps of an interval
+constexpr int kMostImplicit = 32;
+constexpr double kStableReach = 1.6;  // |eigenvalue| * step kept, of the 2.8 at which the explicit method fails
+constexpr int kReach = 3;             // intervals: what happens in one may move that far while parameters are fitted
+
+/// What the walk found in an interval: the difference that halving the steps made.
+struct Found {
+    bool isImplicit{};
+    int substeps{1};
+    int stable{1};  // explicit substeps that stability asks for
+    double error{};
+};
+
+class Scheduler {
+public:
+    Scheduler(Dynamics& dynamics, const SampledInputs& inputs, double tolerance, const SimulationOptions& options,
+              const Progress& progress)
+        : dynamics_(dynamics),
+          inputs_(inputs),
+          options_(options),
+          progress_(progress),
+          tolerance_(tolerance),
+          implicitCost_(costOfImplicitStep(dynamics)),
+          count_(static_cast<int>(inputs.time.size())),
+          n_(static_cast<std::size_t>(dynamics.shape().states)) {
+        for (std::vector<double>* v : {&x_, &coarse_, &fine_, &other_}) v->resize(n_);
+        for (std::vector<double>* v : {&jacobian_, &scratch_}) v->resize(n_ * n_);
+        u_.resize(static_cast<std::size_t>(dynamics.shape().slots));
+    }
+
+    std::optional<GridPlan> run(const Trajectory& survey, const GridPlan* inForce) {
+        stateRanges_ = rangesOf(survey.states, dynamics_.shape().stateNominal);
+        for (int round = 0;; ++round) {
+            if (!walk()) return std::nullopt;
+            const Eigen::VectorXd ranges = rangesOf(states_, dynamics_.shape().stateNominal);
+            const Eigen::ArrayXd ratio = ranges.array() / stateRanges_.array();
+            stateRanges_ = ranges;
+            if ((ratio > 0.5).all() && (ratio < 2.0).all()) break;
+            if (round == 2) return std::nullopt;
+        }
+        outputRanges_ = rangesOf(reference_, dynamics_.shape().outputNominal);
+        if (inForce && inForce->steps) {
+            GridPlan kept = *inForce;
+            kept.errorEstimate = errorOf(kept);
+            if (kept.errorEstimate <= tolerance_) return kept;
+        }
+        return fitted();
+    }
+
+private:
+    double time(int sample) const { return inputs_.time[static_cast<std::size_t>(sample)]; }
+
+    Eigen::VectorXd rangesOf(const Eigen::MatrixXd& y, const std::vector<double>& nominal) const {
+        Eigen::VectorXd ranges(y.rows());
+        for (Eigen::Index i = 0; i < y.rows(); ++i) {
+            const double low = y.row(i).minCoeff(), high = y.row(i).maxCoeff();
+            ranges[i] = std::max({high - low, 1e-6 * std::max(std::abs(low), std::abs(high)),
+                                  options_.absoluteTolerance * nominal[static_cast<std::size_t>(i)], 1e-300});
+        }
+        return ranges;
+    }
+
+    bool isOverLimit(std::chrono::steady_clock::time_point started) const {
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started;
+        return progress_.stopRequested() || spent.count() > options_.wallClockLimit;
+    }
+
+    /// The reference, interval by interval, and what each of them takes.
+    bool walk() {
+        const auto started = std::chrono::steady_clock::now();
+        InputSlots slots(dynamics_, inputs_);
+        IntervalStepper stepper(dynamics_, slots, inputs_, options_);
+        slots.at(0, time(0), u_.data());
+        if (!dynamics_.initialise(time(0), u_.data(), nullptr, x_.data(), nullptr)) return false;
+        found_.assign(static_cast<std::size_t>(count_ - 1), {});
+        states_.resize(static_cast<Eigen::Index>(n_), count_);
+        reference_.resize(dynamics_.shape().outputs, count_);
+        guess_[0] = guess_[1] = 1;
+        for (int k = 0;; ++k) {
+            states_.col(k) = Eigen::Map<const Eigen::VectorXd>(x_.data(), static_cast<Eigen::Index>(n_));
+            slots.at(std::min(k, count_ - 2), time(k), u_.data());
+            if (!dynamics_.outputs(time(k), x_.data(), u_.data(), reference_.col(k).data(), nullptr)) return false;
+            if (k + 1 == count_) return true;
+            if (dynamics_.evaluations() > options_.evaluationLimit) return false;
+            if ((k & 63) == 0 && isOverLimit(started)) return false;
+            if (!interval(stepper, k)) return false;
+            x_.swap(fine_);
+        }
+    }
+
+    /// From x_ to fine_.
+    bool interval(IntervalStepper& stepper, int k) {
+        Found& found = found_[static_cast<std::size_t>(k)];
+        // u_ holds the inputs at the begin of the interval.
+        if (!dynamics_.jacobian(time(k), x_.data(), u_.data(), coarse_.data(), jacobian_.data())) return false;
+        const double radius = spectralRadius(jacobian_.data(), scratch_.data(), static_cast<int>(n_));
+        const double stable = std::ceil(radius * (time(k + 1) - time(k)) / kStableReach);
+        found.stable = static_cast<int>(std::clamp(stable, 1.0, 1e6));
+        if (found.stable <= 2.0 * implicitCost_ && resolve(stepper, k, false, found)) return true;
+        if (!resolve(stepper, k, true, found)) return false;
+        const bool isResolved = found.error <= local();
+        if (found.stable > kMostExplicit || (isResolved && found.substeps * implicitCost_ <= found.stable)) return true;
+        Found other = found;
+        other_ = fine_;
+        if (!resolve(stepper, k, false, other) ||
+            (isResolved ? other.substeps > found.substeps * implicitCost_ : other.error > found.error)) {
+            fine_.swap(other_);
+            return true;
+        }
+        found = other;
+        return true;
+    }
+
+    /// Doubles the substeps until that makes no difference.
+    bool resolve(IntervalStepper& stepper, int k, bool isImplicit, Found& found) {
+        const int most = isImplicit ? kMostImplicit : kMostExplicit;
+        int& guess = guess_[isImplicit];
+        int substeps = std::clamp(isImplicit ? guess : std::max(guess, found.stable), 1, most);
+        if (!stepper.cross(k, isImplicit, substeps, x_.data(), coarse_.data())) return false;
+        for (;; substeps *= 2, coarse_.swap(fine_)) {
+            if (!stepper.cross(k, isImplicit, 2 * substeps, x_.data(), fine_.data())) return false;
+            double error = 0.0;
+            for (std::size_t i = 0; i < n_; ++i) {
+                const double part = std::abs(fine_[i] - coarse_[i]) / stateRanges_[static_cast<Eigen::Index>(i)];
+                if (!(part <= error)) error = part;
+            }
+            if (!(error < 1e100) && 2 * substeps > most) return false;
+            if (error <= local() || 2 * substeps > most) {
+                found.isImplicit = isImplicit;
+                found.substeps = substeps;
+                found.error = error;
+                guess = needed(found, local());
+                return true;
+            }
+        }
+    }
+
+    double local() const { return 0.1 * tolerance_; }
+
+    /// Substeps at which the difference would be this small: it falls with their fourth or third power.
+    static int needed(const Found& found, double error) {
+        const double factor = std::pow(found.error / error, found.isImplicit ? 1.0 / 3.0 : 0.25);
+        return static_cast<int>(std::ceil(std::clamp(found.substeps * factor, 1.0, 1e4)));
+    }
+
+    /// The same for the implicit method, where the explicit one was tried: (rate * step)^4 was its error.
+    static int neededImplicitly(const Found& found, double error) {
+        if (found.isImplicit) return needed(found, error);
+        const double substeps = found.substeps * std::pow(found.error, 0.25) / std::cbrt(error);
+        return static_cast<int>(std::ceil(std::clamp(substeps, 1.0, 1e4)));
+    }
+
+    /// The cheapest plan of which the outputs agree with the reference: the allowance of each interval is set by what
+    /// came of the last one.
+    std::optional<GridPlan> fitted() {
+        double allowance = local();
+        std::optional<GridPlan> best, closest;
+        for (int round = 0; round < 6; ++round) {
+            GridPlan plan = planWith(allowance);
+            plan.errorEstimate = errorOf(plan);
+            const bool holds = plan.errorEstimate <= tolerance_;
+            if (holds && (!best || plan.work() < best->work())) best = plan;
+            if (!holds && best) break;
+            if (!closest || plan.errorEstimate < closest->errorEstimate) closest = plan;
+            const double share = tolerance_ / std::max(plan.errorEstimate, 1e-3 * tolerance_);
+            if (holds && (share < 4.0 || round >= 2)) break;
+            // Errors do not simply add up; a failed run (infinite) is taken for ten times too much.
+            allowance *= holds ? std::min(0.3 * share, 30.0) : std::max(0.3 * share, 0.03);
+        }
+        // Where the solution is not smooth the last digits are not to be had; this is still below any sensor noise.
+        if (!best && closest->errorEstimate <= 100.0 * tolerance_) return closest;
+        return best;
+    }
+
+    GridPlan planWith(double allowance) const {
+        const auto count = static_cast<int>(found_.size());
+        std::vector<int> own(found_.size());
+        for (std::size_t k = 0; k < found_.size(); ++k) {
+            const Found& found = found_[k];
+            const int substeps = std::min(needed(found, allowance), 2 * found.substeps);
+            own[k] = found.isImplicit ? -substeps : std::clamp(std::max(substeps, found.stable), 1, kMostExplicit);
+        }
+        auto steps = std::make_shared<std::vector<std::int16_t>>();
+        GridPlan plan{GridMethod::RungeKutta4, 1, 0.0, nullptr};
+        for (int k = 0; k < count; ++k) {
+            int explicitly = 0, implicitly = 0;
+            for (int j = std::max(0, k - kReach); j <= std::min(count - 1, k + kReach); ++j) {
+                const int steps_j = own[static_cast<std::size_t>(j)];
+                if (steps_j < 0) implicitly = std::max(implicitly, -steps_j);
+                explicitly = std::max({explicitly, std::abs(steps_j), found_[static_cast<std::size_t>(j)].stable});
+            }
+            const Found& found = found_[static_cast<std::size_t>(k)];
+            if (implicitly > 0 && !found.isImplicit)
+                implicitly = std::max(implicitly, neededImplicitly(found, allowance));
+            implicitly = std::min(implicitly, 2 * kMostImplicit);
+            const bool isExplicit =
+                explicitly <= kMostExplicit && (implicitly == 0 || explicitly <= implicitCost_ * implicitly);
+            if (!isExplicit && implicitly == 0) implicitly = 1;
+            steps->push_back(static_cast<std::int16_t>(isExplicit ? explicitly : -implicitly));
+            if (!isExplicit && plan.method != GridMethod::Esdirk) plan = {GridMethod::Esdirk, 1, 0.0, nullptr};
+            if (isExplicit != (plan.method == GridMethod::Esdirk))
+                plan.substeps = std::max(plan.substeps, isExplicit ? explicitly : implicitly);
+        }
+        const bool isUniform =
+            std::all_of(steps->begin(), steps->end(), [&](int each) { return each == steps->front(); });
+        if (!isUniform) plan.steps = std::move(steps);
+        return plan;
+    }
+
+    double errorOf(const GridPlan& plan) {
+        GridRun run;
+        run.plan = plan;
+        const Trajectory trajectory = runGrid(dynamics_, inputs_, run, options_, progress_);
+        if (trajectory.failure.failed) return std::numeric_limits<double>::infinity();
+        const double largest =
+            ((trajectory.outputs - reference_).array().abs().colwise() / outputRanges_.array()).maxCoeff();
+        return std::isfinite(largest) ? largest : std::numeric_limits<double>::infinity();
+    }
+
+    Dynamics& dynamics_;
+    const SampledInputs& inputs_;
+    const SimulationOptions& options_;
+    const Progress& progress_;
+    double tolerance_{}, implicitCost_{};
+    int count_{};
+    std::size_t n_{};
+    int guess_[2]{1, 1};  // substeps to begin with: explicit, implicit
+    std::vector<double> x_, coarse_, fine_, other_, jacobian_, scratch_, u_;
+    std::vector<Found> found_;
+    Eigen::VectorXd stateRanges_, outputRanges_;
+    Eigen::MatrixXd states_, reference_;
+};
+
+}  // namespace
+
+std::optional<GridPlan> scheduleSteps(Dynamics& dynamics, const SampledInputs& inputs, const Trajectory& survey,
+                                      double tolerance, const SimulationOptions& options, const Progress& progress,
+                                      const GridPlan* inForce) {
+    const Dynamics::Shape& shape = dynamics.shape();
+    if (static_cast<int>(inputs.time.size()) < kFewestSamples || shape.states == 0 || shape.outputs == 0 ||
+        !shape.delays.empty() || shape.directions > 0) {
+        return std::nullopt;
+    }
+    return Scheduler(dynamics, inputs, tolerance, options, progress).run(survey, inForce);
+}
+
+}  // namespace analogon

@@ -1,0 +1,139 @@
+#include "core/simulate/step_schedule.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/core/simulate/text_models.hpp"
+
+namespace analogon {
+namespace {
+
+/// A driven rotor on a spring with sharp dry friction: it sticks, breaks loose and slips.
+const char* const rotorText = R"(
+model Rotor
+  input Real drive;
+  output Real angle;
+  parameter Real J = 1.7e-4;
+  parameter Real c = 0.4;
+  parameter Real d = 2e-3;
+  parameter Real tau_c = 0.02;
+  parameter Real w_eps = 0.005;
+  Real phi(start = 0, fixed = true);
+  Real w(start = 0, fixed = true);
+equation
+  der(phi) = w;
+  J*der(w) = drive - c*phi - d*w - tau_c*tanh(w/w_eps);
+  angle = phi;
+end Rotor;
+)";
+
+SampledInputs pulses(int count, double step) {
+    SampledInputs inputs;
+    inputs.values.resize(1, count);
+    for (int k = 0; k < count; ++k) {
+        inputs.time.push_back(k * step);
+        const int phase = k % 400;
+        inputs.values(0, k) = phase < 150 ? 0.1 : phase < 200 ? 0.1 - 0.003 * (phase - 150) : -0.05;
+    }
+    return inputs;
+}
+
+struct Rotor {
+    SystemPtr system = test::compileText(rotorText, "Rotor", {"J", "c", "tau_c"});
+    SampledInputs inputs = pulses(2000, 0.002);
+
+    SimulationTask task(bool hasTangents, bool isInterpreted) const {
+        SimulationTask task;
+        task.system = system.get();
+        task.inputs = &inputs;
+        task.parameters = test::ownParameters(*system);
+        if (hasTangents) task.directions = Eigen::MatrixXd::Identity(3, 3);
+        task.isInterpreted = isInterpreted;
+        return task;
+    }
+};
+
+double gapInRanges(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+    return (a - b).cwiseAbs().maxCoeff() / (b.maxCoeff() - b.minCoeff());
+}
+
+TEST(StepSchedule, PutsItsStepsWhereTheModelNeedsThem) {
+    const Rotor rotor;
+    for (const bool isInterpreted : {false, true}) {
+        const SimulationTask task = rotor.task(false, isInterpreted);
+        const GridPlan plan = planGrid(task);
+        ASSERT_TRUE(plan.steps);
+        EXPECT_LE(plan.errorEstimate, 1e-5);
+        const Trajectory fine = simulateGrid(task, {GridMethod::Esdirk, 64, 0.0});
+        EXPECT_LT(gapInRanges(simulateGrid(task, plan).outputs, fine.outputs), 2e-5);
+        // All intervals alike at the same error: several times the work.
+        int substeps = 1;
+        while (gapInRanges(simulateGrid(task, {GridMethod::Esdirk, substeps, 0.0}).outputs, fine.outputs) > 2e-5)
+            substeps *= 2;
+        int explicitly = 1;
+        while (
+            !(gapInRanges(simulateGrid(task, {GridMethod::RungeKutta4, explicitly, 0.0}).outputs, fine.outputs) < 2e-5))
+            explicitly *= 2;
+        EXPECT_LT(2.0 * plan.work(), std::min(12.0 * substeps, 1.0 * explicitly));
+    }
+}
+
+TEST(StepSchedule, CarriesTheTangentsOfTheDiscreteSolution) {
+    const Rotor rotor;
+    for (const bool isInterpreted : {false, true}) {
+        SimulationTask task = rotor.task(true, isInterpreted);
+        const GridPlan plan = planGrid(task);
+        ASSERT_TRUE(plan.steps);
+        const Trajectory with = simulateGrid(task, plan);
+        task.directions.resize(0, 0);
+        const std::vector<double> p = task.parameters;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const double shift = 1e-6 * p[i];
+            task.parameters[i] = p[i] + shift;
+            const Eigen::MatrixXd above = simulateGrid(task, plan).outputs;
+            task.parameters[i] = p[i] - shift;
+            const Eigen::MatrixXd below = simulateGrid(task, plan).outputs;
+            task.parameters = p;
+            const Eigen::VectorXd slope = (above - below).row(0).transpose() / (2.0 * shift);
+            const Eigen::VectorXd tangent = with.tangents[0].col(static_cast<Eigen::Index>(i));
+            EXPECT_LT((tangent - slope).cwiseAbs().maxCoeff(), 1e-4 * slope.cwiseAbs().maxCoeff()) << "parameter " << i;
+        }
+    }
+}
+
+TEST(StepSchedule, KeepsAPlanThatStillHolds) {
+    const Rotor rotor;
+    SimulationTask task = rotor.task(false, false);
+    const GridPlan plan = planGrid(task);
+    EXPECT_TRUE(planGrid(task, {}, {}, &plan) == plan);
+    GridPlan coarse = plan;
+    coarse.steps = std::make_shared<const std::vector<std::int16_t>>(rotor.inputs.time.size() - 1, -1);
+    EXPECT_FALSE(planGrid(task, {}, {}, &coarse) == coarse);
+}
+
+TEST(StepSchedule, OfAnotherRecordingGivesItsMostDemandingSteps) {
+    const Rotor rotor;
+    SimulationTask task = rotor.task(false, false);
+    const GridPlan plan = planGrid(task);
+    const SampledInputs shorter = pulses(700, 0.002);
+    task.inputs = &shorter;
+    const Trajectory y = simulateGrid(task, plan);
+    ASSERT_FALSE(y.failure.failed);
+    EXPECT_EQ(y.outputs, simulateGrid(task, {plan.method, plan.substeps, 0.0}).outputs);
+}
+
+TEST(StepSchedule, BoundsTheSpectralRadiusFromAbove) {
+    // Eigenvalues -1e4 and -3 of badly scaled, far from normal coordinates; a rotation by 7.
+    double lag[] = {-1e4, 1e6, 0, -3}, turn[] = {0, 7e3, -7e-3, 0}, scratch[4];
+    const double ofLag = spectralRadius(lag, scratch, 2), ofTurn = spectralRadius(turn, scratch, 2);
+    EXPECT_GE(ofLag, 0.999e4);
+    EXPECT_LE(ofLag, 1.25e4);
+    EXPECT_GE(ofTurn, 6.99);
+    EXPECT_LE(ofTurn, 8.75);
+    double nothing[] = {0};
+    EXPECT_EQ(spectralRadius(nothing, scratch, 1), 0.0);
+}
+
+}  // namespace
+}  // namespace analogon
