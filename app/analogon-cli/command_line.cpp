@@ -9,9 +9,11 @@
 #include <map>
 
 #include "app/analogon-cli/check.hpp"
+#include "app/analogon-cli/convert.hpp"
 #include "app/analogon-cli/generate.hpp"
 #include "app/analogon-cli/interrupt.hpp"
 #include "app/analogon-cli/progress_view.hpp"
+#include "core/archive/archive.hpp"
 #include "core/report/report.hpp"
 #include "core/study/run.hpp"
 
@@ -62,9 +64,10 @@ RunOptions runOptions(const Options& options) {
 
 /// simulate, fit and discover: the same but for the call in the middle.
 int runStudy(const Options& options) {
-    const Outcome<Study> study = readStudy(options.input);
-    if (!study) return fails(study.diagnostics());
-    if (!study.diagnostics().empty()) std::cerr << format(study.diagnostics()) << std::endl;
+    const Outcome<OpenedStudy> opened = openStudy(options.input);
+    if (!opened) return fails(opened.diagnostics());
+    if (!opened.diagnostics().empty()) std::cerr << format(opened.diagnostics()) << std::endl;
+    const Study* const study = &opened->study;
 
     Interrupt interrupt;
     ProgressView view(options.progress, std::cerr, isatty(STDERR_FILENO) != 0);
@@ -79,20 +82,16 @@ int runStudy(const Options& options) {
             std::cerr << "interrupted before there was a result" << std::endl;
             return interrupted;
         }
-        return fails(result.diagnostics());
+        return fails(namedAs(result.diagnostics(), *opened));
     }
     if (!result.diagnostics().empty()) std::cerr << format(result.diagnostics()) << std::endl;
+    for (const std::string& remark : result->finding.final.remarks) std::cerr << "note: " << remark << std::endl;
     if (const Outcome<Done> written = writeResults(*result, name(options.command), options.out); !written)
         return fails(written.diagnostics());
     std::cout << summaryText(result->finding) << "\nreport: " << (options.out / "report.html").string() << std::endl;
     if (!interrupt.wasRaised()) return done;
     std::cerr << "interrupted; the best result so far was written" << std::endl;
     return interrupted;
-}
-
-int notAvailable(const Options& options) {
-    std::cerr << "error: " << name(options.command) << " is not available yet" << std::endl;
-    return inputAtFault;
 }
 
 int execute(const Options& options) {
@@ -106,11 +105,13 @@ int execute(const Options& options) {
         case Command::Generate:
             return generate(options, std::cout, std::cerr);
         case Command::Export:
+            return exportStudy(options, std::cout, std::cerr);
         case Command::Pack:
+            return pack(options, std::cout, std::cerr);
         case Command::Unpack:
             break;
     }
-    return notAvailable(options);
+    return unpack(options, std::cout, std::cerr);
 }
 
 void addCommon(CLI::App& app, Options& options) {
@@ -174,10 +175,26 @@ void describe(CLI::App& app, Options& options) {
         ->delimiter(',')
         ->type_name("KIND,…");
 
-    for (const Command later : {Command::Export, Command::Pack, Command::Unpack}) {
-        CLI::App* sub = command(later, "Not available yet");
-        sub->allow_extras();
-    }
+    CLI::App* exporting = command(Command::Export, "The model as stand-alone Modelica, its traces as CSV");
+    exporting->add_option("study", options.input, "The study: a directory, its study.json or an .analogon file")
+        ->required()
+        ->type_name("STUDY");
+    exporting->add_option("--modelica", options.modelicaFile, "Receives the model with every class it uses")
+        ->type_name("FILE");
+    exporting->add_option("--fmu", options.fmuFile, "Not available yet")->type_name("FILE");
+    exporting->add_option("--csv", options.csvFile, "Receives measured and simulated traces")->type_name("FILE");
+    addCommon(*exporting, options);
+
+    CLI::App* packing = command(Command::Pack, "A study as one .analogon file");
+    packing->add_option("study", options.input, "The study: a directory or its study.json")
+        ->required()
+        ->type_name("STUDY");
+    CLI::App* unpacking = command(Command::Unpack, "The files of an .analogon file in a new directory");
+    unpacking->add_option("archive", options.input, "The .analogon file")->required()->type_name("FILE");
+    for (CLI::App* sub : {packing, unpacking})
+        sub->add_option("target,--out", options.out, "What to write (default: named as the study, here)")
+            ->type_name("PATH");
+
     CLI::App* generate = command(Command::Generate, "Compose a first model from its domains and a measurement");
     generate->add_option("--domains", options.domains, "For example electric-thermal,thermal-fluid")
         ->required()

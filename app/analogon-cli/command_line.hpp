@@ -23,11 +23,12 @@ struct Options {
     std::string className;  // check: of a model file with several classes
     ProgressKind progress{ProgressKind::Automatic};
     std::vector<std::filesystem::path> libraries;
-    int threads{0};                           // 0: as many as the machine has
-    std::string method{"least-squares"};      // or nelder-mead
-    std::vector<std::string> kinds;           // of effects; empty: all
-    std::vector<std::string> domains;         // generate
-    std::vector<std::filesystem::path> data;  // generate: one, or several of which the last validates
+    int threads{0};                                        // 0: as many as the machine has
+    std::string method{"least-squares"};                   // or nelder-mead
+    std::vector<std::string> kinds;                        // of effects; empty: all
+    std::vector<std::string> domains;                      // generate
+    std::filesystem::path fmuFile, modelicaFile, csvFile;  // export
+    std::vector<std::filesystem::path> data;               // generate: one, or several of which the last validates
 };
 
 /// The whole program: reads the arguments, does the work, returns the exit status.

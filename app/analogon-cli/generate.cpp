@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "core/archive/archive.hpp"
 #include "core/study/generate.hpp"
 
 namespace analogon::cli {
@@ -36,7 +37,7 @@ int generate(const Options& options, std::ostream& out, std::ostream& err) {
     const Outcome<GeneratedStudy> generated = generateStudy(*library, *request);
     if (!generated) return fails(generated.diagnostics());
     if (!generated.diagnostics().empty()) err << format(generated.diagnostics()) << std::endl;
-    if (const Outcome<Done> written = writeStudy(generated->study, options.out); !written)
+    if (const Outcome<Done> written = saveStudy(generated->study, options.out); !written)
         return fails(written.diagnostics());
     const std::string directory = options.out.string();
     out << "study: " << directory << "\n\nassumed\n";

@@ -243,6 +243,7 @@ void Connections::potentialEquations(const std::vector<std::uint32_t>& set) {
             return;
         }
         if (isSource) source = &member;
+        if (onlyInputs && isSetByEquation(member.variable)) onlyInputs = false;
     }
     if (onlyInputs) {
         work_.messages.error(fmt::format("the input {} is connected to inputs only", memberLabel(members_[set[0]])),
@@ -285,10 +286,37 @@ void Connections::unconnectedInputs() {
         if (isConnected && record.isBound)
             work_.messages.error(fmt::format("the input '{}' is connected and has a value as well", name),
                                  component.declared, "remove the connection or the value");
-        else if (!isConnected && !record.isBound)
+        else if (!isConnected && !record.isBound && !isSetByEquation(id))
             work_.messages.error(fmt::format("the input '{}' of {} is not connected", name, component.label()),
                                  component.declared, "connect it to an output or a top-level input");
     }
+}
+
+/// A connector's variable may be set by an equation of the class that holds the component (section 4.7): it is one of
+/// the unknowns of that class, whose balance tells whether the equation is there.
+bool Connections::isSetByEquation(VariableId input) {
+    if (!isSet_) isSet_ = inputsInEquations();
+    return (*isSet_)[input.value];
+}
+
+std::vector<bool> Connections::inputsInEquations() const {
+    std::unordered_map<std::string, std::vector<ExpressionId>> sides;  // by the component whose equations they are
+    for (const FlatEquation& equation : work_.model.equations) {
+        if (equation.fromConnection) continue;
+        sides[equation.component].push_back(equation.left);
+        sides[equation.component].push_back(equation.right);
+    }
+    std::vector<bool> held(work_.records.size());
+    for (const auto& [holder, expressions] : sides)
+        for (ExpressionId leaf : work_.pool.leaves(expressions)) {
+            const VariableId id = work_.pool[leaf].variable;
+            const VariableRecord& record = work_.records[id.value];
+            if (record.causality != syntax::Causality::Input) continue;
+            const bool isConnector = record.owner->isConnector() || work_.elementOf(id).type.isConnector;
+            const Instance* around = record.owner->component().parent;
+            if (isConnector && around && around->name == holder) held[id.value] = true;
+        }
+    return held;
 }
 
 void Connections::listSets() {

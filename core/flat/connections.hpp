@@ -70,6 +70,8 @@ private:
     void potentialEquations(const std::vector<std::uint32_t>& set);
     void unconnectedFlows();
     void unconnectedInputs();
+    bool isSetByEquation(VariableId input);
+    std::vector<bool> inputsInEquations() const;
     std::string memberLabel(const Member& member) const;
     std::string connectorName(VariableId id) const;
 
@@ -80,6 +82,7 @@ private:
     std::vector<std::pair<std::string, std::string>> connectors_;  // name, class
     std::unordered_map<std::string, std::uint32_t> connectorIndex_;
     DisjointSets connectorSets_;
+    std::optional<std::vector<bool>> isSet_;  // inputs that an equation of the class around their component holds
 };
 
 }  // namespace analogon

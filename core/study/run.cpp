@@ -70,7 +70,7 @@ Outcome<RunResult> runSimulate(const Study& study, const RunOptions& options, co
     Outcome<ModelState> state = simulateModel(*task, options.discover.fit.simulation, progress);
     if (!state) return state.diagnostics();
     if (Diagnostics faults = failures(*state); !faults.empty()) return faults;
-    return fitted(study, std::move(*state));
+    return {fitted(study, std::move(*state)), task.diagnostics()};
 }
 
 Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const Progress& progress) {
@@ -81,7 +81,7 @@ Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const P
     if (Diagnostics faults = failures(*state); !faults.empty()) return faults;
     RunResult result = fitted(study, std::move(*state));
     result.finding.interrupted = progress.stopRequested();
-    return result;
+    return {std::move(result), task.diagnostics()};
 }
 
 Outcome<RunResult> runDiscover(const Study& study, const RunOptions& options, const Progress& progress) {
@@ -93,7 +93,7 @@ Outcome<RunResult> runDiscover(const Study& study, const RunOptions& options, co
     RunResult result;
     result.finding = std::move(*finding);
     result.completed = completedStudy(study, result.finding);
-    return result;
+    return {std::move(result), task.diagnostics()};
 }
 
 Outcome<Done> writeResults(const RunResult& result, const std::string& command, const fs::path& directory) {

@@ -210,6 +210,72 @@ end Lag;
     EXPECT_FALSE(fs::exists(scratch / "out"));
 }
 
+TEST_F(CommandLine, SaysWhereASwitchHoldsTheModelAndWhichUnitsDiffer) {
+    const std::string held = R"(model Lag
+  parameter Real T(unit="s") = 1;
+  parameter Real k = 1;
+  Analogon.Interfaces.RealInput u;
+  Analogon.Interfaces.RealOutput y(unit="K", start=0, fixed=true);
+  Real level(unit="m");
+equation
+  T*der(y) = if y < 1 then k*u else -k*u;
+  level = y;
+end Lag;
+)";
+    const Result result = run({"simulate", study(held).string(), "--out", (scratch / "out").string()});
+    EXPECT_EQ(result.status, done) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("note: experiment 'step': from t = "));
+    EXPECT_THAT(result.err, HasSubstr("a relation of y holds the model between its two sides"));
+    EXPECT_THAT(result.err, HasSubstr("warning: "));
+    EXPECT_THAT(result.err, HasSubstr("level = y"));
+    EXPECT_THAT(contentOf(scratch / "out" / "report.json"), HasSubstr("holds the model between its two sides"));
+}
+
+TEST_F(CommandLine, TakesALibraryOfTheUserInEveryCommand) {
+    fs::create_directories(scratch / "Own");
+    std::ofstream(scratch / "Own" / "package.mo") << "package Own\nend Own;\n";
+    std::ofstream(scratch / "Own" / "package.order") << "First\n";
+    std::ofstream(scratch / "Own" / "First.mo") << R"(within Own;
+model First
+  parameter Real T(unit="s") = 1;
+  Analogon.Interfaces.RealInput u;
+  Analogon.Interfaces.RealOutput y(unit="K", start=0, fixed=true);
+equation
+  T*der(y) = u - y;
+end First;
+)";
+    const std::string directory = study(R"(model Lag
+  parameter Real k = 1;
+  parameter Real T(unit="s") = 1;
+  Analogon.Interfaces.RealInput u;
+  Analogon.Interfaces.RealOutput y(unit="K");
+  Own.First first(T=T, u=k*u);
+equation
+  y = first.y;
+end Lag;
+)")
+                                      .string();
+    const std::string library = (scratch / "Own").string();
+    EXPECT_EQ(run({"check", directory}).status, inputAtFault);
+    for (const char* stage : {"flat", "structure", "program"}) {
+        const Result printed = run({"check", directory, "--library", library, "--print", stage});
+        EXPECT_EQ(printed.status, done) << printed.err;
+        EXPECT_THAT(printed.out, HasSubstr("y")) << stage;
+    }
+    for (const char* command : {"simulate", "fit", "discover"}) {
+        const fs::path out = scratch / command;
+        const Result result = run({command, directory, "--library", library, "--out", out.string()});
+        EXPECT_EQ(result.status, done) << result.err;
+        EXPECT_TRUE(fs::exists(out / "report.json")) << command;
+    }
+    // The same when the study itself names it.
+    const std::string text = contentOf(fs::path(directory) / "study.json");
+    std::ofstream(fs::path(directory) / "study.json")
+        << R"({"library": ["../Own"],)" << text.substr(text.find('{') + 1);
+    const Result checked = run({"check", directory});
+    EXPECT_EQ(checked.status, done) << checked.err;
+}
+
 TEST_F(CommandLine, EndsSoonWhenInterrupted) {
     const fs::path example = root / "examples" / "water-pump";
     ASSERT_TRUE(fs::exists(example / "study.json"));

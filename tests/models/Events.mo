@@ -65,4 +65,23 @@ package Events "Models whose equations switch"
     der(x) = v;
     der(v) = if x > gap then -c*(x - gap) elseif x < -gap then -c*(x + gap) else 0;
   end DeadZone;
+
+  model Chopper "Charged in half of each period"
+    parameter Real f(unit = "rad/s") = 1000;
+    output Real x(start = 0, fixed = true);
+  equation
+    der(x) = if sin(f*time) > 0 then 1 else 0;
+  end Chopper;
+
+  model Dithered "A fast one that the state takes part in"
+    output Real x(start = 1, fixed = true);
+  equation
+    der(x) = if x + 0.5*sin(1e9*time) > 0 then -1 else 1;
+  end Dithered;
+
+  model RareAndShort "Switched on once, for a part of a step"
+    output Real x(start = 0, fixed = true);
+  equation
+    der(x) = if abs(time - 5) < 0.8 then 1 else 0;
+  end RareAndShort;
 end Events;

@@ -1,6 +1,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 #include "tests/verification/model_runs.hpp"
 
@@ -141,6 +142,79 @@ TEST(Event, ContactIsExact) {
     EXPECT_NEAR(t.outputs(1, 1), 1, 1e-12);
     EXPECT_NEAR(t.outputs(0, 3), 0, 1e-5);
     EXPECT_NEAR(t.outputs(1, 3), 1, 1e-5);
+}
+
+/// Steps that would pass over a pulse are repeated shorter: each of 318 pulses counts.
+TEST(Event, PulsesBetweenTheStepsAreFound) {
+    const SystemPtr chopper = eventModel("Chopper");
+    ASSERT_TRUE(chopper);
+    const double period = 2 * 3.14159265358979323846 / 1000;
+    const Trajectory t = run(*chopper, {0, 100 * period, 318.5 * period}, tight());
+    ASSERT_FALSE(t.failure.failed) << t.failure.reason;
+    EXPECT_NEAR(t.outputs(0, 1), 50 * period, 1e-6);
+    EXPECT_NEAR(t.outputs(0, 2), 159.5 * period, 1e-6);
+    const SystemPtr rare = eventModel("RareAndShort");
+    ASSERT_TRUE(rare);
+    const Trajectory once = run(*rare, {0, 10}, tight());
+    ASSERT_FALSE(once.failure.failed) << once.failure.reason;
+    EXPECT_NEAR(once.outputs(0, 1), 1.6, 1e-6);
+}
+
+TEST(Event, WhatSwitchesTooFastIsNamedSoon) {
+    Library library = modelLibrary("Events.mo");
+    const auto source = std::make_shared<const Source>("Fast.mo",
+                                                       "model Fast extends Events.Chopper(f = 1e9); end Fast; model "
+                                                       "Many extends Events.Chopper(f = 1.5e5); end Many;");
+    const Outcome<Library> wider = library.withSource(source);
+    ASSERT_TRUE(wider) << format(wider.diagnostics());
+    const std::pair<const char*, const char*> cases[] = {{"Fast", "events faster than the steps"},
+                                                         {"Many", "more than 100000 events"},
+                                                         {"Events.Dithered", "events faster than the steps"}};
+    for (const auto& [name, reason] : cases) {
+        const SystemPtr system = compiled(*wider, name);
+        ASSERT_TRUE(system);
+        const auto start = std::chrono::steady_clock::now();
+        const Trajectory t = run(*system, {0, 1, 2.5}, tight());
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+        EXPECT_LT(spent.count(), 20) << name;
+        ASSERT_TRUE(t.failure.failed) << name;
+        EXPECT_EQ(t.failure.reason, reason) << name;
+        EXPECT_EQ(t.failure.variable, "x") << name;
+        std::printf("%s: '%s' after %.2f s\n", name, t.failure.reason.c_str(), spent.count());
+    }
+}
+
+/// Small models that are hard on the numerics: each ends soon, in values or in a message.
+TEST(Event, HardNumericsEndInValuesOrWords) {
+    const std::string folder = ANALOGON_ROOT "/../shared/verification/hostile/numeric/";
+    if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is absent";
+    const auto result = [&](const std::string& name, double end) {
+        std::ifstream stream(folder + name, std::ios::binary);
+        std::string text((std::istreambuf_iterator<char>(stream)), {});
+        const auto library = Library().withSource(std::make_shared<const Source>(name, std::move(text)));
+        EXPECT_TRUE(library) << format(library.diagnostics());
+        const SystemPtr system = compiled(*library, "A");
+        SimulationOptions options;
+        options.wallClockLimit = 2;
+        return system ? run(*system, {0, end}, options) : Trajectory();
+    };
+    const Trajectory chatter = result("chatter.mo", 2);
+    EXPECT_FALSE(chatter.failure.failed) << chatter.failure.reason;
+    ASSERT_FALSE(chatter.remarks.empty());
+    EXPECT_NE(chatter.remarks[0].find("from t = 1 s a relation of x holds the model"), std::string::npos)
+        << chatter.remarks[0];
+    const Trajectory blowup = result("blowup.mo", 2);
+    EXPECT_TRUE(blowup.failure.failed);
+    EXPECT_NEAR(blowup.failure.time, 1, 1e-3);
+    EXPECT_EQ(blowup.failure.variable, "x");
+    const Trajectory root = result("sqrt_neg.mo", 3);
+    EXPECT_TRUE(root.failure.failed);
+    EXPECT_NEAR(root.failure.time, 2, 1e-2);
+    EXPECT_TRUE(result("log0.mo", 1).failure.failed);
+    EXPECT_FALSE(result("init_two.mo", 1).failure.failed);
+    const Trajectory fast = result("long_osc.mo", 1000);
+    EXPECT_TRUE(fast.failure.failed);
+    EXPECT_EQ(fast.failure.reason, "time limit");
 }
 
 }  // namespace

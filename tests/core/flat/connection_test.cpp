@@ -116,6 +116,22 @@ TEST(Connect, EveryInputNeedsOneSource) {
                 ElementsAre(HasSubstr("the input 'h.u' is connected and has a value as well")));
 }
 
+TEST(Connect, AnEquationMaySetTheInputOfAComponent) {
+    const FlatModel m = flatOf("model M input Real x; Parts.Gain g; equation g.u = 2*x + 1; end M;");
+    EXPECT_THAT(equations(m), Contains("g.u = 2*x + 1"));
+    // One of two inputs that are joined, and one that is an array's element.
+    flatOf("model M Parts.Gain g, h; equation connect(g.u, h.u); h.u = time; end M;");
+    flatOf("model M Parts.Gain g[2]; equation for i in 1:2 loop g[i].u = i*time; end for; end M;");
+    flatOf("model N Parts.Gain g; equation g.u = time; end N; model M N n; end M;");
+    // To use it is not to set it, to set it twice is once too often; and a component sets only its own.
+    EXPECT_THAT(faultsOf("model M Parts.Gain g; Real x; equation x = g.u; end M;"),
+                ElementsAre(HasSubstr("has 1 equation for 2 unknowns: 1 too few")));
+    EXPECT_THAT(faultsOf("model M Parts.Gain g; equation g.u = 1; g.u = 2*time; end M;"),
+                ElementsAre(HasSubstr("has 2 equations for 1 unknown: 1 too many")));
+    EXPECT_THAT(faultsOf("model N Parts.Gain g; end N; model M N n; equation n.g.u = 1; end M;"),
+                ElementsAre(HasSubstr("the input 'n.g.u' of component 'n.g' (Parts.Gain) is not connected")));
+}
+
 TEST(Connect, HierarchicalConnectorsMatchMemberByMember) {
     const FlatModel m = flatOf(R"(
         connector Plug Parts.Flange shaft; Parts.HeatPort heat; end Plug;

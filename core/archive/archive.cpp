@@ -1,0 +1,260 @@
+#include "core/archive/archive.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <quazip/quazip.h>
+#include <quazip/quazipfile.h>
+#include <quazip/quazipnewinfo.h>
+#include <unistd.h>
+
+#include <QBuffer>
+#include <QFile>
+#include <algorithm>
+#include <fstream>
+
+#include "core/archive/zip_directory.hpp"
+
+namespace analogon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t largestStudy = 4ull << 30;  // [byte] unpacked
+constexpr qint64 chunk = 1 << 20;                   // [byte]
+
+QString qString(const fs::path& path) { return QString::fromStdString(path.string()); }
+
+Diagnostic cannotWrite(const fs::path& file, const QString& reason) {
+    return fileError(fmt::format("this cannot be written: {}", reason.toStdString()), file.string(), 0, 0,
+                     "Check that the directory exists, may be written and has room.");
+}
+
+Diagnostic damaged(const fs::path& archive, const std::string& entry, const char* what) {
+    return fileError(fmt::format("the entry \"{}\" {}", escapedName(entry), what), archive.string(), 0, 0,
+                     "Get the file again from where it came from.");
+}
+
+/// Unpacks one entry; never more than the archive said it holds.
+Outcome<Done> unpackEntry(QuaZip& zip, const fs::path& archive, const ZipEntry& entry, const fs::path& target) {
+    if (!zip.setCurrentFile(QString::fromStdString(entry.name), QuaZip::csSensitive))
+        return damaged(archive, entry.name, "cannot be found");
+    QuaZipFile from(&zip);
+    if (!from.open(QIODevice::ReadOnly)) return damaged(archive, entry.name, "cannot be read: its header is damaged");
+    std::error_code code;
+    fs::create_directories(target.parent_path(), code);
+    QFile to(qString(target));
+    if (code || !to.open(QIODevice::WriteOnly)) return cannotWrite(target, to.errorString());
+    std::uint64_t left = entry.size;
+    QByteArray bytes(chunk, Qt::Uninitialized);
+    for (;;) {
+        const qint64 count = from.read(bytes.data(), chunk);
+        if (count < 0) return damaged(archive, entry.name, "is damaged: its compressed data cannot be read");
+        if (count == 0) break;
+        if (static_cast<std::uint64_t>(count) > left)
+            return damaged(archive, entry.name, "is larger than the archive says");
+        left -= static_cast<std::uint64_t>(count);
+        if (to.write(bytes.constData(), count) != count) return cannotWrite(target, to.errorString());
+    }
+    if (left > 0) return damaged(archive, entry.name, "is shorter than the archive says");
+    from.close();  // compares the checksum
+    if (from.getZipError() != UNZ_OK) return damaged(archive, entry.name, "is damaged: its checksum does not fit");
+    to.close();
+    return to.error() == QFile::NoError ? Outcome<Done>(Done{}) : Outcome<Done>(cannotWrite(target, to.errorString()));
+}
+
+/// All entries below a directory; returns the warnings.
+Outcome<Done> unpackInto(const fs::path& archive, const fs::path& directory) {
+    const Outcome<std::vector<ZipEntry>> entries = readZipDirectory(archive);
+    if (!entries) return entries.diagnostics();
+    std::uint64_t total = 0;
+    for (const ZipEntry& e : *entries) total += e.size;
+    if (total > largestStudy)
+        return fileError(fmt::format("the archive unpacks to {} MB, more than {} MB", total >> 20, largestStudy >> 20),
+                         archive.string());
+    QuaZip zip(qString(archive));
+    if (!zip.open(QuaZip::mdUnzip)) return fileError("this is no zip archive", archive.string());
+    for (const ZipEntry& entry : *entries)
+        if (Outcome<Done> done = unpackEntry(zip, archive, entry, directory / entry.name); !done) return done;
+    const auto isStudy = [](const ZipEntry& e) { return e.name == "study.json"; };
+    if (std::none_of(entries->begin(), entries->end(), isStudy))
+        return fileError("this archive holds no study.json", archive.string(), 0, 0,
+                         "A study archive holds study.json, a model (.mo) and its measurements at its top.");
+    if (entries->front().name == "mimetype") {
+        std::ifstream stream(directory / "mimetype");
+        const std::string type((std::istreambuf_iterator<char>(stream)), {});
+        if (type != archiveType)
+            return fileError(fmt::format("this archive is of another kind: \"{}\"", escapedName(type)),
+                             archive.string());
+        std::error_code code;
+        fs::remove(directory / "mimetype", code);
+    }
+    return {Done{}, entries.diagnostics()};
+}
+
+/// Paths below the temporary directory as entries of the archive.
+Diagnostics renamed(Diagnostics diagnostics, const std::string& from, const std::string& to) {
+    const auto replace = [&](std::string& text) {
+        for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+            text.replace(at, from.size(), to);
+    };
+    for (Diagnostic& d : diagnostics) {
+        replace(d.message);
+        replace(d.place.file);
+        replace(d.hint);
+    }
+    return diagnostics;
+}
+
+Outcome<OpenedStudy> openArchive(const fs::path& archive) {
+    Outcome<std::shared_ptr<const TemporaryDirectory>> files = TemporaryDirectory::make();
+    if (!files) return files.diagnostics();
+    const fs::path directory = (*files)->path();
+    const Outcome<Done> unpacked = unpackInto(archive, directory);
+    if (!unpacked) return unpacked.diagnostics();
+    Outcome<Study> study = readStudy(directory);
+    Diagnostics messages = renamed(study.diagnostics(), directory.string(), archive.string());
+    if (!study) return messages;
+    messages.insert(messages.begin(), unpacked.diagnostics().begin(), unpacked.diagnostics().end());
+    study->name = archive.stem().string();
+    if (study->json)
+        study->json = std::make_shared<const Source>((archive / "study.json").string(), study->json->text());
+    for (auto& [name, table] : study->tables) {
+        auto shown = std::make_shared<Table>(*table);
+        shown->file = (archive / name).string();
+        table = std::move(shown);
+    }
+    return {OpenedStudy{std::move(*study), *files, archive}, std::move(messages)};
+}
+
+std::vector<std::string> filesBelow(const fs::path& directory) {
+    std::vector<std::string> names;
+    std::error_code code;
+    for (const auto& entry : fs::recursive_directory_iterator(directory, code))
+        if (entry.is_regular_file(code)) names.push_back(entry.path().lexically_relative(directory).generic_string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+bool putEntry(QuaZip& zip, const std::string& name, QIODevice& from, bool isStored) {
+    QuaZipNewInfo info(QString::fromStdString(name));
+    info.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup | QFile::ReadOther);
+    QuaZipFile to(&zip);
+    const bool isOpen =
+        isStored ? to.open(QIODevice::WriteOnly, info, nullptr, 0, 0, 0) : to.open(QIODevice::WriteOnly, info);
+    if (!isOpen) return false;
+    QByteArray bytes;
+    while (!(bytes = from.read(chunk)).isEmpty())
+        if (to.write(bytes) != bytes.size()) return false;
+    to.close();
+    return to.getZipError() == ZIP_OK;
+}
+
+/// The files of a directory as a zip file, on the disk when this returns.
+Outcome<Done> writeZip(const fs::path& directory, const fs::path& target, const fs::path& shown) {
+    QFile file(qString(target));
+    if (!file.open(QIODevice::ReadWrite | QIODevice::Truncate)) return cannotWrite(shown, file.errorString());
+    QuaZip zip(&file);
+    zip.setAutoClose(false);
+    zip.setUtf8Enabled(true);
+    zip.setDataDescriptorWritingEnabled(false);  // sizes stand before the data, so the type is at a fixed place
+    bool isWritten = zip.open(QuaZip::mdCreate);
+    if (isWritten) {
+        QByteArray type(archiveType);
+        QBuffer buffer(&type);
+        isWritten = buffer.open(QIODevice::ReadOnly) && putEntry(zip, "mimetype", buffer, true);
+    }
+    for (const std::string& name : filesBelow(directory)) {
+        if (!isWritten) break;
+        QFile from(qString(directory / name));
+        isWritten =
+            from.open(QIODevice::ReadOnly) && putEntry(zip, name, from, false) && from.error() == QFile::NoError;
+    }
+    zip.close();
+    isWritten = isWritten && zip.getZipError() == ZIP_OK && file.flush() && fsync(file.handle()) == 0;
+    if (!isWritten)
+        return cannotWrite(shown, file.error() == QFile::NoError ? "the disk may be full" : file.errorString());
+    return Done{};
+}
+
+/// A new name is only safe once the directory that holds it is on the disk as well.
+void syncDirectory(const fs::path& directory) {
+    const int handle = open(directory.c_str(), O_RDONLY | O_DIRECTORY);
+    if (handle < 0) return;
+    fsync(handle);
+    close(handle);
+}
+
+/// Beside the file, so that it can be moved over it. What an interrupted save has left is used again.
+fs::path besideOf(const fs::path& target) {
+    return target.parent_path() / ("." + target.filename().string() + ".writing");
+}
+
+Outcome<Done> saveArchive(const Study& study, const fs::path& path) {
+    std::error_code code;
+    fs::path target = fs::absolute(path, code);
+    if (fs::is_symlink(target, code)) target = fs::canonical(target, code);
+    if (fs::is_directory(target, code)) return cannotWrite(target, "a directory has this name");
+    Outcome<std::shared_ptr<const TemporaryDirectory>> files = TemporaryDirectory::make();
+    if (!files) return files.diagnostics();
+    const fs::path directory = (*files)->path() / "study";
+    if (Outcome<Done> done = writeStudy(study, directory); !done) return done;
+    const fs::path beside = besideOf(target);
+    if (Outcome<Done> done = writeZip(directory, beside, target); !done) {
+        fs::remove(beside, code);
+        return done;
+    }
+    if (fs::exists(target, code)) fs::permissions(beside, fs::status(target, code).permissions(), code);
+    code.clear();
+    fs::rename(beside, target, code);
+    if (code) return cannotWrite(target, QString::fromStdString(code.message()));
+    syncDirectory(target.parent_path());
+    return Done{};
+}
+
+}  // namespace
+
+Diagnostics namedAs(Diagnostics diagnostics, const OpenedStudy& opened) {
+    if (!opened.files) return diagnostics;
+    return renamed(std::move(diagnostics), opened.files->path().string(), opened.origin.string());
+}
+
+bool isArchive(const fs::path& path) {
+    std::error_code code;
+    if (fs::is_directory(path, code)) return false;
+    return path.extension() == archiveEnding || path.extension() == ".zip";
+}
+
+Outcome<OpenedStudy> openStudy(const fs::path& path) {
+    std::error_code code;
+    if (isArchive(path) && fs::exists(path, code)) return openArchive(path);
+    Outcome<Study> study = readStudy(path);
+    if (!study) return study.diagnostics();
+    return {OpenedStudy{std::move(*study), nullptr, path}, study.diagnostics()};
+}
+
+Outcome<Done> saveStudy(const Study& study, const fs::path& path) {
+    return path.extension() == archiveEnding ? saveArchive(study, path) : writeStudy(study, path);
+}
+
+Outcome<Done> unpackArchive(const fs::path& archive, const fs::path& directory) {
+    std::error_code code;
+    fs::path target = fs::absolute(directory, code).lexically_normal();
+    if (!target.has_filename()) target = target.parent_path();
+    if (fs::exists(target, code) && !(fs::is_directory(target, code) && fs::is_empty(target, code)))
+        return fileError("this exists already and is not empty", target.string(), 0, 0, "Name a new directory.");
+    fs::create_directories(target.parent_path(), code);
+    const fs::path beside = besideOf(target);
+    fs::remove_all(beside, code);
+    code.clear();
+    if (!fs::create_directory(beside, code)) return cannotWrite(target, QString::fromStdString(code.message()));
+    Outcome<Done> done = unpackInto(archive, beside);
+    if (done) {
+        fs::rename(beside, target, code);
+        if (code) done = cannotWrite(target, QString::fromStdString(code.message()));
+    }
+    fs::remove_all(beside, code);
+    return done;
+}
+
+}  // namespace analogon

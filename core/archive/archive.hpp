@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "core/archive/temporary_directory.hpp"
+#include "core/study/study.hpp"
+
+/// A study as one `.analogon` file: a zip archive with the entry `mimetype` first (stored, so that its text stands at
+/// a fixed place of the file), then what a study directory holds.
+namespace analogon {
+
+inline constexpr const char* archiveEnding = ".analogon";
+inline constexpr const char* archiveType = "application/vnd.analogon.study+zip";
+
+/// A study with the place its files lie in while it is in use.
+struct OpenedStudy {
+    Study study;
+    std::shared_ptr<const TemporaryDirectory> files;  // null: a study that lies in a directory of its own
+    std::filesystem::path origin;                     // what was opened
+};
+
+/// Messages in which files of an unpacked archive are called by their place in it, "lambda.analogon/model.mo".
+Diagnostics namedAs(Diagnostics diagnostics, const OpenedStudy& opened);
+
+/// Whether a path names an archive rather than a directory or a study.json.
+bool isArchive(const std::filesystem::path& path);
+
+/// Reads a study directory, its study.json or an archive. Messages about an archive name its entries as
+/// "lambda.analogon/model.mo". Faults: see readZipDirectory and readStudy; an entry that is damaged, larger than it
+/// says, or an archive that unpacks to more than 4 GB.
+Outcome<OpenedStudy> openStudy(const std::filesystem::path& path);
+
+/// Writes a study into an archive (ending .analogon) or a directory. Atomic for an archive: whatever happens in
+/// between, the file is the old one or the new one, whole.
+Outcome<Done> saveStudy(const Study& study, const std::filesystem::path& path);
+
+/// The files of an archive, byte for byte, in a directory that does not exist yet or is empty. All or nothing.
+Outcome<Done> unpackArchive(const std::filesystem::path& archive, const std::filesystem::path& directory);
+
+}  // namespace analogon

@@ -1,0 +1,223 @@
+#include "core/archive/zip_directory.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <string_view>
+
+namespace analogon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint32_t localSignature = 0x04034b50, centralSignature = 0x02014b50, endSignature = 0x06054b50;
+constexpr std::size_t localSize = 30, centralSize = 46, endSize = 22, longestComment = 65535, longestName = 1024;
+
+/// Little-endian numbers of a byte range; every read is checked by the caller through `has`.
+class Bytes {
+public:
+    explicit Bytes(std::string_view bytes) : bytes_(bytes) {}
+    bool has(std::size_t at, std::size_t count) const { return at <= bytes_.size() && count <= bytes_.size() - at; }
+    std::uint32_t u16(std::size_t at) const { return byte(at) | byte(at + 1) << 8; }
+    std::uint32_t u32(std::size_t at) const { return u16(at) | u16(at + 2) << 16; }
+    std::string text(std::size_t at, std::size_t count) const { return std::string(bytes_.substr(at, count)); }
+    std::size_t size() const { return bytes_.size(); }
+
+private:
+    std::uint32_t byte(std::size_t at) const { return static_cast<unsigned char>(bytes_[at]); }
+    std::string_view bytes_;
+};
+
+/// Length of the UTF-8 sequence at `at` and its code point; length 0: not UTF-8.
+std::pair<std::size_t, std::uint32_t> codePoint(std::string_view text, std::size_t at) {
+    const auto byte = [&](std::size_t i) -> std::uint32_t { return static_cast<unsigned char>(text[i]); };
+    const std::uint32_t first = byte(at);
+    const std::size_t length = first < 0x80         ? 1
+                               : (first >> 5) == 6  ? 2
+                               : (first >> 4) == 14 ? 3
+                               : (first >> 3) == 30 ? 4
+                                                    : 0;
+    if (length == 0 || at + length > text.size()) return {0, 0};
+    std::uint32_t code = length == 1 ? first : first & (0xffu >> (length + 1));
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(at + i) >> 6) != 2) return {0, 0};
+        code = code << 6 | (byte(at + i) & 0x3f);
+    }
+    return {length, code};
+}
+
+bool isInvisible(std::uint32_t c) {
+    return c < 0x20 || (c >= 0x7f && c < 0xa0) || (c >= 0x200b && c <= 0x200f) || (c >= 0x202a && c <= 0x202e) ||
+           (c >= 0x2060 && c <= 0x206f) || c == 0xfeff;
+}
+
+/// What is wrong with a name; empty: nothing.
+std::string nameFault(const std::string& name) {
+    if (name.empty()) return "an entry has no name";
+    if (name.size() > longestName) return fmt::format("a name has {} bytes, more than {}", name.size(), longestName);
+    const auto of = [&](const char* what) { return fmt::format("the entry \"{}\" {}", escapedName(name), what); };
+    if (name.find('\0') != std::string::npos) return of("holds a NUL in its name");
+    if (name.find('\\') != std::string::npos) return of("holds a backslash in its name");
+    if (name.front() == '/' || (name.size() > 1 && name[1] == ':')) return of("has an absolute path");
+    for (std::size_t at = 0; at <= name.size();) {
+        const std::size_t end = std::min(name.find('/', at), name.size());
+        const std::string part = name.substr(at, end - at);
+        if (part == ".." || part == ".") return of("leads out of the archive");
+        if (part.empty() && end != name.size()) return of("has an empty part in its path");
+        at = end + 1;
+    }
+    return {};
+}
+
+class ZipReader {
+public:
+    explicit ZipReader(const fs::path& file) : file_(file), stream_(file, std::ios::binary) {}
+
+    Outcome<std::vector<ZipEntry>> read() {
+        if (!stream_) return fault("the file cannot be opened", "Check its name and its access rights.");
+        stream_.seekg(0, std::ios::end);
+        size_ = static_cast<std::uint64_t>(stream_.tellg());
+        if (size_ == 0) return fault("the file is empty");
+        if (!findEnd())
+            return fault("this is no zip archive, or it is cut off", "Get the file again from where it came from.");
+        if (const std::string wrong = readCentral(); !wrong.empty()) return fault(wrong);
+        if (const std::string wrong = compareLocal(); !wrong.empty()) return fault(wrong);
+        Diagnostics warnings;
+        for (const ZipEntry& e : entries_)
+            if (escapedName(e.name) != e.name) {
+                Diagnostic w = fault(
+                    fmt::format("an entry has invisible characters in its name: \"{}\"", escapedName(e.name)), {});
+                w.severity = Severity::Warning;
+                warnings.push_back(std::move(w));
+            }
+        std::erase_if(entries_, [](const ZipEntry& e) { return e.name.ends_with('/'); });
+        return {std::move(entries_), std::move(warnings)};
+    }
+
+private:
+    Diagnostic fault(const std::string& message,
+                     const std::string& hint = "Do not trust this file: it was damaged or made by hand.") const {
+        return fileError(message, file_.string(), 0, 0, hint);
+    }
+
+    std::string bytesAt(std::uint64_t at, std::size_t count) {
+        std::string bytes(count, '\0');
+        stream_.clear();
+        stream_.seekg(static_cast<std::streamoff>(at));
+        stream_.read(bytes.data(), static_cast<std::streamsize>(count));
+        bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream_.gcount())));
+        return bytes;
+    }
+
+    /// The end record, whose comment must reach exactly to the end of the file.
+    bool findEnd() {
+        const std::size_t tail = static_cast<std::size_t>(std::min<std::uint64_t>(size_, endSize + longestComment));
+        const std::string text = bytesAt(size_ - tail, tail);
+        const Bytes bytes(text);
+        if (text.size() < endSize) return false;
+        for (std::size_t at = text.size() - endSize + 1; at-- > 0;) {
+            if (bytes.u32(at) != endSignature || at + endSize + bytes.u16(at + 20) != text.size()) continue;
+            endAt_ = size_ - tail + at;
+            count_ = bytes.u16(at + 10);
+            isOneDisk_ = bytes.u16(at + 4) == 0 && bytes.u16(at + 6) == 0 && bytes.u16(at + 8) == count_;
+            centralBytes_ = bytes.u32(at + 12);
+            centralAt_ = bytes.u32(at + 16);
+            return true;
+        }
+        return false;
+    }
+
+    std::string readCentral() {
+        if (!isOneDisk_) return "the archive is split over several files";
+        if (count_ == 0xffff || centralAt_ == 0xffffffff)
+            return "the archive is in the format for more than 4 GB, which a study does not use";
+        if (centralAt_ + centralBytes_ > endAt_) return "the list of its entries lies outside the file";
+        if (centralAt_ + centralBytes_ < endAt_) return "there is data before or between the parts of the archive";
+        const std::string text = bytesAt(centralAt_, centralBytes_);
+        const Bytes bytes(text);
+        std::set<std::string> seen;
+        std::size_t at = 0;
+        for (unsigned i = 0; i < count_; ++i) {
+            if (!bytes.has(at, centralSize) || bytes.u32(at) != centralSignature)
+                return "the list of its entries is damaged";
+            const std::size_t nameSize = bytes.u16(at + 28), extra = bytes.u16(at + 30), comment = bytes.u16(at + 32);
+            if (!bytes.has(at, centralSize + nameSize + extra + comment)) return "the list of its entries is cut off";
+            ZipEntry entry;
+            entry.name = bytes.text(at + centralSize, nameSize);
+            entry.method = static_cast<int>(bytes.u16(at + 10));
+            entry.crc = bytes.u32(at + 16);
+            entry.packedSize = bytes.u32(at + 20);
+            entry.size = bytes.u32(at + 24);
+            entry.offset = bytes.u32(at + 42);
+            if (const std::string wrong = nameFault(entry.name); !wrong.empty()) return wrong;
+            const std::string shown = escapedName(entry.name);
+            if (!seen.insert(entry.name).second) return fmt::format("the entry \"{}\" stands twice", shown);
+            if (bytes.u16(at + 8) & 1) return fmt::format("the entry \"{}\" is encrypted", shown);
+            if (entry.method != 0 && entry.method != 8)
+                return fmt::format("the entry \"{}\" is compressed by method {}, which is not known", shown,
+                                   entry.method);
+            if (entry.method == 0 && entry.size != entry.packedSize)
+                return fmt::format("the entry \"{}\" has two different sizes", shown);
+            entries_.push_back(std::move(entry));
+            at += centralSize + nameSize + extra + comment;
+        }
+        return at == text.size() ? std::string{} : "the list of its entries has data behind its end";
+    }
+
+    /// Local headers must say the same, and no two entries may share bytes.
+    std::string compareLocal() {
+        std::vector<std::pair<std::uint64_t, std::uint64_t>> ranges;
+        for (const ZipEntry& entry : entries_) {
+            const std::string shown = escapedName(entry.name);
+            const std::string text = bytesAt(entry.offset, localSize + entry.name.size());
+            const Bytes bytes(text);
+            if (!bytes.has(0, localSize) || bytes.u32(0) != localSignature)
+                return fmt::format("the entry \"{}\" is not where the list says", shown);
+            const std::size_t nameSize = bytes.u16(26), extra = bytes.u16(28);
+            if (nameSize != entry.name.size() || bytes.text(localSize, nameSize) != entry.name)
+                return fmt::format("the entry \"{}\" has another name at its data", shown);
+            if (static_cast<int>(bytes.u16(8)) != entry.method)
+                return fmt::format("the entry \"{}\" has two different methods of compression", shown);
+            const std::uint64_t end = entry.offset + localSize + nameSize + extra + entry.packedSize;
+            if (end > centralAt_) return fmt::format("the data of \"{}\" is cut off", shown);
+            ranges.emplace_back(entry.offset, end);
+        }
+        std::sort(ranges.begin(), ranges.end());
+        for (std::size_t i = 1; i < ranges.size(); ++i)
+            if (ranges[i].first < ranges[i - 1].second) return "entries share their data";
+        if (!ranges.empty() && ranges.front().first != 0) return "there is data before the archive";
+        return {};
+    }
+
+    fs::path file_;
+    std::ifstream stream_;
+    std::uint64_t size_{}, endAt_{}, centralAt_{}, centralBytes_{};
+    unsigned count_{};
+    bool isOneDisk_{};
+    std::vector<ZipEntry> entries_;
+};
+
+}  // namespace
+
+std::string escapedName(const std::string& name) {
+    std::string shown;
+    constexpr std::size_t longest = 120;
+    for (std::size_t at = 0; at < name.size() && shown.size() < longest;) {
+        const auto [length, code] = codePoint(name, at);
+        if (length == 0)
+            shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(name[at]));
+        else if (isInvisible(code))
+            shown += fmt::format("\\u{{{:x}}}", code);
+        else
+            shown += name.substr(at, length);
+        at += std::max<std::size_t>(1, length);
+    }
+    return shown.size() < longest ? shown : shown + "…";
+}
+
+Outcome<std::vector<ZipEntry>> readZipDirectory(const std::filesystem::path& file) { return ZipReader(file).read(); }
+
+}  // namespace analogon

@@ -1,0 +1,195 @@
+#include "core/archive/archive.hpp"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <thread>
+
+#include "core/archive/zip_directory.hpp"
+
+namespace analogon {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string bytesOf(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+class Archive : public testing::Test {
+protected:
+    void SetUp() override {
+        auto made = TemporaryDirectory::make();
+        ASSERT_TRUE(made);
+        holder = *made;
+        root = holder->path();
+    }
+    Study example() const {
+        Outcome<Study> study = readStudy(ANALOGON_ROOT "/examples/lambda-sensor-heating");
+        EXPECT_TRUE(study) << format(study.diagnostics());
+        return std::move(*study);
+    }
+    std::shared_ptr<const TemporaryDirectory> holder;
+    fs::path root;
+};
+
+TEST_F(Archive, ReadsBackWhatItWrote) {
+    const Study study = example();
+    const fs::path file = root / "lambda.analogon";
+    ASSERT_TRUE(saveStudy(study, file));
+    const Outcome<OpenedStudy> read = openStudy(file);
+    ASSERT_TRUE(read) << format(read.diagnostics());
+    EXPECT_EQ(read->study.name, "lambda");
+    EXPECT_EQ(studyJson(read->study), studyJson(study));
+    EXPECT_EQ(read->study.models, study.models);
+    for (const char* name : {"train.csv", "validation.csv"})
+        EXPECT_EQ(bytesOf(read->study.directory / name), bytesOf(study.directory / name)) << name;
+    EXPECT_EQ(read->study.tables.at("train.csv")->file, (file / "train.csv").string());
+}
+
+TEST_F(Archive, StartsWithItsTypeAtAFixedPlace) {
+    ASSERT_TRUE(saveStudy(example(), root / "a.analogon"));
+    const std::string bytes = bytesOf(root / "a.analogon");
+    EXPECT_EQ(bytes.substr(30, 8), "mimetype");
+    EXPECT_EQ(bytes.substr(38, std::string(archiveType).size()), archiveType);
+}
+
+TEST_F(Archive, UnpacksByteForByteIntoANewDirectoryOnly) {
+    ASSERT_TRUE(saveStudy(example(), root / "a.analogon"));
+    ASSERT_TRUE(unpackArchive(root / "a.analogon", root / "out"));
+    EXPECT_EQ(bytesOf(root / "out/model.mo"), example().models.at("model.mo"));
+    EXPECT_FALSE(fs::exists(root / "out/mimetype"));
+    const auto again = unpackArchive(root / "a.analogon", root / "out");
+    ASSERT_FALSE(again);
+    EXPECT_NE(again.diagnostics().front().message.find("not empty"), std::string::npos);
+}
+
+TEST_F(Archive, KeepsTheOldFileWhenTheNewOneCannotBeWritten) {
+    const fs::path file = root / "a.analogon";
+    ASSERT_TRUE(saveStudy(example(), file));
+    const std::string before = bytesOf(file);
+    Study broken = example();
+    broken.experiments.front().file = "nowhere.csv";
+    EXPECT_FALSE(saveStudy(broken, file));
+    EXPECT_EQ(bytesOf(file), before);
+    EXPECT_EQ(std::distance(fs::directory_iterator(root), fs::directory_iterator{}), 1) << "nothing is left behind";
+}
+
+TEST_F(Archive, NamesTheEntryAFaultStandsIn) {
+    Study study = example();
+    study.models["model.mo"] = "model Broken\n  Real x = ;\nend Broken;\n";
+    ASSERT_TRUE(saveStudy(study, root / "a.analogon"));
+    const auto opened = openStudy(root / "a.analogon");
+    ASSERT_TRUE(opened) << "a broken model can still be opened and mended";
+    const auto task = estimationTask(opened->study);
+    ASSERT_FALSE(task);
+    const std::string shown = format(namedAs(task.diagnostics(), *opened));
+    EXPECT_TRUE(shown.starts_with((root / "a.analogon/model.mo:2:12").string())) << shown;
+}
+
+TEST_F(Archive, RefusesWhatIsNoStudyWithOneSentence) {
+    std::ofstream(root / "text.analogon") << "not a zip file";
+    const auto opened = openStudy(root / "text.analogon");
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.diagnostics().size(), 1u);
+    EXPECT_NE(opened.diagnostics().front().message.find("no zip archive"), std::string::npos);
+    EXPECT_FALSE(openStudy(root / "missing.analogon"));
+}
+
+TEST_F(Archive, SurvivesEveryTruncation) {
+    ASSERT_TRUE(saveStudy(example(), root / "whole.analogon"));
+    const std::string whole = bytesOf(root / "whole.analogon");
+    for (std::size_t i = 0; i < 60; ++i) {
+        std::ofstream(root / "cut.analogon", std::ios::binary) << whole.substr(0, whole.size() * i / 60);
+        EXPECT_FALSE(openStudy(root / "cut.analogon")) << i;
+    }
+}
+
+TEST_F(Archive, SurvivesFlippedBytes) {
+    Study study = example();
+    study.experiments.clear();  // small: the flips hit the structure
+    ASSERT_TRUE(saveStudy(study, root / "whole.analogon"));
+    const std::string whole = bytesOf(root / "whole.analogon");
+    std::mt19937 random(7);
+    int refused = 0;
+    for (int i = 0; i < 300; ++i) {
+        std::string bytes = whole;
+        bytes[random() % bytes.size()] ^= static_cast<char>(1 << (random() % 8));
+        std::ofstream(root / "flipped.analogon", std::ios::binary) << bytes;
+        refused += openStudy(root / "flipped.analogon") ? 0 : 1;
+    }
+    EXPECT_GT(refused, 150);  // the others hit time stamps and attributes
+}
+
+TEST_F(Archive, RefusesHostileArchives) {
+    const fs::path hostile = ANALOGON_ROOT "/../shared/verification/hostile";
+    if (!fs::exists(hostile / "MANIFEST.csv")) GTEST_SKIP() << "the hostile files are not here";
+    std::ifstream manifest(hostile / "MANIFEST.csv");
+    int count = 0;
+    for (std::string line; std::getline(manifest, line);) {
+        std::istringstream cells(line);
+        std::string file, bytes, expected;
+        std::getline(cells, file, ',');
+        std::getline(cells, bytes, ',');
+        std::getline(cells, expected, ',');
+        if (!file.starts_with("zip/")) continue;
+        ++count;
+        const auto entries = readZipDirectory(hostile / file);
+        const auto unpacked = unpackArchive(hostile / file, root / "out" / fs::path(file).stem());
+        EXPECT_FALSE(unpacked) << file << ": none of them is a study";
+        EXPECT_EQ(unpacked.diagnostics().size(), 1u) << file;
+        const std::string message = unpacked ? "" : unpacked.diagnostics().front().message;
+        for (const char c : message) EXPECT_GE(static_cast<unsigned char>(c), 0x20) << file;
+        if (expected == "seed") {
+            EXPECT_TRUE(entries) << file << format(entries.diagnostics());
+        }
+        if (file == "zip/rtl_name.zip") {
+            EXPECT_NE(format(entries.diagnostics()).find("\\u{202e}"), std::string::npos);
+        }
+    }
+    EXPECT_GT(count, 10);
+    EXPECT_FALSE(fs::exists(root / "out")
+                     ? fs::recursive_directory_iterator(root / "out") != fs::recursive_directory_iterator{}
+                     : false)
+        << "nothing was unpacked";
+}
+
+/// Saves two versions in turn in a child that is killed at a random moment: the file is always one of the two.
+TEST_F(Archive, IsOldOrNewWhenTheProgramIsKilled) {
+    const fs::path file = root / "killed.analogon";
+    Study odd = example(), even = odd;
+    even.className = "Other";
+    ASSERT_TRUE(saveStudy(odd, file));
+    const char* wanted = std::getenv("ANALOGON_KILLS");  // 3000 takes some minutes
+    const int kills = wanted ? std::atoi(wanted) : 40;
+    std::mt19937 random(3);
+    int news = 0;
+    for (int i = 0; i < kills; ++i) {
+        const pid_t child = fork();
+        if (child == 0) {
+            for (;;) {
+                (void)saveStudy(even, file);
+                (void)saveStudy(odd, file);
+            }
+        }
+        std::this_thread::sleep_for(std::chrono::microseconds(500 + random() % 40000));
+        kill(child, SIGKILL);
+        waitpid(child, nullptr, 0);
+        const auto opened = openStudy(file);
+        ASSERT_TRUE(opened) << "kill " << i << ": " << format(opened.diagnostics());
+        ASSERT_TRUE(opened->study.className == odd.className || opened->study.className == "Other");
+        news += opened->study.className == "Other" ? 1 : 0;
+    }
+    EXPECT_GT(news, 0) << "some kills came after a save";
+}
+
+}  // namespace
+}  // namespace analogon
