@@ -12,6 +12,7 @@
 #include "core/effect/change.hpp"
 #include "core/effect/model_state.hpp"
 #include "core/effect/remainder.hpp"
+#include "core/effect/thin.hpp"
 #include "core/effect/trial.hpp"
 #include "core/residual/quantisation.hpp"
 
@@ -29,6 +30,7 @@ constexpr double structuredResidual = 1.1;  // in units of the noise: something 
 constexpr double leastGain = 1;             // in evidence, for which an effect is exchanged: exact twins are not
 constexpr double mostGrowth = 5;            // of an effect's strength when another joins it
 constexpr double changeShare = 0.5, firstOrderShare = 0.85, leastChange = 100;
+constexpr long mostSearchedSamples = 16'000;
 constexpr int startsPerTrial = 2;
 constexpr int trialIterations = 12;  // a trial must show what it is worth; the winner is refitted to convergence
 constexpr int glanceIterations = 5;  // of the whole catalogue, to see who deserves a trial
@@ -195,7 +197,11 @@ void offer(std::vector<Remainder> proposed, std::vector<Remainder>& left) {
 class Search {
 public:
     Search(const EstimationTask& task, const DiscoverOptions& options, const Progress& progress)
-        : base_{task, {}, {}}, options_(options), progress_(progress) {}
+        : full_{task, {}, {}},
+          thinning_(thinningFor(task, mostSearchedSamples)),
+          base_{thinned(task, thinning_), {}, {}},
+          options_(options),
+          progress_(progress) {}
 
     Outcome<Finding> run();
 
@@ -253,7 +259,9 @@ private:
         progress_.report({std::move(stage), std::move(detail), fraction, bestError_});
     }
 
-    Variant base_;
+    Variant full_;  // on every sample
+    int thinning_;
+    Variant base_;  // on what the search works with
     const DiscoverOptions& options_;
     const Progress& progress_;
     std::vector<EffectClass> catalogue_;
@@ -806,7 +814,18 @@ Outcome<Finding> Search::run() {
     say("fit", base_.task.className, 0);
     Outcome<NullModel> null = fitNull(base_, {}, NoiseLevel::Estimate, options_.fit, progress_);
     if (!null) return null.diagnostics();
-    Outcome<ModelState> state = stateOf(null->variant, null->fit, options_.fit.simulation, progress_);
+    std::optional<NullModel> onAll;
+    if (thinning_ > 1) {
+        finding.warnings.push_back(
+            fmt::format("long recordings: the search works on means of {} samples, the fit before "
+                        "and after it on all of them",
+                        thinning_));
+        Outcome<NullModel> fitted = fitNull(full_, {}, NoiseLevel::Estimate, options_.fit, progress_);
+        if (!fitted) return fitted.diagnostics();
+        onAll = std::move(*fitted);
+    }
+    const NullModel& given = onAll ? *onAll : *null;
+    Outcome<ModelState> state = stateOf(given.variant, given.fit, options_.fit.simulation, progress_);
     if (!state) return state.diagnostics();
     finding.baseline = std::move(*state);
     finding.final = finding.baseline;
@@ -818,11 +837,6 @@ Outcome<Finding> Search::run() {
     null = std::move(path->null);
     steps_ = std::move(path->steps);
     candidates_ = std::move(path->candidates);
-    if (!steps_.empty()) {
-        Outcome<ModelState> after = stateOf(null->variant, null->fit, options_.fit.simulation, progress_);
-        if (!after) return after.diagnostics();
-        finding.final = std::move(*after);
-    }
 
     // A parameter that changed in mid run is imitated by many slow effects; none of them is it.
     change_ = strongestChange(base);
@@ -836,8 +850,16 @@ Outcome<Finding> Search::run() {
         change_.reset();
     }
     std::vector<Remainder> proposed = takeOutProposals(*null);
-    if (!proposed.empty()) {
-        removeUnneeded(*null, 0);  // what was seen only beside a proposal is not kept without it
+    if (!proposed.empty()) removeUnneeded(*null, 0);  // what was seen only beside a proposal is not kept without it
+    if (onAll && steps_.empty()) null = *onAll;
+    if (onAll && !steps_.empty()) {
+        Outcome<Variant> all = withEffects(full_, null->variant.effects, null->variant.values);
+        if (!all) return all.diagnostics();
+        Outcome<NullModel> fitted = fitNull(*all, onAll->noise, NoiseLevel::Estimate, options_.fit, progress_);
+        if (!fitted) return fitted.diagnostics();
+        null = std::move(*fitted);
+    }
+    if (!steps_.empty()) {
         Outcome<ModelState> after = stateOf(null->variant, null->fit, options_.fit.simulation, progress_);
         if (!after) return after.diagnostics();
         finding.final = std::move(*after);

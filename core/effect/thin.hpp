@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/fit/estimation_task.hpp"
+
+namespace analogon {
+
+/// The task with long recordings made shorter for a search: every `factor` neighbouring samples of the fitted
+/// recordings become their mean (time, inputs, outputs, spare channels; what was not measured is left out of it), so
+/// that the noise falls and nothing is aliased. The first sample stays, since the simulation starts there.
+EstimationTask thinned(const EstimationTask& task, int factor);
+
+/// The factor that brings all fitted recordings together under a number of samples; 1: they are.
+int thinningFor(const EstimationTask& task, long mostSamples);
+
+}  // namespace analogon
