@@ -1,12 +1,19 @@
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QLocale>
 #include <QSettings>
 
 #include "ui/style/style.hpp"
+#include "ui/style/translator.hpp"
 #include "ui/window/main_window.hpp"
+#include "ui/window/pictures.hpp"
 
 int main(int argc, char** argv) {
     using namespace analogon;
+    // Pictures need no screen; the platform is chosen before the application starts.
+    for (int i = 1; i < argc; ++i)
+        if (QByteArray(argv[i]).startsWith("--pictures") && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
+            qputenv("QT_QPA_PLATFORM", "offscreen");
     QApplication application(argc, argv);
     QCoreApplication::setOrganizationName("Analogon");
     QCoreApplication::setApplicationName("Analogon");
@@ -17,7 +24,17 @@ int main(int argc, char** argv) {
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addPositionalArgument("study", "A study: a directory, its study.json or an .analogon file.", "[study]");
+    const QCommandLineOption language("language", "Language of the screen: en or de.", "code");
+    const QCommandLineOption pictures("pictures", "Writes pictures of every panel into a directory and ends.", "dir");
+    parser.addOptions({language, pictures});
     parser.process(application);
+    if (parser.isSet(pictures)) return ui::writePictures(parser.value(pictures)) ? 0 : 1;
+
+    const QString code = parser.isSet(language)
+                             ? parser.value(language)
+                             : QSettings().value("window/language", QLocale().name().left(2)).toString();
+    ui::Translator translator;
+    if (translator.loadLanguage(code)) QCoreApplication::installTranslator(&translator);
 
     ui::style::apply(application, static_cast<ui::style::Theme>(QSettings().value("window/theme", 0).toInt()));
     ui::MainWindow window;

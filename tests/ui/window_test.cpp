@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPushButton>
 #include <QSettings>
 #include <QTabBar>
 #include <QTabWidget>
@@ -150,6 +151,14 @@ protected:
         ASSERT_TRUE(window.controller().isRunning());
         ASSERT_TRUE(waitUntil([&] { return !window.controller().isRunning(); }, 180000));
         QTest::qWait(20);  // panels follow in the next turn of the event loop
+    }
+    /// Presses the button that takes the result over.
+    void adopt() {
+        auto* button = panel<ResultPanel>()->findChild<QPushButton*>("adopt");
+        ASSERT_TRUE(button && button->isEnabled());
+        panel<ResultPanel>()->ensureWidgetVisible(button);
+        QTest::mouseClick(button, Qt::LeftButton);
+        QTest::qWait(20);
     }
     void grab(const std::string& name) {
         QTest::qWait(30);
@@ -312,6 +321,9 @@ TEST_F(Window, FindsTheMissingEffectAndShowsItOnTheDiagram) {
     ASSERT_FALSE(document().finding()->effects.empty());
     const AddedEffect& effect = document().finding()->effects.front();
     EXPECT_EQ(effect.kind, "thermal.radiation");
+    EXPECT_EQ(document().modelText(), original) << "nothing is added before the user says so";
+    grab("found");
+    adopt();
     BlockItem* item = panel<DiagramScene>()->block(effect.instance);
     ASSERT_TRUE(item) << "the effect is a block of the diagram";
     EXPECT_TRUE(item->isMarked());
@@ -392,6 +404,7 @@ TEST_F(Window, ShowsEverythingInTheDarkThemeToo) {
     style::apply(*qApp, style::Theme::Dark);
     open(makeStudy("radiating", 3e-9));
     run("discover");
+    adopt();
     grab("discovered-dark");
     const QImage picture = window.grab().toImage();
     // Neither the diagram nor the traces keep a white sheet.

@@ -87,10 +87,13 @@ BlockItem::BlockItem(const Block& block) : block_(block) {
     std::erase_if(primitives, [](const Primitive& p) { return p.kind == Primitive::Kind::Text && p.text == "%name"; });
     bounds_ = body_ | boundsOf(block_.icon.primitives, transform_);
     for (const PortShape& port : ports_) bounds_ |= port.rect;
-    const double nameHeight = 10;
+    const double nameHeight = 16;
     bounds_.adjust(-outlineGap - 2, -outlineGap - nameHeight, outlineGap + 2, outlineGap + nameHeight);
     // A name that is longer than its icon overhangs on both sides.
-    const double overhang = std::max(0.0, 3.5 * static_cast<double>(block_.name.size()) - bounds_.width()) / 2;
+    const double overhang =
+        std::max(0.0, std::max(3.5 * static_cast<double>(block_.name.size()), block_.parameters.empty() ? 0 : 46.0) -
+                          bounds_.width()) /
+        2;
     bounds_.adjust(-overhang, 0, overhang, 0);
     setFlag(ItemIsSelectable);
     setAcceptHoverEvents(true);
@@ -149,7 +152,29 @@ void BlockItem::paintName(QPainter& painter, const QPalette& palette) const {
     ground.setAlphaF(0.8f);
     painter.fillRect(QFontMetricsF(font).boundingRect(box, Qt::AlignCenter, name), ground);
     painter.drawText(box, Qt::AlignCenter, name);
+    paintParameters(painter, palette, box, std::sqrt(std::abs(world.determinant())));
     painter.restore();
+}
+
+/// The values it was given, in a quiet line at its name, where there is room for it.
+void BlockItem::paintParameters(QPainter& painter, const QPalette& palette, QRectF nameBox, double zoom) const {
+    if (zoom < 1.7 || block_.parameters.empty() || block_.isConnector) return;
+    QStringList shown;
+    for (const auto& [name, value] : block_.parameters)
+        if (value.find('(') == std::string::npos) shown << QString::fromStdString(name + " = " + value);
+    QFont font = painter.font();
+    font.setPointSizeF(font.pointSizeF() * 0.85);
+    painter.setFont(font);
+    const QFontMetricsF metrics(font);
+    const QString text =
+        metrics.elidedText(shown.join(", "), Qt::ElideRight, std::max(90.0, body_.width() * zoom * 2.2));
+    const double by = isNameAbove_ ? -metrics.height() : nameBox.height();
+    const QRectF box(nameBox.left(), nameBox.top() + by, nameBox.width(), metrics.height());
+    QColor ground = style::canvas(palette);
+    ground.setAlphaF(0.8f);
+    painter.fillRect(metrics.boundingRect(box, Qt::AlignCenter, text), ground);
+    painter.setPen(style::mutedText(palette));
+    painter.drawText(box, Qt::AlignCenter, text);
 }
 
 void BlockItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) {
@@ -205,7 +230,7 @@ QString BlockItem::tooltip(const PortShape* port) const {
         return tip;
     }
     QString tip = QStringLiteral("<b>%1</b><br>%2").arg(text(block_.name), text(block_.className));
-    if (!block_.isResolved) tip += "<br>This class is not known.";
+    if (!block_.isResolved) tip += "<br>" + QObject::tr("This class is not known.");
     if (!block_.description.empty()) tip += "<br>" + text(block_.description);
     for (const auto& [name, value] : block_.parameters) tip += "<br>" + text(name) + " = " + text(value);
     return tip;

@@ -40,6 +40,7 @@ private:
     };
     void paintUnresolved(QPainter& painter, const QPalette& palette) const;
     void paintName(QPainter& painter, const QPalette& palette) const;
+    void paintParameters(QPainter& painter, const QPalette& palette, QRectF nameBox, double zoom) const;
     QString tooltip(const PortShape* port) const;
     QString macro(const QString& name) const;
     const PortShape* portAt(QPointF at) const;

@@ -3,10 +3,12 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "ui/canvas/block_item.hpp"
 #include "ui/canvas/icon_painter.hpp"
 #include "ui/canvas/wire_item.hpp"
+#include "ui/route/route.hpp"
 
 namespace analogon::ui {
 
@@ -41,18 +43,21 @@ bool isOnSegment(Point p, Point a, Point b) {
     return along > 0.5 && along < length - 0.5;
 }
 
+/// Wires by the connectors they end at.
+using WiresAt = std::map<std::string, std::vector<std::size_t>>;
+
 /// Corners of a wire that lie on another wire of the same node.
-std::vector<QPointF> junctions(const Wire& wire, const std::vector<Wire>& wires) {
+std::vector<QPointF> junctions(std::size_t index, const std::vector<Wire>& wires, const WiresAt& at) {
     std::vector<QPointF> result;
-    for (const Wire& other : wires) {
-        if (&other == &wire) continue;
-        const bool isSameNode =
-            other.from == wire.from || other.from == wire.to || other.to == wire.from || other.to == wire.to;
-        if (!isSameNode) continue;
-        for (const Point p : wire.points)
-            for (std::size_t i = 1; i < other.points.size(); ++i)
-                if (isOnSegment(p, other.points[i - 1], other.points[i])) result.push_back(toScene(p));
-    }
+    const Wire& wire = wires[index];
+    for (const std::string& end : {wire.from, wire.to})
+        for (const std::size_t o : at.at(end)) {
+            if (o == index) continue;
+            const Wire& other = wires[o];
+            for (const Point p : wire.points)
+                for (std::size_t i = 1; i < other.points.size(); ++i)
+                    if (isOnSegment(p, other.points[i - 1], other.points[i])) result.push_back(toScene(p));
+        }
     return result;
 }
 
@@ -109,32 +114,40 @@ bool DiagramScene::hasRoomBelow(const BlockItem& item) const {
     return !coversBlock && !coversWire;
 }
 
-namespace {
-
-std::string instanceOf(const std::string& connector) { return connector.substr(0, connector.find_first_of(".[")); }
-
-}  // namespace
-
 DiagramScene::DiagramScene(QObject* parent) : QGraphicsScene(parent) {
     setItemIndexMethod(NoIndex);  // a few hundred items that are rebuilt as a whole
     connect(this, &QGraphicsScene::selectionChanged, this, [this] {
-        if (!isRebuilding_) Q_EMIT blockSelected(selectedBlock());
+        if (isRebuilding_) return;
+        noteOrder();
+        Q_EMIT blockSelected(selectedBlock());
+        Q_EMIT selectionEdited();
     });
 }
 
+DiagramScene::~DiagramScene() {
+    isRebuilding_ = true;  // items that leave one by one are no change of the selection
+    clear();
+}
+
 void DiagramScene::show(const Diagram& diagram) {
-    const std::string selected = selectedBlock().toStdString();
+    const DiagramSelection selected = selection();
+    const QString shownBlock = selectedBlock();
     isRebuilding_ = true;
+    diagram_ = diagram;
+    pointedOut_.clear();
     clear();
     blocks_.clear();
     wires_.clear();
     if (!diagram.graphics.empty()) addItem(new GraphicsItem(diagram.graphics));
     std::vector<Wire> wires = diagram.wires;
     for (Wire& wire : wires) reachAnchors(wire, diagram);
-    for (const Wire& wire : wires) {
-        if (wire.points.size() < 2) continue;
-        auto* item = new WireItem(wire);
-        item->setJunctions(junctions(wire, wires));
+    WiresAt at;
+    for (std::size_t i = 0; i < wires.size(); ++i)
+        for (const std::string& end : {wires[i].from, wires[i].to}) at[end].push_back(i);
+    for (std::size_t i = 0; i < wires.size(); ++i) {
+        if (wires[i].points.size() < 2) continue;
+        auto* item = new WireItem(wires[i]);
+        item->setJunctions(junctions(i, wires, at));
         addItem(item);
         wires_.push_back(item);
     }
@@ -144,9 +157,11 @@ void DiagramScene::show(const Diagram& diagram) {
         blocks_[block.name] = item;
     }
     setSceneRect(contents().adjusted(-400, -400, 400, 400));
-    if (BlockItem* item = block(selected)) item->setSelected(true);
+    setSelection(selected);
     isRebuilding_ = false;
-    if (!selected.empty() && !block(selected)) Q_EMIT blockSelected({});
+    noteOrder();
+    if (selectedBlock() != shownBlock) Q_EMIT blockSelected(selectedBlock());
+    if (!(selection() == selected)) Q_EMIT selectionEdited();
 }
 
 void DiagramScene::mark(const std::vector<EffectMark>& effects) {
@@ -164,14 +179,133 @@ BlockItem* DiagramScene::block(const std::string& name) const {
 }
 
 QString DiagramScene::selectedBlock() const {
-    for (QGraphicsItem* item : selectedItems())
-        if (item->type() == BlockItem::Type) return QString::fromStdString(static_cast<BlockItem*>(item)->block().name);
-    return {};
+    const DiagramSelection selected = selection();
+    return selected.blocks.size() == 1 ? QString::fromStdString(selected.blocks.front()) : QString();
 }
+
+DiagramSelection DiagramScene::selection() const {
+    DiagramSelection result;
+    for (const std::string& name : order_)
+        if (const BlockItem* item = block(name); item && item->isSelected()) result.blocks.push_back(name);
+    for (const auto& [name, item] : blocks_)
+        if (item->isSelected() && std::find(order_.begin(), order_.end(), name) == order_.end())
+            result.blocks.push_back(name);
+    for (const WireItem* item : wires_)
+        if (item->isSelected()) result.wires.push_back({item->wire().from, item->wire().to});
+    return result;
+}
+
+void DiagramScene::noteOrder() { order_ = selection().blocks; }
 
 void DiagramScene::select(const std::string& name) {
     clearSelection();
     if (BlockItem* item = block(name)) item->setSelected(true);
+}
+
+void DiagramScene::setSelection(const DiagramSelection& wanted) {
+    const bool wasRebuilding = isRebuilding_;
+    const DiagramSelection before = selection();
+    isRebuilding_ = true;
+    clearSelection();
+    order_ = wanted.blocks;
+    for (const std::string& name : wanted.blocks)
+        if (BlockItem* item = block(name)) item->setSelected(true);
+    for (WireItem* item : wires_)
+        if (std::find(wanted.wires.begin(), wanted.wires.end(), WireEnds{item->wire().from, item->wire().to}) !=
+            wanted.wires.end())
+            item->setSelected(true);
+    isRebuilding_ = wasRebuilding;
+    if (isRebuilding_ || before == wanted) return;
+    noteOrder();
+    Q_EMIT blockSelected(selectedBlock());
+    Q_EMIT selectionEdited();
+}
+
+void DiagramScene::selectIn(const QRectF& rect, const DiagramSelection& also) {
+    DiagramSelection wanted = also;
+    for (const auto& [name, item] : blocks_)
+        if (rect.contains(item->body()) &&
+            std::find(wanted.blocks.begin(), wanted.blocks.end(), name) == wanted.blocks.end())
+            wanted.blocks.push_back(name);
+    for (const WireItem* item : wires_) {
+        const WireEnds ends{item->wire().from, item->wire().to};
+        const auto& points = item->wire().points;
+        const bool isInside =
+            std::all_of(points.begin(), points.end(), [&](Point p) { return rect.contains(toScene(p)); });
+        if (isInside && std::find(wanted.wires.begin(), wanted.wires.end(), ends) == wanted.wires.end())
+            wanted.wires.push_back(ends);
+    }
+    setSelection(wanted);
+}
+
+void DiagramScene::showMoved(double dx, double dy) {
+    const DiagramSelection selected = selection();
+    const std::set<std::string> names(selected.blocks.begin(), selected.blocks.end());
+    Diagram shifted;  // only what the wires at these blocks need
+    std::set<std::string> needed = names;
+    for (const WireItem* item : wires_)
+        for (const std::string& end : {item->wire().from, item->wire().to})
+            if (names.contains(instanceOf(end)))
+                needed.insert({instanceOf(item->wire().from), instanceOf(item->wire().to)});
+    for (const Block& b : diagram_.blocks) {
+        if (!needed.contains(b.name)) continue;
+        shifted.blocks.push_back(b);
+        if (!names.contains(b.name)) continue;
+        Placement& p = shifted.blocks.back().placement;
+        if (p.origin == Point{}) {
+            p.extent = {{p.extent.p1.x + dx, p.extent.p1.y + dy}, {p.extent.p2.x + dx, p.extent.p2.y + dy}};
+        } else {
+            p.origin = {p.origin.x + dx, p.origin.y + dy};
+        }
+    }
+    for (const std::string& name : names)
+        if (BlockItem* item = block(name)) item->setPos(dx, -dy);
+    for (WireItem* item : wires_) {
+        const Wire& wire = item->wire();
+        const bool first = names.contains(instanceOf(wire.from)), last = names.contains(instanceOf(wire.to));
+        if (first && last) {
+            item->setPos(dx, -dy);
+        } else if (first || last) {
+            if (dx == 0 && dy == 0)
+                item->showPoints(wire.points);
+            else if (const auto way = routeWire(shifted, wire.from, wire.to, false); way.size() >= 2)
+                item->showPoints(way);
+        }
+    }
+}
+
+std::vector<std::pair<std::string, QPointF>> DiagramScene::connectors() const {
+    std::vector<std::pair<std::string, QPointF>> result;
+    for (const Block& b : diagram_.blocks) {
+        if (b.isConnector) {
+            if (const auto at = diagram_.anchor(b.name)) result.emplace_back(b.name, toScene(*at));
+            continue;
+        }
+        for (const Port& port : b.ports) {
+            const std::string name = b.name + "." + port.name;
+            if (const auto at = diagram_.anchor(name)) result.emplace_back(name, toScene(*at));
+        }
+    }
+    return result;
+}
+
+std::string DiagramScene::connectorAt(QPointF at, double reach) const {
+    std::string nearest;
+    double distance = reach;
+    for (const auto& [name, place] : connectors()) {
+        const double d = std::hypot(place.x() - at.x(), place.y() - at.y());
+        if (d <= distance) {
+            distance = d;
+            nearest = name;
+        }
+    }
+    return nearest;
+}
+
+void DiagramScene::pointOut(const std::string& place) {
+    if (pointedOut_ == place) return;
+    pointedOut_ = place;
+    update();
 }
 
 QRectF DiagramScene::contents() const {
@@ -181,7 +315,7 @@ QRectF DiagramScene::contents() const {
         rect |=
             item->isMarked() ? item->boundingRect().adjusted(0, -labelHeight, 0, labelHeight) : item->boundingRect();
     for (const WireItem* item : wires_) rect |= item->boundingRect();
-    return rect;
+    return blocks_.empty() ? QRectF(-100, -70, 200, 140) : rect;
 }
 
 }  // namespace analogon::ui

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/diagram/diagram.hpp"
+#include "ui/route/selection.hpp"
 
 namespace analogon::ui {
 
@@ -22,22 +23,45 @@ class DiagramScene : public QGraphicsScene {
 
 public:
     explicit DiagramScene(QObject* parent = nullptr);
+    ~DiagramScene() override;
 
     void show(const Diagram& diagram);
+    const Diagram& diagram() const { return diagram_; }
     void mark(const std::vector<EffectMark>& effects);
     bool isEmpty() const { return blocks_.empty(); }
     BlockItem* block(const std::string& name) const;
+    /// The one block that is selected; empty: none or several.
     QString selectedBlock() const;
+    DiagramSelection selection() const;
     void select(const std::string& block);
+    void setSelection(const DiagramSelection& selection);
+    /// All blocks that lie in a rectangle, and wires that do.
+    void selectIn(const QRectF& rect, const DiagramSelection& also);
+    const std::vector<WireItem*>& wires() const { return wires_; }
+    /// Selected blocks and their wires as they would be moved by (dx, dy) diagram units; (0, 0) puts them back.
+    void showMoved(double dx, double dy);
+    /// Every connector with its place in the scene.
+    std::vector<std::pair<std::string, QPointF>> connectors() const;
+    /// The connector within `reach` of a point; empty: none.
+    std::string connectorAt(QPointF at, double reach) const;
+    /// A place to look at while something points there: the blocks or connector of that name; empty: none.
+    void pointOut(const std::string& place);
+    const std::string& pointedOut() const { return pointedOut_; }
     /// What "fit view" shows.
     QRectF contents() const;
 
 Q_SIGNALS:
-    void blockSelected(const QString& name);  // empty: nothing is selected
+    void blockSelected(const QString& name);  // empty: none or several
+    void selectionEdited();
 
 private:
     bool hasRoomBelow(const BlockItem& item) const;
 
+    void noteOrder();
+
+    Diagram diagram_;
+    std::string pointedOut_;
+    std::vector<std::string> order_;  // selected blocks, first selected first
     std::map<std::string, BlockItem*> blocks_;
     std::vector<WireItem*> wires_;
     QGraphicsItem* graphics_{};

@@ -12,17 +12,27 @@
 namespace analogon::ui {
 
 WireItem::WireItem(const Wire& wire) : wire_(wire) {
-    for (std::size_t i = 0; i < wire_.points.size(); ++i) {
-        const QPointF p = toScene(wire_.points[i]);
-        if (i == 0)
-            path_.moveTo(p);
-        else
-            path_.lineTo(p);
-    }
+    setPath(wire_.points);
     setFlag(ItemIsSelectable);
     setAcceptHoverEvents(true);
     const auto text = [](const std::string& s) { return QString::fromStdString(s).toHtmlEscaped(); };
     setToolTip(QStringLiteral("%1 – %2").arg(text(wire_.from), text(wire_.to)));
+}
+
+void WireItem::setPath(const std::vector<Point>& points) {
+    path_ = {};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (i == 0)
+            path_.moveTo(toScene(points[i]));
+        else
+            path_.lineTo(toScene(points[i]));
+    }
+}
+
+void WireItem::showPoints(const std::vector<Point>& points) {
+    prepareGeometryChange();
+    junctions_.clear();
+    setPath(points);
 }
 
 void WireItem::setMarked(bool marked) {

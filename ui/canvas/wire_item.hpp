@@ -15,6 +15,8 @@ public:
 
     const Wire& wire() const { return wire_; }
     void setMarked(bool marked);
+    /// Another way while a gesture lasts; setPos moves it as it is.
+    void showPoints(const std::vector<Point>& points);
     /// Points where this wire leaves another one: drawn as dots.
     void setJunctions(std::vector<QPointF> junctions);
 
@@ -28,6 +30,8 @@ protected:
     void hoverLeaveEvent(QGraphicsSceneHoverEvent* event) override;
 
 private:
+    void setPath(const std::vector<Point>& points);
+
     Wire wire_;
     QPainterPath path_;
     std::vector<QPointF> junctions_;

@@ -11,24 +11,31 @@ namespace analogon::ui {
 
 class Document;
 
-/// A change of the model's text. Undo is the inverse edit.
+/// A change of the model's text. Undo is the inverse edit. Typing in one place merges into one step.
 class TextCommand : public QUndoCommand {
 public:
-    TextCommand(Document& document, syntax::TextEdit edit);
+    TextCommand(Document& document, syntax::TextEdit edit, bool isTyping = false);
     void redo() override { swap(); }
     void undo() override { swap(); }
+    int id() const override { return isTyping_ ? 1 : -1; }
+    bool mergeWith(const QUndoCommand* later) override;
 
 private:
     void swap();
     Document& document_;
     syntax::TextEdit edit_;  // the next one to apply
+    bool isTyping_;
 };
 
-/// What a command may change of a study besides the model's text.
+/// What a command may change of a study.
 struct StudySettings {
+    std::string className, modelFile;
     std::map<std::string, std::string> models;
     std::map<std::string, StudyParameter> parameters;
+    std::vector<StudyExperiment> experiments;
+    std::map<std::string, std::shared_ptr<const Table>> tables;
 };
+StudySettings settingsOf(const Study& study);
 
 /// Swaps settings of the study with other ones.
 class StudyCommand : public QUndoCommand {

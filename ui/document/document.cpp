@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <QTime>
+#include <algorithm>
+
 #include "core/syntax/printer.hpp"
-#include "ui/document/commands.hpp"
 
 namespace analogon::ui {
 
@@ -13,45 +15,132 @@ bool isSame(const StudyParameter& a, const StudyParameter& b) {
     return a.fit == b.fit && a.value == b.value && a.min == b.min && a.max == b.max && a.scale == b.scale;
 }
 
-bool isSameModel(const Study& a, const Study& b) {
-    return a.models == b.models &&
-           std::equal(a.parameters.begin(), a.parameters.end(), b.parameters.begin(), b.parameters.end(),
+bool isSame(const ChannelMapping& a, const ChannelMapping& b) {
+    return a.column == b.column && a.unit == b.unit && a.scale == b.scale && a.offset == b.offset &&
+           a.weight == b.weight;
+}
+
+bool isSame(const StudyStart& a, const StudyStart& b) {
+    if (a.index() != b.index()) return false;
+    if (const double* number = std::get_if<double>(&a)) return *number == std::get<double>(b);
+    if (const ColumnStart* column = std::get_if<ColumnStart>(&a))
+        return column->column == std::get<ColumnStart>(b).column;
+    return true;
+}
+
+template <class Value>
+bool isSame(const std::map<std::string, Value>& a, const std::map<std::string, Value>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](const auto& x, const auto& y) { return x.first == y.first && isSame(x.second, y.second); });
+}
+
+bool isSame(const StudyExperiment& a, const StudyExperiment& b) {
+    return a.name == b.name && a.role == b.role && a.file == b.file && a.timeColumn == b.timeColumn &&
+           a.range == b.range && isSame(a.inputs, b.inputs) && isSame(a.outputs, b.outputs) &&
+           isSame(a.initial, b.initial);
+}
+
+bool isSameModel(const Study& a, const Study& b) {
+    return a.models == b.models && a.className == b.className && isSame(a.parameters, b.parameters) &&
+           std::equal(a.experiments.begin(), a.experiments.end(), b.experiments.begin(), b.experiments.end(),
+                      [](const auto& x, const auto& y) { return isSame(x, y); });
 }
 
 }  // namespace
 
 struct Document::Opened {
-    Outcome<Study> study;
+    Outcome<OpenedStudy> study;
+    QString path;
+    bool isRecovered{};
 };
 
 Document::Document(QObject* parent) : QObject(parent) {
     connect(&reader_, &JobRunner::started, this, &Document::readingChanged);
     connect(&reader_, &JobRunner::finished, this, &Document::readingChanged);
+    connect(&undo_, &QUndoStack::cleanChanged, this, &Document::modifiedChanged);
+    // Typing and dragging change the text many times a second: the model is analysed once they pause.
+    analysisDelay_.setSingleShot(true);
+    analysisDelay_.setInterval(60);
+    connect(&analysisDelay_, &QTimer::timeout, this, [this] {
+        analyser_.start<ModelFacts>(
+            tr("Analysing the model"), [study = *study_](const Progress&) { return modelFacts(study); },
+            [this](ModelFacts facts) {
+                facts_ = std::move(facts);
+                setMessages(Message::Origin::Model, modelFaults_.empty() ? facts_.messages : modelFaults_);
+                Q_EMIT factsChanged();
+            });
+    });
 }
 
 Document::~Document() = default;
+
+namespace {
+
+template <class Opened>
+Opened readFrom(const std::filesystem::path& file) {
+    Opened read{openStudy(file), {}, {}};
+    // The block library is parsed once a process: here, and not on the GUI thread.
+    if (read.study) (void)builtInLibrary();
+    return read;
+}
+
+}  // namespace
 
 void Document::open(const QString& path) {
     const std::filesystem::path file = path.toStdString();
     reader_.start<Opened>(
         tr("Reading %1").arg(QString::fromStdString(file.filename().string())),
-        [file](const Progress&) {
-            Opened read{readStudy(file)};
-            // The block library is parsed once a process: here, and not on the GUI thread.
-            if (read.study) (void)builtInLibrary();
-            return read;
-        },
-        [this](Opened read) { show(std::move(read)); });
+        [file](const Progress&) { return readFrom<Opened>(file); },
+        [this, path](Opened read) {
+            read.path = path;
+            show(std::move(read));
+        });
+}
+
+void Document::openRecovered(const QString& recovery, const QString& path) {
+    const std::filesystem::path file = recovery.toStdString();
+    reader_.start<Opened>(
+        tr("Reading what was recovered"), [file](const Progress&) { return readFrom<Opened>(file); },
+        [this, path](Opened read) {
+            read.path = path;
+            read.isRecovered = true;
+            show(std::move(read));
+        });
 }
 
 void Document::show(Opened read) {
     setMessages(Message::Origin::Study, read.study.diagnostics());
     if (!read.study) return;  // a study that is open stays
-    study_ = std::move(*read.study);
+    if (read.isRecovered && !read.path.isEmpty())
+        read.study->study.name = std::filesystem::path(read.path.toStdString()).stem().string();
+    isRecovered_ = read.isRecovered;
+    adoptStudy(std::move(read.study->study), read.study->files, read.path);
+}
+
+void Document::startNew(const QString& suggested) {
+    Study study;
+    study.name = suggested.toStdString();
+    study.className = "Model";
+    study.models[study.modelFile] =
+        "model Model\n  annotation (Diagram(coordinateSystem(extent={{-160,-100},{160,100}})));\nend Model;\n";
+    startWith(std::move(study));
+}
+
+void Document::startWith(Study study) {
+    reader_.drop();
+    isRecovered_ = false;
+    setMessages(Message::Origin::Study, {});
+    adoptStudy(std::move(study), nullptr, {});
+}
+
+void Document::adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory> files, const QString& path) {
+    study_ = std::move(study);
+    files_ = std::move(files);
+    path_ = path;
     undo_.clear();
     simulated_.reset();
     result_.reset();
+    history_.clear();
     resultStudy_.reset();
     beforeFit_.reset();
     facts_ = {};
@@ -62,7 +151,28 @@ void Document::show(Opened read) {
     Q_EMIT opened();
     Q_EMIT modelChanged();
     Q_EMIT parametersChanged();
+    Q_EMIT experimentsChanged();
     Q_EMIT resultChanged();
+    Q_EMIT modifiedChanged();
+}
+
+void Document::save(const QString& path) {
+    if (!isOpen()) return;
+    const std::filesystem::path file = path.toStdString();
+    const int index = undo_.index();
+    saver_.start<Outcome<Done>>(
+        tr("Saving"), [study = *study_, file](const Progress&) { return saveStudy(study, file); },
+        [this, path, index](Outcome<Done> done) {
+            setRunMessages(done.diagnostics());
+            if (done) {
+                path_ = path;
+                isRecovered_ = false;
+                study_->name = std::filesystem::path(path.toStdString()).stem().string();
+                if (undo_.index() == index) undo_.setClean();
+                Q_EMIT modifiedChanged();
+            }
+            Q_EMIT saved(done.hasValue());
+        });
 }
 
 QString Document::title() const { return isOpen() ? QString::fromStdString(study_->name) : QString(); }
@@ -91,14 +201,7 @@ void Document::readModel() {
         if (diagram) diagram_ = std::move(*diagram);
     }
     setMessages(Message::Origin::Model, modelFaults_);
-    if (!library) return;
-    analyser_.start<ModelFacts>(
-        tr("Analysing the model"), [study = *study_](const Progress&) { return modelFacts(study); },
-        [this](ModelFacts facts) {
-            facts_ = std::move(facts);
-            setMessages(Message::Origin::Model, modelFaults_.empty() ? facts_.messages : modelFaults_);
-            Q_EMIT factsChanged();
-        });
+    if (library) analysisDelay_.start();
 }
 
 void Document::modelTextChanged() {
@@ -109,6 +212,33 @@ void Document::modelTextChanged() {
 
 void Document::applyEdit(syntax::TextEdit edit) {
     if (isOpen() && !edit.replacements.empty()) undo_.push(new TextCommand(*this, std::move(edit)));
+}
+
+void Document::typeText(const QString& text) {
+    if (!isOpen()) return;
+    const std::string now = modelText().toStdString(), typed = text.toStdString();
+    const std::size_t shorter = std::min(now.size(), typed.size());
+    std::size_t front = 0, back = 0;
+    while (front < shorter && now[front] == typed[front]) ++front;
+    while (back < shorter - front && now[now.size() - 1 - back] == typed[typed.size() - 1 - back]) ++back;
+    if (front == now.size() && front == typed.size()) return;
+    syntax::TextEdit edit;
+    edit.what = tr("Type").toStdString();
+    edit.replacements.push_back({static_cast<std::uint32_t>(front), static_cast<std::uint32_t>(now.size() - back),
+                                 typed.substr(front, typed.size() - back - front)});
+    undo_.push(new TextCommand(*this, std::move(edit), true));
+}
+
+void Document::applySettings(StudySettings settings, const QString& what) {
+    if (isOpen()) undo_.push(new StudyCommand(*this, std::move(settings), what));
+}
+
+void Document::applyBoth(syntax::TextEdit edit, StudySettings settings) {
+    if (!isOpen()) return;
+    const QString what = QString::fromStdString(edit.what);
+    std::string& text = settings.models[settings.modelFile];
+    text = syntax::apply(text, std::move(edit)).text;
+    applySettings(std::move(settings), what);
 }
 
 void Document::setParameterValue(const std::string& name, double value) {
@@ -130,14 +260,16 @@ void Document::setParameterValue(const std::string& name, double value) {
 }
 
 void Document::setStudyParameter(const std::string& name, const StudyParameter& parameter, const QString& what) {
-    StudySettings settings{study_->models, study_->parameters};
-    settings.parameters[name] = parameter;
-    undo_.push(new StudyCommand(*this, std::move(settings), what));
+    StudySettings changed = settings();
+    changed.parameters[name] = parameter;
+    applySettings(std::move(changed), what);
 }
 
 void Document::adoptCompleted(const QString& what) {
     if (!result_ || isResultAdopted()) return;
-    undo_.push(new StudyCommand(*this, {result_->completed.models, result_->completed.parameters}, what));
+    StudySettings completed = settingsOf(result_->completed);
+    completed.tables = study_->tables;
+    applySettings(std::move(completed), what);
     Q_EMIT resultChanged();
 }
 
@@ -156,9 +288,28 @@ void Document::setSimulated(ModelState state) {
     Q_EMIT resultChanged();
 }
 
-void Document::setResult(RunKind kind, RunResult result, const Study& ranOn) {
+bool Document::canRun() const {
+    return isOpen() && std::any_of(study_->experiments.begin(), study_->experiments.end(),
+                                   [](const StudyExperiment& e) { return !e.outputs.empty(); });
+}
+
+void Document::restoreRun(const RunRecord& record) {
+    StudySettings settings = settingsOf(record.result->completed);
+    settings.tables.insert(study_->tables.begin(), study_->tables.end());
+    applySettings(std::move(settings), tr("Go back to the run of %1").arg(record.when));
+    result_ = record.result;
+    resultStudy_ = record.ranOn;
+    resultKind_ = record.kind;
+    ++tracesVersion_;
+    Q_EMIT resultChanged();
+}
+
+void Document::setResult(RunKind kind, RunResult result, const Study& ranOn, double seconds) {
     beforeFit_ = simulated_;
-    result_ = std::make_unique<RunResult>(std::move(result));
+    result_ = std::make_shared<const RunResult>(std::move(result));
+    constexpr std::size_t kept = 40;  // runs
+    if (history_.size() >= kept) history_.erase(history_.begin());
+    history_.push_back({kind, QTime::currentTime().toString("HH:mm:ss"), seconds, ranOn, result_});
     resultStudy_ = ranOn;
     resultKind_ = kind;
     ++tracesVersion_;
@@ -188,7 +339,9 @@ void Document::setRunMessages(Diagnostics messages) { setMessages(Message::Origi
 
 void Document::setMessages(Message::Origin origin, const Diagnostics& diagnostics) {
     std::erase_if(messages_, [origin](const Message& m) { return m.origin == origin; });
-    for (const Diagnostic& d : diagnostics) messages_.push_back({origin, d});
+    Diagnostics named = diagnostics;
+    if (isOpen() && files_) named = namedAs(std::move(named), OpenedStudy{{}, files_, path_.toStdString()});
+    for (Diagnostic& d : named) messages_.push_back({origin, std::move(d)});
     Q_EMIT messagesChanged();
 }
 

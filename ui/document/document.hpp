@@ -2,14 +2,17 @@
 
 #include <QObject>
 #include <QString>
+#include <QTimer>
 #include <QUndoStack>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
+#include "core/archive/archive.hpp"
 #include "core/diagram/diagram.hpp"
 #include "core/diagram/edit.hpp"
 #include "core/study/run.hpp"
+#include "ui/document/commands.hpp"
 #include "ui/document/model_facts.hpp"
 #include "ui/job/job.hpp"
 
@@ -24,6 +27,15 @@ struct Message {
     Diagnostic diagnostic;
 };
 
+/// A run as it was: the study it ran on and what it came to.
+struct RunRecord {
+    RunKind kind{RunKind::Fit};
+    QString when;
+    double seconds{};
+    Study ranOn;
+    std::shared_ptr<const RunResult> result;
+};
+
 /// What the screen shows: one study, the picture of its model, and what was found. The only owner of state.
 /// The model's text is the truth: the diagram is read from it after every change, and each change is an
 /// undoable edit with its exact inverse.
@@ -36,7 +48,21 @@ public:
 
     /// Reads a study in the background: a directory, its study.json or an archive.
     void open(const QString& path);
+    /// An empty study; `suggested` is its name until it is saved.
+    void startNew(const QString& suggested);
+    /// A study that was made in memory, not saved anywhere yet.
+    void startWith(Study study);
     bool isOpen() const { return study_.has_value(); }
+    /// Where it was opened from or last saved to; empty: nowhere yet.
+    QString path() const { return path_; }
+    /// There is a recording with something to compare with.
+    bool canRun() const;
+    /// Writes the study in the background; the document is clean when this has worked.
+    void save(const QString& path);
+    bool isSaving() const { return saver_.isBusy(); }
+    /// Recovered work belongs to this path and is not saved there yet.
+    void openRecovered(const QString& recovery, const QString& path);
+    bool isModified() const { return isOpen() && (isRecovered_ || !undo_.isClean()); }
     bool isReading() const { return reader_.isBusy(); }
 
     const Study& study() const { return *study_; }
@@ -53,6 +79,12 @@ public:
 
     // Changes, each undoable.
     void applyEdit(syntax::TextEdit edit);
+    /// A whole new text of the model, as typed: becomes the one replacement that tells both apart.
+    void typeText(const QString& text);
+    void applySettings(StudySettings settings, const QString& what);
+    StudySettings settings() const { return settingsOf(*study_); }
+    /// Text and settings as one step.
+    void applyBoth(syntax::TextEdit edit, StudySettings settings);
     /// The value a run starts from: the study's own when it has one, else the text of the model.
     void setParameterValue(const std::string& name, double value);
     void setStudyParameter(const std::string& name, const StudyParameter& parameter, const QString& what);
@@ -63,7 +95,9 @@ public:
 
     // Results. They are kept while the study moves on; isResultStale() tells.
     void setSimulated(ModelState state);  // the model as it stands
-    void setResult(RunKind kind, RunResult result, const Study& ranOn);
+    void setResult(RunKind kind, RunResult result, const Study& ranOn, double seconds = 0);
+    /// The study as a run left it, as an edit.
+    void restoreRun(const RunRecord& record);
     const Finding* finding() const { return result_ ? &result_->finding : nullptr; }
     const RunResult* result() const { return result_.get(); }
     RunKind resultKind() const { return resultKind_; }
@@ -76,6 +110,9 @@ public:
     /// Changes whenever the traces to show do.
     unsigned long tracesVersion() const { return 2 * tracesVersion_ + (isResultStale() ? 1 : 0); }
 
+    /// Every run of this study, oldest first; later edits do not touch them.
+    const std::vector<RunRecord>& history() const { return history_; }
+
     void setRunMessages(Diagnostics messages);
     const std::vector<Message>& messages() const { return messages_; }
 
@@ -85,6 +122,9 @@ Q_SIGNALS:
     void modelChanged();  // text and diagram
     void factsChanged();
     void parametersChanged();  // the study's own settings of parameters
+    void experimentsChanged();
+    void saved(bool isDone);
+    void modifiedChanged();
     void resultChanged();
     void messagesChanged();
 
@@ -93,6 +133,8 @@ private:
     friend class StudyCommand;
     struct Opened;
     void show(Opened opened);
+    void adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory> files, const QString& path);
+    void settingsChanged() { ++revision_; }
     void readModel();  // library and diagram from the texts
     void modelTextChanged();
     void setMessages(Message::Origin origin, const Diagnostics& diagnostics);
@@ -103,15 +145,21 @@ private:
     ModelFacts facts_;
     Diagnostics modelFaults_;  // found while reading the diagram
     std::optional<ModelState> simulated_;
-    std::unique_ptr<RunResult> result_;
+    std::shared_ptr<const RunResult> result_;
+    std::vector<RunRecord> history_;
     std::optional<Study> resultStudy_;  // the study the result was computed for
     std::optional<ModelState> beforeFit_;
     RunKind resultKind_{RunKind::Simulate};
     std::vector<Message> messages_;
     unsigned long revision_{}, tracesVersion_{};
     QUndoStack undo_;
+    QString path_;
+    bool isRecovered_{};
+    std::shared_ptr<const TemporaryDirectory> files_;  // of an unpacked archive, as long as the study is open
+    QTimer analysisDelay_;
     JobRunner reader_;
     JobRunner analyser_;
+    JobRunner saver_;
 };
 
 }  // namespace analogon::ui

@@ -94,9 +94,9 @@ Headline headlineOf(const Finding& finding, RunKind kind, const QPalette& palett
                     tr("What is left between model and measurement is noise. Nothing was added."),
                     style::good(palette)};
         case FindingKind::Effect:
-            return {found, tr("Added to the model and refitted. What is left is noise."), style::good(palette)};
+            return {found, tr("With it, refitted, what is left is noise."), style::good(palette)};
         case FindingKind::Partial:
-            return {found, tr("Added to the model and refitted. Some structure remains that no candidate explains."),
+            return {found, tr("With it, refitted, some structure remains that no candidate explains."),
                     style::caution(palette)};
         case FindingKind::Unexplained:
             break;
@@ -121,6 +121,10 @@ QString verdictTip(const CandidateResult& candidate) {
 }
 
 }  // namespace
+
+QString placeOf(const QString& at) {
+    return at.startsWith("output ") || at.startsWith("input ") ? at.section(' ', 1) : at;
+}
 
 QString effectTitle(const AddedEffect& effect) {
     QString what = text(effect.description.empty() ? effect.kind : effect.description);
@@ -215,8 +219,9 @@ void ResultPanel::addAdoption() {
     if (document_.isResultStale() || document_.isResultAdopted()) return;
     const bool isFit = document_.resultKind() == RunKind::Fit;
     if (!isFit && document_.finding()->effects.empty()) return;
-    auto* button =
-        new QPushButton(isFit ? tr("Write fitted values into the model") : tr("Add it to the model again"), body_);
+    auto* button = new QPushButton(isFit ? tr("Write fitted values into the model") : tr("Add to the model"), body_);
+    button->setObjectName("adopt");
+    button->setDefault(true);
     button->setIcon(style::icon("apply"));
     connect(button, &QPushButton::clicked, this,
             [this, isFit] { document_.adoptCompleted(isFit ? tr("Write fitted values") : tr("Add what was found")); });
@@ -290,8 +295,10 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
         if (a.equivalent) equivalent << tr("%1 at %2").arg(text(a.kind), text(a.at));
     if (!equivalent.isEmpty()) addText(tr("This data cannot tell it from: %1.").arg(equivalent.join("; ")), true);
     auto* show = new QPushButton(tr("Show in the diagram"), body_);
-    connect(show, &QPushButton::clicked, this,
-            [this, instance = text(effect.instance)] { Q_EMIT effectChosen(instance); });
+    connect(show, &QPushButton::clicked, this, [this, instance = text(effect.instance), at = text(effect.at)] {
+        // Before it is added there is its place alone.
+        Q_EMIT effectChosen(document_.diagram().find(instance.toStdString()) ? instance : placeOf(at));
+    });
     auto* line = new QHBoxLayout;
     line->addWidget(show);
     line->addStretch(1);
@@ -340,6 +347,9 @@ void ResultPanel::addCandidates(const Finding& finding) {
     for (const int c : {2, 3}) candidates_->headerItem()->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
     candidates_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     candidates_->header()->setSectionResizeMode(1, QHeaderView::Stretch);
+    candidates_->setMouseTracking(true);
+    connect(candidates_, &QTreeWidget::itemEntered, this,
+            [this](QTreeWidgetItem* item) { Q_EMIT placePointedAt(placeOf(item->text(1))); });
     column_->addWidget(candidates_);
     fitHeight(candidates_);
 }

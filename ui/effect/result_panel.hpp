@@ -30,6 +30,7 @@ public:
 
 Q_SIGNALS:
     void effectChosen(const QString& instance);
+    void placePointedAt(const QString& place);  // a block or connector of the diagram
 
 private:
     void refresh();
@@ -54,5 +55,8 @@ private:
 
 /// "Dry friction at rotor.flange_b", for headings, labels on the diagram and the undo list.
 QString effectTitle(const AddedEffect& effect);
+
+/// "T" of "output T": what the diagram knows a place by.
+QString placeOf(const QString& at);
 
 }  // namespace analogon::ui

@@ -63,6 +63,7 @@ RunController::RunController(Document& document, QObject* parent) : QObject(pare
     const auto soon = [this] { previewDelay_.start(); };
     connect(&document, &Document::modelChanged, this, soon);
     connect(&document, &Document::parametersChanged, this, soon);
+    connect(&document, &Document::experimentsChanged, this, soon);
     connect(&document, &Document::opened, this, [this] { run_.drop(); });
 }
 
@@ -98,18 +99,17 @@ void RunController::conclude(RunKind kind, const Study& ranOn, unsigned long rev
     }
     const bool interrupted = outcome->finding.interrupted || run_.isCancelling();
     const double seconds = static_cast<double>(clock_.elapsed()) / 1000;
-    const bool hasEffects = !outcome->finding.effects.empty();
     Diagnostics messages = messagesOf(*outcome);
     for (const Diagnostic& d : outcome.diagnostics()) messages.push_back(d);
-    document_.setResult(kind, std::move(*outcome), ranOn);
+    document_.setResult(kind, std::move(*outcome), ranOn, seconds);
     document_.setRunMessages(std::move(messages));
-    if (kind == RunKind::Discover && hasEffects) document_.adoptCompleted(tr("Add what was found"));
     Q_EMIT concluded(interrupted ? tr("%1 stopped; best result so far is shown.").arg(name)
                                  : tr("%1 done in %2 s.").arg(name).arg(seconds, 0, 'g', 3));
 }
 
 void RunController::preview() {
     if (!document_.isOpen() || run_.isBusy() || document_.definition() == nullptr) return;
+    if (!document_.canRun()) return preview_.drop();
     if (document_.result() && !document_.isResultStale()) return;  // its traces are what is shown
     const Study study = document_.study();
     preview_.start<Outcome<RunResult>>(

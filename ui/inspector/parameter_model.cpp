@@ -172,6 +172,7 @@ QVariant ParameterModel::data(const QModelIndex& index, int role) const {
 }
 
 Qt::ItemFlags ParameterModel::flags(const QModelIndex& index) const {
+    if (!index.isValid()) return Qt::NoItemFlags;
     Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
     if (index.column() == Name) flags |= Qt::ItemIsUserCheckable;
     if (index.column() == Value || index.column() == Min || index.column() == Max) flags |= Qt::ItemIsEditable;

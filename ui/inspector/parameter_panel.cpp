@@ -71,11 +71,12 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
     table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                             QAbstractItemView::AnyKeyPressed);
     table_->setWordWrap(false);
+    table_->setTextElideMode(Qt::ElideMiddle);  // the end of a name tells the parameters of a block apart
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 2 * style::unit + 2);
     table_->horizontalHeader()->setHighlightSections(false);
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table_->horizontalHeader()->setSectionResizeMode(ParameterModel::Name, QHeaderView::Stretch);
+    table_->horizontalHeader()->setStretchLastSection(true);
     table_->horizontalHeader()->setMinimumSectionSize(9 * style::unit);
     table_->setAccessibleName(tr("Parameters"));
 

@@ -1,20 +1,30 @@
 #include "ui/measurement/measurement_panel.hpp"
 
+#include <QApplication>
+#include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QRegularExpression>
+#include <QScrollBar>
 #include <QStackedLayout>
+#include <QStyledItemDelegate>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <set>
 
 #include "ui/document/document.hpp"
+#include "ui/measurement/mapping.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {
 
 namespace {
 
-constexpr int experimentRole = Qt::UserRole;
+constexpr int experimentRole = Qt::UserRole, kindRole = Qt::UserRole + 1, signalRole = Qt::UserRole + 2,
+              columnRole = Qt::UserRole + 3;
 
 QString columnText(const Table* table, const ChannelMapping& mapping) {
     const Column* column = table ? table->find(mapping.column) : nullptr;
@@ -47,12 +57,73 @@ QString extentText(const Table& table, const StudyExperiment& experiment) {
 
 }  // namespace
 
+/// Columns are chosen from a list, roles too; a range is typed.
+class MappingDelegate : public QStyledItemDelegate {
+public:
+    explicit MappingDelegate(MeasurementPanel& panel) : QStyledItemDelegate(&panel), panel_(panel) {}
+
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const override {
+        if (index.column() != 1) return nullptr;
+        const QTreeWidgetItem* item = panel_.tree_->itemFromIndex(index);
+        const StudyExperiment* experiment = panel_.experimentOf(item);
+        if (!item || !experiment) return nullptr;
+        const auto kind = static_cast<MeasurementPanel::Kind>(item->data(0, kindRole).toInt());
+        if (kind == MeasurementPanel::Kind::Range) return QStyledItemDelegate::createEditor(parent, option, index);
+        auto* box = new QComboBox(parent);
+        if (kind == MeasurementPanel::Kind::Experiment) {
+            box->addItem(MeasurementPanel::tr("fit"), true);
+            box->addItem(MeasurementPanel::tr("validate"), false);
+        } else if (kind == MeasurementPanel::Kind::Input || kind == MeasurementPanel::Kind::Output) {
+            box->addItem(MeasurementPanel::tr("not mapped"), QString());
+            const auto table = panel_.document_.study().tables.find(experiment->file);
+            if (table != panel_.document_.study().tables.end())
+                for (const Column& c : table->second->columns) {
+                    ChannelMapping mapping;
+                    mapping.column = c.name;
+                    box->addItem(columnText(table->second.get(), mapping), QString::fromStdString(c.name));
+                }
+        } else {
+            delete box;
+            return nullptr;
+        }
+        connect(box, &QComboBox::activated, this, [this, box] {
+            auto* self = const_cast<MappingDelegate*>(this);
+            Q_EMIT self->commitData(box);
+            Q_EMIT self->closeEditor(box);
+        });
+        return box;
+    }
+    void setEditorData(QWidget* editor, const QModelIndex& index) const override {
+        auto* box = qobject_cast<QComboBox*>(editor);
+        if (!box) return QStyledItemDelegate::setEditorData(editor, index);
+        const QVariant column = index.data(columnRole);
+        box->setCurrentIndex(
+            std::max(0, column.isValid() ? box->findData(column) : box->findText(index.data().toString())));
+    }
+    void setModelData(QWidget* editor, QAbstractItemModel*, const QModelIndex& index) const override {
+        const QTreeWidgetItem* item = panel_.tree_->itemFromIndex(index);
+        const auto kind = static_cast<MeasurementPanel::Kind>(item->data(0, kindRole).toInt());
+        if (auto* field = qobject_cast<QLineEdit*>(editor)) return panel_.setRange(item, field->text());
+        const QVariant chosen = static_cast<QComboBox*>(editor)->currentData();
+        if (kind == MeasurementPanel::Kind::Experiment)
+            panel_.setRole(item, chosen.toBool());
+        else
+            panel_.map(item, chosen.toString());
+    }
+
+private:
+    MeasurementPanel& panel_;
+};
+
 MeasurementPanel::MeasurementPanel(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
       tree_(new QTreeWidget(this)),
-      pages_(new QStackedLayout(this)),
-      empty_(new QLabel(this)) {
+      pages_(new QStackedLayout),
+      empty_(new QLabel(this)),
+      import_(new QToolButton(this)),
+      propose_(new QToolButton(this)) {
     tree_->setColumnCount(2);
     tree_->setHeaderLabels({tr("Model"), tr("Column")});
     tree_->setFrameShape(QFrame::NoFrame);
@@ -63,70 +134,297 @@ MeasurementPanel::MeasurementPanel(Document& document, QWidget* parent)
     tree_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     tree_->header()->setStretchLastSection(true);
     tree_->setAccessibleName(tr("Measurements"));
-    empty_->setText(tr("The measurements of the open study appear here."));
+    tree_->setItemDelegateForColumn(1, new MappingDelegate(*this));
+    tree_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    tree_->setContextMenuPolicy(Qt::CustomContextMenu);
+    tree_->viewport()->installEventFilter(this);
+    tree_->installEventFilter(this);
     empty_->setAlignment(Qt::AlignCenter);
     empty_->setWordWrap(true);
     empty_->setMargin(style::margin);
     style::makeCaption(empty_);
+    import_->setText(tr("Import …"));
+    import_->setIcon(style::icon("recording"));
+    import_->setToolTip(tr("Add a recording to the study"));
+    propose_->setText(tr("Propose mapping"));
+    propose_->setToolTip(tr("Give signals without a column the one that fits by unit and name"));
+    for (QToolButton* b : {import_, propose_}) {
+        b->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        b->setAutoRaise(true);
+    }
+    auto* bar = new QHBoxLayout;
+    bar->setContentsMargins(2 * style::unit, style::unit, 2 * style::unit, style::unit);
+    bar->setSpacing(style::unit);
+    bar->addWidget(import_);
+    bar->addWidget(propose_);
+    bar->addStretch(1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addLayout(bar);
+    layout->addLayout(pages_, 1);
     pages_->addWidget(empty_);
     pages_->addWidget(tree_);
-    connect(&document, &Document::opened, this, &MeasurementPanel::refresh);
+    for (auto signal : {&Document::opened, &Document::experimentsChanged, &Document::factsChanged})
+        connect(&document, signal, this, &MeasurementPanel::refresh);
+    connect(import_, &QToolButton::clicked, this, &MeasurementPanel::browseWanted);
+    connect(propose_, &QToolButton::clicked, this, &MeasurementPanel::propose);
+    connect(tree_, &QWidget::customContextMenuRequested, this, &MeasurementPanel::showMenu);
     connect(tree_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
         while (item && item->parent()) item = item->parent();
         if (item) Q_EMIT experimentChosen(item->data(0, experimentRole).toString());
     });
+    refresh();
+}
+
+const StudyExperiment* MeasurementPanel::experimentOf(const QTreeWidgetItem* item) const {
+    while (item && item->parent()) item = item->parent();
+    if (!item || !document_.isOpen()) return nullptr;
+    const std::string name = item->data(0, experimentRole).toString().toStdString();
+    for (const StudyExperiment& e : document_.study().experiments)
+        if (e.name == name) return &e;
+    return nullptr;
+}
+
+void MeasurementPanel::change(const QTreeWidgetItem* item, const QString& what,
+                              const std::function<void(StudyExperiment&)>& edit) {
+    const StudyExperiment* experiment = experimentOf(item);
+    if (!experiment) return;
+    StudySettings settings = document_.settings();
+    for (StudyExperiment& e : settings.experiments)
+        if (e.name == experiment->name) edit(e);
+    document_.applySettings(std::move(settings), what);
+}
+
+void MeasurementPanel::map(const QTreeWidgetItem* item, const QString& column) {
+    const std::string signal = item->data(0, signalRole).toString().toStdString();
+    const bool isInput = static_cast<Kind>(item->data(0, kindRole).toInt()) == Kind::Input;
+    if (item->data(1, columnRole).toString() == column) return;
+    change(item, tr("Map %1").arg(QString::fromStdString(signal)), [&](StudyExperiment& e) {
+        auto& channels = isInput ? e.inputs : e.outputs;
+        if (column.isEmpty()) {
+            channels.erase(signal);
+        } else {
+            channels[signal] = {};
+            channels[signal].column = column.toStdString();
+        }
+    });
+}
+
+void MeasurementPanel::setRole(const QTreeWidgetItem* item, bool isFit) {
+    const StudyExperiment* experiment = experimentOf(item);
+    if (!experiment || (experiment->role == Role::Fit) == isFit) return;
+    change(item, isFit ? tr("Use to fit") : tr("Use to validate"),
+           [&](StudyExperiment& e) { e.role = isFit ? Role::Fit : Role::Validate; });
+}
+
+void MeasurementPanel::setRange(const QTreeWidgetItem* item, const QString& text) {
+    static const QRegularExpression number(R"([-+]?\d+(?:[.,]\d*)?(?:[eE][-+]?\d+)?)");
+    std::vector<double> found;
+    for (auto it = number.globalMatch(text); it.hasNext();)
+        found.push_back(it.next().captured().replace(',', '.').toDouble());
+    const bool isRange = found.size() == 2 && found[0] < found[1];
+    if (!isRange && !text.trimmed().isEmpty() && text != tr("all")) return;
+    change(item, tr("Set the range"), [&](StudyExperiment& e) {
+        if (isRange)
+            e.range = {found[0], found[1]};
+        else
+            e.range.reset();
+    });
+}
+
+void MeasurementPanel::removeExperiment() {
+    const StudyExperiment* experiment = experimentOf(tree_->currentItem());
+    if (!experiment) return;
+    const std::string name = experiment->name;
+    StudySettings settings = document_.settings();
+    std::erase_if(settings.experiments, [&](const StudyExperiment& e) { return e.name == name; });
+    document_.applySettings(std::move(settings), tr("Remove %1").arg(QString::fromStdString(name)));
+}
+
+void MeasurementPanel::propose() {
+    if (!document_.isOpen()) return;
+    StudySettings settings = document_.settings();
+    for (StudyExperiment& e : settings.experiments)
+        if (const auto table = settings.tables.find(e.file); table != settings.tables.end())
+            proposeMapping(e, *table->second, document_.facts(), document_.study().experiments);
+    document_.applySettings(std::move(settings), tr("Propose mapping"));
+}
+
+void MeasurementPanel::showMenu(QPoint at) {
+    const StudyExperiment* experiment = experimentOf(tree_->itemAt(at));
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("Import …"), this, &MeasurementPanel::browseWanted);
+    menu->addAction(tr("Propose mapping"), this, &MeasurementPanel::propose);
+    if (experiment) {
+        QTreeWidgetItem* item = tree_->itemAt(at);
+        while (item->parent()) item = item->parent();
+        const bool isFit = experiment->role == Role::Fit;
+        menu->addSeparator();
+        menu->addAction(isFit ? tr("Use to validate") : tr("Use to fit"), this,
+                        [this, item, isFit] { setRole(item, !isFit); });
+        menu->addAction(tr("Remove %1").arg(QString::fromStdString(experiment->name)), this,
+                        &MeasurementPanel::removeExperiment);
+    }
+    menu->popup(tree_->viewport()->mapToGlobal(at));
+}
+
+QTreeWidgetItem* MeasurementPanel::signalItem(const QString& experiment, const QString& signal) const {
+    for (int i = 0; i < tree_->topLevelItemCount(); ++i) {
+        QTreeWidgetItem* top = tree_->topLevelItem(i);
+        if (top->data(0, experimentRole).toString() != experiment) continue;
+        for (int k = 0; k < top->childCount(); ++k)
+            if (top->child(k)->data(0, signalRole).toString() == signal ||
+                (top->child(k)->data(0, signalRole).isNull() &&
+                 top->child(k)->data(1, columnRole).toString() == signal))
+                return top->child(k);
+    }
+    return nullptr;
+}
+
+QTreeWidgetItem* MeasurementPanel::addRow(QTreeWidgetItem* top, Kind kind, const QString& text, const QString& value) {
+    auto* item = new QTreeWidgetItem(top, {text, value});
+    item->setData(0, kindRole, static_cast<int>(kind));
+    return item;
+}
+
+void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
+    const auto found = document_.study().tables.find(experiment.file);
+    const Table* table = found == document_.study().tables.end() ? nullptr : found->second.get();
+    const QString file = QString::fromStdString(std::filesystem::path(experiment.file).filename().string());
+    const QString name = QString::fromStdString(experiment.name);
+    const QColor muted = style::mutedText(palette());
+    const bool isFit = experiment.role == Role::Fit;
+
+    auto* top = new QTreeWidgetItem(tree_, {name, isFit ? tr("fit") : tr("validate")});
+    top->setFlags(top->flags() | Qt::ItemIsEditable);
+    top->setIcon(0, style::icon("recording"));
+    top->setData(0, experimentRole, name);
+    top->setData(0, kindRole, static_cast<int>(Kind::Experiment));
+    QFont bold = top->font(0);
+    bold.setWeight(QFont::DemiBold);
+    top->setFont(0, bold);
+    top->setToolTip(
+        1, isFit ? tr("Used to fit and to choose effects") : tr("Only reported; never used to fit or to choose"));
+    top->setForeground(1, isFit ? style::accent(palette()) : muted);
+    const QString extent = table ? QStringLiteral(" · ") + extentText(*table, experiment) : QString();
+    auto* info = addRow(top, Kind::Info, file + extent, {});
+    info->setFirstColumnSpanned(true);
+    info->setForeground(0, muted);
+    info->setToolTip(0, QString::fromStdString(experiment.file) + extent);
+
+    std::set<std::string> used{experiment.timeColumn};
+    const auto add = [&](const std::map<std::string, ChannelMapping>& channels,
+                         const std::vector<SignalFact>& signalFacts, Kind kind) {
+        const bool isInput = kind == Kind::Input;
+        const auto addSignal = [&](const std::string& signal, const ChannelMapping* mapping) {
+            auto* item = addRow(top, kind, QString::fromStdString(signal),
+                                mapping ? columnText(table, *mapping) : tr("not mapped"));
+            item->setFlags(item->flags() | Qt::ItemIsEditable);
+            item->setData(0, signalRole, QString::fromStdString(signal));
+            item->setIcon(0, style::icon(isInput ? "input" : "output"));
+            item->setToolTip(0, isInput ? tr("Input of the model") : tr("Output of the model"));
+            if (!mapping) {
+                item->setForeground(1, style::caution(palette()));
+                item->setToolTip(1, tr("Drag a column here, or double-click and choose one"));
+                item->setData(1, columnRole, QString());
+                return;
+            }
+            item->setData(1, columnRole, QString::fromStdString(mapping->column));
+            item->setToolTip(1, mappingTip(*mapping, file));
+            used.insert(mapping->column);
+        };
+        for (const auto& [signal, mapping] : channels) addSignal(signal, &mapping);
+        for (const SignalFact& fact : signalFacts)
+            if (!channels.contains(fact.name)) addSignal(fact.name, nullptr);
+    };
+    add(experiment.inputs, document_.facts().inputs, Kind::Input);
+    add(experiment.outputs, document_.facts().outputs, Kind::Output);
+    if (table)
+        for (const Column& column : table->columns) {
+            if (used.contains(column.name)) continue;
+            ChannelMapping mapping;
+            mapping.column = column.name;
+            auto* item = addRow(top, Kind::Spare, tr("not used"), columnText(table, mapping));
+            item->setData(1, columnRole, QString::fromStdString(column.name));
+            item->setIcon(0, style::icon("spare"));
+            item->setToolTip(0, tr("Kept: the search for effects may use it as a cause"));
+            for (int c : {0, 1}) item->setForeground(c, muted);
+        }
+    QString range = tr("all");
+    if (experiment.range)
+        range = QStringLiteral("%1 … %2 s").arg(experiment.range->first).arg(experiment.range->second);
+    auto* rangeItem = addRow(top, Kind::Range, tr("range"), range);
+    rangeItem->setFlags(rangeItem->flags() | Qt::ItemIsEditable);
+    rangeItem->setIcon(0, style::icon("time"));
+    rangeItem->setForeground(1, muted);
+    rangeItem->setToolTip(1, tr("Double-click and type from and to, in seconds"));
+    top->setExpanded(true);
 }
 
 void MeasurementPanel::refresh() {
     const QSignalBlocker blocker(tree_);
+    const int scrolled = tree_->verticalScrollBar()->value();
     tree_->clear();
-    for (const StudyExperiment& experiment : document_.study().experiments) {
-        const auto found = document_.study().tables.find(experiment.file);
-        const Table* table = found == document_.study().tables.end() ? nullptr : found->second.get();
-        const QString file = QString::fromStdString(experiment.file);
-        const QString name = QString::fromStdString(experiment.name);
-
-        auto* top = new QTreeWidgetItem(tree_, {name, experiment.role == Role::Fit ? tr("fit") : tr("validate")});
-        top->setIcon(0, style::icon("recording"));
-        top->setData(0, experimentRole, name);
-        QFont bold = top->font(0);
-        bold.setWeight(QFont::DemiBold);
-        top->setFont(0, bold);
-        top->setToolTip(1, experiment.role == Role::Fit ? tr("Used to fit and to choose effects")
-                                                        : tr("Only reported; never used to fit or to choose"));
-        top->setForeground(1, experiment.role == Role::Fit ? style::accent(palette()) : style::mutedText(palette()));
-        const QString extent = table ? QStringLiteral(" · ") + extentText(*table, experiment) : QString();
-        auto* info = new QTreeWidgetItem(top, {file + extent});
-        info->setFirstColumnSpanned(true);
-        info->setForeground(0, style::mutedText(palette()));
-        info->setToolTip(0, info->text(0));
-
-        std::set<std::string> used{experiment.timeColumn};
-        const auto add = [&](const std::map<std::string, ChannelMapping>& channels, const QString& icon,
-                             const QString& kind) {
-            for (const auto& [signal, mapping] : channels) {
-                auto* item = new QTreeWidgetItem(top, {QString::fromStdString(signal), columnText(table, mapping)});
-                item->setIcon(0, style::icon(icon));
-                item->setToolTip(0, kind);
-                item->setToolTip(1, mappingTip(mapping, file));
-                used.insert(mapping.column);
-            }
-        };
-        add(experiment.inputs, "input", tr("Input of the model"));
-        add(experiment.outputs, "output", tr("Output of the model"));
-        if (table)
-            for (const Column& column : table->columns) {
-                if (used.contains(column.name)) continue;
-                ChannelMapping mapping;
-                mapping.column = column.name;
-                auto* item = new QTreeWidgetItem(top, {tr("not used"), columnText(table, mapping)});
-                item->setIcon(0, style::icon("spare"));
-                item->setToolTip(0, tr("Kept: the search for effects may use it as a cause"));
-                for (int c : {0, 1}) item->setForeground(c, style::mutedText(palette()));
-            }
-        top->setExpanded(true);
-    }
+    const bool isOpen = document_.isOpen();
+    import_->setEnabled(isOpen);
+    propose_->setEnabled(isOpen && !document_.study().experiments.empty());
+    if (isOpen)
+        for (const StudyExperiment& experiment : document_.study().experiments) addExperiment(experiment);
+    tree_->verticalScrollBar()->setValue(scrolled);
+    empty_->setText(isOpen
+                        ? tr("Drop a measurement file on the window, or press Import.\nIts columns are then mapped to "
+                             "the inputs and outputs of the model.")
+                        : tr("The measurements of the open study appear here."));
     pages_->setCurrentWidget(tree_->topLevelItemCount() > 0 ? static_cast<QWidget*>(tree_) : empty_);
+}
+
+/// A column is dragged onto a signal within the tree.
+bool MeasurementPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == tree_ && event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Delete) {
+            removeExperiment();
+            return true;
+        }
+        if ((key == Qt::Key_Return || key == Qt::Key_Enter) && tree_->currentItem()) {
+            tree_->editItem(tree_->currentItem(), 1);
+            return true;
+        }
+        return false;
+    }
+    if (watched != tree_->viewport()) return QWidget::eventFilter(watched, event);
+    auto* mouse = static_cast<QMouseEvent*>(event);
+    const auto target = [&]() -> QTreeWidgetItem* {
+        QTreeWidgetItem* item = tree_->itemAt(mouse->pos());
+        if (!item || item->data(0, signalRole).isNull()) return nullptr;
+        return item;
+    };
+    switch (event->type()) {
+        case QEvent::MouseButtonPress: {
+            const QTreeWidgetItem* item = tree_->itemAt(mouse->pos());
+            draggedColumn_ =
+                item && mouse->button() == Qt::LeftButton ? item->data(1, columnRole).toString() : QString();
+            pressedAt_ = mouse->pos();
+            return false;
+        }
+        case QEvent::MouseMove:
+            if (draggedColumn_.isEmpty() || !(mouse->buttons() & Qt::LeftButton)) return false;
+            if ((mouse->pos() - pressedAt_).manhattanLength() < QApplication::startDragDistance()) return true;
+            isDragging_ = true;
+            tree_->viewport()->setCursor(target() ? Qt::DragLinkCursor : Qt::ForbiddenCursor);
+            return true;
+        case QEvent::MouseButtonRelease: {
+            tree_->viewport()->unsetCursor();
+            const QString column = std::exchange(draggedColumn_, {});
+            if (!std::exchange(isDragging_, false) || column.isEmpty()) return false;
+            if (QTreeWidgetItem* item = target()) map(item, column);
+            return true;
+        }
+        default:
+            return QWidget::eventFilter(watched, event);
+    }
 }
 
 }  // namespace analogon::ui

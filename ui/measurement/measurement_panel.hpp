@@ -1,8 +1,10 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 
 class QLabel;
+class QToolButton;
 class QStackedLayout;
 class QTreeWidget;
 class QTreeWidgetItem;
@@ -10,6 +12,11 @@ class QTreeWidgetItem;
 namespace analogon::ui {
 
 class Document;
+}
+namespace analogon {
+struct StudyExperiment;
+}
+namespace analogon::ui {
 
 /// The experiments with their files, and which column each model input and output is taken from.
 class MeasurementPanel : public QWidget {
@@ -19,17 +26,43 @@ public:
     explicit MeasurementPanel(Document& document, QWidget* parent = nullptr);
 
     QTreeWidget* tree() const { return tree_; }
+    /// Shows a file as it will be read; it becomes an experiment when the user accepts it.
+    void import(const QString& path) { Q_EMIT importWanted(path); }
+    /// Maps what has no column yet.
+    void propose();
+    /// The row of a signal of an experiment, to point at it; null: none.
+    QTreeWidgetItem* signalItem(const QString& experiment, const QString& signal) const;
 
 Q_SIGNALS:
     void experimentChosen(const QString& name);
+    void importWanted(const QString& path);
+    void browseWanted();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    friend class MappingDelegate;
+    enum class Kind { Experiment, Info, Input, Output, Spare, Range };
     void refresh();
+    void addExperiment(const StudyExperiment& experiment);
+    QTreeWidgetItem* addRow(QTreeWidgetItem* top, Kind kind, const QString& text, const QString& value);
+    void map(const QTreeWidgetItem* item, const QString& column);
+    void setRole(const QTreeWidgetItem* item, bool isFit);
+    void setRange(const QTreeWidgetItem* item, const QString& text);
+    void removeExperiment();
+    void showMenu(QPoint at);
+    const StudyExperiment* experimentOf(const QTreeWidgetItem* item) const;
+    void change(const QTreeWidgetItem* item, const QString& what, const std::function<void(StudyExperiment&)>& edit);
 
     Document& document_;
     QTreeWidget* tree_;
     QStackedLayout* pages_;
     QLabel* empty_;
+    QToolButton *import_, *propose_;
+    QString draggedColumn_;  // under way to a signal; empty: none
+    QPoint pressedAt_;
+    bool isDragging_{};
 };
 
 }  // namespace analogon::ui

@@ -88,6 +88,7 @@ OutputPlot::OutputPlot(QWidget* parent)
     for (TimePlot* plot : {values_, residual_}) {
         connect(plot, &TimePlot::timeRangeWanted, this, &OutputPlot::timeRangeWanted);
         connect(plot, &TimePlot::allWanted, this, &OutputPlot::allWanted);
+        connect(plot, &TimePlot::markWanted, this, &OutputPlot::markWanted);
         connect(plot, &TimePlot::pointedAt, this, &OutputPlot::pointedAt);
         connect(plot, &TimePlot::pointerLeft, this, &OutputPlot::pointerLeft);
     }
@@ -135,10 +136,40 @@ void OutputPlot::setTimeRange(double from, double to) {
     residual_->setTimeRange(from, to);
 }
 
+void OutputPlot::setMarks(const std::vector<double>& times) {
+    marks_ = times;
+    values_->setMarks(times);
+    residual_->setMarks(times);
+    readOut(std::nullopt);
+}
+
 void OutputPlot::pointAt(std::optional<double> time) {
     values_->setCursorTime(time);
     residual_->setCursorTime(time);
+    readOut(time);
+}
+
+/// The values at the pointer; without one, the differences between the two marks.
+void OutputPlot::readOut(std::optional<double> time) {
     readout_->clear();
+    if (!time && marks_.size() == 2 && content_.time && !content_.time->empty()) {
+        const auto& stamps = *content_.time;
+        const auto indexOf = [&](double t) {
+            const auto at = std::lower_bound(stamps.begin(), stamps.end(), t);
+            return static_cast<std::size_t>(
+                std::min<std::ptrdiff_t>(at - stamps.begin(), static_cast<std::ptrdiff_t>(stamps.size()) - 1));
+        };
+        const std::size_t a = indexOf(marks_[0]), b = indexOf(marks_[1]);
+        QString text = tr("Δ %1 s").arg(stamps[b] - stamps[a], 0, 'g', 5);
+        const auto add = [&](const QString& name, const std::vector<double>& values) {
+            if (a < values.size() && b < values.size() && std::isfinite(values[b] - values[a]))
+                text += QStringLiteral("   Δ %1 %2").arg(name).arg(values[b] - values[a], 0, 'g', 5);
+        };
+        add(tr("measured"), content_.measured);
+        add(content_.beforeLabel.section(' ', 0, 0), content_.before);
+        add(content_.afterLabel.section(' ', 0, 0), content_.after);
+        return readout_->setText(text);
+    }
     if (!time || !content_.time || content_.time->empty()) return;
     const auto& stamps = *content_.time;
     const auto at = std::lower_bound(stamps.begin(), stamps.end(), *time);

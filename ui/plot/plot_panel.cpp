@@ -1,14 +1,20 @@
 #include "ui/plot/plot_panel.hpp"
 
+#include <QFileDialog>
 #include <QLabel>
+#include <QPainter>
+#include <QSaveFile>
 #include <QScrollArea>
 #include <QStackedLayout>
+#include <QSvgGenerator>
 #include <QTabBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
 #include "ui/document/document.hpp"
+#include "ui/plot/residual_plot.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {
@@ -62,13 +68,35 @@ PlotPanel::PlotPanel(Document& document, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(experiments_);
+    traceView_ = new QToolButton(this);
+    residualView_ = new QToolButton(this);
+    export_ = new QToolButton(this);
+    traceView_->setText(tr("Traces"));
+    residualView_->setText(tr("Residual"));
+    residualView_->setToolTip(tr("What the residual looks like: distribution, memory, what it moves with"));
+    export_->setText(tr("Export …"));
+    export_->setToolTip(tr("What is shown as PNG or SVG, its numbers as CSV"));
+    for (QToolButton* b : {traceView_, residualView_}) b->setCheckable(true);
+    for (QToolButton* b : {traceView_, residualView_, export_}) b->setAutoRaise(true);
+    traceView_->setChecked(true);
+    connect(traceView_, &QToolButton::clicked, this, [this] { showView(false); });
+    connect(residualView_, &QToolButton::clicked, this, [this] { showView(true); });
+    connect(export_, &QToolButton::clicked, this, &PlotPanel::askWhereToExport);
+    auto* bar = new QHBoxLayout;
+    bar->setContentsMargins(0, 0, 2 * style::unit, 0);
+    bar->setSpacing(style::unit);
+    bar->addWidget(experiments_, 1);
+    for (QToolButton* b : {traceView_, residualView_, export_}) bar->addWidget(b);
+    layout->addLayout(bar);
     layout->addLayout(pages_, 1);
     pages_->addWidget(empty_);
     pages_->addWidget(area_);
     connect(experiments_, &QTabBar::currentChanged, this, &PlotPanel::rebuild);
     connect(&document, &Document::opened, this, [this] { shown_.clear(); });
     connect(&document, &Document::resultChanged, this, &PlotPanel::refresh);
+    connect(&document, &Document::experimentsChanged, this, [this] {
+        if (names_.empty()) rebuild();
+    });
     refresh();
 }
 
@@ -94,15 +122,18 @@ void PlotPanel::refresh() {
         }
         names_ = names;
     }
-    experiments_->setVisible(!names_.empty());
+    for (QWidget* w : std::initializer_list<QWidget*>{experiments_, traceView_, residualView_, export_})
+        w->setVisible(!names_.empty());
     rebuild();
 }
 
 void PlotPanel::rebuild() {
     const int index = experiments_->currentIndex();
     if (names_.empty() || index < 0) {
-        empty_->setText(document_.isOpen() ? tr("Simulating the model as it stands …")
-                                           : tr("Open a study to see its measurements here."));
+        empty_->setText(!document_.isOpen()  ? tr("Open a study to see its measurements here.")
+                        : document_.canRun() ? tr("Simulating the model as it stands …")
+                                             : tr("Import a measurement and map its columns: measured and simulated "
+                                                  "traces then appear here."));
         pages_->setCurrentWidget(empty_);
         return;
     }
@@ -112,6 +143,16 @@ void PlotPanel::rebuild() {
     const ExperimentState* any = after ? after : before;
     if (!any) return;
     const auto time = std::make_shared<const std::vector<double>>(any->time);
+    while (residuals_.size() > any->outputs.size()) {
+        delete residuals_.back();
+        residuals_.pop_back();
+    }
+    while (residuals_.size() < any->outputs.size()) {
+        residuals_.push_back(new ResidualPlot);
+        residuals_.back()->setVisible(isResidualView_);
+        column_->addWidget(residuals_.back(), 1);
+    }
+    const std::vector<NamedSeries> variables = variablesOf(document_.study(), name, any->time);
     while (plots_.size() > any->outputs.size()) {
         delete plots_.back();
         plots_.pop_back();
@@ -120,9 +161,11 @@ void PlotPanel::rebuild() {
         auto* plot = new OutputPlot;
         connect(plot, &OutputPlot::timeRangeWanted, this, &PlotPanel::setTimeRange);
         connect(plot, &OutputPlot::allWanted, this, &PlotPanel::showAll);
+        connect(plot, &OutputPlot::markWanted, this, &PlotPanel::mark);
         connect(plot, &OutputPlot::pointedAt, this, &PlotPanel::pointAt);
         connect(plot, &OutputPlot::pointerLeft, this, &PlotPanel::leave);
         column_->addWidget(plot, 1);
+        plot->setVisible(!isResidualView_);
         plots_.push_back(plot);
     }
     const QString beforeWord = document_.after() ? tr("before") : tr("simulated");
@@ -141,6 +184,13 @@ void PlotPanel::rebuild() {
             content.after = toVector(o->simulated);
             content.afterLabel = tr("after") + " " + percent(o->figures.errorPercent);
         }
+        const std::vector<double>& best = content.after.empty() ? content.before : content.after;
+        std::vector<double> residual(best.size());
+        for (std::size_t k = 0; k < best.size(); ++k) residual[k] = content.measured[k] - best[k];
+        std::vector<NamedSeries> against{{tr("simulated"), best}};
+        against.insert(against.end(), variables.begin(), variables.end());
+        residuals_[i]->show(content.unit.isEmpty() ? content.name : content.name + "  [" + content.unit + "]",
+                            std::move(residual), std::move(against));
         plots_[i]->show(std::move(content));
     }
     first_ = any->time.empty() ? 0 : any->time.front();
@@ -148,6 +198,8 @@ void PlotPanel::rebuild() {
     const QString key = QString::fromStdString(name);
     if (shown_ != key) {
         shown_ = key;
+        marks_.clear();
+        for (OutputPlot* plot : plots_) plot->setMarks(marks_);
         from_ = first_;
         to_ = last_;
     }
@@ -168,6 +220,72 @@ void PlotPanel::showAll() { setTimeRange(first_, last_); }
 
 void PlotPanel::pointAt(double time) {
     for (OutputPlot* plot : plots_) plot->pointAt(time);
+}
+
+void PlotPanel::mark(double time) {
+    if (marks_.size() == 2) marks_.clear();
+    marks_.push_back(time);
+    for (OutputPlot* plot : plots_) plot->setMarks(marks_);
+}
+
+void PlotPanel::showView(bool isResidual) {
+    isResidualView_ = isResidual;
+    traceView_->setChecked(!isResidual);
+    residualView_->setChecked(isResidual);
+    for (OutputPlot* plot : plots_) plot->setVisible(!isResidual);
+    for (ResidualPlot* plot : residuals_) plot->setVisible(isResidual);
+}
+
+void PlotPanel::askWhereToExport() {
+    auto* dialog = new QFileDialog(window(), tr("Export what is shown"));
+    dialog->setObjectName("export-dialog");
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setModal(false);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilters({tr("Picture (*.png)"), tr("Drawing (*.svg)"), tr("Numbers (*.csv)")});
+    dialog->setDefaultSuffix("png");
+    connect(dialog, &QFileDialog::filterSelected, dialog,
+            [dialog](const QString& filter) { dialog->setDefaultSuffix(filter.section("*.", 1).chopped(1)); });
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { Q_EMIT told(exportTo(file)); });
+    dialog->show();
+}
+
+QString PlotPanel::exportTo(const QString& file) {
+    if (names_.empty()) return tr("There is nothing to export yet.");
+    QWidget* body = area_->widget();
+    bool isWritten = false;
+    if (file.endsWith(".svg", Qt::CaseInsensitive)) {
+        QSvgGenerator svg;
+        svg.setFileName(file);
+        svg.setSize(body->size());
+        svg.setViewBox(body->rect());
+        svg.setTitle(shown_);
+        QPainter painter;
+        isWritten = painter.begin(&svg);
+        if (isWritten) body->render(&painter);
+    } else if (file.endsWith(".csv", Qt::CaseInsensitive)) {
+        Table table;
+        const auto add = [&table](const QString& name, const QString& unit, const std::vector<double>& values) {
+            Column column;
+            column.name = name.toStdString();
+            column.unit = unit.toStdString();
+            column.values = values;
+            if (!values.empty()) table.columns.push_back(std::move(column));
+        };
+        add("time", "s", *plots_.front()->content().time);
+        for (const OutputPlot* plot : plots_) {
+            const OutputPlot::Content& c = plot->content();
+            add(c.name + " measured", c.unit, c.measured);
+            add(c.name + " before", c.unit, c.before);
+            add(c.name + " after", c.unit, c.after);
+        }
+        QSaveFile out(file);
+        isWritten =
+            out.open(QIODevice::WriteOnly) && out.write(QByteArray::fromStdString(writeCsv(table))) > 0 && out.commit();
+    } else {
+        isWritten = body->grab().save(file);
+    }
+    return isWritten ? tr("Exported to %1.").arg(file) : tr("%1 cannot be written.").arg(file);
 }
 
 void PlotPanel::leave() {

@@ -7,6 +7,7 @@
 #include "ui/plot/time_plot.hpp"
 
 class QLabel;
+class QToolButton;
 class QScrollArea;
 class QStackedLayout;
 class QTabBar;
@@ -21,6 +22,7 @@ namespace analogon::ui {
 
 class Document;
 class OutputPlot;
+class ResidualPlot;
 
 /// Measured against simulated, before and after, of one experiment at a time: for each output the values and the
 /// residual below. All time axes move together.
@@ -33,6 +35,13 @@ public:
     void showExperiment(const QString& name);
     /// One per output of the experiment that is shown.
     const std::vector<OutputPlot*>& plots() const { return plots_; }
+    const std::vector<ResidualPlot*>& residuals() const { return residuals_; }
+    QToolButton* residualButton() const { return residualView_; }
+    /// What is shown as a picture (png, svg) or as numbers (csv), by the ending of the file. Says how it went.
+    QString exportTo(const QString& file);
+
+Q_SIGNALS:
+    void told(const QString& sentence);
 
 private:
     void refresh();
@@ -41,6 +50,9 @@ private:
     void showAll();
     void pointAt(double time);
     void leave();
+    void mark(double time);
+    void showView(bool isResidual);
+    void askWhereToExport();
 
     Document& document_;
     QTabBar* experiments_;
@@ -51,8 +63,12 @@ private:
     std::vector<OutputPlot*> plots_;
     std::vector<std::string> names_;
     double from_{0}, to_{0}, first_{0}, last_{0};
-    unsigned long version_{};  // of the traces shown
-    QString shown_;            // experiment the time range belongs to
+    unsigned long version_{};    // of the traces shown
+    std::vector<double> marks_;  // [s] at most two
+    std::vector<ResidualPlot*> residuals_;
+    QToolButton *traceView_, *residualView_, *export_;
+    bool isResidualView_{};
+    QString shown_;  // experiment the time range belongs to
 };
 
 /// One output: a heading that is also the legend, values, residual.
@@ -72,6 +88,8 @@ public:
     void show(Content content);
     void setTimeRange(double from, double to);
     void pointAt(std::optional<double> time);
+    void setMarks(const std::vector<double>& times);
+    const Content& content() const { return content_; }
 
     TimePlot* values() const { return values_; }
     TimePlot* residual() const { return residual_; }
@@ -80,14 +98,17 @@ public:
 Q_SIGNALS:
     void timeRangeWanted(double from, double to);
     void allWanted();
+    void markWanted(double time);
     void pointedAt(double time);
     void pointerLeft();
 
 private:
+    void readOut(std::optional<double> time);
     void setLegend(TraceRole role, const QString& text);
     Content content_;
     QLabel* name_;
     QLabel* readout_;
+    std::vector<double> marks_;
     class LegendEntry;
     std::vector<LegendEntry*> legend_;
     TimePlot* values_;

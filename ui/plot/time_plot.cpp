@@ -4,6 +4,7 @@
 #include <QChartView>
 #include <QGraphicsLayout>
 #include <QGraphicsLineItem>
+#include <QGraphicsRectItem>
 #include <QGraphicsSimpleTextItem>
 #include <QLineSeries>
 #include <QValueAxis>
@@ -50,6 +51,8 @@ struct TimePlot::Chart {
     QValueAxis* value{new QValueAxis};
     std::vector<QLineSeries*> series;
     QGraphicsLineItem* cursor{};
+    QGraphicsLineItem* marks[2]{};
+    QGraphicsRectItem* band{};  // while zooming into it
     QGraphicsSimpleTextItem* caption{};
     QRectF area;
     int points{};
@@ -80,6 +83,14 @@ TimePlot::TimePlot(QWidget* parent) : QWidget(parent), chart_(std::make_unique<C
     c.cursor = new QGraphicsLineItem(c.chart);
     c.cursor->setZValue(20);
     c.cursor->hide();
+    for (QGraphicsLineItem*& mark : c.marks) {
+        mark = new QGraphicsLineItem(c.chart);
+        mark->setZValue(19);
+        mark->hide();
+    }
+    c.band = new QGraphicsRectItem(c.chart);
+    c.band->setZValue(18);
+    c.band->hide();
     c.caption = new QGraphicsSimpleTextItem(c.chart);
     c.caption->setZValue(20);
     QFont font = this->font();
@@ -150,6 +161,25 @@ void TimePlot::setCursorTime(std::optional<double> time) {
     chart_->cursor->setLine(x, area.top(), x, area.bottom());
 }
 
+double TimePlot::xAt(double time) const {
+    const QRectF area = chart_->chart->plotArea();
+    return area.left() + (time - from_) / (to_ - from_) * area.width();
+}
+
+void TimePlot::setMarks(const std::vector<double>& times) {
+    marks_ = times;
+    showMarks();
+}
+
+void TimePlot::showMarks() {
+    const QRectF area = chart_->chart->plotArea();
+    for (std::size_t i = 0; i < 2; ++i) {
+        const bool isShown = i < marks_.size() && marks_[i] >= from_ && marks_[i] <= to_;
+        chart_->marks[i]->setVisible(isShown);
+        if (isShown) chart_->marks[i]->setLine(xAt(marks_[i]), area.top(), xAt(marks_[i]), area.bottom());
+    }
+}
+
 int TimePlot::paintedPoints() const { return chart_->points; }
 
 std::pair<double, double> TimePlot::valueRange() const { return {low_, high_}; }
@@ -184,6 +214,7 @@ void TimePlot::refresh() {
     Chart& c = *chart_;
     c.points = 0;
     if (!time_ || !(to_ > from_)) return;
+    showMarks();
     setAxis(*c.time, from_, to_, niceStep(to_ - from_, std::max(2, width() / 110)));
     const int pixels = std::max(1, static_cast<int>(c.chart->plotArea().width()));
     for (std::size_t i = 0; i < traces_.size(); ++i) {
@@ -210,6 +241,11 @@ void TimePlot::recolour() {
         axis->setLabelsColor(label);
     }
     c.cursor->setPen(QPen(label, 1));
+    for (QGraphicsLineItem* mark : c.marks) mark->setPen(QPen(style::accent(p), 1.2));
+    QColor tint = style::accent(p);
+    c.band->setPen(QPen(tint, 1));
+    tint.setAlphaF(0.12f);
+    c.band->setBrush(tint);
     c.caption->setBrush(label);
     colourTraces();
 }
@@ -264,11 +300,24 @@ bool TimePlot::eventFilter(QObject* watched, QEvent* event) {
         }
         case QEvent::MouseButtonPress: {
             auto* mouse = static_cast<QMouseEvent*>(event);
-            if (mouse->button() == Qt::LeftButton) dragFrom_ = mouse->position().x();
+            if (mouse->button() != Qt::LeftButton) return true;
+            if (mouse->modifiers() & Qt::ControlModifier)
+                Q_EMIT markWanted(timeAt(mouse->position().x()));
+            else if (mouse->modifiers() & Qt::ShiftModifier)
+                zoomFrom_ = mouse->position().x();
+            else
+                dragFrom_ = mouse->position().x();
             return true;
         }
         case QEvent::MouseMove: {
             auto* mouse = static_cast<QMouseEvent*>(event);
+            if (zoomFrom_) {
+                const QRectF area = chart_->chart->plotArea();
+                const double a = std::clamp(*zoomFrom_, area.left(), area.right());
+                const double b = std::clamp(mouse->position().x(), area.left(), area.right());
+                chart_->band->setRect(QRectF(QPointF(a, area.top()), QPointF(b, area.bottom())).normalized());
+                chart_->band->show();
+            }
             if (dragFrom_) {
                 const double shift = timeAt(*dragFrom_) - timeAt(mouse->position().x());
                 dragFrom_ = mouse->position().x();
@@ -278,7 +327,11 @@ bool TimePlot::eventFilter(QObject* watched, QEvent* event) {
             return true;
         }
         case QEvent::MouseButtonRelease:
+            if (zoomFrom_ && chart_->band->isVisible() && chart_->band->rect().width() > 3)
+                Q_EMIT timeRangeWanted(timeAt(chart_->band->rect().left()), timeAt(chart_->band->rect().right()));
+            chart_->band->hide();
             dragFrom_.reset();
+            zoomFrom_.reset();
             return true;
         case QEvent::MouseButtonDblClick:
             Q_EMIT allWanted();

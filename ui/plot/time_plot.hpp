@@ -17,8 +17,9 @@ struct Trace {
 QColor traceColour(TraceRole role, const QPalette& palette);
 
 /// One axis area over time. The only place that knows the chart library; every trace is decimated to the width
-/// it is shown at. Wheel zooms the time axis about the pointer, dragging moves it, a double click shows all; the
-/// range itself is the owner's, who links several plots.
+/// it is shown at. Wheel zooms the time axis about the pointer, dragging moves it, Shift and dragging zooms into what
+/// is passed over, a double click shows all, Ctrl and a click sets a mark; range and marks are the owner's, who links
+/// several plots.
 class TimePlot : public QWidget {
     Q_OBJECT
 
@@ -35,6 +36,8 @@ public:
     /// Name at the upper left corner of the area.
     void setCaption(const QString& caption);
     void setCursorTime(std::optional<double> time);
+    /// Up to two times that stay marked.
+    void setMarks(const std::vector<double>& times);
     /// How many points the chart was given for the range shown.
     int paintedPoints() const;
     std::pair<double, double> valueRange() const;
@@ -42,6 +45,7 @@ public:
 Q_SIGNALS:
     void timeRangeWanted(double from, double to);
     void allWanted();
+    void markWanted(double time);
     void pointedAt(double time);
     void pointerLeft();
 
@@ -57,6 +61,8 @@ private:
     void layOut();
     void fitValues();
     double timeAt(double x) const;
+    double xAt(double time) const;
+    void showMarks();
 
     struct Chart;
     std::unique_ptr<Chart> chart_;
@@ -66,7 +72,8 @@ private:
     double from_{0}, to_{1};   // [s] shown
     double low_{0}, high_{1};  // values shown
     bool isSymmetric_{}, hasTimeLabels_{true};
-    std::optional<double> dragFrom_;  // [px]
+    std::optional<double> dragFrom_, zoomFrom_;  // [px]
+    std::vector<double> marks_;                  // [s]
 };
 
 }  // namespace analogon::ui

@@ -23,8 +23,8 @@ private:
 
 TextView::TextView(Document& document, QWidget* parent)
     : QPlainTextEdit(parent), document_(document), lineNumbers_(new LineNumbers(*this)) {
-    setReadOnly(true);
-    setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    setUndoRedoEnabled(false);  // the document's list holds these steps too
+    setTabChangesFocus(true);
     setFrameShape(NoFrame);
     setLineWrapMode(NoWrap);
     QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
@@ -35,16 +35,56 @@ TextView::TextView(Document& document, QWidget* parent)
     connect(this, &QPlainTextEdit::updateRequest, lineNumbers_, [this] { lineNumbers_->update(); });
     connect(this, &QPlainTextEdit::blockCountChanged, this, &TextView::updateMargins);
     connect(&document, &Document::modelChanged, this, &TextView::refresh);
+    typing_.setSingleShot(true);
+    typing_.setInterval(250);
+    connect(&typing_, &QTimer::timeout, this, &TextView::commit);
+    connect(this, &QPlainTextEdit::textChanged, this, [this] {
+        if (!isRefreshing_) typing_.start();
+    });
     refresh();
+    recolour();
     updateMargins();
 }
 
+/// Takes the document's text over where it differs, so that cursor and view stay where they are.
 void TextView::refresh() {
-    const QString text = document_.modelText();
-    if (toPlainText() != text) setPlainText(text);
+    setReadOnly(!document_.isOpen());
+    const QString now = toPlainText(), wanted = document_.modelText();
+    if (now == wanted) return;
+    typing_.stop();
+    const qsizetype shorter = std::min(now.size(), wanted.size());
+    qsizetype front = 0, back = 0;
+    while (front < shorter && now[front] == wanted[front]) ++front;
+    while (back < shorter - front && now[now.size() - 1 - back] == wanted[wanted.size() - 1 - back]) ++back;
+    isRefreshing_ = true;
+    QTextCursor cursor(this->document());
+    cursor.setPosition(static_cast<int>(front));
+    cursor.setPosition(static_cast<int>(now.size() - back), QTextCursor::KeepAnchor);
+    cursor.insertText(wanted.mid(front, wanted.size() - back - front));
+    isRefreshing_ = false;
     setExtraSelections({});
+}
+
+void TextView::recolour() {
     for (QObject* child : this->document()->children())
         if (auto* highlighter = dynamic_cast<Highlighter*>(child)) highlighter->setPalette(palette());
+}
+
+void TextView::commit() {
+    typing_.stop();
+    if (document_.isOpen()) document_.typeText(toPlainText());
+}
+
+bool TextView::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        auto* key = static_cast<QKeyEvent*>(event);
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+            if (typing_.isActive()) commit();
+            event->ignore();  // the window's own undo
+            return true;
+        }
+    }
+    return QPlainTextEdit::event(event);
 }
 
 void TextView::showPlace(int line, int column, int length) {
@@ -86,7 +126,7 @@ void TextView::resizeEvent(QResizeEvent* event) {
 
 void TextView::changeEvent(QEvent* event) {
     QPlainTextEdit::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) refresh();
+    if (event->type() == QEvent::PaletteChange) recolour();
 }
 
 void TextView::paintLineNumbers(QPaintEvent* event) {

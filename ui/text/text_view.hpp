@@ -1,12 +1,14 @@
 #pragma once
 
 #include <QPlainTextEdit>
+#include <QTimer>
 
 namespace analogon::ui {
 
 class Document;
 
-/// The model's text, with line numbers. Read only: changes are made on the diagram and in the tables.
+/// The model's text, with line numbers. What is typed here is seen in the diagram a moment later, and the other way
+/// round; both are steps of one undo list.
 class TextView : public QPlainTextEdit {
     Q_OBJECT
 
@@ -17,18 +19,23 @@ public:
     void showPlace(int line, int column, int length);
 
 protected:
+    bool event(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
     class LineNumbers;
     void refresh();
+    void recolour();
+    void commit();
     void paintLineNumbers(QPaintEvent* event);
     int lineNumberWidth() const;
     void updateMargins();
 
     Document& document_;
     LineNumbers* lineNumbers_;
+    QTimer typing_;
+    bool isRefreshing_{};
 };
 
 }  // namespace analogon::ui

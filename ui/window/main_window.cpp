@@ -3,38 +3,43 @@
 #include <QActionGroup>
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMenuBar>
-#include <QMimeData>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabWidget>
+#include <QTableView>
 #include <QToolBar>
-#include <QUrl>
 
 #include "ui/canvas/diagram_scene.hpp"
 #include "ui/canvas/diagram_view.hpp"
 #include "ui/document/document.hpp"
+#include "ui/document/recovery.hpp"
 #include "ui/effect/result_panel.hpp"
+#include "ui/fit/fit_panel.hpp"
 #include "ui/fit/run_bar.hpp"
 #include "ui/fit/run_controller.hpp"
+#include "ui/inspector/parameter_model.hpp"
 #include "ui/inspector/parameter_panel.hpp"
 #include "ui/job/job.hpp"
+#include "ui/library/library_panel.hpp"
+#include "ui/measurement/import_panel.hpp"
 #include "ui/measurement/measurement_panel.hpp"
 #include "ui/messages/message_panel.hpp"
 #include "ui/plot/plot_panel.hpp"
 #include "ui/style/style.hpp"
 #include "ui/text/text_view.hpp"
+#include "ui/window/compose_actions.hpp"
+#include "ui/window/generate_page.hpp"
+#include "ui/window/guide_page.hpp"
 #include "ui/window/start_page.hpp"
 
 namespace analogon::ui {
 
 namespace {
 
-constexpr int layoutVersion = 1;  // raised when docks are added, so that an old layout is not restored
+constexpr int layoutVersion = 3;  // raised when docks are added, so that an old layout is not restored
 
 /// Heading of a dock: a quiet line of text instead of the style's frame. Drags like the built-in one.
 class DockTitle : public QLabel {
@@ -69,12 +74,14 @@ MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       document_(new Document(this)),
       controller_(new RunController(*document_, this)),
-      writer_(new JobRunner(this)) {
+      writer_(new JobRunner(this)),
+      recovery_(new Recovery(*document_, this)) {
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setDocumentMode(true);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     createPanels();
     createActions();
     createMenus();
@@ -93,6 +100,7 @@ void MainWindow::createPanels() {
     view_ = new DiagramView(*scene_);
     text_ = new TextView(*document_);
     centre_ = new QTabWidget;
+    centre_->setObjectName("centre");
     centre_->setDocumentMode(true);
     centre_->addTab(view_, tr("Diagram"));
     centre_->addTab(text_, tr("Model text"));
@@ -100,6 +108,8 @@ void MainWindow::createPanels() {
     pages_ = new QStackedWidget(this);
     pages_->addWidget(start_);
     pages_->addWidget(centre_);
+    generate_ = new GeneratePage(this);
+    pages_->addWidget(generate_);
     setCentralWidget(pages_);
 
     measurements_ = new MeasurementPanel(*document_);
@@ -107,9 +117,16 @@ void MainWindow::createPanels() {
     results_ = new ResultPanel(*document_);
     plots_ = new PlotPanel(*document_);
     messages_ = new MessagePanel(*document_);
+    import_ = new ImportPanel(*document_, this);
+    import_->hide();
+    library_ = new LibraryPanel(*document_);
+    compose_ = new ComposeActions(*document_, *scene_, *view_, *library_, this);
+    libraryDock_ = addDock("library", tr("Library"), library_, Qt::LeftDockWidgetArea);
     measurementDock_ = addDock("measurements", tr("Measurements"), measurements_, Qt::LeftDockWidgetArea);
     parameterDock_ = addDock("parameters", tr("Parameters"), parameters_, Qt::RightDockWidgetArea);
     resultDock_ = addDock("result", tr("Result"), results_, Qt::RightDockWidgetArea);
+    runs_ = new FitPanel(*document_, *controller_);
+    runDock_ = addDock("runs", tr("Runs"), runs_, Qt::RightDockWidgetArea);
     plotDock_ = addDock("traces", tr("Measured and simulated"), plots_, Qt::BottomDockWidgetArea);
     messageDock_ = addDock("messages", tr("Messages"), messages_, Qt::BottomDockWidgetArea);
 }
@@ -127,8 +144,12 @@ QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWid
     return dock;
 }
 
+QList<QDockWidget*> MainWindow::docks() const {
+    return {libraryDock_, measurementDock_, parameterDock_, resultDock_, runDock_, plotDock_, messageDock_};
+}
+
 void MainWindow::updateDockTitles() {
-    for (QDockWidget* dock : {measurementDock_, parameterDock_, resultDock_, plotDock_, messageDock_})
+    for (QDockWidget* dock : docks())
         static_cast<DockTitle*>(dock->titleBarWidget())
             ->setCollapsed(!dock->isFloating() && !tabifiedDockWidgets(dock).isEmpty());
 }
@@ -143,10 +164,19 @@ void MainWindow::createActions() {
         addAction(action);
         return action;
     };
-    openAction_ = make(tr("Open …"), "open", QKeySequence::Open, tr("Open a study directory"));
-    openFileAction_ = make(tr("Open study file …"), {}, Qt::CTRL | Qt::SHIFT | Qt::Key_O,
-                           tr("Open a study.json or an .analogon file"));
-    saveAction_ = make(tr("Save study as …"), "save", QKeySequence::SaveAs, tr("Write the study into a directory"));
+    newAction_ = make(tr("New"), "new", QKeySequence::New, tr("Start an empty study"));
+    newAction_->setObjectName("new");
+    generateAction_ = make(tr("Generate from measurement …"), {}, Qt::CTRL | Qt::Key_G,
+                           tr("Compose a first model from the domains of a component and a recording"));
+    openAction_ = make(tr("Open …"), "open", QKeySequence::Open, tr("Open a study file"));
+    openFileAction_ = make(tr("Open directory …"), {}, Qt::CTRL | Qt::SHIFT | Qt::Key_O,
+                           tr("Open a study that is a directory with study.json"));
+    saveAction_ = make(tr("Save"), "save", QKeySequence::Save, tr("Save the study"));
+    saveAction_->setObjectName("save");
+    saveAsAction_ = make(tr("Save as …"), {}, Qt::CTRL | Qt::SHIFT | Qt::Key_S, tr("Save the study as another file"));
+    importAction_ =
+        make(tr("Import measurement …"), "recording", Qt::CTRL | Qt::Key_I, tr("Add a recording to the study"));
+    importAction_->setObjectName("import");
     reportAction_ = make(tr("Write report …"), "report", Qt::CTRL | Qt::Key_E,
                          tr("Write report, traces and the completed study into a directory"));
     quitAction_ = make(tr("Quit"), {}, QKeySequence::Quit, tr("Quit"));
@@ -163,9 +193,13 @@ void MainWindow::createActions() {
     discoverAction_->setObjectName("discover");
     fitViewAction_ = make(tr("Show all"), "fit-view", {}, tr("Show the whole diagram (Space)"));
 
-    connect(openAction_, &QAction::triggered, this, [this] { askForStudy(true); });
-    connect(openFileAction_, &QAction::triggered, this, [this] { askForStudy(false); });
-    connect(saveAction_, &QAction::triggered, this, &MainWindow::askWhereToSave);
+    connect(newAction_, &QAction::triggered, this, [this] { leaveThen([this] { startNew(); }); });
+    connect(generateAction_, &QAction::triggered, this, &MainWindow::showGenerate);
+    connect(openAction_, &QAction::triggered, this, [this] { askForStudy(false); });
+    connect(openFileAction_, &QAction::triggered, this, [this] { askForStudy(true); });
+    connect(saveAction_, &QAction::triggered, this, &MainWindow::save);
+    connect(saveAsAction_, &QAction::triggered, this, &MainWindow::askWhereToSave);
+    connect(importAction_, &QAction::triggered, this, &MainWindow::askForMeasurement);
     connect(reportAction_, &QAction::triggered, this, &MainWindow::askWhereToReport);
     connect(quitAction_, &QAction::triggered, this, &QWidget::close);
     connect(fitAction_, &QAction::triggered, this, [this] { controller_->start(RunKind::Fit); });
@@ -175,29 +209,55 @@ void MainWindow::createActions() {
 
 void MainWindow::createMenus() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
-    file->addActions({openAction_, openFileAction_});
+    file->addActions({newAction_, generateAction_, openAction_, openFileAction_});
+    recentMenu_ = file->addMenu(tr("Open recent"));
+    connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::showRecent);
     file->addSeparator();
-    file->addActions({saveAction_, reportAction_});
+    file->addActions({saveAction_, saveAsAction_});
+    file->addSeparator();
+    file->addActions({importAction_, reportAction_});
     file->addSeparator();
     file->addAction(quitAction_);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     edit->addActions({undoAction_, redoAction_});
+    edit->addSeparator();
+    compose_->fill(*edit);
     QMenu* run = menuBar()->addMenu(tr("&Run"));
     run->addActions({fitAction_, discoverAction_});
     QMenu* view = menuBar()->addMenu(tr("&View"));
     view->addAction(fitViewAction_);
     view->addSeparator();
-    for (QDockWidget* dock : {measurementDock_, parameterDock_, resultDock_, plotDock_, messageDock_})
-        view->addAction(dock->toggleViewAction());
+    for (QDockWidget* dock : docks()) view->addAction(dock->toggleViewAction());
     view->addAction(tr("Reset layout"), this, &MainWindow::resetLayout);
     view->addSeparator();
+    addLanguages(view);
     QMenu* theme = view->addMenu(tr("Theme"));
     auto* group = new QActionGroup(this);
+    QMenu* help = menuBar()->addMenu(tr("&Help"));
+    QAction* guide = help->addAction(tr("User guide"), this, &MainWindow::showGuide);
+    guide->setShortcut(QKeySequence::HelpContents);
     const QStringList names{tr("As the desktop"), tr("Light"), tr("Dark")};
     for (int i = 0; i < names.size(); ++i) {
         QAction* action = theme->addAction(names[i], this, [this, i] { setTheme(i); });
         action->setCheckable(true);
         action->setChecked(i == static_cast<int>(style::current()));
+        group->addAction(action);
+    }
+}
+
+/// Takes effect at the next start: every text of the window is made once.
+void MainWindow::addLanguages(QMenu* view) {
+    QMenu* menu = view->addMenu(tr("Language"));
+    auto* group = new QActionGroup(this);
+    const QString now = QSettings().value("window/language", "en").toString();
+    const std::pair<QString, QString> names[] = {{"en", QStringLiteral("English")}, {"de", QStringLiteral("Deutsch")}};
+    for (const auto& [code, name] : names) {
+        QAction* action = menu->addAction(name, this, [this, code = code] {
+            QSettings().setValue("window/language", code);
+            statusBar()->showMessage(tr("The language changes at the next start."), 8000);
+        });
+        action->setCheckable(true);
+        action->setChecked(code == now);
         group->addAction(action);
     }
 }
@@ -209,7 +269,16 @@ void MainWindow::createToolBar() {
     bar->setIconSize({20, 20});
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar->setContentsMargins(style::unit, 0, style::unit, 0);
+    bar->addAction(newAction_);
     bar->addAction(openAction_);
+    bar->addAction(saveAction_);
+    for (QAction* a : {newAction_, saveAction_})
+        if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(a)))
+            button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    bar->addSeparator();
+    bar->addAction(importAction_);
+    if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(importAction_)))
+        button->setToolButtonStyle(Qt::ToolButtonIconOnly);
     bar->addSeparator();
     bar->addAction(undoAction_);
     bar->addAction(redoAction_);
@@ -231,8 +300,12 @@ void MainWindow::connectPanels() {
     connect(document_, &Document::modelChanged, this, &MainWindow::showModel);
     connect(document_, &Document::resultChanged, this, [this] {
         showEffects();
-        view_->refit();
+        view_->refitIfHidden();
         updateActions();
+        if (document_->finding()) resultDock_->raise();
+        const bool hasError = std::any_of(document_->messages().begin(), document_->messages().end(),
+                                          [](const Message& m) { return m.diagnostic.severity == Severity::Error; });
+        if (!hasError && (document_->before() || document_->after())) plotDock_->raise();
     });
     connect(document_, &Document::readingChanged, this, [this] {
         if (document_->isReading()) statusBar()->showMessage(tr("Reading the study …"));
@@ -242,9 +315,30 @@ void MainWindow::connectPanels() {
         if (document_->isOpen() || document_->messages().empty()) return;
         start_->showFault(QString::fromStdString(format(document_->messages().front().diagnostic)));
     });
-    connect(&document_->undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
+    connect(document_, &Document::modifiedChanged, this, &MainWindow::updateTitle);
+    connect(document_, &Document::experimentsChanged, this, &MainWindow::updateActions);
+    connect(document_, &Document::saved, this, [this](bool isDone) {
+        statusBar()->showMessage(isDone ? tr("Saved to %1.").arg(document_->path())
+                                        : tr("Not saved: see the messages."));
+        if (isDone) rememberRecent(document_->path());
+        const auto next = std::exchange(afterSave_, nullptr);
+        if (isDone && next) next();
+    });
+    connect(plots_, &PlotPanel::told, this, [this](const QString& s) { statusBar()->showMessage(s, 8000); });
+    connect(compose_, &ComposeActions::told, this, [this](const QString& s) { statusBar()->showMessage(s, 8000); });
+    connect(compose_, &ComposeActions::inspectWanted, this, [this](const QString& block) {
+        parameters_->showComponent(block);
+        parameterDock_->show();
+        parameterDock_->raise();
+        parameters_->table()->setFocus();
+        if (parameters_->model()->rowCount() > 0)
+            parameters_->table()->setCurrentIndex(parameters_->model()->index(0, ParameterModel::Value));
+    });
     connect(controller_, &RunController::runningChanged, this, [this] {
-        if (controller_->isRunning()) statusBar()->clearMessage();
+        if (controller_->isRunning()) {
+            statusBar()->clearMessage();
+            runDock_->raise();
+        }
         updateActions();
     });
     connect(controller_, &RunController::concluded, statusBar(),
@@ -255,7 +349,10 @@ void MainWindow::connectPanels() {
     connect(results_, &ResultPanel::effectChosen, this, [this](const QString& instance) {
         centre_->setCurrentWidget(view_);
         scene_->select(instance.toStdString());
+        scene_->pointOut(scene_->block(instance.toStdString()) ? std::string() : instance.toStdString());
     });
+    connect(results_, &ResultPanel::placePointedAt, this,
+            [this](const QString& place) { scene_->pointOut(place.toStdString()); });
     connect(messages_, &MessagePanel::placeChosen, this, &MainWindow::showPlace);
     connect(messages_, &MessagePanel::countChanged, this, [this](int errors, int others) {
         const int count = errors + others;
@@ -264,12 +361,38 @@ void MainWindow::connectPanels() {
         if (auto* label = qobject_cast<QLabel*>(messageDock_->titleBarWidget())) label->setText(title);
         if (errors > 0) messageDock_->raise();
     });
+    connect(measurements_, &MeasurementPanel::importWanted, this, &MainWindow::importMeasurement);
+    connect(measurements_, &MeasurementPanel::browseWanted, this, &MainWindow::askForMeasurement);
+    connect(import_, &ImportPanel::cancelled, this, &MainWindow::leaveImport);
+    connect(import_, &ImportPanel::accepted, this, [this](const QString& experiment) {
+        leaveImport();
+        plots_->showExperiment(experiment);
+    });
     connect(start_, &StartPage::openWanted, openAction_, &QAction::trigger);
     connect(start_, &StartPage::exampleChosen, this, &MainWindow::open);
+    connect(start_, &StartPage::generateWanted, this, &MainWindow::showGenerate);
+    connect(generate_, &GeneratePage::cancelled, this, &MainWindow::showStudy);
+    connect(generate_, &GeneratePage::generated, this, [this](const GeneratedStudy& made) {
+        leaveThen([this, made] {
+            document_->startWith(made.study);
+            Diagnostics assumed;
+            for (const std::string& text : made.assumptions) {
+                Diagnostic note = warning(text);
+                note.severity = Severity::Note;
+                assumed.push_back(std::move(note));
+            }
+            document_->setRunMessages(std::move(assumed));
+        });
+    });
+    connect(start_, &StartPage::newWanted, this, &MainWindow::startNew);
+    connect(start_, &StartPage::recoveryChosen, this,
+            [this](const Recovered& recovered) { document_->openRecovered(recovered.file, recovered.path); });
 }
 
 void MainWindow::resetLayout() {
+    addDockWidget(Qt::LeftDockWidgetArea, libraryDock_);
     addDockWidget(Qt::LeftDockWidgetArea, measurementDock_);
+    splitDockWidget(libraryDock_, measurementDock_, Qt::Vertical);
     addDockWidget(Qt::RightDockWidgetArea, parameterDock_);
     addDockWidget(Qt::RightDockWidgetArea, resultDock_);
     splitDockWidget(parameterDock_, resultDock_, Qt::Vertical);
@@ -277,6 +400,9 @@ void MainWindow::resetLayout() {
     addDockWidget(Qt::BottomDockWidgetArea, messageDock_);
     tabifyDockWidget(plotDock_, messageDock_);
     plotDock_->raise();
+    addDockWidget(Qt::RightDockWidgetArea, runDock_);
+    tabifyDockWidget(resultDock_, runDock_);
+    resultDock_->raise();
     isLayoutFresh_ = true;
     if (document_->isOpen()) showStudy();
 }
@@ -284,6 +410,7 @@ void MainWindow::resetLayout() {
 /// Sizes only hold for docks that are shown, so they wait for the first study.
 void MainWindow::sizeDocks() {
     resizeDocks({measurementDock_, parameterDock_}, {270, 500}, Qt::Horizontal);
+    resizeDocks({libraryDock_, measurementDock_}, {3, 3}, Qt::Vertical);
     resizeDocks({plotDock_}, {410}, Qt::Vertical);
     resizeDocks({parameterDock_, resultDock_}, {2, 3}, Qt::Vertical);
     isLayoutFresh_ = false;
@@ -301,7 +428,15 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         settings.setValue("window/geometry", saveGeometry());
         settings.setValue("window/state", saveState(layoutVersion));
     }
+    if (document_->isModified() && !mayClose_) {
+        event->ignore();
+        return leaveThen([this] {
+            mayClose_ = true;
+            close();
+        });
+    }
     controller_->cancel();
+    recovery_->clear();
     QMainWindow::closeEvent(event);
 }
 
@@ -315,30 +450,53 @@ void MainWindow::setTheme(int theme) {
     QSettings().setValue("window/theme", theme);
 }
 
-void MainWindow::open(const QString& path) { document_->open(path); }
+void MainWindow::showGenerate() {
+    generate_->clear();
+    for (QDockWidget* dock : docks()) dock->hide();
+    pages_->setCurrentWidget(generate_);
+}
+
+void MainWindow::showGuide() {
+    if (!guide_) {
+        guide_ = new GuidePage(this);
+        connect(guide_, &GuidePage::left, this, [this] {
+            if (document_->isOpen()) centre_->removeTab(centre_->indexOf(guide_));
+            showStudy();
+        });
+    }
+    if (document_->isOpen()) {
+        if (centre_->indexOf(guide_) < 0) centre_->addTab(guide_, tr("Guide"));
+        centre_->setCurrentWidget(guide_);
+    } else {
+        pages_->addWidget(guide_);
+        pages_->setCurrentWidget(guide_);
+    }
+}
+
+void MainWindow::startNew() { document_->startNew(tr("Untitled")); }
 
 void MainWindow::showStudy() {
     const bool isOpen = document_->isOpen();
     pages_->setCurrentWidget(isOpen ? static_cast<QWidget*>(centre_) : start_);
-    for (QDockWidget* dock : {measurementDock_, parameterDock_, resultDock_, plotDock_, messageDock_})
-        dock->setVisible(isOpen);
+    for (QDockWidget* dock : docks()) dock->setVisible(isOpen);
     if (isOpen) {
         if (isLayoutFresh_) sizeDocks();
         plotDock_->raise();
         start_->showFault({});
+        rememberRecent(document_->path());
         statusBar()->clearMessage();
         scene_->clearSelection();
         parameters_->showComponent({});
     }
     updateTitle();
     updateActions();
+    if (!isOpen) start_->showWork(QSettings().value("window/recent").toStringList(), Recovery::abandoned());
     if (isOpen) QTimer::singleShot(0, view_, &DiagramView::fitView);  // once the docks have their sizes
 }
 
 void MainWindow::showModel() {
     scene_->show(document_->diagram());
     showEffects();
-    view_->refit();
 }
 
 void MainWindow::showEffects() {
@@ -362,78 +520,17 @@ void MainWindow::showPlace(const Place& place) {
 }
 
 void MainWindow::updateActions() {
-    const bool isReady = document_->isOpen() && !controller_->isRunning() && !document_->isReading();
+    const bool isReady = document_->canRun() && !controller_->isRunning() && !document_->isReading();
     fitAction_->setEnabled(isReady);
     discoverAction_->setEnabled(isReady);
-    saveAction_->setEnabled(document_->isOpen());
+    for (QAction* a : {saveAction_, saveAsAction_, importAction_}) a->setEnabled(document_->isOpen());
     reportAction_->setEnabled(isReady && document_->result());
     fitViewAction_->setEnabled(document_->isOpen());
 }
 
 void MainWindow::updateTitle() {
     setWindowTitle(document_->isOpen() ? document_->title() + "[*] – Analogon" : QStringLiteral("Analogon"));
-    setWindowModified(document_->isOpen() && !document_->undoStack().isClean());
-}
-
-void MainWindow::askForStudy(bool isDirectory) {
-    auto* dialog = new QFileDialog(this, tr("Open a study"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setModal(false);
-    dialog->setFileMode(isDirectory ? QFileDialog::Directory : QFileDialog::ExistingFile);
-    if (!isDirectory) dialog->setNameFilter(tr("Studies (study.json *.analogon)"));
-    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::open);
-    dialog->show();
-}
-
-void MainWindow::askWhereToSave() {
-    auto* dialog = new QFileDialog(this, tr("Save the study into a directory"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setModal(false);
-    dialog->setFileMode(QFileDialog::Directory);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        const std::filesystem::path directory = path.toStdString();
-        writer_->start<Outcome<Done>>(
-            tr("Saving"),
-            [study = document_->study(), directory](const Progress&) { return writeStudy(study, directory); },
-            [this, path](Outcome<Done> done) {
-                document_->setRunMessages(done.diagnostics());
-                if (done) document_->undoStack().setClean();
-                statusBar()->showMessage(done ? tr("Saved to %1.").arg(path) : tr("Not saved: see the messages."));
-            });
-    });
-    dialog->show();
-}
-
-void MainWindow::askWhereToReport() {
-    auto* dialog = new QFileDialog(this, tr("Write the report into a directory"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setModal(false);
-    dialog->setFileMode(QFileDialog::Directory);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        if (!document_->result()) return;
-        const std::filesystem::path directory = path.toStdString();
-        writer_->start<Outcome<Done>>(
-            tr("Writing the report"),
-            [result = *document_->result(), kind = document_->resultKind(), directory](const Progress&) {
-                return writeResults(result, commandName(kind), directory);
-            },
-            [this, path](Outcome<Done> done) {
-                document_->setRunMessages(done.diagnostics());
-                statusBar()->showMessage(done ? tr("Report written to %1/report.html.").arg(path)
-                                              : tr("No report written: see the messages."));
-            });
-    });
-    dialog->show();
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile()) event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-    if (!event->mimeData()->hasUrls()) return;
-    event->acceptProposedAction();
-    open(event->mimeData()->urls().front().toLocalFile());
+    setWindowModified(document_->isModified());
 }
 
 }  // namespace analogon::ui

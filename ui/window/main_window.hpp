@@ -1,9 +1,11 @@
 #pragma once
 
 #include <QMainWindow>
+#include <functional>
 
 class QDockWidget;
 class QFileDialog;
+class QMenu;
 class QStackedWidget;
 class QTabWidget;
 
@@ -13,14 +15,21 @@ struct Place;
 
 namespace analogon::ui {
 
+class ComposeActions;
 class DiagramScene;
 class DiagramView;
 class Document;
 class JobRunner;
+class FitPanel;
+class GeneratePage;
+class GuidePage;
+class ImportPanel;
+class LibraryPanel;
 class MeasurementPanel;
 class MessagePanel;
 class ParameterPanel;
 class PlotPanel;
+class Recovery;
 class ResultPanel;
 class RunBar;
 class RunController;
@@ -36,10 +45,15 @@ public:
     explicit MainWindow(QWidget* parent = nullptr);
     ~MainWindow() override;
 
+    /// A study, or a measurement file that is to be imported.
     void open(const QString& path);
+    void startNew();
 
     Document& document() { return *document_; }
     RunController& controller() { return *controller_; }
+    ComposeActions& compose() { return *compose_; }
+    Recovery& recovery() { return *recovery_; }
+    void saveTo(const QString& path);
 
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -66,7 +80,19 @@ private:
     void showEffects();
     void showPlace(const Place& place);
     void askForStudy(bool isDirectory);
+    void save();
     void askWhereToSave();
+    void askForMeasurement();
+    void showGenerate();
+    void showGuide();
+    void addLanguages(QMenu* view);
+    void importMeasurement(const QString& path);
+    void leaveImport();
+    /// Does it at once, or once the user has said what becomes of unsaved changes.
+    void leaveThen(std::function<void()> next);
+    void rememberRecent(const QString& path);
+    void showRecent();
+    QList<QDockWidget*> docks() const;
     void askWhereToReport();
     void setTheme(int theme);
 
@@ -76,6 +102,15 @@ private:
 
     QStackedWidget* pages_{};
     StartPage* start_{};
+    GuidePage* guide_{};
+    GeneratePage* generate_{};
+    ImportPanel* import_{};
+    LibraryPanel* library_{};
+    ComposeActions* compose_{};
+    Recovery* recovery_{};
+    QMenu* recentMenu_{};
+    std::function<void()> afterSave_;
+    bool mayClose_{};
     QTabWidget* centre_{};
     DiagramScene* scene_{};
     DiagramView* view_{};
@@ -83,13 +118,16 @@ private:
     MeasurementPanel* measurements_{};
     ParameterPanel* parameters_{};
     ResultPanel* results_{};
+    FitPanel* runs_{};
     PlotPanel* plots_{};
     MessagePanel* messages_{};
     RunBar* runBar_{};
     bool isLayoutFresh_{true};
-    QDockWidget *measurementDock_{}, *parameterDock_{}, *resultDock_{}, *plotDock_{}, *messageDock_{};
+    QDockWidget *libraryDock_{}, *measurementDock_{}, *parameterDock_{}, *resultDock_{}, *runDock_{}, *plotDock_{},
+        *messageDock_{};
 
-    QAction *openAction_{}, *openFileAction_{}, *saveAction_{}, *reportAction_{}, *quitAction_{};
+    QAction *newAction_{}, *generateAction_{}, *openAction_{}, *openFileAction_{}, *saveAction_{}, *saveAsAction_{},
+        *importAction_{}, *reportAction_{}, *quitAction_{};
     QAction *undoAction_{}, *redoAction_{}, *fitAction_{}, *discoverAction_{}, *fitViewAction_{};
 };
 

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
 #include <QTextStream>
@@ -116,7 +117,8 @@ std::vector<Example> findExamples() {
     return examples;
 }
 
-StartPage::StartPage(std::vector<Example> examples, QWidget* parent) : QWidget(parent), fault_(new QLabel(this)) {
+StartPage::StartPage(std::vector<Example> examples, QWidget* parent)
+    : QWidget(parent), fault_(new QLabel(this)), work_(new QVBoxLayout) {
     auto* title = new QLabel(QStringLiteral("Analogon"), this);
     style::makeHeading(title, 2.4);
     auto* subtitle =
@@ -128,7 +130,15 @@ StartPage::StartPage(std::vector<Example> examples, QWidget* parent) : QWidget(p
     open->setIcon(style::icon("open"));
     open->setDefault(true);
     open->setMinimumHeight(8 * style::unit);
-    auto* hint = new QLabel(tr("or drop a study directory, its study.json or an .analogon file here"), this);
+    auto* fresh = new QPushButton(tr("New study"), this);
+    fresh->setIcon(style::icon("new"));
+    fresh->setMinimumHeight(8 * style::unit);
+    connect(fresh, &QPushButton::clicked, this, &StartPage::newWanted);
+    auto* generate = new QPushButton(tr("Generate from measurement …"), this);
+    generate->setIcon(style::icon("recording"));
+    generate->setMinimumHeight(8 * style::unit);
+    connect(generate, &QPushButton::clicked, this, &StartPage::generateWanted);
+    auto* hint = new QLabel(tr("Or drop a study directory, its study.json or an .analogon file here"), this);
     style::makeCaption(hint);
     fault_->setWordWrap(true);
     fault_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -143,11 +153,15 @@ StartPage::StartPage(std::vector<Example> examples, QWidget* parent) : QWidget(p
     auto* row = new QHBoxLayout;
     row->setSpacing(3 * style::unit);
     row->addWidget(open);
-    row->addWidget(hint);
+    row->addWidget(fresh);
+    row->addWidget(generate);
     row->addStretch(1);
     column->addLayout(row);
+    column->addWidget(hint);
     column->addWidget(fault_);
-    column->addSpacing(5 * style::unit);
+    work_->setSpacing(style::unit);
+    column->addLayout(work_);
+    column->addSpacing(4 * style::unit);
     auto* heading = new QLabel(examples.empty() ? QString() : tr("Examples"), this);
     style::makeHeading(heading);
     column->addWidget(heading);
@@ -167,6 +181,53 @@ StartPage::StartPage(std::vector<Example> examples, QWidget* parent) : QWidget(p
     outer->addWidget(holder, 8);
     outer->addStretch(1);
     connect(open, &QPushButton::clicked, this, &StartPage::openWanted);
+}
+
+void StartPage::showWork(const QStringList& recent, const std::vector<Recovered>& recovered) {
+    while (QLayoutItem* item = work_->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    const auto addHeading = [&](const QString& text) {
+        work_->addSpacing(3 * style::unit);
+        auto* label = new QLabel(text, this);
+        style::makeHeading(label);
+        work_->addWidget(label);
+    };
+    if (!recovered.empty()) addHeading(tr("Recovered work"));
+    for (const Recovered& r : recovered) {
+        const QString name = r.path.isEmpty() ? tr("A study that was never saved") : QFileInfo(r.path).fileName();
+        auto* line = new QWidget(this);
+        auto* row = new QHBoxLayout(line);
+        row->setContentsMargins(0, 0, 0, 0);
+        auto* label = new QLabel(tr("%1, changes of %2").arg(name, r.saved), line);
+        auto* open = new QPushButton(tr("Open"), line);
+        auto* drop = new QPushButton(tr("Discard"), line);
+        connect(open, &QPushButton::clicked, this, [this, r] { Q_EMIT recoveryChosen(r); });
+        connect(drop, &QPushButton::clicked, line, [line, r] {
+            Recovery::discard(r);
+            line->hide();
+        });
+        row->addWidget(label, 1);
+        row->addWidget(open);
+        row->addWidget(drop);
+        work_->addWidget(line);
+    }
+    bool isFirst = true;
+    for (const QString& path : recent.mid(0, 4)) {
+        if (!QFileInfo::exists(path)) continue;
+        if (std::exchange(isFirst, false)) addHeading(tr("Recent"));
+        auto* link = new QLabel(this);
+        const QString muted = style::mutedText(palette()).name();
+        link->setText(
+            QStringLiteral(
+                "<a href=\"%1\" style=\"text-decoration:none\">%2</a> &nbsp;<span style=\"color:%4\">%3</span>")
+                .arg(path.toHtmlEscaped(), QFileInfo(path).fileName().toHtmlEscaped(),
+                     QFileInfo(path).path().toHtmlEscaped(), muted));
+        link->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+        connect(link, &QLabel::linkActivated, this, &StartPage::exampleChosen);
+        work_->addWidget(link);
+    }
 }
 
 void StartPage::showFault(const QString& text) {

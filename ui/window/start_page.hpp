@@ -3,7 +3,10 @@
 #include <QWidget>
 #include <vector>
 
+#include "ui/document/recovery.hpp"
+
 class QLabel;
+class QVBoxLayout;
 
 namespace analogon::ui {
 
@@ -24,13 +27,19 @@ public:
 
     /// A study that could not be read; empty: no fault.
     void showFault(const QString& text);
+    /// Studies opened lately, and work that was not saved when the program ended.
+    void showWork(const QStringList& recent, const std::vector<Recovered>& recovered);
 
 Q_SIGNALS:
     void openWanted();
+    void newWanted();
+    void generateWanted();
+    void recoveryChosen(const analogon::ui::Recovered& recovered);
     void exampleChosen(const QString& path);
 
 private:
     QLabel* fault_;
+    QVBoxLayout* work_;  // recovered and recent studies
 };
 
 }  // namespace analogon::ui

@@ -1,0 +1,552 @@
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+#include <QAction>
+#include <QApplication>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolBar>
+#include <QTreeView>
+#include <QTreeWidget>
+#include <random>
+
+#include "core/syntax/parser.hpp"
+#include "ui/canvas/block_item.hpp"
+#include "ui/canvas/diagram_scene.hpp"
+#include "ui/canvas/diagram_view.hpp"
+#include "ui/canvas/icon_painter.hpp"
+#include "ui/document/composer.hpp"
+#include "ui/document/document.hpp"
+#include "ui/effect/result_panel.hpp"
+#include "ui/fit/run_controller.hpp"
+#include "ui/inspector/parameter_model.hpp"
+#include "ui/inspector/parameter_panel.hpp"
+#include "ui/library/chooser.hpp"
+#include "ui/library/library_model.hpp"
+#include "ui/library/library_panel.hpp"
+#include "ui/measurement/import_panel.hpp"
+#include "ui/measurement/measurement_panel.hpp"
+#include "ui/measurement/table_model.hpp"
+#include "ui/text/text_view.hpp"
+#include "ui/window/compose_actions.hpp"
+#include "ui/window/main_window.hpp"
+#include "ui/window/start_page.hpp"
+
+namespace analogon::ui {
+namespace {
+
+/// A window in which a study is put together as a user does it.
+class Compose : public testing::Test {
+protected:
+    void SetUp() override {
+        window.resize(1440, 900);
+        window.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    }
+    ~Compose() override { QTest::qWait(1); }
+
+    Document& document() { return window.document(); }
+    Composer& composer() { return window.compose().composer(); }
+    template <class T>
+    T* panel() const {
+        return window.findChild<T*>();
+    }
+    void startNew() {
+        for (QPushButton* b : panel<StartPage>()->findChildren<QPushButton*>())
+            if (b->text() == "New study") QTest::mouseClick(b, Qt::LeftButton);
+        ASSERT_TRUE(document().isOpen());
+        QTest::qWait(100);  // docks find their sizes
+    }
+    QPoint pixel(Point at) const { return panel<DiagramView>()->mapFromScene(QPointF(at.x, -at.y)); }
+    /// Drags a block from the library to a point of the diagram.
+    void drag(const char* className, Point to) {
+        auto* tree = panel<LibraryPanel>()->tree();
+        const QRect row = panel<LibraryPanel>()->showClass(className);
+        ASSERT_FALSE(row.isEmpty()) << className;
+        QWidget* from = tree->viewport();
+        QWidget* view = panel<DiagramView>()->viewport();
+        const QPoint end = from->mapFromGlobal(view->mapToGlobal(pixel(to)));
+        QTest::mousePress(from, Qt::LeftButton, {}, row.center());
+        QTest::mouseMove(from, row.center() + QPoint(30, 10));
+        QTest::mouseMove(from, end);
+        QTest::mouseRelease(from, Qt::LeftButton, {}, end);
+    }
+    void wire(const char* from, const char* to) {
+        const auto a = document().diagram().anchor(from), b = document().diagram().anchor(to);
+        ASSERT_TRUE(a && b) << from << " " << to;
+        QWidget* view = panel<DiagramView>()->viewport();
+        QTest::mousePress(view, Qt::LeftButton, {}, pixel(*a));
+        QTest::mouseMove(view, (pixel(*a) + pixel(*b)) / 2);
+        QTest::mouseMove(view, pixel(*b));
+        QTest::mouseRelease(view, Qt::LeftButton, {}, pixel(*b));
+    }
+    void dragOnDiagram(QPoint from, QPoint to, Qt::KeyboardModifiers keys = {}) {
+        QWidget* view = panel<DiagramView>()->viewport();
+        QTest::mousePress(view, Qt::LeftButton, keys, from);
+        QTest::mouseMove(view, (from + to) / 2);
+        QTest::mouseMove(view, to);
+        QTest::mouseRelease(view, Qt::LeftButton, keys, to);
+    }
+    void clickTool(const char* action) {
+        auto* bar = window.findChild<QToolBar*>("main");
+        QWidget* button = bar->widgetForAction(window.findChild<QAction*>(action));
+        ASSERT_TRUE(button && button->isEnabled()) << action;
+        QTest::mouseClick(button, Qt::LeftButton);
+    }
+    void finishRun() {
+        ASSERT_TRUE(window.controller().isRunning());
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !window.controller().isRunning(); }, 180000));
+        QTest::qWait(20);
+    }
+    /// Picks a file in the dialog that is open and confirms it.
+    void pick(const char* dialogName, const QString& file, bool byKeys) {
+        auto* dialog = window.findChild<QFileDialog*>(dialogName);
+        ASSERT_TRUE(dialog);
+        auto* name = dialog->findChild<QLineEdit*>();
+        ASSERT_TRUE(name);
+        name->setText(file);
+        if (byKeys) return QTest::keyClick(name, Qt::Key_Return);
+        auto* buttons = dialog->findChild<QDialogButtonBox*>();
+        for (QAbstractButton* b : buttons->buttons())
+            if (buttons->buttonRole(b) == QDialogButtonBox::AcceptRole) return QTest::mouseClick(b, Qt::LeftButton);
+    }
+    /// A key of the window's own; with no window manager about, the window a dialog was closed over is not active
+    /// again.
+    void key(Qt::Key k, Qt::KeyboardModifiers modifiers = {}) {
+        if (!window.isActiveWindow()) {
+            QTest::qWait(10);
+            window.activateWindow();
+            ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+        }
+        QTest::keyClick(&window, k, modifiers);
+    }
+    void grab(const char* name) {
+        QTest::qWait(30);
+        QDir(QStringLiteral(ANALOGON_PICTURES)).mkpath(".");
+        ASSERT_TRUE(window.grab().save(QDir(QStringLiteral(ANALOGON_PICTURES)).filePath(QString(name) + ".png")));
+    }
+    void checkFitted(const char* name, bool byKeys) {
+        auto* table = panel<ParameterPanel>()->table();
+        const QModelIndex index = table->model()->index(panel<ParameterPanel>()->model()->rowOf(name), 0);
+        ASSERT_TRUE(index.isValid()) << name;
+        table->scrollTo(index);
+        table->setCurrentIndex(index);
+        if (byKeys)
+            QTest::keyClick(table, Qt::Key_Space);
+        else
+            QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
+                              table->visualRect(index).topLeft() + QPoint(11, 12));
+        QTest::qWait(1);
+        ASSERT_TRUE(document().study().parameters.contains(name)) << name;
+        ASSERT_TRUE(document().study().parameters.at(name).fit) << name;
+    }
+    std::vector<double> figures() {
+        std::vector<double> result;
+        for (const ExperimentState& e : document().before()->experiments) result.push_back(e.errorPercent);
+        return result;
+    }
+    /// From the fit to the reopened study; the same for both ways of working.
+    void fitDiscoverAddSaveReopen(bool byKeys) {
+        ASSERT_TRUE(QTest::qWaitFor([&] { return document().facts().inputs.size() == 2; }, 10000));
+        // Nothing selected: the parameters of all blocks are listed.
+        if (byKeys) {
+            panel<DiagramView>()->setFocus();
+            QTest::keyClick(panel<DiagramView>(), Qt::Key_Escape);
+        } else {
+            QTest::mouseClick(panel<DiagramView>()->viewport(), Qt::LeftButton, {}, QPoint(6, 6));
+        }
+        for (const char* name : {"electricThermal.R", "electricThermal.alpha", "thermalFluid.C", "thermalFluid.c_o"})
+            checkFitted(name, byKeys);
+        if (byKeys)
+            key(Qt::Key_F5);
+        else
+            clickTool("fit");
+        finishRun();
+        ASSERT_TRUE(document().finding()) << messages();
+        if (byKeys)
+            key(Qt::Key_F6);
+        else
+            clickTool("discover");
+        finishRun();
+        ASSERT_TRUE(document().finding()) << messages();
+        ASSERT_FALSE(document().finding()->effects.empty());
+        const QString plain = document().modelText();
+        grab("to-add");
+        auto* add = panel<ResultPanel>()->findChild<QPushButton*>("adopt");
+        ASSERT_TRUE(add);
+        add->setFocus();
+        if (byKeys)
+            QTest::keyClick(add, Qt::Key_Space);
+        else
+            QTest::mouseClick(add, Qt::LeftButton);
+        const QString completed = document().modelText();
+        EXPECT_NE(completed, plain);
+        key(Qt::Key_Z, Qt::ControlModifier);
+        EXPECT_EQ(document().modelText(), plain);
+        key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        EXPECT_EQ(document().modelText(), completed);
+
+        const QString file = directory.filePath("composed.analogon");
+        if (byKeys)
+            key(Qt::Key_S, Qt::ControlModifier);
+        else
+            clickTool("save");
+        pick("save-dialog", file, byKeys);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !document().isModified(); }, 10000));
+        std::vector<double> errors;
+        for (const ExperimentState& e : document().after()->experiments) errors.push_back(e.errorPercent);
+
+        MainWindow other;
+        other.open(file);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return other.document().isOpen() && other.document().before(); }, 20000));
+        EXPECT_EQ(other.document().modelText(), completed);
+        std::vector<double> reopened;
+        for (const ExperimentState& e : other.document().before()->experiments) reopened.push_back(e.errorPercent);
+        EXPECT_EQ(reopened, errors) << "to the last digit";
+    }
+    std::string messages() {
+        std::string all;
+        for (const Message& m : document().messages()) all += m.diagnostic.message + "\n";
+        return all;
+    }
+
+    QTemporaryDir directory;
+    MainWindow window;
+    const QString csv = ANALOGON_ROOT "/examples/lambda-sensor-heating/train.csv";
+};
+
+TEST_F(Compose, BuildsTheLambdaModelFromNothingByMouse) {
+    startNew();
+    drag("Analogon.ElectricThermal.BasicElectricThermal", {-30, 10});
+    drag("Analogon.ThermalFluid.BasicThermalFluid", {20, 10});
+    drag("Analogon.Sources.PrescribedTemperature", {60, 10});
+    drag("Analogon.Interfaces.RealInput", {-80, 10});
+    drag("Analogon.Interfaces.RealInput", {-80, -40});
+    drag("Analogon.Interfaces.RealOutput", {80, 50});
+    ASSERT_EQ(document().diagram().blocks.size(), 6u) << messages();
+    wire("u", "electricThermal.v");
+    wire("electricThermal.heatPort", "thermalFluid.solid");
+    wire("thermalFluid.fluid", "temperature.port");
+    wire("u1", "temperature.T");
+    wire("electricThermal.i", "y");
+    ASSERT_EQ(document().diagram().wires.size(), 5u) << document().modelText().toStdString();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().facts().outputs.size() == 1; }, 10000)) << messages();
+
+    clickTool("import");
+    pick("import-dialog", csv, false);
+    auto* accept = panel<ImportPanel>()->acceptButton();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return accept->isEnabled() && accept->isVisible(); }, 10000));
+    grab("import");
+    QTest::mouseClick(accept, Qt::LeftButton);
+    grab("composed");
+    ASSERT_EQ(document().study().experiments.size(), 1u);
+    EXPECT_EQ(document().study().experiments[0].inputs.at("u").column, "u_heater");
+    EXPECT_EQ(document().study().experiments[0].inputs.at("u1").column, "T_exhaust");
+    EXPECT_EQ(document().study().experiments[0].outputs.at("y").column, "i_heater");
+    // A column can be dragged onto a signal as well, and that taken back.
+    auto* measurements = panel<MeasurementPanel>();
+    QTreeWidget* tree = measurements->tree();
+    const QRect column = tree->visualItemRect(measurements->signalItem("train", "p_ambient"));
+    const QRect signal = tree->visualItemRect(measurements->signalItem("train", "u1"));
+    QTest::mousePress(tree->viewport(), Qt::LeftButton, {}, column.center());
+    QTest::mouseMove(tree->viewport(), (column.center() + signal.center()) / 2);
+    QTest::mouseMove(tree->viewport(), signal.center());
+    QTest::mouseRelease(tree->viewport(), Qt::LeftButton, {}, signal.center());
+    EXPECT_EQ(document().study().experiments[0].inputs.at("u1").column, "p_ambient");
+    key(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(document().study().experiments[0].inputs.at("u1").column, "T_exhaust");
+    fitDiscoverAddSaveReopen(false);
+}
+
+TEST_F(Compose, BuildsTheLambdaModelFromNothingByKeyboard) {
+    key(Qt::Key_N, Qt::ControlModifier);
+    ASSERT_TRUE(document().isOpen());
+    QTest::qWait(100);
+    auto* view = panel<DiagramView>();
+    Chooser* chooser = window.compose().chooser();
+    view->setFocus();
+    const auto type = [&](const char* text) {
+        ASSERT_TRUE(chooser->isVisible());
+        QTest::keyClicks(chooser->field(), text);
+        QTest::keyClick(chooser->field(), Qt::Key_Return);
+    };
+    for (const char* block : {"BasicElectricThermal", "BasicThermalFluid", "PrescribedTemperature", "RealInput",
+                              "RealInput", "RealOutput"}) {
+        QTest::keyClick(view, Qt::Key_A);
+        if (std::string(block) == "RealOutput") grab("insert");
+        type(block);
+    }
+    ASSERT_EQ(document().diagram().blocks.size(), 6u) << messages();
+    const auto connectByKeys = [&](const char* from, const char* to) {
+        const std::string instance = std::string(from).substr(0, std::string(from).find('.'));
+        view->setFocus();
+        for (int i = 0; i < 10 && panel<DiagramScene>()->selectedBlock().toStdString() != instance; ++i)
+            QTest::keyClick(view, Qt::Key_Tab);
+        QTest::keyClick(view, Qt::Key_W);
+        if (instance != from) type(from);
+        type(to);
+        ASSERT_FALSE(chooser->isVisible());
+    };
+    connectByKeys("u", "electricThermal.v");
+    connectByKeys("electricThermal.heatPort", "thermalFluid.solid");
+    connectByKeys("thermalFluid.fluid", "temperature.port");
+    connectByKeys("u1", "temperature.T");
+    connectByKeys("y", "electricThermal.i");
+    ASSERT_EQ(document().diagram().wires.size(), 5u) << document().modelText().toStdString();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().facts().outputs.size() == 1; }, 10000)) << messages();
+    key(Qt::Key_I, Qt::ControlModifier);
+    pick("import-dialog", csv, true);
+    auto* accept = panel<ImportPanel>()->acceptButton();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return accept->isEnabled() && accept->isVisible(); }, 10000));
+    accept->setFocus();
+    QTest::keyClick(accept, Qt::Key_Space);
+    ASSERT_EQ(document().study().experiments.size(), 1u);
+    fitDiscoverAddSaveReopen(true);
+}
+
+TEST_F(Compose, MovesTurnsCopiesAndDeletesInStepsThatUndo) {
+    startNew();
+    drag("Analogon.Thermal.HeatCapacitor", {-40, 20});
+    drag("Analogon.Thermal.ThermalConductor", {20, 0});
+    wire("heatCapacitor.port", "thermalConductor.port_a");
+    ASSERT_EQ(document().diagram().wires.size(), 1u);
+    const QString start = document().modelText();
+    const int steps = document().undoStack().count();
+
+    dragOnDiagram(pixel({20, 0}), pixel({53, -28}));  // to the grid, the wire follows
+    EXPECT_EQ(document().diagram().find("thermalConductor")->placement.extent.p1, (Point{40, -40}));
+    const auto anchor = document().diagram().anchor("thermalConductor.port_a");
+    ASSERT_TRUE(anchor);
+    EXPECT_EQ(document().diagram().wires[0].points.back(), *anchor);
+    for (std::size_t i = 1; i < document().diagram().wires[0].points.size(); ++i) {
+        const Point a = document().diagram().wires[0].points[i - 1], b = document().diagram().wires[0].points[i];
+        EXPECT_TRUE(a.x == b.x || a.y == b.y) << "orthogonal";
+    }
+    auto* view = panel<DiagramView>();
+    view->setFocus();
+    EXPECT_EQ(panel<DiagramScene>()->selectedBlock(), "thermalConductor");
+    QTest::keyClick(view, Qt::Key_R, Qt::ControlModifier);
+    EXPECT_EQ(document().diagram().find("thermalConductor")->placement.rotation, 90);
+    QTest::keyClick(view, Qt::Key_H);
+    QTest::keyClick(view, Qt::Key_Right);
+    dragOnDiagram(pixel({-90, 70}), pixel({90, -80}));  // rubber band over all
+    EXPECT_EQ(panel<DiagramScene>()->selection().blocks.size(), 2u);
+    EXPECT_EQ(panel<DiagramScene>()->selection().wires.size(), 1u);
+    QTest::keyClick(view, Qt::Key_D, Qt::ControlModifier);
+    EXPECT_EQ(document().diagram().blocks.size(), 4u);
+    EXPECT_EQ(document().diagram().wires.size(), 2u) << "the wire between them is copied too";
+    QTest::keyClick(view, Qt::Key_C, Qt::ControlModifier);
+    QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
+    EXPECT_EQ(document().diagram().blocks.size(), 6u);
+    QTest::keyClick(view, Qt::Key_Delete);
+    EXPECT_EQ(document().diagram().blocks.size(), 4u);
+    EXPECT_EQ(document().undoStack().count(), steps + 7) << "each gesture is one step";
+    const QString end = document().modelText();
+    for (int i = 0; i < 7; ++i) key(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(document().modelText(), start);
+    for (int i = 0; i < 7; ++i) key(Qt::Key_Y, Qt::ControlModifier);
+    EXPECT_EQ(document().modelText(), end);
+}
+
+TEST_F(Compose, SaysWhyConnectorsDoNotFit) {
+    startNew();
+    drag("Analogon.Thermal.HeatCapacitor", {-40, 0});
+    drag("Analogon.Mechanics.Inertia", {20, 0});
+    drag("Analogon.Interfaces.RealInput", {-80, 40});
+    drag("Analogon.Interfaces.RealInput", {-80, -40});
+    EXPECT_TRUE(composer().refusal("heatCapacitor.port", "inertia.flange_a").contains("do not fit"));
+    EXPECT_TRUE(composer().refusal("u", "u1").contains("must take it"));
+    EXPECT_TRUE(composer().refusal("inertia.flange_a", "inertia.flange_b").isEmpty());
+    QWidget* view = panel<DiagramView>()->viewport();
+    const QPoint from = pixel(*document().diagram().anchor("heatCapacitor.port"));
+    const QPoint to = pixel(*document().diagram().anchor("inertia.flange_a"));
+    QTest::mousePress(view, Qt::LeftButton, {}, from);
+    QTest::mouseMove(view, (from + to) / 2);
+    QTest::mouseMove(view, to);
+    grab("refused");
+    QTest::mouseRelease(view, Qt::LeftButton, {}, to);
+    EXPECT_TRUE(document().diagram().wires.empty());
+}
+
+TEST_F(Compose, RenamesWithEverythingThatNamesTheBlock) {
+    window.open(ANALOGON_ROOT "/examples/lambda-sensor-heating");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen(); }, 10000));
+    const QString original = document().modelText();
+    EXPECT_FALSE(composer().rename("heater", "element"));
+    EXPECT_FALSE(composer().rename("heater", "end"));
+    ASSERT_TRUE(composer().rename("heater", "coil"));
+    EXPECT_TRUE(document().study().parameters.contains("coil.R"));
+    EXPECT_FALSE(document().study().parameters.contains("heater.R"));
+    EXPECT_TRUE(document().diagram().find("coil"));
+    ASSERT_TRUE(composer().rename("i_mod", "current"));
+    EXPECT_EQ(document().study().experiments[0].outputs.at("current").column, "i_heater");
+    document().undoStack().undo();
+    document().undoStack().undo();
+    EXPECT_EQ(document().modelText(), original);
+    EXPECT_TRUE(document().study().parameters.contains("heater.R"));
+}
+
+TEST_F(Compose, ModelsKeepTheRulesOfItemViews) {
+    using Mode = QAbstractItemModelTester::FailureReportingMode;
+    const QAbstractItemModelTester library(panel<LibraryPanel>()->model(), Mode::Fatal);
+    const QAbstractItemModelTester filtered(panel<LibraryPanel>()->tree()->model(), Mode::Fatal);
+    const QAbstractItemModelTester parameters(panel<ParameterPanel>()->model(), Mode::Fatal);
+    const QAbstractItemModelTester preview(panel<ImportPanel>()->model(), Mode::Fatal);
+    window.open(ANALOGON_ROOT "/examples/water-pump");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen() && !document().facts().parameters.empty(); }, 10000));
+    panel<LibraryPanel>()->search()->setText("heat");
+    panel<LibraryPanel>()->search()->clear();
+    composer().addBlock("Analogon.Thermal.HeatCapacitor", {0, 90});
+    panel<ImportPanel>()->show(csv);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel<ImportPanel>()->model()->rowCount() > 0; }, 10000));
+    document().undoStack().undo();
+    EXPECT_GT(panel<LibraryPanel>()->model()->rowCount(), 3);
+}
+
+/// 500 blocks in a grid and 800 wires between neighbours, as a study on disk.
+std::string largeModel() {
+    std::string text = "model Large\n", wires;
+    const auto name = [](int row, int column) { return "b" + std::to_string(row * 25 + column); };
+    for (int row = 0; row < 20; ++row)
+        for (int column = 0; column < 25; ++column) {
+            const int x = 40 * column, y = -40 * row;
+            text += "  Analogon.Thermal.ThermalConductor " + name(row, column) +
+                    "(G=1) annotation (Placement(transformation(extent={{" + std::to_string(x - 10) + "," +
+                    std::to_string(y - 10) + "},{" + std::to_string(x + 10) + "," + std::to_string(y + 10) + "}})));\n";
+        }
+    int count = 0;
+    for (int row = 0; row < 20; ++row)
+        for (int column = 0; column < 25; ++column) {
+            if (column + 1 < 25 && count < 800) {
+                ++count;
+                wires += "  connect(" + name(row, column) + ".port_b, " + name(row, column + 1) +
+                         ".port_a) annotation (Line(points={{" + std::to_string(40 * column + 10) + "," +
+                         std::to_string(-40 * row) + "},{" + std::to_string(40 * column + 30) + "," +
+                         std::to_string(-40 * row) + "}}, color={191,0,0}));\n";
+            }
+            if (row + 1 < 20 && count < 800) {
+                ++count;
+                wires += "  connect(" + name(row, column) + ".port_a, " + name(row + 1, column) +
+                         ".port_a) annotation (Line(points={{" + std::to_string(40 * column - 10) + "," +
+                         std::to_string(-40 * row) + "},{" + std::to_string(40 * column - 10) + "," +
+                         std::to_string(-40 * row - 40) + "}}, color={191,0,0}));\n";
+            }
+        }
+    return text + "equation\n" + wires + "end Large;\n";
+}
+
+TEST_F(Compose, StaysFluidWithFiveHundredBlocks) {
+    Study study;
+    study.name = "large";
+    study.className = "Large";
+    study.models[study.modelFile] = largeModel();
+    ASSERT_TRUE(builtInLibrary());
+    QElapsedTimer clock;
+    clock.start();
+    document().startWith(std::move(study));
+    window.grab();
+    const qint64 opening = clock.elapsed();
+    ASSERT_EQ(document().diagram().blocks.size(), 500u) << messages();
+    ASSERT_EQ(document().diagram().wires.size(), 800u);
+    QTest::qWait(50);
+    auto* scene = panel<DiagramScene>();
+    auto* view = panel<DiagramView>();
+    DiagramSelection some;
+    for (int i = 0; i < 50; ++i) some.blocks.push_back("b" + std::to_string(225 + i));
+    scene->setSelection(some);
+    std::vector<double> times;
+    for (int i = 1; i <= 21; ++i) {
+        clock.restart();
+        scene->showMoved(10 * i, -10 * i);
+        view->viewport()->repaint();
+        times.push_back(static_cast<double>(clock.nsecsElapsed()) / 1e6);
+    }
+    scene->showMoved(0, 0);
+    std::sort(times.begin(), times.end());
+    clock.restart();
+    ASSERT_TRUE(composer().move(some.blocks, 10, 0));
+    const qint64 moving = clock.elapsed();
+    std::cout << "opening " << opening << " ms, repaint while dragging 50 of 500 blocks " << times[10]
+              << " ms, their move " << moving << " ms\n";
+    EXPECT_LT(opening, 3000) << "[ms]; 1000 on a machine that does nothing else";
+    EXPECT_LT(times[10], 60) << "[ms]; 16 on a machine that does nothing else";
+    grab("large");
+}
+
+/// Random gestures; undone to the start and redone to the end, the text is the same byte for byte.
+TEST(RandomEditing, UndoesAndRedoesByteForByte) {
+    const char* wanted = std::getenv("ANALOGON_SEQUENCES");
+    const int sequences = wanted ? std::atoi(wanted) : 12;
+    constexpr int operations = 100;
+    const std::vector<std::string> classes{"Analogon.Thermal.HeatCapacitor", "Analogon.Mechanics.Inertia",
+                                           "Analogon.Thermal.ThermalConductor", "Analogon.Interfaces.RealInput",
+                                           "Analogon.ElectricThermal.BasicElectricThermal"};
+    for (int sequence = 0; sequence < sequences; ++sequence) {
+        std::mt19937 random(static_cast<unsigned>(sequence));
+        const auto below = [&](std::size_t n) { return n == 0 ? 0 : random() % n; };
+        Document document;
+        document.startNew("random");
+        Composer composer(document);
+        const QString start = document.modelText();
+        for (int i = 0; i < operations; ++i) {
+            const auto& blocks = document.diagram().blocks;
+            std::vector<std::string> some;
+            for (const Block& b : blocks)
+                if (below(3) == 0) some.push_back(b.name);
+            const double x = 10.0 * static_cast<double>(below(30)) - 150,
+                         y = 10.0 * static_cast<double>(below(20)) - 100;
+            switch (below(11)) {
+                case 0:
+                case 1:
+                case 2:
+                    composer.addBlock(classes[below(classes.size())], {x, y});
+                    break;
+                case 3:
+                    composer.move(some, x / 10, y / 10);
+                    break;
+                case 4:
+                    composer.rotate(some);
+                    break;
+                case 5:
+                    composer.flip(some, below(2) == 0);
+                    break;
+                case 6:
+                    if (below(3) == 0) composer.remove({some, {}});
+                    break;
+                case 7:
+                    if (some.size() < 4) composer.paste(composer.copy(some), 20, -20);
+                    break;
+                case 8:
+                    composer.align(some, static_cast<Edge>(below(6)));
+                    break;
+                case 9:
+                    if (!some.empty()) composer.rename(some.front(), "renamed" + std::to_string(i));
+                    break;
+                default: {
+                    std::vector<std::string> ends;
+                    for (const Block& b : blocks)
+                        for (const Port& p : b.ports) ends.push_back(b.name + "." + p.name);
+                    if (!ends.empty()) composer.addWire(ends[below(ends.size())], ends[below(ends.size())]);
+                }
+            }
+            ASSERT_TRUE(document.definition())
+                << "the text parses after every gesture: sequence " << sequence << " step " << i;
+        }
+        const QString end = document.modelText();
+        while (document.undoStack().canUndo()) document.undoStack().undo();
+        ASSERT_EQ(document.modelText(), start) << sequence;
+        while (document.undoStack().canRedo()) document.undoStack().redo();
+        ASSERT_EQ(document.modelText(), end) << sequence;
+    }
+}
+
+}  // namespace
+}  // namespace analogon::ui

@@ -1,0 +1,372 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QDir>
+#include <QDirIterator>
+#include <QElapsedTimer>
+#include <QImage>
+#include <QListWidget>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSpinBox>
+#include <QStandardPaths>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTextBrowser>
+#include <QTextStream>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <cmath>
+#include <random>
+
+#include "core/archive/archive.hpp"
+#include "ui/canvas/diagram_scene.hpp"
+#include "ui/document/document.hpp"
+#include "ui/document/recovery.hpp"
+#include "ui/effect/report_pdf.hpp"
+#include "ui/fit/error_curve.hpp"
+#include "ui/fit/fit_panel.hpp"
+#include "ui/fit/run_controller.hpp"
+#include "ui/messages/message_panel.hpp"
+#include "ui/plot/plot_panel.hpp"
+#include "ui/plot/residual_plot.hpp"
+#include "ui/style/translator.hpp"
+#include "ui/text/text_view.hpp"
+#include "ui/window/generate_page.hpp"
+#include "ui/window/guide_page.hpp"
+#include "ui/window/main_window.hpp"
+#include "ui/window/start_page.hpp"
+
+namespace analogon::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Panels : public testing::Test {
+protected:
+    void SetUp() override {
+        window.resize(1440, 900);
+        window.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    }
+    ~Panels() override { QTest::qWait(1); }
+
+    Document& document() { return window.document(); }
+    template <class T>
+    T* panel() const {
+        return window.findChild<T*>();
+    }
+    /// A copy of an example as one file.
+    QString lambdaFile() {
+        const QString file = directory.filePath("lambda.analogon");
+        const Outcome<Study> study = readStudy(ANALOGON_ROOT "/examples/lambda-sensor-heating");
+        EXPECT_TRUE(study);
+        EXPECT_TRUE(saveStudy(*study, file.toStdString()));
+        return file;
+    }
+    void openLambda() {
+        window.open(lambdaFile());
+        ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen() && document().before(); }, 20000));
+    }
+    void run(RunKind kind) {
+        window.controller().start(kind);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !window.controller().isRunning(); }, 120000));
+        QTest::qWait(20);
+    }
+
+    QTemporaryDir directory;
+    MainWindow window;
+};
+
+TEST_F(Panels, TypingInTheTextIsSeenInTheDiagramAndUndone) {
+    openLambda();
+    const QString original = document().modelText();
+    auto* text = panel<TextView>();
+    window.findChild<QTabWidget*>("centre")->setCurrentWidget(text);
+    QTextCursor cursor = text->textCursor();
+    cursor.setPosition(static_cast<int>(original.indexOf("equation")));
+    text->setTextCursor(cursor);
+    QTest::keyClicks(text, "Analogon.Thermal.HeatCapacitor typed;");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().diagram().find("typed") != nullptr; }, 5000));
+    EXPECT_EQ(text->textCursor().position(), original.indexOf("equation") + 37) << "the cursor stays where one types";
+    EXPECT_TRUE(window.isWindowModified());
+    QTest::keyClicks(text, " // half a wor");
+    QTest::keyClick(text, Qt::Key_Z, Qt::ControlModifier);
+    while (document().undoStack().canUndo()) QTest::keyClick(text, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(document().modelText(), original);
+    EXPECT_EQ(text->toPlainText(), original);
+    EXPECT_FALSE(window.isWindowModified());
+}
+
+TEST_F(Panels, ABrokenTextLeavesTheRestUsable) {
+    openLambda();
+    document().typeText(QString(document().modelText()).replace("equation", "equatoin"));
+    EXPECT_FALSE(document().messages().empty());
+    document().undoStack().undo();
+    EXPECT_TRUE(document().diagram().find("heater"));
+}
+
+TEST_F(Panels, KeepsEveryRunForComparison) {
+    openLambda();
+    run(RunKind::Fit);
+    auto* runs = panel<FitPanel>();
+    runs->startsBox()->setValue(2);
+    EXPECT_EQ(window.controller().options().discover.fit.starts, 2);
+    run(RunKind::Discover);
+    ASSERT_EQ(document().history().size(), 2u);
+    EXPECT_FALSE(runs->curve()->points().empty()) << "the error was followed during the run";
+    ASSERT_EQ(runs->history()->topLevelItemCount(), 2);
+    for (int i = 0; i < 2; ++i) runs->history()->topLevelItem(i)->setSelected(true);
+    EXPECT_FALSE(runs->comparison()->isHidden());
+    EXPECT_GE(runs->comparison()->topLevelItemCount(), 6) << "two errors and four parameters";
+    runs->history()->topLevelItem(1)->setSelected(false);
+    const QString before = document().modelText();
+    QTest::mouseClick(runs->restoreButton(), Qt::LeftButton);
+    EXPECT_NE(document().modelText(), before) << "the values of the fit are in the model";
+    document().undoStack().undo();
+    EXPECT_EQ(document().modelText(), before);
+}
+
+TEST_F(Panels, ShowsTheResidualFromThreeSidesAndExports) {
+    openLambda();
+    auto* plots = panel<PlotPanel>();
+    QTest::mouseClick(plots->residualButton(), Qt::LeftButton);
+    ASSERT_FALSE(plots->residuals().empty());
+    ResidualPlot* residual = plots->residuals().front();
+    EXPECT_TRUE(residual->isVisible());
+    ASSERT_GT(residual->autocorrelation().size(), 10u);
+    EXPECT_NEAR(residual->autocorrelation().front(), 1, 1e-9);
+    EXPECT_GE(residual->variableBox()->findText("p_ambient", Qt::MatchContains), 0) << "unused columns too";
+    for (const char* name : {"r.png", "r.svg", "r.csv"}) {
+        const QString file = directory.filePath(name);
+        EXPECT_TRUE(plots->exportTo(file).contains(file));
+        EXPECT_GT(QFileInfo(file).size(), 1000) << name;
+    }
+    EXPECT_FALSE(QImage(directory.filePath("r.png")).isNull());
+    const Outcome<Table> numbers = readCsv(directory.filePath("r.csv").toStdString());
+    ASSERT_TRUE(numbers) << format(numbers.diagnostics());
+    EXPECT_EQ(numbers->rows(), document().before()->experiments.front().time.size());
+    EXPECT_TRUE(numbers->find("i_mod measured"));
+}
+
+TEST_F(Panels, WritesTheReportOnPaper) {
+    openLambda();
+    run(RunKind::Fit);
+    ASSERT_TRUE(document().result());
+    const QString file = directory.filePath("report.pdf");
+    const QString fault = writeReportPdf(file, "lambda", RunKind::Fit, document().result()->finding,
+                                         {panel<PlotPanel>()->plots().front()->grab().toImage()});
+    EXPECT_TRUE(fault.isEmpty()) << fault.toStdString();
+    EXPECT_GT(QFileInfo(file).size(), 5000);
+}
+
+TEST_F(Panels, OffersWorkThatAnEndedProgramLeft) {
+    const pid_t gone = fork();
+    if (gone == 0) _exit(0);
+    waitpid(gone, nullptr, 0);
+    const QDir place(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery");
+    place.mkpath(".");
+    const QString copy = place.filePath(QString::number(gone) + ".analogon");
+    Outcome<Study> study = readStudy(ANALOGON_ROOT "/examples/lambda-sensor-heating");
+    ASSERT_TRUE(study);
+    ASSERT_TRUE(saveStudy(*study, copy.toStdString()));
+    QFile note(copy + ".origin");
+    ASSERT_TRUE(note.open(QIODevice::WriteOnly));
+    note.write(directory.filePath("mine.analogon").toUtf8());
+    note.close();
+
+    MainWindow fresh;
+    fresh.show();
+    QPushButton* open = nullptr;
+    for (QPushButton* b : fresh.findChild<StartPage*>()->findChildren<QPushButton*>())
+        if (b->text() == "Open") open = b;
+    ASSERT_TRUE(open) << "the first page offers it";
+    QTest::mouseClick(open, Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return fresh.document().isOpen(); }, 10000));
+    EXPECT_TRUE(fresh.document().isModified()) << "it is not saved where it belongs";
+    EXPECT_EQ(fresh.document().title(), "mine");
+    fresh.saveTo(fresh.document().path());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !fresh.document().isModified(); }, 10000));
+    EXPECT_TRUE(QFile::exists(directory.filePath("mine.analogon")));
+    for (const Recovered& r : Recovery::abandoned()) Recovery::discard(r);
+}
+
+TEST_F(Panels, KeepsACopyOfUnsavedChangesAndTakesItAway) {
+    openLambda();
+    document().typeText(document().modelText() + "// changed\n");
+    const QDir place(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery");
+    const QString copy = place.filePath(QString::number(getpid()) + ".analogon");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(copy); }, 8000));
+    EXPECT_TRUE(Recovery::abandoned().empty()) << "this program is still alive";
+    window.saveTo(document().path());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document().isModified() && !QFile::exists(copy); }, 8000));
+    const Outcome<OpenedStudy> saved = openStudy(document().path().toStdString());
+    ASSERT_TRUE(saved);
+    EXPECT_TRUE(saved->study.models.at("model.mo").ends_with("// changed\n"));
+}
+
+TEST_F(Panels, SaysWhatIsWrongWithAnArchive) {
+    const QString file = directory.filePath("cut.analogon");
+    QFile whole(lambdaFile());
+    ASSERT_TRUE(whole.open(QIODevice::ReadOnly));
+    QFile cut(file);
+    ASSERT_TRUE(cut.open(QIODevice::WriteOnly));
+    cut.write(whole.readAll().chopped(200));
+    cut.close();
+    window.open(file);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document().isReading() && !document().messages().empty(); }, 5000));
+    EXPECT_FALSE(document().isOpen());
+    EXPECT_NE(document().messages().front().diagnostic.message.find("cut off"), std::string::npos);
+}
+
+TEST_F(Panels, ComposesAStudyFromDomainsAndARecording) {
+    QMetaObject::invokeMethod(panel<StartPage>(), "generateWanted");
+    auto* page = panel<GeneratePage>();
+    ASSERT_TRUE(page->isVisible());
+    EXPECT_FALSE(page->generateButton()->isEnabled());
+    for (const char* domain : {"electric-thermal", "thermal-fluid"}) page->addDomain(domain);
+    page->addRecording(ANALOGON_ROOT "/examples/lambda-sensor-heating/train.csv");
+    ASSERT_TRUE(page->generateButton()->isEnabled()) << page->fault().toStdString();
+    QTest::mouseClick(page->generateButton(), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen(); }, 20000)) << page->fault().toStdString();
+    EXPECT_TRUE(document().canRun());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().before() != nullptr; }, 20000));
+}
+
+TEST_F(Panels, OpensTheGuideWithItsPictures) {
+    ASSERT_FALSE(guideFile().isEmpty());
+    QTest::keyClick(&window, Qt::Key_F1);
+    ASSERT_TRUE(panel<GuidePage>());
+    EXPECT_TRUE(panel<GuidePage>()->isVisible());
+    EXPECT_TRUE(panel<GuidePage>()->browser()->toPlainText().contains("Discover what is missing"));
+    QFile guide(guideFile());
+    ASSERT_TRUE(guide.open(QIODevice::ReadOnly));
+    static const QRegularExpression picture(R"(!\[[^\]]*\]\(([^)]+)\))");
+    int count = 0;
+    for (auto it = picture.globalMatch(QString::fromUtf8(guide.readAll())); it.hasNext(); ++count) {
+        const QString file = QFileInfo(guideFile()).dir().filePath(it.next().captured(1));
+        EXPECT_FALSE(QImage(file).isNull()) << file.toStdString();
+    }
+    EXPECT_GE(count, 6);
+}
+
+TEST(TimePlotSpeed, StaysFluidWithAMillionSamples) {
+    constexpr int samples = 1000000;
+    auto time = std::make_shared<std::vector<double>>();
+    Trace measured{TraceRole::Measured, {}}, after{TraceRole::After, {}};
+    for (int i = 0; i < samples; ++i) {
+        time->push_back(i * 1e-3);
+        measured.values.push_back(std::sin(i * 1e-4) + 0.1 * std::sin(i * 1.7));
+        after.values.push_back(std::sin(i * 1e-4));
+    }
+    TimePlot plot;
+    plot.resize(900, 250);
+    plot.show();
+    plot.setTraces(time, {measured, after});
+    std::vector<double> times;
+    QElapsedTimer clock;
+    for (int i = 0; i < 15; ++i) {
+        clock.restart();
+        plot.setTimeRange(10.0 * i, 1000 - 20.0 * i);
+        plot.repaint();
+        QCoreApplication::processEvents();
+        times.push_back(static_cast<double>(clock.nsecsElapsed()) / 1e6);
+    }
+    std::sort(times.begin(), times.end());
+    std::cout << "zoom and repaint of two traces of 1e6 samples: " << times[7] << " ms\n";
+    EXPECT_LT(times[7], 80) << "[ms]; 20 on a machine that does nothing else";
+}
+
+/// Every text of the screen that is marked for translation has a German one.
+TEST(Translation, GermanIsComplete) {
+    Translator german;
+    ASSERT_TRUE(german.loadLanguage("de"));
+    static const QRegularExpression call(R"re(\btr\(\s*((?:"(?:\\.|[^"\\])*"\s*)+))re");
+    static const QRegularExpression literal(R"re("((?:\\.|[^"\\])*)")re");
+    int count = 0;
+    for (QDirIterator files(ANALOGON_ROOT "/ui", {"*.cpp", "*.hpp"}, QDir::Files, QDirIterator::Subdirectories);
+         files.hasNext();) {
+        QFile file(files.next());
+        ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+        const QString source = QString::fromUtf8(file.readAll());
+        for (auto calls = call.globalMatch(source); calls.hasNext(); ++count) {
+            QString text;
+            for (auto parts = literal.globalMatch(calls.next().captured(1)); parts.hasNext();)
+                text += parts.next().captured(1);
+            text.replace("\\n", "\n").replace("\\\"", "\"").replace("\\\\", "\\");
+            EXPECT_TRUE(german.knows(text)) << file.fileName().toStdString() << ": " << text.toStdString();
+        }
+    }
+    EXPECT_GT(count, 300);
+}
+
+/// Random mouse and key events anywhere in the window: nothing crashes, nothing hangs. ANALOGON_EVENTS sets how many.
+TEST_F(Panels, SurvivesRandomEvents) {
+    openLambda();
+    const char* wanted = std::getenv("ANALOGON_EVENTS");
+    const char* seed = std::getenv("ANALOGON_SEED");
+    const int events = wanted ? std::atoi(wanted) : 1500;
+    std::mt19937 random(seed ? static_cast<unsigned>(std::atoi(seed)) : 1u);
+    const Qt::Key keys[] = {Qt::Key_A,    Qt::Key_W,      Qt::Key_H,      Qt::Key_V,    Qt::Key_R,      Qt::Key_D,
+                            Qt::Key_Z,    Qt::Key_Y,      Qt::Key_C,      Qt::Key_X,    Qt::Key_Delete, Qt::Key_F2,
+                            Qt::Key_Tab,  Qt::Key_Return, Qt::Key_Space,  Qt::Key_Left, Qt::Key_Right,  Qt::Key_Up,
+                            Qt::Key_Down, Qt::Key_1,      Qt::Key_Period, Qt::Key_F5,   Qt::Key_Plus,   Qt::Key_Escape,
+                            Qt::Key_T,    Qt::Key_Minus,  Qt::Key_F6,     Qt::Key_F1};
+    QElapsedTimer clock;
+    qint64 longest = 0;
+    for (int i = 0; i < events; ++i) {
+        QList<QWidget*> targets;
+        for (QWidget* w : window.findChildren<QWidget*>())
+            if (w->isVisible() && w->isEnabled() && w->width() > 2 && w->height() > 2) targets << w;
+        ASSERT_FALSE(targets.isEmpty());
+        QPointer<QWidget> target = targets[static_cast<qsizetype>(random() % static_cast<unsigned>(targets.size()))];
+        const auto point = [&] {
+            return QPoint(static_cast<int>(random() % static_cast<unsigned>(target->width())),
+                          static_cast<int>(random() % static_cast<unsigned>(target->height())));
+        };
+        const Qt::KeyboardModifiers modifiers = random() % 5 == 0   ? Qt::ControlModifier
+                                                : random() % 7 == 0 ? Qt::ShiftModifier
+                                                                    : Qt::NoModifier;
+        clock.restart();
+        switch (random() % 6) {
+            case 0:
+                QTest::mouseClick(target, Qt::LeftButton, modifiers, point());
+                break;
+            case 1:
+                QTest::mouseDClick(target, Qt::LeftButton, modifiers, point());
+                break;
+            case 2: {
+                QTest::mousePress(target, Qt::LeftButton, modifiers, point());
+                if (target) QTest::mouseMove(target, point());
+                if (target) QTest::mouseMove(target, point());
+                if (target) QTest::mouseRelease(target, Qt::LeftButton, modifiers, point());
+                break;
+            }
+            case 3:
+                QTest::mouseMove(target, point());
+                break;
+            default:
+                QTest::keyClick(target, keys[random() % std::size(keys)], modifiers);
+        }
+        QCoreApplication::processEvents();
+        longest = std::max(longest, clock.elapsed());
+        for (QWidget* top : QApplication::topLevelWidgets()) {
+            if (auto* dialog = qobject_cast<QDialog*>(top); dialog && dialog->isVisible()) dialog->reject();
+            if (top->isVisible() && (top->windowFlags() & Qt::Popup) == Qt::Popup) top->hide();
+        }
+        if (!window.isVisible()) window.show();
+    }
+    std::cout << "longest reaction to an event: " << longest << " ms\n";
+    window.controller().cancel();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !window.controller().isRunning(); }, 20000));
+    while (document().undoStack().canUndo()) document().undoStack().undo();
+    EXPECT_LT(longest, 2000) << "[ms]; 1000 on a machine that does nothing else";
+}
+
+}  // namespace
+}  // namespace analogon::ui

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QPointF>
+#include <QString>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/diagram/diagram.hpp"
+#include "core/diagram/edit.hpp"
+#include "ui/route/selection.hpp"
+
+namespace analogon::ui {
+
+class Document;
+
+enum class Edge { Left, Right, Top, Bottom, Middle, Centre };  // Middle: one height; Centre: one column
+
+/// The gestures of the diagram as edits of the document, each one step of the undo list. Coordinates are the diagram's:
+/// y upward. What cannot be done is said in a sentence (fault()) and changes nothing.
+class Composer {
+public:
+    explicit Composer(Document& document) : document_(document) {}
+
+    /// A component of a class around a point on the grid; its name, or empty.
+    std::string addBlock(const std::string& className, Point centre);
+    bool addWire(const std::string& from, const std::string& to, const std::vector<Point>& points = {});
+    bool remove(const DiagramSelection& selection);
+    bool move(const std::vector<std::string>& blocks, double dx, double dy);
+    /// A quarter turn counter-clockwise, each block about its own centre.
+    bool rotate(const std::vector<std::string>& blocks);
+    bool flip(const std::vector<std::string>& blocks, bool isHorizontal);
+    bool align(const std::vector<std::string>& blocks, Edge edge);
+    bool rename(const std::string& block, const std::string& name);
+    /// Modelica text: declarations and the connections between them.
+    std::string copy(const std::vector<std::string>& blocks) const;
+    /// Declares what a copied text holds, moved by (dx, dy), under free names; their names.
+    std::vector<std::string> paste(const std::string& text, double dx, double dy);
+    bool setClassName(const std::string& name);
+
+    /// Why two connectors cannot be connected; empty: they can.
+    QString refusal(const std::string& from, const std::string& to) const;
+    const QString& fault() const { return fault_; }
+
+    /// The diagram with blocks at other places and the wires led after them.
+    static Diagram moved(const Diagram& diagram, const std::vector<std::string>& blocks, double dx, double dy);
+
+private:
+    bool isReady();
+    bool apply(const Outcome<syntax::TextEdit>& edit);
+    bool place(const std::vector<std::pair<std::string, Placement>>& placements, const QString& what);
+
+    Document& document_;
+    QString fault_;
+};
+
+/// A name for a new component: "electricThermal" for BasicElectricThermal, "u" for an input.
+std::string baseName(const std::string& className);
+
+bool isModelicaName(const std::string& name);
+
+}  // namespace analogon::ui

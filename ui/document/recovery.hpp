@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <vector>
+
+#include "ui/job/job.hpp"
+
+namespace analogon::ui {
+
+class Document;
+
+/// Work that a program which did not end properly has left behind.
+struct Recovered {
+    QString file;   // the copy
+    QString path;   // where the study was opened from; empty: it was never saved
+    QString saved;  // when, for people
+};
+
+/// Keeps a copy of a study with unsaved changes in a file of its own, a moment after each change, and takes it away
+/// once the study is saved or closed.
+class Recovery : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Recovery(Document& document, QObject* parent = nullptr);
+    ~Recovery() override;
+
+    /// Copies whose program is no more.
+    static std::vector<Recovered> abandoned();
+    static void discard(const Recovered& recovered);
+    /// Ends the copy: the study is saved, or its changes are not wanted.
+    void clear();
+
+private:
+    void changed();
+    void write();
+    QString file() const;
+
+    Document& document_;
+    QTimer delay_;
+    JobRunner writer_;
+};
+
+}  // namespace analogon::ui

@@ -1,0 +1,119 @@
+#include "ui/effect/report_pdf.hpp"
+
+#include <QDate>
+#include <QFile>
+#include <QLocale>
+#include <QPageSize>
+#include <QPdfWriter>
+#include <QTextDocument>
+#include <QUrl>
+#include <cmath>
+
+#include "ui/effect/result_panel.hpp"
+
+namespace analogon::ui {
+
+namespace {
+
+QString text(const std::string& s) { return QString::fromStdString(s).toHtmlEscaped(); }
+QString tr(const char* s) { return ResultPanel::tr(s); }
+QString number(double v, int digits = 4) {
+    return std::isfinite(v) ? QString::number(v, 'g', digits) : QStringLiteral("–");
+}
+
+/// A table of cells; all but the first column are set to the right.
+class HtmlTable {
+public:
+    explicit HtmlTable(const QStringList& header) {
+        html_ = "<table width='100%' cellspacing='0' cellpadding='3'><tr>";
+        for (int i = 0; i < header.size(); ++i) html_ += cell(header[i].toHtmlEscaped(), i, "th");
+        html_ += "</tr>";
+    }
+    void add(const QStringList& cells) {
+        html_ += "<tr>";
+        for (int i = 0; i < cells.size(); ++i) html_ += cell(cells[i], i, "td");
+        html_ += "</tr>";
+    }
+    QString html() const { return html_ + "</table>"; }
+
+private:
+    static QString cell(const QString& content, int column, const char* tag) {
+        return QStringLiteral("<%1 align='%2' style='border-bottom: 1px solid #ccc'>%3</%1>")
+            .arg(tag, column == 0 ? "left" : "right", content);
+    }
+    QString html_;
+};
+
+QString bodyOf(const QString& title, RunKind kind, const Finding& finding, std::size_t pictures) {
+    QString html = QStringLiteral("<h1>%1</h1><p>%2</p>")
+                       .arg(title.toHtmlEscaped(), QLocale().toString(QDate::currentDate(), QLocale::LongFormat));
+    if (kind == RunKind::Discover) {
+        html += "<h2>" + tr("Result") + "</h2><p>";
+        for (const AddedEffect& e : finding.effects) html += effectTitle(e).toHtmlEscaped() + "<br>";
+        if (finding.effects.empty())
+            html += finding.kind == FindingKind::Adequate
+                        ? tr("What is left between model and measurement is noise. Nothing was added.")
+                        : tr("The residual is not noise, and no effect of the library explains it.");
+        html += "</p>";
+    }
+    HtmlTable errors({tr("Error"), tr("Role"), tr("Before"), tr("After")});
+    for (const ExperimentState& after : finding.final.experiments) {
+        double was = std::nan("");
+        for (const ExperimentState& b : finding.baseline.experiments)
+            if (b.name == after.name) was = b.errorPercent;
+        errors.add({text(after.name), after.role == Role::Fit ? tr("fit") : tr("validate"), number(was, 3) + " %",
+                    number(after.errorPercent, 3) + " %"});
+    }
+    html += errors.html();
+    for (std::size_t i = 0; i < pictures; ++i)
+        html += QStringLiteral("<p><img src='picture:%1' width='640'></p>").arg(i);
+    html += "<h2>" + tr("Parameters") + "</h2>";
+    HtmlTable parameters({tr("Parameter"), tr("Value"), QStringLiteral("±"), tr("Unit")});
+    for (const FitEstimate& e : finding.final.parameters)
+        parameters.add({text(e.name), number(e.value, 5), number(e.standardError, 2), text(e.unit)});
+    html += parameters.html();
+    for (const AddedEffect& e : finding.effects) {
+        html += "<h2>" + effectTitle(e).toHtmlEscaped() + "</h2>";
+        HtmlTable evidence({text(e.kind), QString()});
+        for (const EffectValue& p : e.parameters)
+            evidence.add({text(p.name), number(p.value) + " ± " + number(p.standardError, 2) + " " + text(p.unit)});
+        evidence.add({tr("Score"), number(e.evidence.score)});
+        evidence.add({tr("ΔBIC"), number(e.evidence.deltaBic)});
+        evidence.add({tr("Held-out blocks"), number(e.evidence.heldOut, 2)});
+        html += evidence.html();
+    }
+    if (!finding.candidates.empty()) {
+        html += "<h2>" + tr("What was tried") + "</h2>";
+        HtmlTable tried({tr("Effect"), tr("At"), tr("Score"), tr("ΔBIC"), tr("Verdict")});
+        for (const CandidateResult& c : finding.candidates)
+            tried.add({text(c.kind), text(c.at), number(c.score, 3), c.deltaBic ? number(*c.deltaBic, 3) : QString(),
+                       text(name(c.verdict))});
+        html += tried.html();
+    }
+    return html;
+}
+
+}  // namespace
+
+QString writeReportPdf(const QString& file, const QString& title, RunKind kind, const Finding& finding,
+                       const std::vector<QImage>& pictures) {
+    QPdfWriter writer(file);
+    writer.setPageSize(QPageSize(QPageSize::A4));
+    writer.setPageMargins(QMarginsF(18, 18, 18, 18), QPageLayout::Millimeter);
+    writer.setTitle(title);
+    writer.setResolution(96);
+    QTextDocument document;
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        document.addResource(QTextDocument::ImageResource, QUrl(QStringLiteral("picture:%1").arg(i)), pictures[i]);
+    document.setDefaultStyleSheet(
+        "h1 {font-size: 18pt} h2 {font-size: 12pt} body, td, th {font-size: 9pt; color: black}");
+    document.setHtml("<body>" + bodyOf(title, kind, finding, pictures.size()) + "</body>");
+    document.setPageSize(QSizeF(writer.width(), writer.height()));
+    document.print(&writer);
+    QFile written(file);
+    return written.open(QIODevice::ReadOnly) && written.read(4) == "%PDF"
+               ? QString()
+               : ResultPanel::tr("%1 cannot be written.").arg(file);
+}
+
+}  // namespace analogon::ui

@@ -1,0 +1,209 @@
+#include "ui/fit/fit_panel.hpp"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "ui/document/document.hpp"
+#include "ui/fit/error_curve.hpp"
+#include "ui/fit/run_controller.hpp"
+#include "ui/style/style.hpp"
+
+namespace analogon::ui {
+
+namespace {
+
+QString percentOf(const ModelState& state, Role role) {
+    double sum = 0;
+    int count = 0;
+    for (const ExperimentState& e : state.experiments)
+        if (e.role == role) {
+            sum += e.errorPercent * e.errorPercent;
+            ++count;
+        }
+    return count == 0 ? QStringLiteral("–") : QStringLiteral("%1 %").arg(std::sqrt(sum / count), 0, 'f', 2);
+}
+
+QTreeWidget* makeTable(const QStringList& headers, QWidget* parent) {
+    auto* table = new QTreeWidget(parent);
+    table->setHeaderLabels(headers);
+    table->setRootIsDecorated(false);
+    table->setFrameShape(QFrame::NoFrame);
+    table->setUniformRowHeights(true);
+    table->setAlternatingRowColors(true);
+    table->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table->header()->setStretchLastSection(false);
+    table->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    for (int c = 1; c < headers.size(); ++c)
+        table->headerItem()->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
+    return table;
+}
+
+const FitEstimate* estimateOf(const RunRecord& run, const std::string& name) {
+    for (const FitEstimate& e : run.result->finding.final.parameters)
+        if (e.name == name && e.experiment < 0) return &e;
+    return nullptr;
+}
+
+QString estimateText(const FitEstimate* e) {
+    if (!e) return QStringLiteral("–");
+    QString text = QString::number(e->value, 'g', 4);
+    if (std::isfinite(e->standardError)) text += QStringLiteral(" ± ") + QString::number(e->standardError, 'g', 2);
+    return text;
+}
+
+}  // namespace
+
+FitPanel::FitPanel(Document& document, RunController& controller, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      controller_(controller),
+      method_(new QComboBox(this)),
+      loss_(new QComboBox(this)),
+      starts_(new QSpinBox(this)),
+      curve_(new ErrorCurve(this)),
+      left_(new QLabel(this)),
+      hint_(new QLabel(this)),
+      history_(makeTable({tr("Run"), tr("Time"), tr("Fit"), tr("Validate")}, this)),
+      comparison_(makeTable({tr("Parameter"), tr("First"), tr("Second")}, this)),
+      restore_(new QPushButton(tr("Go back to this run"), this)) {
+    method_->addItem(tr("Least squares (Levenberg-Marquardt)"), static_cast<int>(FitMethod::LeastSquares));
+    method_->addItem(tr("Nelder-Mead simplex"), static_cast<int>(FitMethod::NelderMead));
+    loss_->addItem(tr("plain squares"), static_cast<int>(RobustLoss::None));
+    loss_->addItem(tr("Huber: outliers count less"), static_cast<int>(RobustLoss::Huber));
+    loss_->addItem(tr("Cauchy: outliers hardly count"), static_cast<int>(RobustLoss::Cauchy));
+    starts_->setRange(1, 500);
+    starts_->setToolTip(tr("Fits from several starts within the bounds and keeps the best one"));
+    method_->setAccessibleName(tr("Method"));
+    auto* form = new QFormLayout;
+    form->setHorizontalSpacing(3 * style::unit);
+    form->setVerticalSpacing(2 * style::unit);
+    form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    form->addRow(tr("Method"), method_);
+    form->addRow(tr("Misfit"), loss_);
+    form->addRow(tr("Starts"), starts_);
+    style::makeCaption(left_);
+    style::makeCaption(hint_);
+    hint_->setWordWrap(true);
+    history_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    history_->setAccessibleName(tr("Runs so far"));
+    comparison_->setSelectionMode(QAbstractItemView::NoSelection);
+    comparison_->setAccessibleName(tr("Comparison of two runs"));
+    auto* row = new QHBoxLayout;
+    row->addWidget(hint_, 1);
+    row->addWidget(restore_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(style::margin, style::margin, style::margin, style::margin);
+    layout->setSpacing(2 * style::unit);
+    layout->addLayout(form);
+    layout->addWidget(curve_, 2);
+    layout->addWidget(left_);
+    layout->addWidget(history_, 3);
+    layout->addLayout(row);
+    layout->addWidget(comparison_, 3);
+
+    for (QComboBox* box : {method_, loss_}) connect(box, &QComboBox::activated, this, &FitPanel::applyOptions);
+    connect(starts_, &QSpinBox::valueChanged, this, &FitPanel::applyOptions);
+    connect(history_, &QTreeWidget::itemSelectionChanged, this, &FitPanel::compare);
+    connect(restore_, &QPushButton::clicked, this, &FitPanel::restore);
+    connect(&document, &Document::opened, this, [this] {
+        curve_->clear();
+        refresh();
+    });
+    connect(&document, &Document::resultChanged, this, &FitPanel::refresh);
+    connect(&controller, &RunController::runningChanged, this, [this] {
+        if (controller_.isRunning()) {
+            curve_->clear();
+            clock_.start();
+        }
+        left_->clear();
+    });
+    connect(&controller, &RunController::progressed, this,
+            [this](const QString&, const QString&, double fraction, double error) {
+                const double seconds = static_cast<double>(clock_.elapsed()) / 1000;
+                if (error > 0) curve_->add(seconds, error);
+                if (fraction > 0.05 && seconds > 1)
+                    left_->setText(tr("about %1 s left").arg(seconds * (1 - fraction) / fraction, 0, 'f', 0));
+            });
+    refresh();
+}
+
+void FitPanel::applyOptions() {
+    FitOptions& fit = controller_.options().discover.fit;
+    fit.method = static_cast<FitMethod>(method_->currentData().toInt());
+    fit.loss = static_cast<RobustLoss>(loss_->currentData().toInt());
+    fit.starts = starts_->value();
+}
+
+void FitPanel::refresh() {
+    const auto& runs = document_.history();
+    if (static_cast<std::size_t>(history_->topLevelItemCount()) != runs.size() || runs.empty()) {
+        const QSignalBlocker blocker(history_);
+        history_->clear();
+        for (const RunRecord& run : runs) {
+            QString name = runName(run.kind);
+            if (!run.result->finding.effects.empty())
+                name += ": " + QString::fromStdString(run.result->finding.effects.front().kind);
+            auto* item = new QTreeWidgetItem(history_, {name, run.when, percentOf(run.result->finding.final, Role::Fit),
+                                                        percentOf(run.result->finding.final, Role::Validate)});
+            for (int c = 1; c < 4; ++c) item->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
+            item->setToolTip(0, tr("took %1 s").arg(run.seconds, 0, 'g', 3));
+        }
+    }
+    compare();
+}
+
+std::vector<std::size_t> FitPanel::chosen() const {
+    std::vector<std::size_t> rows;
+    for (const QTreeWidgetItem* item : history_->selectedItems())
+        rows.push_back(static_cast<std::size_t>(history_->indexOfTopLevelItem(const_cast<QTreeWidgetItem*>(item))));
+    std::sort(rows.begin(), rows.end());
+    return rows;
+}
+
+void FitPanel::compare() {
+    const auto& runs = document_.history();
+    std::vector<std::size_t> rows = chosen();
+    std::erase_if(rows, [&](std::size_t r) { return r >= runs.size(); });
+    restore_->setVisible(rows.size() == 1);
+    comparison_->setVisible(rows.size() == 2);
+    hint_->setText(runs.empty()       ? tr("Every fit and discovery is kept here.")
+                   : rows.size() == 2 ? QString()
+                                      : tr("Choose two runs to compare them."));
+    comparison_->clear();
+    if (rows.size() != 2) return;
+    const RunRecord &first = runs[rows[0]], &second = runs[rows[1]];
+    comparison_->headerItem()->setText(1, first.when);
+    comparison_->headerItem()->setText(2, second.when);
+    std::set<std::string> names;
+    for (const RunRecord* run : {&first, &second})
+        for (const FitEstimate& e : run->result->finding.final.parameters)
+            if (e.experiment < 0) names.insert(e.name);
+    const auto add = [this](const QString& name, const QString& a, const QString& b) {
+        auto* item = new QTreeWidgetItem(comparison_, {name, a, b});
+        for (int c = 1; c < 3; ++c) item->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
+    };
+    for (const Role role : {Role::Fit, Role::Validate})
+        add(role == Role::Fit ? tr("error, fit") : tr("error, validate"), percentOf(first.result->finding.final, role),
+            percentOf(second.result->finding.final, role));
+    for (const std::string& name : names)
+        add(QString::fromStdString(name), estimateText(estimateOf(first, name)),
+            estimateText(estimateOf(second, name)));
+}
+
+void FitPanel::restore() {
+    const std::vector<std::size_t> rows = chosen();
+    if (rows.size() != 1 || rows.front() >= document_.history().size()) return;
+    const RunRecord run = document_.history()[rows.front()];
+    document_.restoreRun(run);
+}
+
+}  // namespace analogon::ui

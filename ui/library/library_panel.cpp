@@ -1,0 +1,176 @@
+#include "ui/library/library_panel.hpp"
+
+#include <QApplication>
+#include <QLineEdit>
+#include <QSortFilterProxyModel>
+#include <QSplitter>
+#include <QTextBrowser>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+#include "core/diagram/diagram.hpp"
+#include "ui/document/document.hpp"
+#include "ui/library/library_model.hpp"
+#include "ui/style/style.hpp"
+
+namespace analogon::ui {
+
+LibraryPanel::LibraryPanel(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      model_(new LibraryModel(this)),
+      filtered_(new QSortFilterProxyModel(this)),
+      search_(new QLineEdit(this)),
+      tree_(new QTreeView(this)),
+      text_(new QTextBrowser(this)) {
+    filtered_->setSourceModel(model_);
+    filtered_->setRecursiveFilteringEnabled(true);
+    filtered_->setAutoAcceptChildRows(true);
+    filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);
+    search_->setPlaceholderText(tr("Search blocks"));
+    search_->setClearButtonEnabled(true);
+    tree_->setModel(filtered_);
+    tree_->setHeaderHidden(true);
+    tree_->setFrameShape(QFrame::NoFrame);
+    tree_->setIconSize({24, 24});
+    tree_->setIndentation(4 * style::unit);
+    tree_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    tree_->setAccessibleName(tr("Library"));
+    tree_->viewport()->installEventFilter(this);
+    tree_->installEventFilter(this);
+    text_->setFrameShape(QFrame::NoFrame);
+    text_->setOpenLinks(false);
+    text_->setAccessibleName(tr("Documentation"));
+    text_->document()->setDocumentMargin(style::margin);
+
+    auto* splitter = new QSplitter(Qt::Vertical, this);
+    splitter->addWidget(tree_);
+    splitter->addWidget(text_);
+    splitter->setStretchFactor(0, 3);
+    splitter->setStretchFactor(1, 1);
+    splitter->setChildrenCollapsible(false);
+    auto* bar = new QHBoxLayout;
+    bar->setContentsMargins(2 * style::unit, 2 * style::unit, 2 * style::unit, 2 * style::unit);
+    bar->addWidget(search_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addLayout(bar);
+    layout->addWidget(splitter, 1);
+
+    connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
+        filtered_->setFilterFixedString(text);
+        if (!text.isEmpty()) tree_->expandAll();
+    });
+    connect(search_, &QLineEdit::returnPressed, this, [this] {
+        // The first block that is left.
+        for (QModelIndex i = filtered_->index(0, 0); i.isValid(); i = tree_->indexBelow(i))
+            if (!i.data(LibraryModel::IsPackageRole).toBool()) {
+                tree_->setCurrentIndex(i);
+                return Q_EMIT placeWanted(currentClass());
+            }
+    });
+    connect(tree_, &QTreeView::doubleClicked, this, [this](const QModelIndex& index) {
+        if (!index.data(LibraryModel::IsPackageRole).toBool()) Q_EMIT placeWanted(currentClass());
+    });
+    connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this, &LibraryPanel::showDocumentation);
+    connect(&document, &Document::modelChanged, this, &LibraryPanel::refresh);
+    showDocumentation();
+}
+
+void LibraryPanel::refresh() {
+    if (document_.library().classes().empty()) return;  // a text with a fault: the last one still serves
+    model_->setLibrary(document_.library(), document_.study().className);
+}
+
+QString LibraryPanel::currentClass() const {
+    const QModelIndex index = tree_->currentIndex();
+    return index.data(LibraryModel::IsPackageRole).toBool() ? QString()
+                                                            : index.data(LibraryModel::ClassNameRole).toString();
+}
+
+QRect LibraryPanel::showClass(const QString& className) {
+    const QModelIndex index = filtered_->mapFromSource(model_->find(className));
+    if (!index.isValid()) return {};
+    for (QModelIndex p = index.parent(); p.isValid(); p = p.parent()) tree_->expand(p);
+    tree_->scrollTo(index);
+    return tree_->visualRect(index);
+}
+
+QString LibraryPanel::documentation(const QString& className) const {
+    const LibraryClass* cls = document_.library().find(className.toStdString());
+    if (!cls) return {};
+    QString text = QStringLiteral("<p><b>%1</b><br>%2</p>")
+                       .arg(QString::fromStdString(cls->definition->name).toHtmlEscaped(),
+                            QString::fromStdString(cls->definition->description).toHtmlEscaped());
+    if (cls->definition->annotation)
+        if (const syntax::Modification* doc = cls->definition->annotation->find("Documentation"))
+            for (const syntax::Modification& m : doc->arguments)
+                if (m.name.text() == "info" && m.value) {
+                    QString info = QString::fromStdString(m.value->text);
+                    info.remove("<html>").remove("</html>");
+                    text += info;
+                }
+    return text;
+}
+
+void LibraryPanel::showDocumentation() {
+    const QString name = tree_->currentIndex().data(LibraryModel::ClassNameRole).toString();
+    text_->setHtml(name.isEmpty()
+                       ? QStringLiteral("<p style='color:%1'>%2</p>")
+                             .arg(style::mutedText(palette()).name(),
+                                  tr("Drag a block onto the diagram, or choose one and press Enter.").toHtmlEscaped())
+                       : documentation(name));
+}
+
+void LibraryPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) showDocumentation();
+}
+
+/// Dragging is followed here and not left to the system: the block is drawn on the diagram's grid as it goes.
+bool LibraryPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == tree_ && event->type() == QEvent::KeyPress) {
+        auto* key = static_cast<QKeyEvent*>(event);
+        if (isDragging_ && key->key() == Qt::Key_Escape) {
+            dragged_.clear();
+            isDragging_ = false;
+            Q_EMIT dragCancelled();
+            return true;
+        }
+        if ((key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter) && !currentClass().isEmpty()) {
+            Q_EMIT placeWanted(currentClass());
+            return true;
+        }
+        return false;
+    }
+    if (watched != tree_->viewport()) return QWidget::eventFilter(watched, event);
+    auto* mouse = static_cast<QMouseEvent*>(event);
+    switch (event->type()) {
+        case QEvent::MouseButtonPress:
+            if (mouse->button() == Qt::LeftButton) {
+                const QModelIndex index = tree_->indexAt(mouse->pos());
+                dragged_ = index.data(LibraryModel::IsPackageRole).toBool()
+                               ? QString()
+                               : index.data(LibraryModel::ClassNameRole).toString();
+                pressedAt_ = mouse->pos();
+            }
+            return false;
+        case QEvent::MouseMove:
+            if (dragged_.isEmpty() || !(mouse->buttons() & Qt::LeftButton)) return false;
+            if (!isDragging_ && (mouse->pos() - pressedAt_).manhattanLength() < QApplication::startDragDistance())
+                return true;
+            isDragging_ = true;
+            Q_EMIT dragged(dragged_, tree_->viewport()->mapToGlobal(mouse->pos()));
+            return true;
+        case QEvent::MouseButtonRelease:
+            if (std::exchange(isDragging_, false) && !dragged_.isEmpty())
+                Q_EMIT dropped(std::exchange(dragged_, {}), tree_->viewport()->mapToGlobal(mouse->pos()));
+            dragged_.clear();
+            return false;
+        default:
+            return QWidget::eventFilter(watched, event);
+    }
+}
+
+}  // namespace analogon::ui

@@ -1,0 +1,182 @@
+#include "ui/measurement/import_panel.hpp"
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableView>
+
+#include "ui/document/document.hpp"
+#include "ui/measurement/mapping.hpp"
+#include "ui/measurement/table_model.hpp"
+#include "ui/style/style.hpp"
+
+namespace analogon::ui {
+
+ImportPanel::ImportPanel(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      model_(new TableModel(this)),
+      title_(new QLabel(this)),
+      problems_(new QLabel(this)),
+      name_(new QLineEdit(this)),
+      separator_(new QComboBox(this)),
+      decimal_(new QComboBox(this)),
+      units_(new QComboBox(this)),
+      time_(new QComboBox(this)),
+      role_(new QComboBox(this)),
+      view_(new QTableView(this)),
+      accept_(new QPushButton(tr("Add to the study"), this)),
+      cancel_(new QPushButton(tr("Cancel"), this)) {
+    style::makeHeading(title_, 1.2);
+    problems_->setWordWrap(true);
+    problems_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    separator_->addItem(tr("found by itself"), QString());
+    for (const auto& [text, sign] :
+         {std::pair{tr("comma"), ","}, {tr("semicolon"), ";"}, {tr("tab"), "\t"}, {tr("space"), " "}, {tr("bar"), "|"}})
+        separator_->addItem(text, QString(sign));
+    decimal_->addItem(tr("found by itself"), QString());
+    decimal_->addItem(tr("point"), QStringLiteral("."));
+    decimal_->addItem(tr("comma"), QStringLiteral(","));
+    units_->addItem(tr("found by itself"), QString());
+    units_->addItem(tr("yes"), QStringLiteral("1"));
+    units_->addItem(tr("no"), QStringLiteral("0"));
+    role_->addItem(tr("fit"), static_cast<int>(Role::Fit));
+    role_->addItem(tr("validate"), static_cast<int>(Role::Validate));
+    view_->setModel(model_);
+    view_->setFrameShape(QFrame::NoFrame);
+    view_->setAlternatingRowColors(true);
+    view_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + style::unit);
+    view_->horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    view_->setSelectionMode(QAbstractItemView::NoSelection);
+    view_->setAccessibleName(tr("Preview"));
+    accept_->setIcon(style::icon("apply"));
+    accept_->setDefault(true);
+
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(3 * style::unit);
+    grid->setVerticalSpacing(2 * style::unit);
+    int cell = 0;
+    const auto add = [&](const QString& text, QWidget* field) {
+        auto* label = new QLabel(text, this);
+        label->setBuddy(field);
+        field->setMinimumWidth(110);
+        grid->addWidget(label, cell / 3, cell % 3 * 2, Qt::AlignRight | Qt::AlignVCenter);
+        grid->addWidget(field, cell / 3, cell % 3 * 2 + 1);
+        ++cell;
+    };
+    add(tr("Experiment"), name_);
+    add(tr("Used to"), role_);
+    add(tr("Time column"), time_);
+    add(tr("Separator"), separator_);
+    add(tr("Decimal sign"), decimal_);
+    add(tr("Row of units"), units_);
+    grid->setColumnStretch(6, 1);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(problems_, 1);
+    buttons->addWidget(cancel_);
+    buttons->addWidget(accept_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(style::margin, style::margin, style::margin, style::margin);
+    layout->setSpacing(2 * style::unit);
+    layout->addWidget(title_);
+    layout->addLayout(grid);
+    layout->addWidget(view_, 1);
+    layout->addLayout(buttons);
+    for (QComboBox* box : {separator_, decimal_, units_}) connect(box, &QComboBox::activated, this, &ImportPanel::read);
+    connect(accept_, &QPushButton::clicked, this, &ImportPanel::accept);
+    connect(cancel_, &QPushButton::clicked, this, &ImportPanel::cancelled);
+}
+
+QString ImportPanel::problems() const { return problems_->text(); }
+
+QString ImportPanel::freeName() const {
+    const QString base = QFileInfo(path_).completeBaseName();
+    QString name = base;
+    const auto isTaken = [&] {
+        for (const StudyExperiment& e : document_.study().experiments)
+            if (e.name == name.toStdString()) return true;
+        return false;
+    };
+    for (int i = 2; isTaken(); ++i) name = QStringLiteral("%1 %2").arg(base).arg(i);
+    return name;
+}
+
+void ImportPanel::show(const QString& path) {
+    path_ = QFileInfo(path).absoluteFilePath();
+    title_->setText(tr("Import %1").arg(QFileInfo(path).fileName()));
+    for (QComboBox* box : {separator_, decimal_, units_}) box->setCurrentIndex(0);
+    name_->setText(freeName());
+    bool hasFit = false;
+    for (const StudyExperiment& e : document_.study().experiments) hasFit = hasFit || e.role == Role::Fit;
+    role_->setCurrentIndex(hasFit ? 1 : 0);
+    const bool isText = QStringList{"csv", "txt", "tsv", "dat"}.contains(QFileInfo(path).suffix().toLower());
+    for (QComboBox* box : {separator_, decimal_, units_}) box->setEnabled(isText);
+    read();
+}
+
+void ImportPanel::read() {
+    CsvOptions options;
+    const QString separator = separator_->currentData().toString(), decimal = decimal_->currentData().toString();
+    if (!separator.isEmpty()) options.separator = separator.front().toLatin1();
+    if (!decimal.isEmpty()) options.decimal = decimal.front().toLatin1();
+    if (const QString units = units_->currentData().toString(); !units.isEmpty()) options.hasUnitsRow = units == "1";
+    const bool isPlain = !options.separator && !options.decimal && !options.hasUnitsRow;
+    accept_->setEnabled(false);
+    problems_->setText(tr("Reading …"));
+    reader_.start<Outcome<Table>>(
+        tr("Reading"),
+        [file = std::filesystem::path(path_.toStdString()), options, isPlain](const Progress&) {
+            return isPlain ? readTable(file) : readCsv(file, options);
+        },
+        [this](Outcome<Table> table) { showTable(std::move(table)); });
+}
+
+void ImportPanel::showTable(Outcome<Table> table) {
+    QStringList problems;
+    const std::string prefix = path_.toStdString();
+    for (const Diagnostic& d : table.diagnostics()) {
+        QString text = QString::fromStdString(d.message);
+        if (d.place.line > 0) text = tr("line %1: ").arg(d.place.line) + text;
+        if (!d.hint.empty()) text += " " + QString::fromStdString(d.hint);
+        if (problems.size() < 4) problems << text;
+    }
+    if (table.diagnostics().size() > 4) problems << tr("and %1 more").arg(table.diagnostics().size() - 4);
+    QPalette p = palette();
+    p.setColor(QPalette::WindowText, table ? style::caution(p) : style::fault(p));
+    problems_->setPalette(problems.isEmpty() ? palette() : p);
+    table_ = table ? std::make_shared<const Table>(std::move(*table)) : nullptr;
+    problems_->setText(
+        !problems.isEmpty() ? problems.join('\n')
+        : table_ ? tr("%L1 rows, %2 columns; nothing is wrong with it.").arg(table_->rows()).arg(table_->columns.size())
+                 : QString());
+    model_->show(table_);
+    view_->resizeColumnsToContents();
+    time_->clear();
+    if (table_) {
+        for (const Column& c : table_->columns) time_->addItem(QString::fromStdString(c.name));
+        time_->setCurrentText(QString::fromStdString(proposeTime(*table_)));
+    }
+    accept_->setEnabled(table_ && table_->columns.size() > 1);
+}
+
+void ImportPanel::accept() {
+    if (!table_) return;
+    StudyExperiment experiment;
+    experiment.name = name_->text().trimmed().toStdString();
+    if (experiment.name.empty()) experiment.name = freeName().toStdString();
+    experiment.role = static_cast<Role>(role_->currentData().toInt());
+    experiment.file = path_.toStdString();
+    experiment.timeColumn = time_->currentText().toStdString();
+    proposeMapping(experiment, *table_, document_.facts(), document_.study().experiments);
+    StudySettings settings = document_.settings();
+    settings.tables[experiment.file] = table_;
+    settings.experiments.push_back(experiment);
+    document_.applySettings(std::move(settings), tr("Import %1").arg(QFileInfo(path_).fileName()));
+    Q_EMIT accepted(QString::fromStdString(experiment.name));
+}
+
+}  // namespace analogon::ui

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QWidget>
+
+#include "core/study/study.hpp"
+#include "ui/job/job.hpp"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTableView;
+
+namespace analogon::ui {
+
+class Document;
+class TableModel;
+
+/// A measurement file before it becomes part of the study: how it is read, what is in it, what is wrong with it.
+class ImportPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ImportPanel(Document& document, QWidget* parent = nullptr);
+
+    void show(const QString& path);
+    QPushButton* acceptButton() const { return accept_; }
+    QComboBox* timeBox() const { return time_; }
+    TableModel* model() const { return model_; }
+    QString problems() const;
+
+Q_SIGNALS:
+    void accepted(const QString& experiment);
+    void cancelled();
+
+private:
+    void read();
+    void showTable(Outcome<Table> table);
+    void accept();
+    QString freeName() const;
+
+    Document& document_;
+    QString path_;
+    std::shared_ptr<const Table> table_;
+    JobRunner reader_;
+    TableModel* model_;
+    QLabel *title_, *problems_;
+    QLineEdit* name_;
+    QComboBox *separator_, *decimal_, *units_, *time_, *role_;
+    QTableView* view_;
+    QPushButton *accept_, *cancel_;
+};
+
+}  // namespace analogon::ui

@@ -1,0 +1,229 @@
+#include "ui/plot/residual_plot.hpp"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/residual/noise.hpp"
+#include "ui/plot/decimate.hpp"
+#include "ui/style/style.hpp"
+
+namespace analogon::ui {
+
+namespace {
+
+constexpr int largestLag = 60;
+constexpr std::size_t mostPoints = 4000;  // of the scatter: more cannot be told apart
+
+std::pair<double, double> rangeOf(const std::vector<double>& values) {
+    double low = 1e300, high = -1e300;
+    for (const double v : values)
+        if (std::isfinite(v)) {
+            low = std::min(low, v);
+            high = std::max(high, v);
+        }
+    if (low > high) return {0, 1};
+    if (low == high) return {low - 0.5, high + 0.5};
+    return {low, high};
+}
+
+}  // namespace
+
+std::vector<NamedSeries> variablesOf(const Study& study, const std::string& experiment,
+                                     const std::vector<double>& time) {
+    std::vector<NamedSeries> result;
+    for (const StudyExperiment& e : study.experiments) {
+        const auto found = study.tables.find(e.file);
+        if (e.name != experiment || found == study.tables.end() || !found->second) continue;
+        const Outcome<std::vector<double>> stamps = readTime(*found->second, e.timeColumn);
+        if (!stamps || stamps->size() < 2) return result;
+        for (const Column& column : found->second->columns) {
+            NamedSeries series{QString::fromStdString(column.header.empty() ? column.name : column.header), {}};
+            if (column.name == e.timeColumn || column.values.size() != stamps->size()) {
+                if (column.name == e.timeColumn) result.insert(result.begin(), {QObject::tr("time"), time});
+                continue;
+            }
+            series.values.reserve(time.size());
+            std::size_t k = 0;
+            for (const double t : time) {
+                while (k + 2 < stamps->size() && (*stamps)[k + 1] < t) ++k;
+                const double width = (*stamps)[k + 1] - (*stamps)[k];
+                const double part = width > 0 ? std::clamp((t - (*stamps)[k]) / width, 0.0, 1.0) : 0;
+                series.values.push_back(column.values[k] + part * (column.values[k + 1] - column.values[k]));
+            }
+            result.push_back(std::move(series));
+        }
+    }
+    return result;
+}
+
+class ResidualPlot::Canvas : public QWidget {
+public:
+    explicit Canvas(ResidualPlot& plot) : QWidget(&plot), plot_(plot) { setMinimumHeight(130); }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        const double third = width() / 3.0;
+        paintHistogram(painter, frame(0, third));
+        paintCorrelation(painter, frame(third, third));
+        paintScatter(painter, frame(2 * third, third));
+    }
+
+private:
+    QRectF frame(double left, double width) const {
+        return QRectF(left + 58, fontMetrics().height() + 6, width - 58 - style::margin,
+                      height() - 2.4 * fontMetrics().height() - 10);
+    }
+    void paintFrame(QPainter& painter, const QRectF& area, const QString& title, std::pair<double, double> x,
+                    std::pair<double, double> y, bool hasY) const {
+        painter.setPen(style::mutedText(palette()));
+        painter.drawText(QRectF(area.left(), 0, area.width(), area.top() - 2), Qt::AlignLeft | Qt::AlignVCenter, title);
+        painter.drawText(QRectF(area.left() - 20, area.bottom() + 3, 100, fontMetrics().height() + 2), Qt::AlignLeft,
+                         number(x.first));
+        painter.drawText(QRectF(area.right() - 100, area.bottom() + 3, 100, fontMetrics().height() + 2), Qt::AlignRight,
+                         number(x.second));
+        if (hasY) {
+            painter.drawText(QRectF(area.left() - 58, area.top() - 4, 54, fontMetrics().height()), Qt::AlignRight,
+                             number(y.second));
+            painter.drawText(
+                QRectF(area.left() - 58, area.bottom() - fontMetrics().height() + 2, 54, fontMetrics().height()),
+                Qt::AlignRight, number(y.first));
+        }
+        painter.setPen(style::hairline(palette()));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(area);
+    }
+    static QString number(double v) { return QString::number(v, 'g', 3); }
+
+    void paintHistogram(QPainter& painter, const QRectF& area) const {
+        const auto& r = plot_.residual_;
+        const auto [low, high] = rangeOf(r);
+        const double reach = std::max(std::abs(low), std::abs(high));
+        paintFrame(painter, area, ResidualPlot::tr("Distribution"), {-reach, reach}, {}, false);
+        constexpr int bins = 41;
+        std::vector<double> counts(bins);
+        double sum = 0, squares = 0;
+        int n = 0;
+        for (const double v : r) {
+            if (!std::isfinite(v)) continue;
+            ++counts[static_cast<std::size_t>(std::clamp((v + reach) / (2 * reach) * bins, 0.0, bins - 1.0))];
+            sum += v;
+            squares += v * v;
+            ++n;
+        }
+        if (n < 2) return;
+        const double mean = sum / n, deviation = std::sqrt(std::max(1e-300, squares / n - mean * mean));
+        const double binWidth = 2 * reach / bins;
+        const auto normal = [&](double v) {
+            const double z = (v - mean) / deviation;
+            return n * binWidth / (deviation * std::sqrt(2 * std::numbers::pi)) * std::exp(-z * z / 2);
+        };
+        const double top = std::max(*std::max_element(counts.begin(), counts.end()), normal(mean)) * 1.05;
+        QColor fill = style::accent(palette());
+        fill.setAlphaF(0.45f);
+        for (int i = 0; i < bins; ++i) {
+            const double h = counts[static_cast<std::size_t>(i)] / top * area.height();
+            painter.fillRect(
+                QRectF(area.left() + i * area.width() / bins, area.bottom() - h, area.width() / bins - 0.7, h), fill);
+        }
+        QPolygonF curve;
+        for (int i = 0; i <= 120; ++i) {
+            const double v = -reach + 2 * reach * i / 120;
+            curve << QPointF(area.left() + i / 120.0 * area.width(), area.bottom() - normal(v) / top * area.height());
+        }
+        painter.setPen(QPen(style::beforeTrace(palette()), 1.5));
+        painter.drawPolyline(curve);
+    }
+
+    void paintCorrelation(QPainter& painter, const QRectF& area) const {
+        const auto& c = plot_.correlation_;
+        paintFrame(painter, area, ResidualPlot::tr("Autocorrelation, with the bounds of white noise"),
+                   {0, static_cast<double>(c.size()) - 1}, {-1, 1}, true);
+        if (c.size() < 2) return;
+        const auto y = [&](double v) { return area.center().y() - v * area.height() / 2; };
+        const double bound = 1.96 / std::sqrt(static_cast<double>(plot_.residual_.size()));
+        QColor band = style::good(palette());
+        band.setAlphaF(0.18f);
+        painter.fillRect(QRectF(QPointF(area.left(), y(bound)), QPointF(area.right(), y(-bound))), band);
+        painter.setPen(QPen(style::accent(palette()), 1.6));
+        for (std::size_t k = 0; k < c.size(); ++k) {
+            const double x =
+                area.left() + (static_cast<double>(k) + 0.5) / static_cast<double>(c.size()) * area.width();
+            painter.drawLine(QPointF(x, y(0)), QPointF(x, y(std::clamp(c[k], -1.0, 1.0))));
+        }
+    }
+
+    void paintScatter(QPainter& painter, const QRectF& area) const {
+        const int chosen = plot_.variable_->currentIndex();
+        if (chosen < 0 || chosen >= static_cast<int>(plot_.against_.size())) return;
+        const auto& x = plot_.against_[static_cast<std::size_t>(chosen)].values;
+        const auto& r = plot_.residual_;
+        const auto xs = rangeOf(x), ys = rangeOf(r);
+        paintFrame(painter, area, ResidualPlot::tr("Residual against %1").arg(plot_.variable_->currentText()), xs, ys,
+                   true);
+        const std::size_t n = std::min(x.size(), r.size());
+        const std::size_t stride = std::max<std::size_t>(1, n / mostPoints);
+        QPolygonF points;
+        for (std::size_t i = 0; i < n; i += stride)
+            if (std::isfinite(x[i]) && std::isfinite(r[i]))
+                points << QPointF(area.left() + (x[i] - xs.first) / (xs.second - xs.first) * area.width(),
+                                  area.bottom() - (r[i] - ys.first) / (ys.second - ys.first) * area.height());
+        QColor ink = style::accent(palette());
+        ink.setAlphaF(0.5f);
+        painter.setPen(QPen(ink, 2, Qt::SolidLine, Qt::RoundCap));
+        painter.drawPoints(points);
+    }
+
+    ResidualPlot& plot_;
+};
+
+ResidualPlot::ResidualPlot(QWidget* parent)
+    : QWidget(parent), name_(new QLabel(this)), variable_(new QComboBox(this)), canvas_(new Canvas(*this)) {
+    style::makeHeading(name_, 1.0);
+    variable_->setAccessibleName(tr("Residual against"));
+    auto* heading = new QHBoxLayout;
+    heading->setContentsMargins(style::margin, style::unit, style::margin, 0);
+    heading->addWidget(name_);
+    heading->addStretch(1);
+    auto* label = new QLabel(tr("against"), this);
+    style::makeCaption(label);
+    heading->addWidget(label);
+    heading->addWidget(variable_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(style::unit);
+    column->addLayout(heading);
+    column->addWidget(canvas_, 1);
+    connect(variable_, &QComboBox::currentIndexChanged, canvas_, qOverload<>(&QWidget::update));
+}
+
+void ResidualPlot::show(const QString& output, std::vector<double> residual, std::vector<NamedSeries> against) {
+    name_->setText(output);
+    residual_ = std::move(residual);
+    against_ = std::move(against);
+    const QString chosen = variable_->currentText();
+    const QSignalBlocker blocker(variable_);
+    variable_->clear();
+    for (const NamedSeries& s : against_) variable_->addItem(s.name);
+    variable_->setCurrentIndex(std::max(0, variable_->findText(chosen)));
+    std::vector<double> finite;
+    for (const double v : residual_)
+        if (std::isfinite(v)) finite.push_back(v);
+    correlation_.clear();
+    const int lags = std::min<int>(largestLag, static_cast<int>(finite.size()) / 4);
+    if (lags > 1) {
+        const Eigen::VectorXd c = analogon::autocorrelation(
+            Eigen::Map<const Eigen::VectorXd>(finite.data(), static_cast<Eigen::Index>(finite.size())), lags);
+        correlation_.assign(c.data(), c.data() + c.size());
+    }
+    canvas_->update();
+}
+
+}  // namespace analogon::ui

@@ -1,0 +1,278 @@
+#include "ui/window/compose_actions.hpp"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QMenu>
+#include <algorithm>
+
+#include "core/diagram/edit.hpp"
+#include "ui/canvas/block_item.hpp"
+#include "ui/canvas/diagram_scene.hpp"
+#include "ui/canvas/diagram_view.hpp"
+#include "ui/document/composer.hpp"
+#include "ui/document/document.hpp"
+#include "ui/library/chooser.hpp"
+#include "ui/library/library_model.hpp"
+#include "ui/library/library_panel.hpp"
+#include "ui/route/route.hpp"
+#include "ui/style/style.hpp"
+
+namespace analogon::ui {
+
+namespace {
+
+QString qString(const std::string& text) { return QString::fromStdString(text); }
+
+}  // namespace
+
+ComposeActions::ComposeActions(Document& document, DiagramScene& scene, DiagramView& view, LibraryPanel& library,
+                               QObject* parent)
+    : QObject(parent),
+      document_(document),
+      scene_(scene),
+      view_(view),
+      library_(library),
+      composer_(std::make_unique<Composer>(document)),
+      chooser_(new Chooser(&view)) {
+    insert_ = make(tr("Insert block …"), {Qt::Key_A, Qt::Key_Insert}, &ComposeActions::insertBlock);
+    wire_ = make(tr("Connect …"), {Qt::Key_W}, &ComposeActions::startWire);
+    cut_ = make(tr("Cut"), {QKeySequence::Cut}, &ComposeActions::cut);
+    copy_ = make(tr("Copy"), {QKeySequence::Copy}, &ComposeActions::copy);
+    paste_ = make(tr("Paste"), {QKeySequence::Paste}, &ComposeActions::paste);
+    duplicate_ = make(tr("Duplicate"), {Qt::CTRL | Qt::Key_D}, &ComposeActions::duplicate);
+    remove_ = make(tr("Delete"), {Qt::Key_Delete, Qt::Key_Backspace}, &ComposeActions::remove);
+    rotate_ = make(tr("Rotate"), {Qt::CTRL | Qt::Key_R}, &ComposeActions::rotate);
+    flipH_ = make(tr("Flip left to right"), {Qt::Key_H}, &ComposeActions::flipHorizontally);
+    flipV_ = make(tr("Flip upside down"), {Qt::Key_V}, &ComposeActions::flipVertically);
+    rename_ = make(tr("Rename …"), {Qt::Key_F2}, &ComposeActions::rename);
+    renameModel_ = make(tr("Rename model …"), {Qt::SHIFT | Qt::Key_F2}, &ComposeActions::renameModel);
+    selectAll_ = make(tr("Select all"), {QKeySequence::SelectAll}, &ComposeActions::selectAll);
+    const std::pair<QString, Edge> edges[] = {
+        {tr("Align left"), Edge::Left},       {tr("Align right"), Edge::Right},
+        {tr("Align top"), Edge::Top},         {tr("Align bottom"), Edge::Bottom},
+        {tr("Align in a row"), Edge::Middle}, {tr("Align in a column"), Edge::Centre}};
+    for (const auto& [text, edge] : edges) {
+        auto* action = new QAction(text, this);
+        connect(action, &QAction::triggered, this, [this, e = edge] { report(composer_->align(blocks(), e)); });
+        align_.push_back(action);
+    }
+    connectGestures();
+    update();
+}
+
+ComposeActions::~ComposeActions() = default;
+
+QAction* ComposeActions::make(const QString& text, const QList<QKeySequence>& keys, void (ComposeActions::*slot)()) {
+    auto* action = new QAction(text, this);
+    action->setShortcuts(keys);
+    action->setShortcutContext(Qt::WidgetShortcut);  // letters are keys of the diagram alone
+    connect(action, &QAction::triggered, this, slot);
+    view_.addAction(action);
+    return action;
+}
+
+void ComposeActions::connectGestures() {
+    view_.refusal = [this](const std::string& from, const std::string& to) { return composer_->refusal(from, to); };
+    connect(&view_, &DiagramView::moveWanted, this,
+            [this](double dx, double dy) { report(composer_->move(scene_.selection().blocks, dx, dy)); });
+    connect(&view_, &DiagramView::wireWanted, this, [this](const QString& from, const QString& to) {
+        report(composer_->addWire(from.toStdString(), to.toStdString()));
+    });
+    connect(&view_, &DiagramView::refused, this, &ComposeActions::told);
+    connect(&view_, &DiagramView::typed, this, &ComposeActions::chooseBlock);
+    connect(&view_, &DiagramView::blockActivated, this, &ComposeActions::inspectWanted);
+    connect(&view_, &DiagramView::menuWanted, this, [this](QPoint at) {
+        auto* menu = new QMenu(&view_);
+        menu->setAttribute(Qt::WA_DeleteOnClose);
+        fill(*menu);
+        menu->popup(at);
+    });
+    connect(&scene_, &DiagramScene::selectionEdited, this, &ComposeActions::update);
+    connect(&document_, &Document::modelChanged, this, &ComposeActions::update);
+    connect(&document_, &Document::opened, chooser_, &QWidget::hide);
+    connect(&library_, &LibraryPanel::placeWanted, this, &ComposeActions::placeAnywhere);
+    connect(&library_, &LibraryPanel::dragged, this, [this](const QString& name, QPoint global) {
+        const QPoint at = view_.viewport()->mapFromGlobal(global);
+        if (!view_.isVisible() || !view_.viewport()->rect().contains(at)) return view_.setGhost(std::nullopt);
+        view_.setGhost(
+            GhostBlock{readIcon(document_.library(), name.toStdString()), name.section('.', -1), view_.mapToScene(at)});
+    });
+    connect(&library_, &LibraryPanel::dragCancelled, this, [this] { view_.setGhost(std::nullopt); });
+    connect(&library_, &LibraryPanel::dropped, this, [this](const QString& name, QPoint global) {
+        view_.setGhost(std::nullopt);
+        const QPoint at = view_.viewport()->mapFromGlobal(global);
+        if (view_.isVisible() && view_.viewport()->rect().contains(at)) placeAt(name, view_.diagramPoint(at));
+    });
+}
+
+void ComposeActions::report(bool isDone) {
+    if (!isDone && !composer_->fault().isEmpty()) Q_EMIT told(composer_->fault());
+}
+
+std::vector<std::string> ComposeActions::blocks() const { return scene_.selection().blocks; }
+
+void ComposeActions::update() {
+    const DiagramSelection selected = scene_.selection();
+    const bool isOpen = document_.isOpen(), hasBlocks = !selected.blocks.empty();
+    for (QAction* a : {insert_, paste_, selectAll_, renameModel_}) a->setEnabled(isOpen);
+    for (QAction* a : {cut_, copy_, duplicate_, rotate_, flipH_, flipV_}) a->setEnabled(hasBlocks);
+    remove_->setEnabled(!selected.isEmpty());
+    rename_->setEnabled(selected.blocks.size() == 1);
+    wire_->setEnabled(hasBlocks);
+    for (QAction* a : align_) a->setEnabled(selected.blocks.size() > 1);
+}
+
+void ComposeActions::fill(QMenu& menu) const {
+    menu.addActions({insert_, wire_});
+    menu.addSeparator();
+    menu.addActions({cut_, copy_, paste_, duplicate_, remove_, selectAll_});
+    menu.addSeparator();
+    menu.addActions({rename_, renameModel_});
+    menu.addSeparator();
+    menu.addActions({rotate_, flipH_, flipV_});
+    QMenu* align = menu.addMenu(tr("Align"));
+    for (QAction* a : align_) align->addAction(a);
+}
+
+void ComposeActions::placeAt(const QString& className, Point at) {
+    const std::string name = composer_->addBlock(className.toStdString(), at);
+    report(!name.empty());
+    if (name.empty()) return;
+    scene_.select(name);
+    view_.refitIfHidden();
+}
+
+void ComposeActions::placeAnywhere(const QString& className) {
+    // Beside what is selected, else where the view looks.
+    Point near = view_.diagramPoint(view_.viewport()->rect().center());
+    const Block* selected = document_.diagram().find(scene_.selectedBlock().toStdString());
+    if (selected) {
+        const auto [low, high] = boxOf(selected->placement);
+        near = {high.x + 20, (low.y + high.y) / 2 + 30};
+    } else if (!document_.diagram().blocks.empty()) {
+        near = {near.x - 20, near.y + 30};
+    } else {
+        near = {-20, 30};
+    }
+    // Signals come in from the left of everything and leave to its right.
+    const bool isInput = className.endsWith(".RealInput"), isOutput = className.endsWith(".RealOutput");
+    if ((isInput || isOutput) && !document_.diagram().blocks.empty()) {
+        double left = 1e300, right = -1e300, top = -1e300;
+        int others = 0;
+        for (const Block& block : document_.diagram().blocks) {
+            const auto [low, high] = boxOf(block.placement);
+            const bool isAnother = block.isConnector && (block.domain == Domain::RealInput) == isInput;
+            left = std::min(left, isAnother ? low.x + 60 : low.x);
+            right = std::max(right, isAnother ? high.x - 60 : high.x);
+            top = std::max(top, high.y);
+            others += isAnother ? 1 : 0;
+        }
+        near = {isInput ? left - 70 : right + 30, top + 20 - 50.0 * others};
+    }
+    const Placement free = freePlacement(document_.diagram(), near, 20, 20);
+    const auto [low, high] = boxOf(free);
+    placeAt(className, {(low.x + high.x) / 2, (low.y + high.y) / 2});
+    view_.setFocus();
+}
+
+void ComposeActions::chooseBlock(const QString& typed) {
+    if (!document_.isOpen()) return;
+    std::vector<Choice> choices;
+    for (const LibraryClass* cls : document_.library().classes()) {
+        using Restriction = syntax::ClassDefinition::Restriction;
+        if (!isPlaceable(*cls) || cls->qualifiedName == document_.study().className) continue;
+        if (cls->definition->restriction == Restriction::Connector &&
+            cls->qualifiedName.find("Real") == std::string::npos)
+            continue;
+        const QModelIndex index = library_.model()->find(qString(cls->qualifiedName));
+        choices.push_back({qString(cls->definition->name), qString(cls->definition->description),
+                           qString(cls->qualifiedName), index.data(Qt::DecorationRole).value<QIcon>()});
+    }
+    chooser_->choose(tr("Insert a block: type its name"), std::move(choices), typed,
+                     [this](const QString& name) { placeAnywhere(name); });
+}
+
+void ComposeActions::startWire() {
+    std::vector<Choice> choices;
+    for (const auto& [name, at] : scene_.connectors())
+        for (const std::string& block : blocks())
+            if (instanceOf(name) == block) choices.push_back({qString(name), {}, qString(name), {}});
+    if (choices.size() == 1) return chooseEnd(choices.front().key);
+    if (choices.empty()) return Q_EMIT told(tr("This block has no connector."));
+    chooser_->choose(tr("Connect from"), std::move(choices), {}, [this](const QString& from) { chooseEnd(from); });
+}
+
+void ComposeActions::chooseEnd(const QString& from) {
+    std::vector<Choice> choices;
+    QString why;
+    for (const auto& [name, at] : scene_.connectors()) {
+        const QString refusal = composer_->refusal(from.toStdString(), name);
+        if (refusal.isEmpty()) choices.push_back({qString(name), {}, qString(name), {}});
+    }
+    if (choices.empty()) return Q_EMIT told(tr("No connector of the diagram fits %1.").arg(from));
+    chooser_->choose(tr("Connect %1 with").arg(from), std::move(choices), {}, [this, from](const QString& to) {
+        report(composer_->addWire(from.toStdString(), to.toStdString()));
+    });
+}
+
+void ComposeActions::copy() {
+    const std::string text = composer_->copy(blocks());
+    if (!text.empty()) QApplication::clipboard()->setText(qString(text));
+    pastedText_.clear();
+}
+
+void ComposeActions::cut() {
+    copy();
+    remove();
+}
+
+void ComposeActions::pasteText(const std::string& text, double dx, double dy) {
+    const std::vector<std::string> names = composer_->paste(text, dx, dy);
+    report(!names.empty());
+    if (names.empty()) return;
+    scene_.setSelection({names, {}});
+    view_.refitIfHidden();
+}
+
+void ComposeActions::paste() {
+    const std::string text = QApplication::clipboard()->text().toStdString();
+    pasteCount_ = text == pastedText_ ? pasteCount_ + 1 : 1;
+    pastedText_ = text;
+    pasteText(text, 20.0 * pasteCount_, -20.0 * pasteCount_);
+}
+
+void ComposeActions::duplicate() { pasteText(composer_->copy(blocks()), 20, -20); }
+
+void ComposeActions::remove() { report(composer_->remove(scene_.selection())); }
+
+void ComposeActions::rotate() { report(composer_->rotate(blocks())); }
+
+void ComposeActions::flipHorizontally() { report(composer_->flip(blocks(), true)); }
+
+void ComposeActions::flipVertically() { report(composer_->flip(blocks(), false)); }
+
+void ComposeActions::rename() {
+    const QString block = scene_.selectedBlock();
+    if (block.isEmpty()) return;
+    chooser_->ask(tr("New name of %1").arg(block), block, [this, block](const QString& name) {
+        const bool isDone = composer_->rename(block.toStdString(), name.toStdString());
+        report(isDone);
+        if (isDone) scene_.select(name.toStdString());
+    });
+}
+
+void ComposeActions::renameModel() {
+    const QString name = qString(document_.study().className);
+    chooser_->ask(tr("New name of the model"), name,
+                  [this](const QString& text) { report(composer_->setClassName(text.toStdString())); });
+}
+
+void ComposeActions::selectAll() {
+    DiagramSelection all;
+    for (const Block& block : scene_.diagram().blocks) all.blocks.push_back(block.name);
+    for (const Wire& wire : scene_.diagram().wires) all.wires.push_back({wire.from, wire.to});
+    scene_.setSelection(all);
+}
+
+}  // namespace analogon::ui

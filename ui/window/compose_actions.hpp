@@ -1,0 +1,79 @@
+#pragma once
+
+#include <QObject>
+#include <QPoint>
+#include <vector>
+
+#include "core/diagram/diagram.hpp"
+
+class QAction;
+class QLabel;
+class QMenu;
+
+namespace analogon::ui {
+
+class Chooser;
+class Composer;
+class DiagramScene;
+class DiagramView;
+class Document;
+class LibraryPanel;
+
+/// The commands of the diagram with their keys, and the way from a gesture to an edit of the model. Every one works
+/// with the keyboard alone.
+class ComposeActions : public QObject {
+    Q_OBJECT
+
+public:
+    ComposeActions(Document& document, DiagramScene& scene, DiagramView& view, LibraryPanel& library, QObject* parent);
+    ~ComposeActions() override;
+
+    void fill(QMenu& menu) const;
+    Chooser* chooser() const { return chooser_; }
+    Composer& composer() { return *composer_; }
+    /// A block of this class where there is room, selected.
+    void placeAnywhere(const QString& className);
+
+Q_SIGNALS:
+    void told(const QString& sentence);  // why something was not done
+    void inspectWanted(const QString& block);
+
+private:
+    QAction* make(const QString& text, const QList<QKeySequence>& keys, void (ComposeActions::*slot)());
+    void connectGestures();
+    void update();
+    void report(bool isDone);
+    std::vector<std::string> blocks() const;
+    void placeAt(const QString& className, Point at);
+    void chooseBlock(const QString& typed);
+
+    void insertBlock() { chooseBlock({}); }
+    void startWire();
+    void chooseEnd(const QString& from);
+    void cut();
+    void copy();
+    void paste();
+    void duplicate();
+    void remove();
+    void rotate();
+    void flipHorizontally();
+    void flipVertically();
+    void rename();
+    void renameModel();
+    void selectAll();
+    void pasteText(const std::string& text, double dx, double dy);
+
+    Document& document_;
+    DiagramScene& scene_;
+    DiagramView& view_;
+    LibraryPanel& library_;
+    std::unique_ptr<Composer> composer_;
+    Chooser* chooser_;
+    QAction *insert_{}, *wire_{}, *cut_{}, *copy_{}, *paste_{}, *duplicate_{}, *remove_{}, *rotate_{}, *flipH_{},
+        *flipV_{}, *rename_{}, *renameModel_{}, *selectAll_{};
+    std::vector<QAction*> align_;
+    std::string pastedText_;
+    int pasteCount_{};  // of the same text: each copy lies a step further
+};
+
+}  // namespace analogon::ui

@@ -1,0 +1,162 @@
+#include <QDir>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QStatusBar>
+#include <QTabWidget>
+#include <QUrl>
+
+#include "ui/canvas/diagram_view.hpp"
+#include "ui/document/document.hpp"
+#include "ui/effect/report_pdf.hpp"
+#include "ui/fit/run_controller.hpp"
+#include "ui/job/job.hpp"
+#include "ui/measurement/import_panel.hpp"
+#include "ui/plot/plot_panel.hpp"
+#include "ui/window/main_window.hpp"
+
+/// The window's dealings with files: opening, saving, importing, reporting.
+namespace analogon::ui {
+
+void MainWindow::open(const QString& path) {
+    const QFileInfo file(path);
+    const bool isStudy = file.isDir() || file.suffix() == "json" || isArchive(path.toStdString());
+    if (document_->isOpen() && !isStudy && file.exists()) return importMeasurement(path);
+    leaveThen([this, path] { document_->open(path); });
+}
+
+void MainWindow::leaveThen(std::function<void()> next) {
+    if (!document_->isModified()) return next();
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
+                                tr("%1 has changes that are not saved.").arg(document_->title()),
+                                QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    connect(box, &QDialog::finished, this, [this, next](int answer) {
+        if (answer == QMessageBox::Discard) return next();
+        if (answer != QMessageBox::Save) return;
+        afterSave_ = next;
+        save();
+    });
+    box->open();
+}
+
+void MainWindow::save() {
+    if (document_->path().isEmpty() || document_->path().endsWith("study.json")) return askWhereToSave();
+    saveTo(document_->path());
+}
+
+void MainWindow::saveTo(const QString& path) { document_->save(path); }
+
+void MainWindow::rememberRecent(const QString& path) {
+    if (path.isEmpty()) return;
+    QSettings settings;
+    QStringList recent = settings.value("window/recent").toStringList();
+    const QString whole = QFileInfo(path).absoluteFilePath();
+    recent.removeAll(whole);
+    recent.prepend(whole);
+    while (recent.size() > 8) recent.removeLast();
+    settings.setValue("window/recent", recent);
+}
+
+void MainWindow::showRecent() {
+    recentMenu_->clear();
+    for (const QString& path : QSettings().value("window/recent").toStringList()) {
+        QAction* action = recentMenu_->addAction(path, this, [this, path] { open(path); });
+        action->setEnabled(QFileInfo::exists(path));
+    }
+    if (recentMenu_->isEmpty()) recentMenu_->addAction(tr("Nothing was opened yet"))->setEnabled(false);
+}
+
+void MainWindow::askForMeasurement() {
+    auto* dialog = new QFileDialog(this, tr("Import a measurement"));
+    dialog->setObjectName("import-dialog");
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setModal(false);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilters({tr("Measurements (*.csv *.txt *.tsv *.dat *.mf4 *.mdf *.mat)"), tr("All files (*)")});
+    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::importMeasurement);
+    dialog->show();
+}
+
+void MainWindow::importMeasurement(const QString& path) {
+    measurementDock_->show();
+    measurementDock_->raise();
+    import_->show(path);
+    if (centre_->indexOf(import_) < 0) centre_->addTab(import_, tr("Import"));
+    centre_->setCurrentWidget(import_);
+}
+
+void MainWindow::leaveImport() {
+    if (const int tab = centre_->indexOf(import_); tab >= 0) centre_->removeTab(tab);
+    centre_->setCurrentWidget(view_);
+}
+
+void MainWindow::askForStudy(bool isDirectory) {
+    auto* dialog = new QFileDialog(this, tr("Open a study"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setModal(false);
+    dialog->setFileMode(isDirectory ? QFileDialog::Directory : QFileDialog::ExistingFile);
+    if (!isDirectory) dialog->setNameFilter(tr("Studies (*.analogon study.json)"));
+    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::open);
+    dialog->show();
+}
+
+void MainWindow::askWhereToSave() {
+    auto* dialog = new QFileDialog(this, tr("Save the study"));
+    dialog->setObjectName("save-dialog");
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setModal(false);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilter(tr("Studies (*.analogon)"));
+    dialog->setDefaultSuffix("analogon");
+    const QFileInfo now(document_->path());
+    dialog->selectFile((now.suffix() == "analogon" ? now.completeBaseName() : document_->title()) + ".analogon");
+    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::saveTo);
+    connect(dialog, &QDialog::rejected, this, [this] { afterSave_ = nullptr; });
+    dialog->show();
+}
+
+void MainWindow::askWhereToReport() {
+    auto* dialog = new QFileDialog(this, tr("Write the report into a directory"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setModal(false);
+    dialog->setFileMode(QFileDialog::Directory);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        if (!document_->result()) return;
+        const std::filesystem::path directory = path.toStdString();
+        writer_->start<Outcome<Done>>(
+            tr("Writing the report"),
+            [result = *document_->result(), kind = document_->resultKind(), directory](const Progress&) {
+                return writeResults(result, commandName(kind), directory);
+            },
+            [this, path](Outcome<Done> done) {
+                document_->setRunMessages(done.diagnostics());
+                if (done && document_->result()) {
+                    std::vector<QImage> pictures;
+                    for (OutputPlot* plot : plots_->plots()) pictures.push_back(plot->grab().toImage());
+                    (void)writeReportPdf(QDir(path).filePath("report.pdf"), document_->title(), document_->resultKind(),
+                                         document_->result()->finding, pictures);
+                }
+                statusBar()->showMessage(done ? tr("Report written to %1/report.html.").arg(path)
+                                              : tr("No report written: see the messages."));
+            });
+    });
+    dialog->show();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    if (!event->mimeData()->hasUrls()) return;
+    event->acceptProposedAction();
+    open(event->mimeData()->urls().front().toLocalFile());
+}
+
+}  // namespace analogon::ui

@@ -1,0 +1,138 @@
+#include "ui/window/pictures.hpp"
+
+#include <QApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSettings>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <functional>
+#include <iostream>
+
+#include "ui/canvas/diagram_scene.hpp"
+#include "ui/canvas/diagram_view.hpp"
+#include "ui/document/document.hpp"
+#include "ui/fit/run_controller.hpp"
+#include "ui/measurement/import_panel.hpp"
+#include "ui/measurement/measurement_panel.hpp"
+#include "ui/plot/plot_panel.hpp"
+#include "ui/style/style.hpp"
+#include "ui/style/translator.hpp"
+#include "ui/text/text_view.hpp"
+#include "ui/window/generate_page.hpp"
+#include "ui/window/main_window.hpp"
+#include "ui/window/start_page.hpp"
+
+namespace analogon::ui {
+
+namespace {
+
+bool waitFor(const std::function<bool()>& holds, int milliseconds = 120000) {
+    QElapsedTimer clock;
+    clock.start();
+    while (!holds() && clock.elapsed() < milliseconds)
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
+    return holds();
+}
+
+void settle(int milliseconds = 120) {
+    QElapsedTimer clock;
+    clock.start();
+    while (clock.elapsed() < milliseconds) QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
+}
+
+/// One pass through the work, in one look and language.
+class Album {
+public:
+    Album(const QDir& directory, QString suffix) : directory_(directory), suffix_(std::move(suffix)) {}
+
+    bool make() {
+        MainWindow window;
+        window.resize(1440, 900);
+        window.show();
+        settle();
+        take(window, "01-start");
+        const auto examples = findExamples();
+        if (examples.empty()) return false;
+        QMetaObject::invokeMethod(window.findChild<StartPage*>(), "generateWanted");
+        auto* generate = window.findChild<GeneratePage*>();
+        if (generate->knownDomains()->count() > 0)
+            generate->addDomain(generate->knownDomains()->item(0)->data(Qt::UserRole).toString());
+        settle();
+        take(window, "02-generate");
+        window.startNew();
+        settle();
+        take(window, "03-empty-study");
+        QMetaObject::invokeMethod(window.findChild<DiagramView*>(), "typed", Q_ARG(QString, "heat"));
+        settle();
+        take(window, "04-insert-block");
+        window.open(examples.front().path);
+        Document& document = window.document();
+        if (!waitFor([&] { return !document.path().isEmpty() && document.before(); })) return false;
+        settle(300);
+        take(window, "05-opened");
+        if (const auto table = document.study().experiments.front().file; !table.empty())
+            window.open(QString::fromStdString((document.study().directory / table).string()));
+        waitFor([&] { return window.findChild<ImportPanel*>()->acceptButton()->isEnabled(); }, 10000);
+        settle();
+        take(window, "06-import");
+        QMetaObject::invokeMethod(window.findChild<ImportPanel*>(), "cancelled");
+        auto* tabs = window.findChild<QTabWidget*>("centre");
+        tabs->setCurrentWidget(window.findChild<TextView*>());
+        settle();
+        take(window, "07-model-text");
+        tabs->setCurrentWidget(window.findChild<DiagramView*>());
+        window.controller().start(RunKind::Fit);
+        waitFor([&] { return !window.controller().isRunning(); });
+        settle();
+        take(window, "08-fitted");
+        window.controller().start(RunKind::Discover);
+        waitFor([&] { return !window.controller().isRunning(); });
+        settle();
+        take(window, "09-found");
+        if (!document.finding()) return false;
+        document.adoptCompleted("picture");
+        settle(300);
+        take(window, "10-added");
+        window.findChild<PlotPanel*>()->residualButton()->click();
+        settle();
+        take(window, "11-residual");
+        return isWhole_;
+    }
+
+private:
+    void take(QWidget& window, const QString& name) {
+        const QString file = directory_.filePath(name + suffix_ + ".png");
+        isWhole_ = window.grab().save(file) && isWhole_;
+        std::cout << file.toStdString() << std::endl;
+    }
+
+    QDir directory_;
+    QString suffix_;
+    bool isWhole_{true};
+};
+
+}  // namespace
+
+bool writePictures(const QString& directory) {
+    const QTemporaryDir settings;  // neither read nor change the user's own
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+    const QDir target(directory);
+    if (!target.mkpath(".")) return false;
+    bool isWhole = true;
+    for (const QString& language : languages())
+        for (const style::Theme theme : {style::Theme::Light, style::Theme::Dark}) {
+            style::apply(*qApp, theme);
+            Translator translator;
+            if (translator.loadLanguage(language)) QCoreApplication::installTranslator(&translator);
+            const QString suffix = "-" + language + (theme == style::Theme::Dark ? "-dark" : "");
+            isWhole = Album(target, suffix).make() && isWhole;
+            QCoreApplication::removeTranslator(&translator);
+        }
+    return isWhole;
+}
+
+}  // namespace analogon::ui
