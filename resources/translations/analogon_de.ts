@@ -1,0 +1,1569 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>ComposeActions</name>
+    <message>
+        <source>Insert block …</source>
+        <translation>Block einsetzen …</translation>
+    </message>
+    <message>
+        <source>Connect …</source>
+        <translation>Verbinden …</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Ausschneiden</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Verdoppeln</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Flip left to right</source>
+        <translation>Waagerecht spiegeln</translation>
+    </message>
+    <message>
+        <source>Flip upside down</source>
+        <translation>Senkrecht spiegeln</translation>
+    </message>
+    <message>
+        <source>Rename …</source>
+        <translation>Umbenennen …</translation>
+    </message>
+    <message>
+        <source>Rename model …</source>
+        <translation>Modell umbenennen …</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Alles auswählen</translation>
+    </message>
+    <message>
+        <source>Align left</source>
+        <translation>Links ausrichten</translation>
+    </message>
+    <message>
+        <source>Align right</source>
+        <translation>Rechts ausrichten</translation>
+    </message>
+    <message>
+        <source>Align top</source>
+        <translation>Oben ausrichten</translation>
+    </message>
+    <message>
+        <source>Align bottom</source>
+        <translation>Unten ausrichten</translation>
+    </message>
+    <message>
+        <source>Align in a row</source>
+        <translation>In einer Reihe ausrichten</translation>
+    </message>
+    <message>
+        <source>Align in a column</source>
+        <translation>In einer Spalte ausrichten</translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation>Ausrichten</translation>
+    </message>
+    <message>
+        <source>Insert a block: type its name</source>
+        <translation>Block einsetzen: Namen tippen</translation>
+    </message>
+    <message>
+        <source>This block has no connector.</source>
+        <translation>Dieser Block hat keinen Anschluss.</translation>
+    </message>
+    <message>
+        <source>Connect from</source>
+        <translation>Verbinden von</translation>
+    </message>
+    <message>
+        <source>No connector of the diagram fits %1.</source>
+        <translation>Kein Anschluss des Diagramms passt zu %1.</translation>
+    </message>
+    <message>
+        <source>Connect %1 with</source>
+        <translation>%1 verbinden mit</translation>
+    </message>
+    <message>
+        <source>New name of %1</source>
+        <translation>Neuer Name von %1</translation>
+    </message>
+    <message>
+        <source>New name of the model</source>
+        <translation>Neuer Name des Modells</translation>
+    </message>
+</context>
+<context>
+    <name>DiagramView</name>
+    <message>
+        <source>Diagram</source>
+        <translation>Diagramm</translation>
+    </message>
+    <message>
+        <source>Drag blocks here from the library,
+or press A and type the name of a block.</source>
+        <translation>Blöcke aus der Bibliothek hierher ziehen,
+oder A drücken und den Namen eines Blocks tippen.</translation>
+    </message>
+</context>
+<context>
+    <name>Document</name>
+    <message>
+        <source>Analysing the model</source>
+        <translation>Modell untersuchen</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 lesen</translation>
+    </message>
+    <message>
+        <source>Reading what was recovered</source>
+        <translation>Wiederhergestelltes lesen</translation>
+    </message>
+    <message>
+        <source>Saving</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Tippen</translation>
+    </message>
+    <message>
+        <source>Set %1</source>
+        <translation>%1 setzen</translation>
+    </message>
+    <message>
+        <source>Go back to the run of %1</source>
+        <translation>Zurück zum Lauf von %1</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorCurve</name>
+    <message>
+        <source>Error during the run</source>
+        <translation>Fehler während des Laufs</translation>
+    </message>
+    <message>
+        <source>The error is drawn here while a run goes on.</source>
+        <translation>Während eines Laufs wird hier der Fehler gezeichnet.</translation>
+    </message>
+    <message>
+        <source>error %1 %</source>
+        <translation>Fehler %1 %</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>FitPanel</name>
+    <message>
+        <source>Run</source>
+        <translation>Lauf</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>Validate</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>Erster</translation>
+    </message>
+    <message>
+        <source>Second</source>
+        <translation>Zweiter</translation>
+    </message>
+    <message>
+        <source>Go back to this run</source>
+        <translation>Zu diesem Lauf zurück</translation>
+    </message>
+    <message>
+        <source>Least squares (Levenberg-Marquardt)</source>
+        <translation>Kleinste Quadrate (Levenberg-Marquardt)</translation>
+    </message>
+    <message>
+        <source>Nelder-Mead simplex</source>
+        <translation>Nelder-Mead-Simplex</translation>
+    </message>
+    <message>
+        <source>plain squares</source>
+        <translation>einfache Quadrate</translation>
+    </message>
+    <message>
+        <source>Huber: outliers count less</source>
+        <translation>Huber: Ausreißer zählen weniger</translation>
+    </message>
+    <message>
+        <source>Cauchy: outliers hardly count</source>
+        <translation>Cauchy: Ausreißer zählen kaum</translation>
+    </message>
+    <message>
+        <source>Fits from several starts within the bounds and keeps the best one</source>
+        <translation>Passt von mehreren Startpunkten in den Grenzen an und behält das Beste</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Misfit</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Starts</source>
+        <translation>Starts</translation>
+    </message>
+    <message>
+        <source>Runs so far</source>
+        <translation>Bisherige Läufe</translation>
+    </message>
+    <message>
+        <source>Comparison of two runs</source>
+        <translation>Vergleich zweier Läufe</translation>
+    </message>
+    <message>
+        <source>about %1 s left</source>
+        <translation>noch etwa %1 s</translation>
+    </message>
+    <message>
+        <source>took %1 s</source>
+        <translation>dauerte %1 s</translation>
+    </message>
+    <message>
+        <source>Every fit and discovery is kept here.</source>
+        <translation>Jede Anpassung und Entdeckung bleibt hier erhalten.</translation>
+    </message>
+    <message>
+        <source>Choose two runs to compare them.</source>
+        <translation>Zwei Läufe wählen, um sie zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>error, fit</source>
+        <translation>Fehler, Anpassung</translation>
+    </message>
+    <message>
+        <source>error, validate</source>
+        <translation>Fehler, Prüfung</translation>
+    </message>
+</context>
+<context>
+    <name>GeneratePage</name>
+    <message>
+        <source>Add to the chain</source>
+        <translation>Zur Kette hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add recording …</source>
+        <translation>Aufzeichnung hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Compose the study</source>
+        <translation>Studie zusammensetzen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Generate a study</source>
+        <translation>Eine Studie erzeugen</translation>
+    </message>
+    <message>
+        <source>Say which domains the component joins, in the order of the chain, and give a recording: a first model is composed, its columns are mapped and start values come from the data.</source>
+        <translation>Angeben, welche Domänen das Bauteil in welcher Reihenfolge verbindet, und eine Aufzeichnung: Ein erstes Modell wird zusammengesetzt, die Spalten werden zugeordnet, Startwerte kommen aus den Daten.</translation>
+    </message>
+    <message>
+        <source>Drag to change the order; Delete takes one out</source>
+        <translation>Ziehen ändert die Reihenfolge; Entf nimmt einen heraus</translation>
+    </message>
+    <message>
+        <source>Domains</source>
+        <translation>Domänen</translation>
+    </message>
+    <message>
+        <source>Chain of the component</source>
+        <translation>Kette des Bauteils</translation>
+    </message>
+    <message>
+        <source>Recordings: of several the last one validates</source>
+        <translation>Aufzeichnungen: von mehreren dient die letzte zum Prüfen</translation>
+    </message>
+    <message>
+        <source>Name of the model</source>
+        <translation>Name des Modells</translation>
+    </message>
+    <message>
+        <source>Add recording</source>
+        <translation>Aufzeichnung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Choose at least one domain.</source>
+        <translation>Mindestens eine Domäne wählen.</translation>
+    </message>
+    <message>
+        <source>Add a recording.</source>
+        <translation>Eine Aufzeichnung hinzufügen.</translation>
+    </message>
+    <message>
+        <source>The name must be a Modelica name: letters, digits and _.</source>
+        <translation>Der Name muss ein Modelica-Name sein: Buchstaben, Ziffern und _.</translation>
+    </message>
+    <message>
+        <source>Composing …</source>
+        <translation>Setzt zusammen …</translation>
+    </message>
+    <message>
+        <source>Composing</source>
+        <translation>Zusammensetzen</translation>
+    </message>
+</context>
+<context>
+    <name>GuidePage</name>
+    <message>
+        <source>User guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>The guide is not installed.</source>
+        <translation>Das Handbuch ist nicht installiert.</translation>
+    </message>
+    <message>
+        <source>Close the guide</source>
+        <translation>Handbuch schließen</translation>
+    </message>
+</context>
+<context>
+    <name>ImportPanel</name>
+    <message>
+        <source>Add to the study</source>
+        <translation>Zur Studie hinzufügen</translation>
+    </message>
+    <message>
+        <source>found by itself</source>
+        <translation>selbst gefunden</translation>
+    </message>
+    <message>
+        <source>comma</source>
+        <translation>Komma</translation>
+    </message>
+    <message>
+        <source>semicolon</source>
+        <translation>Semikolon</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>Tabulator</translation>
+    </message>
+    <message>
+        <source>space</source>
+        <translation>Leerzeichen</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>Senkrechter Strich</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>anpassen</translation>
+    </message>
+    <message>
+        <source>validate</source>
+        <translation>prüfen</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Experiment</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Used to</source>
+        <translation>Dient zum</translation>
+    </message>
+    <message>
+        <source>Time column</source>
+        <translation>Zeitspalte</translation>
+    </message>
+    <message>
+        <source>Separator</source>
+        <translation>Trennzeichen</translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation>Dezimalzeichen</translation>
+    </message>
+    <message>
+        <source>Row of units</source>
+        <translation>Einheitenzeile</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>%1 einlesen</translation>
+    </message>
+    <message>
+        <source>Reading …</source>
+        <translation>Liest …</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>line %1: </source>
+        <translation>Zeile %1: </translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>%L1 rows, %2 columns; nothing is wrong with it.</source>
+        <translation>%L1 Zeilen, %2 Spalten; alles in Ordnung.</translation>
+    </message>
+</context>
+<context>
+    <name>LibraryPanel</name>
+    <message>
+        <source>Search blocks</source>
+        <translation>Blöcke suchen</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>Documentation</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>Drag a block onto the diagram, or choose one and press Enter.</source>
+        <translation>Einen Block auf das Diagramm ziehen, oder einen wählen und Eingabe drücken.</translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
+    <message>
+        <source>Model text</source>
+        <translation>Modelltext</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>Measured and simulated</source>
+        <translation>Gemessen und simuliert</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Start an empty study</source>
+        <translation>Eine leere Studie beginnen</translation>
+    </message>
+    <message>
+        <source>Generate from measurement …</source>
+        <translation>Aus Messung erzeugen …</translation>
+    </message>
+    <message>
+        <source>Compose a first model from the domains of a component and a recording</source>
+        <translation>Aus den Domänen eines Bauteils und einer Aufzeichnung ein erstes Modell zusammensetzen</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Open a study file</source>
+        <translation>Eine Studiendatei öffnen</translation>
+    </message>
+    <message>
+        <source>Open directory …</source>
+        <translation>Verzeichnis öffnen …</translation>
+    </message>
+    <message>
+        <source>Open a study that is a directory with study.json</source>
+        <translation>Eine Studie öffnen, die ein Verzeichnis mit study.json ist</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save the study</source>
+        <translation>Die Studie speichern</translation>
+    </message>
+    <message>
+        <source>Save as …</source>
+        <translation>Speichern unter …</translation>
+    </message>
+    <message>
+        <source>Save the study as another file</source>
+        <translation>Die Studie als andere Datei speichern</translation>
+    </message>
+    <message>
+        <source>Import measurement …</source>
+        <translation>Messung einlesen …</translation>
+    </message>
+    <message>
+        <source>Add a recording to the study</source>
+        <translation>Der Studie eine Aufzeichnung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Write report …</source>
+        <translation>Bericht schreiben …</translation>
+    </message>
+    <message>
+        <source>Write report, traces and the completed study into a directory</source>
+        <translation>Bericht, Kurven und ergänzte Studie in ein Verzeichnis schreiben</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Estimate the checked parameters</source>
+        <translation>Die angehakten Parameter schätzen</translation>
+    </message>
+    <message>
+        <source>Discover</source>
+        <translation>Entdecken</translation>
+    </message>
+    <message>
+        <source>Fit, find the effect that the model lacks, add it and refit</source>
+        <translation>Anpassen, den fehlenden Effekt finden, mit ihm neu anpassen</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alles zeigen</translation>
+    </message>
+    <message>
+        <source>Show the whole diagram (Space)</source>
+        <translation>Das ganze Diagramm zeigen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Open recent</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Lauf</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>Reset layout</source>
+        <translation>Anordnung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Wie der Schreibtisch</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>The language changes at the next start.</source>
+        <translation>Die Sprache wechselt beim nächsten Start.</translation>
+    </message>
+    <message>
+        <source>Main</source>
+        <translation>Hauptleiste</translation>
+    </message>
+    <message>
+        <source>Reading the study …</source>
+        <translation>Die Studie wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Saved to %1.</source>
+        <translation>In %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Not saved: see the messages.</source>
+        <translation>Nicht gespeichert: siehe Meldungen.</translation>
+    </message>
+    <message>
+        <source>Messages (%1)</source>
+        <translation>Meldungen (%1)</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Unbenannt</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ungespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation>%1 hat Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>Nothing was opened yet</source>
+        <translation>Noch nichts geöffnet</translation>
+    </message>
+    <message>
+        <source>Import a measurement</source>
+        <translation>Eine Messung einlesen</translation>
+    </message>
+    <message>
+        <source>Measurements (*.csv *.txt *.tsv *.dat *.mf4 *.mdf *.mat)</source>
+        <translation>Messungen (*.csv *.txt *.tsv *.dat *.mf4 *.mdf *.mat)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Einlesen</translation>
+    </message>
+    <message>
+        <source> at </source>
+        <translation> an </translation>
+    </message>
+    <message>
+        <source>Open a study</source>
+        <translation>Eine Studie öffnen</translation>
+    </message>
+    <message>
+        <source>Studies (*.analogon study.json)</source>
+        <translation>Studien (*.analogon study.json)</translation>
+    </message>
+    <message>
+        <source>Studies (*.analogon)</source>
+        <translation>Studien (*.analogon)</translation>
+    </message>
+    <message>
+        <source>Write the report into a directory</source>
+        <translation>Den Bericht in ein Verzeichnis schreiben</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>Report written to %1/report.html.</source>
+        <translation>Bericht in %1/report.html geschrieben.</translation>
+    </message>
+    <message>
+        <source>No report written: see the messages.</source>
+        <translation>Kein Bericht geschrieben: siehe Meldungen.</translation>
+    </message>
+</context>
+<context>
+    <name>MeasurementPanel</name>
+    <message>
+        <source>Column %1 of %2</source>
+        <translation>Spalte %1 von %2</translation>
+    </message>
+    <message>
+        <source>
+scaled by %1</source>
+        <translation>
+mal %1</translation>
+    </message>
+    <message>
+        <source>
+shifted by %1</source>
+        <translation>
+verschoben um %1</translation>
+    </message>
+    <message>
+        <source>
+weight %1</source>
+        <translation>
+Gewicht %1</translation>
+    </message>
+    <message>
+        <source>%L1 samples</source>
+        <translation>%L1 Werte</translation>
+    </message>
+    <message>
+        <source>not mapped</source>
+        <translation>nicht zugeordnet</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Spalte</translation>
+    </message>
+    <message>
+        <source>Import …</source>
+        <translation>Einlesen …</translation>
+    </message>
+    <message>
+        <source>Propose mapping</source>
+        <translation>Zuordnung vorschlagen</translation>
+    </message>
+    <message>
+        <source>Give signals without a column the one that fits by unit and name</source>
+        <translation>Signalen ohne Spalte die geben, die nach Einheit und Name passt</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>%1 zuordnen</translation>
+    </message>
+    <message>
+        <source>Use to fit</source>
+        <translation>Zum Anpassen verwenden</translation>
+    </message>
+    <message>
+        <source>Use to validate</source>
+        <translation>Zum Prüfen verwenden</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alles</translation>
+    </message>
+    <message>
+        <source>Set the range</source>
+        <translation>Bereich setzen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Used to fit and to choose effects</source>
+        <translation>Dient zum Anpassen und zum Wählen von Effekten</translation>
+    </message>
+    <message>
+        <source>Only reported; never used to fit or to choose</source>
+        <translation>Wird nur berichtet; nie zum Anpassen oder Wählen verwendet</translation>
+    </message>
+    <message>
+        <source>Input of the model</source>
+        <translation>Eingang des Modells</translation>
+    </message>
+    <message>
+        <source>Output of the model</source>
+        <translation>Ausgang des Modells</translation>
+    </message>
+    <message>
+        <source>Drag a column here, or double-click and choose one</source>
+        <translation>Eine Spalte hierher ziehen, oder doppelklicken und eine wählen</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>unbenutzt</translation>
+    </message>
+    <message>
+        <source>Kept: the search for effects may use it as a cause</source>
+        <translation>Bleibt erhalten: Die Suche nach Effekten kann sie als Ursache nutzen</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Double-click and type from and to, in seconds</source>
+        <translation>Doppelklicken und von und bis in Sekunden eingeben</translation>
+    </message>
+    <message>
+        <source>Drop a measurement file on the window, or press Import.
+Its columns are then mapped to the inputs and outputs of the model.</source>
+        <translation>Eine Messdatei auf das Fenster ziehen, oder „Einlesen“ drücken.
+Ihre Spalten werden dann den Ein- und Ausgängen des Modells zugeordnet.</translation>
+    </message>
+    <message>
+        <source>The measurements of the open study appear here.</source>
+        <translation>Hier erscheinen die Messungen der offenen Studie.</translation>
+    </message>
+</context>
+<context>
+    <name>MessagePanel</name>
+    <message>
+        <source>No messages.</source>
+        <translation>Keine Meldungen.</translation>
+    </message>
+    <message>
+        <source>Click to see the place</source>
+        <translation>Klicken, um die Stelle zu sehen</translation>
+    </message>
+</context>
+<context>
+    <name>OutputPlot</name>
+    <message>
+        <source>Click to hide or show this trace</source>
+        <translation>Klicken, um diese Kurve zu verbergen oder zu zeigen</translation>
+    </message>
+    <message>
+        <source>measured − simulated</source>
+        <translation>gemessen − simuliert</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>Δ %1 s</source>
+        <translation>Δ %1 s</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterModel</name>
+    <message>
+        <source>at min</source>
+        <translation>am Minimum</translation>
+    </message>
+    <message>
+        <source>at max</source>
+        <translation>am Maximum</translation>
+    </message>
+    <message>
+        <source>  not determined</source>
+        <translation>  nicht bestimmt</translation>
+    </message>
+    <message>
+        <source>
+The fit ran into the bound: it wants a value beyond. Widen the bound, or ask what the model lacks.</source>
+        <translation>
+Die Anpassung stößt an die Grenze: Sie will darüber hinaus. Grenze weiten, oder fragen, was dem Modell fehlt.</translation>
+    </message>
+    <message>
+        <source>
+The data do not determine this value on its own.</source>
+        <translation>
+Die Daten bestimmen diesen Wert nicht für sich.</translation>
+    </message>
+    <message>
+        <source>
+Relative standard error %1 %</source>
+        <translation>
+Relativer Standardfehler %1 %</translation>
+    </message>
+    <message>
+        <source>Checked parameters are fitted</source>
+        <translation>Angehakte Parameter werden angepasst</translation>
+    </message>
+    <message>
+        <source>Where a run starts from</source>
+        <translation>Wovon ein Lauf ausgeht</translation>
+    </message>
+    <message>
+        <source>Estimate ± standard error of the last run</source>
+        <translation>Schätzwert ± Standardfehler des letzten Laufs</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Min</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>Free the bound of %1</source>
+        <translation>Grenze von %1 aufheben</translation>
+    </message>
+    <message>
+        <source>Set the bound of %1</source>
+        <translation>Grenze von %1 setzen</translation>
+    </message>
+    <message>
+        <source>Fit %1</source>
+        <translation>%1 anpassen</translation>
+    </message>
+    <message>
+        <source>Fix %1</source>
+        <translation>%1 festhalten</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterPanel</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Search parameters</source>
+        <translation>Parameter suchen</translation>
+    </message>
+    <message>
+        <source>Show the parameters of all components</source>
+        <translation>Parameter aller Komponenten zeigen</translation>
+    </message>
+    <message>
+        <source>Fitted only</source>
+        <translation>Nur angepasste</translation>
+    </message>
+    <message>
+        <source>Hide parameters that are not fitted</source>
+        <translation>Parameter verbergen, die nicht angepasst werden</translation>
+    </message>
+    <message>
+        <source>The parameters of the open study appear here.</source>
+        <translation>Hier erscheinen die Parameter der offenen Studie.</translation>
+    </message>
+    <message>
+        <source>%1 has no parameters.</source>
+        <translation>%1 hat keine Parameter.</translation>
+    </message>
+    <message>
+        <source>No parameter matches. Clear the search or the filter.</source>
+        <translation>Kein Parameter passt. Suche oder Filter leeren.</translation>
+    </message>
+    <message>
+        <source>No parameters to show. See the messages if the model could not be read.</source>
+        <translation>Keine Parameter zu zeigen. Konnte das Modell nicht gelesen werden, sagen die Meldungen, warum.</translation>
+    </message>
+</context>
+<context>
+    <name>PlotPanel</name>
+    <message>
+        <source>Experiments</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Traces</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Residuum</translation>
+    </message>
+    <message>
+        <source>What the residual looks like: distribution, memory, what it moves with</source>
+        <translation>Wie das Residuum aussieht: Verteilung, Gedächtnis, womit es sich bewegt</translation>
+    </message>
+    <message>
+        <source>Export …</source>
+        <translation>Ausgeben …</translation>
+    </message>
+    <message>
+        <source>What is shown as PNG or SVG, its numbers as CSV</source>
+        <translation>Das Gezeigte als PNG oder SVG, seine Zahlen als CSV</translation>
+    </message>
+    <message>
+        <source>  ·  fit</source>
+        <translation>  ·  anpassen</translation>
+    </message>
+    <message>
+        <source>  ·  validate</source>
+        <translation>  ·  prüfen</translation>
+    </message>
+    <message>
+        <source>Open a study to see its measurements here.</source>
+        <translation>Eine Studie öffnen, um hier ihre Messungen zu sehen.</translation>
+    </message>
+    <message>
+        <source>Simulating the model as it stands …</source>
+        <translation>Das Modell wird simuliert, wie es ist …</translation>
+    </message>
+    <message>
+        <source>Import a measurement and map its columns: measured and simulated traces then appear here.</source>
+        <translation>Eine Messung einlesen und ihre Spalten zuordnen: Dann erscheinen hier gemessene und simulierte Kurven.</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>simuliert</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>nachher</translation>
+    </message>
+    <message>
+        <source>Export what is shown</source>
+        <translation>Das Gezeigte ausgeben</translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation>Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Drawing (*.svg)</source>
+        <translation>Zeichnung (*.svg)</translation>
+    </message>
+    <message>
+        <source>Numbers (*.csv)</source>
+        <translation>Zahlen (*.csv)</translation>
+    </message>
+    <message>
+        <source>There is nothing to export yet.</source>
+        <translation>Es gibt noch nichts auszugeben.</translation>
+    </message>
+    <message>
+        <source>Exported to %1.</source>
+        <translation>Nach %1 ausgegeben.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>%1 lässt sich nicht schreiben.</translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>This class is not known.</source>
+        <translation>Diese Klasse ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>a flange</source>
+        <translation>ein Flansch</translation>
+    </message>
+    <message>
+        <source>a heat port</source>
+        <translation>ein Wärmeanschluss</translation>
+    </message>
+    <message>
+        <source>a signal input</source>
+        <translation>ein Signaleingang</translation>
+    </message>
+    <message>
+        <source>a signal output</source>
+        <translation>ein Signalausgang</translation>
+    </message>
+    <message>
+        <source>a connector of another kind</source>
+        <translation>ein Anschluss anderer Art</translation>
+    </message>
+    <message>
+        <source>The model's text has a fault: mend it first, then the diagram can be changed.</source>
+        <translation>Der Modelltext hat einen Fehler: Ist er behoben, lässt sich das Diagramm wieder ändern.</translation>
+    </message>
+    <message>
+        <source>There is no class %1.</source>
+        <translation>Es gibt keine Klasse %1.</translation>
+    </message>
+    <message>
+        <source>%1 is only a base for other classes and cannot be placed.</source>
+        <translation>%1 ist nur die Grundlage anderer Klassen und kann nicht eingesetzt werden.</translation>
+    </message>
+    <message>
+        <source>A model cannot hold itself.</source>
+        <translation>Ein Modell kann sich nicht selbst enthalten.</translation>
+    </message>
+    <message>
+        <source>Place %1</source>
+        <translation>%1 einsetzen</translation>
+    </message>
+    <message>
+        <source>A connector cannot be connected with itself.</source>
+        <translation>Ein Anschluss lässt sich nicht mit sich selbst verbinden.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are connected already.</source>
+        <translation>%1 und %2 sind schon verbunden.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, %3 is %4: they do not fit.</source>
+        <translation>%1 ist %2, %3 ist %4: Das passt nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are connectors of different classes.</source>
+        <translation>%1 und %2 sind Anschlüsse verschiedener Klassen.</translation>
+    </message>
+    <message>
+        <source>Both %1 and %2 give a signal: one must take it.</source>
+        <translation>%1 und %2 geben beide ein Signal: Einer muss es aufnehmen.</translation>
+    </message>
+    <message>
+        <source>Neither %1 nor %2 gives a signal: one must be a source.</source>
+        <translation>Weder %1 noch %2 gibt ein Signal: Einer muss die Quelle sein.</translation>
+    </message>
+    <message>
+        <source>%1 gets a signal already: an input takes one only.</source>
+        <translation>%1 erhält schon ein Signal: Ein Eingang nimmt nur eines auf.</translation>
+    </message>
+    <message>
+        <source>Connect %1 with %2</source>
+        <translation>%1 mit %2 verbinden</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>%1 löschen</translation>
+    </message>
+    <message>
+        <source>Delete wires</source>
+        <translation>Leitungen löschen</translation>
+    </message>
+    <message>
+        <source>Delete %1 blocks</source>
+        <translation>%1 Blöcke löschen</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>%1 verschieben</translation>
+    </message>
+    <message>
+        <source>Move %1 blocks</source>
+        <translation>%1 Blöcke verschieben</translation>
+    </message>
+    <message>
+        <source>"%1" is no name: letters, digits and _ only, no digit first, no keyword.</source>
+        <translation>„%1“ ist kein Name: nur Buchstaben, Ziffern und _, keine Ziffer am Anfang, kein Schlüsselwort.</translation>
+    </message>
+    <message>
+        <source>The name "%1" is taken.</source>
+        <translation>Der Name „%1“ ist vergeben.</translation>
+    </message>
+    <message>
+        <source>Rename %1 to %2</source>
+        <translation>%1 in %2 umbenennen</translation>
+    </message>
+    <message>
+        <source>"%1" is no name for a model.</source>
+        <translation>„%1“ ist kein Name für ein Modell.</translation>
+    </message>
+    <message>
+        <source>Rename the model to %1</source>
+        <translation>Modell in %1 umbenennen</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no blocks.</source>
+        <translation>Die Zwischenablage enthält keine Blöcke.</translation>
+    </message>
+    <message>
+        <source>Paste %1</source>
+        <translation>%1 einfügen</translation>
+    </message>
+    <message>
+        <source>Paste %1 blocks</source>
+        <translation>%1 Blöcke einfügen</translation>
+    </message>
+    <message>
+        <source>What is left between model and measurement is noise. Nothing was added.</source>
+        <translation>Zwischen Modell und Messung bleibt nur Rauschen. Es wurde nichts ergänzt.</translation>
+    </message>
+    <message>
+        <source>The residual is not noise, and no effect of the library explains it.</source>
+        <translation>Das Residuum ist kein Rauschen, und kein Effekt der Bibliothek erklärt es.</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nachher</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>ΔBIC</source>
+        <translation>ΔBIC</translation>
+    </message>
+    <message>
+        <source>Held-out blocks</source>
+        <translation>Ausgelassene Blöcke</translation>
+    </message>
+    <message>
+        <source>What was tried</source>
+        <translation>Was versucht wurde</translation>
+    </message>
+    <message>
+        <source>Effect</source>
+        <translation>Effekt</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>An</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>Recovery</name>
+    <message>
+        <source>Keeping a copy</source>
+        <translation>Sicherungskopie</translation>
+    </message>
+</context>
+<context>
+    <name>ResidualPlot</name>
+    <message>
+        <source>Distribution</source>
+        <translation>Verteilung</translation>
+    </message>
+    <message>
+        <source>Autocorrelation, with the bounds of white noise</source>
+        <translation>Autokorrelation, mit den Grenzen weißen Rauschens</translation>
+    </message>
+    <message>
+        <source>Residual against %1</source>
+        <translation>Residuum über %1</translation>
+    </message>
+    <message>
+        <source>Residual against</source>
+        <translation>Residuum über</translation>
+    </message>
+    <message>
+        <source>against</source>
+        <translation>über</translation>
+    </message>
+</context>
+<context>
+    <name>ResultPanel</name>
+    <message>
+        <source>Fit stopped</source>
+        <translation>Anpassung angehalten</translation>
+    </message>
+    <message>
+        <source>The best parameters so far are shown.</source>
+        <translation>Gezeigt sind die bisher besten Parameter.</translation>
+    </message>
+    <message>
+        <source>Parameters fitted</source>
+        <translation>Parameter angepasst</translation>
+    </message>
+    <message>
+        <source>Fit did not converge</source>
+        <translation>Anpassung nicht konvergiert</translation>
+    </message>
+    <message>
+        <source>Search stopped</source>
+        <translation>Suche angehalten</translation>
+    </message>
+    <message>
+        <source>What was found until then is shown; the rest was not tried.</source>
+        <translation>Gezeigt ist, was bis dahin gefunden war; der Rest wurde nicht versucht.</translation>
+    </message>
+    <message>
+        <source>%1 effects</source>
+        <translation>%1 Effekte</translation>
+    </message>
+    <message>
+        <source>The model is adequate</source>
+        <translation>Das Modell genügt</translation>
+    </message>
+    <message>
+        <source>With it, refitted, what is left is noise.</source>
+        <translation>Damit und neu angepasst bleibt nur Rauschen.</translation>
+    </message>
+    <message>
+        <source>With it, refitted, some structure remains that no candidate explains.</source>
+        <translation>Damit und neu angepasst bleibt Struktur, die kein Kandidat erklärt.</translation>
+    </message>
+    <message>
+        <source>Unexplained structure</source>
+        <translation>Unerklärte Struktur</translation>
+    </message>
+    <message>
+        <source>The data cannot show it: it only shifts %1</source>
+        <translation>Die Daten können es nicht zeigen: Es verschiebt nur %1</translation>
+    </message>
+    <message>
+        <source>This data cannot tell it from the chosen effect</source>
+        <translation>Diese Daten können es vom gewählten Effekt nicht unterscheiden</translation>
+    </message>
+    <message>
+        <source>It does not help on data that was left out of the fit</source>
+        <translation>Es hilft nicht auf Daten, die bei der Anpassung ausgelassen waren</translation>
+    </message>
+    <message>
+        <source>It would need a strength of the wrong physical sign</source>
+        <translation>Seine Stärke hätte das physikalisch falsche Vorzeichen</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 an %2</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Fit&lt;/b&gt; estimates the parameters.&lt;br&gt;&lt;b&gt;Discover&lt;/b&gt; also asks what the model lacks, adds it and shows the evidence here.</source>
+        <translation>&lt;b&gt;Anpassen&lt;/b&gt; schätzt die Parameter.&lt;br&gt;&lt;b&gt;Entdecken&lt;/b&gt; fragt auch, was dem Modell fehlt, und zeigt hier die Belege.</translation>
+    </message>
+    <message>
+        <source>Results appear here once a study is open.</source>
+        <translation>Ergebnisse erscheinen hier, sobald eine Studie offen ist.</translation>
+    </message>
+    <message>
+        <source>The study has been changed since. Run again to see what holds now.</source>
+        <translation>Die Studie wurde seither geändert. Ein neuer Lauf zeigt, was jetzt gilt.</translation>
+    </message>
+    <message>
+        <source>Write fitted values into the model</source>
+        <translation>Angepasste Werte ins Modell schreiben</translation>
+    </message>
+    <message>
+        <source>Add to the model</source>
+        <translation>Ins Modell aufnehmen</translation>
+    </message>
+    <message>
+        <source>Write fitted values</source>
+        <translation>Angepasste Werte schreiben</translation>
+    </message>
+    <message>
+        <source>Add what was found</source>
+        <translation>Gefundenes aufnehmen</translation>
+    </message>
+    <message>
+        <source>Root mean square error in percent of the measured range, over all outputs</source>
+        <translation>Effektivwert des Fehlers in Prozent des gemessenen Bereichs, über alle Ausgänge</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>Belege</translation>
+    </message>
+    <message>
+        <source>Over the fitted experiments</source>
+        <translation>Über die angepassten Versuche</translation>
+    </message>
+    <message>
+        <source>Squared signal-to-noise ratio of the effect in the residual</source>
+        <translation>Quadrat des Signal-Rausch-Verhältnisses des Effekts im Residuum</translation>
+    </message>
+    <message>
+        <source>Negative: the fit gains more than the added parameters cost</source>
+        <translation>Negativ: Die Anpassung gewinnt mehr, als die zusätzlichen Parameter kosten</translation>
+    </message>
+    <message>
+        <source>+1: the gain holds on data left out of the fit; −1: it does not</source>
+        <translation>+1: Der Gewinn hält auf ausgelassenen Daten; −1: er hält nicht</translation>
+    </message>
+    <message>
+        <source>This data cannot tell it from: %1.</source>
+        <translation>Diese Daten können es nicht unterscheiden von: %1.</translation>
+    </message>
+    <message>
+        <source>Show in the diagram</source>
+        <translation>Im Diagramm zeigen</translation>
+    </message>
+    <message>
+        <source>What remains on %1</source>
+        <translation>Was an %1 bleibt</translation>
+    </message>
+    <message>
+        <source>Between %1 and %2 s</source>
+        <translation>Zwischen %1 und %2 s</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> von %1</translation>
+    </message>
+    <message>
+        <source>, acting at %1</source>
+        <translation>, wirkend an %1</translation>
+    </message>
+    <message>
+        <source>It moves with %1.</source>
+        <translation>Es bewegt sich mit %1.</translation>
+    </message>
+    <message>
+        <source>Next experiment</source>
+        <translation>Nächster Versuch</translation>
+    </message>
+</context>
+<context>
+    <name>RunBar</name>
+    <message>
+        <source>Stop; the best result so far is kept (Esc)</source>
+        <translation>Anhalten; das bisher beste Ergebnis bleibt (Esc)</translation>
+    </message>
+    <message>
+        <source>Stopping …</source>
+        <translation>Hält an …</translation>
+    </message>
+</context>
+<context>
+    <name>RunController</name>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Discovery</source>
+        <translation>Entdeckung</translation>
+    </message>
+    <message>
+        <source>%1 stopped.</source>
+        <translation>%1 angehalten.</translation>
+    </message>
+    <message>
+        <source>%1 failed: see the messages.</source>
+        <translation>%1 misslungen: siehe Meldungen.</translation>
+    </message>
+    <message>
+        <source>%1: the study changed meanwhile, result dropped.</source>
+        <translation>%1: Die Studie wurde inzwischen geändert, das Ergebnis verworfen.</translation>
+    </message>
+    <message>
+        <source>%1 stopped; best result so far is shown.</source>
+        <translation>%1 angehalten; gezeigt ist das bisher beste Ergebnis.</translation>
+    </message>
+    <message>
+        <source>%1 done in %2 s.</source>
+        <translation>%1 fertig in %2 s.</translation>
+    </message>
+</context>
+<context>
+    <name>StartPage</name>
+    <message>
+        <source>Physical models from test-bench measurements: fit the parameters, find the effect the model lacks, see the evidence.</source>
+        <translation>Physikalische Modelle aus Prüfstandsmessungen: Parameter anpassen, den fehlenden Effekt finden, die Belege sehen.</translation>
+    </message>
+    <message>
+        <source>Open a study …</source>
+        <translation>Studie öffnen …</translation>
+    </message>
+    <message>
+        <source>New study</source>
+        <translation>Neue Studie</translation>
+    </message>
+    <message>
+        <source>Or drop a study directory, its study.json or an .analogon file here</source>
+        <translation>Oder ein Studienverzeichnis, seine study.json oder eine .analogon-Datei hierher ziehen</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Recovered work</source>
+        <translation>Wiederhergestellte Arbeit</translation>
+    </message>
+    <message>
+        <source>A study that was never saved</source>
+        <translation>Eine Studie, die nie gespeichert wurde</translation>
+    </message>
+    <message>
+        <source>%1, changes of %2</source>
+        <translation>%1, Änderungen vom %2</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt</translation>
+    </message>
+</context>
+</TS>
