@@ -30,7 +30,7 @@ constexpr double structuredResidual = 1.1;  // in units of the noise: something 
 constexpr double leastGain = 1;             // in evidence, for which an effect is exchanged: exact twins are not
 constexpr double mostGrowth = 5;            // of an effect's strength when another joins it
 constexpr double changeShare = 0.5, firstOrderShare = 0.85, leastChange = 100;
-constexpr long mostSearchedSamples = 16'000;
+constexpr long mostSearchedSamples = 10'000;
 constexpr int startsPerTrial = 2;
 constexpr int trialIterations = 12;  // a trial must show what it is worth; the winner is refitted to convergence
 constexpr int glanceIterations = 5;  // of the whole catalogue, to see who deserves a trial
@@ -235,6 +235,7 @@ private:
         NullModel null;
         std::vector<Step> steps;
         std::vector<CandidateResult> candidates;
+        std::optional<ModelState> state;  // after the last effect: at hand when the search is interrupted
     };
 
     Round tryAll(const NullModel& null);
@@ -554,8 +555,11 @@ Outcome<Done> Search::goOn(Path& path, Round first) {
         path.null = std::move(*next);
         reconsider(path.null);
         removeUnneeded(path.null, 1);  // a single one has just passed its tests
-        if (Outcome<ModelState> after = stateOf(path.null.variant, path.null.fit, options_.fit.simulation, progress_))
+        if (Outcome<ModelState> after = stateOf(path.null.variant, path.null.fit, options_.fit.simulation, progress_);
+            after && !progress_.stopRequested()) {
             bestError_ = std::min(bestError_, errorPercentOf(*after, Role::Fit));
+            path.state = std::move(*after);
+        }
     }
     std::swap(steps_, path.steps);
     std::swap(candidates_, path.candidates);
@@ -580,7 +584,7 @@ std::vector<std::size_t> Search::otherBeginnings(const NullModel& null, const Ro
 /// next: two effects that hide each other may not show in the order of their size.
 Outcome<Search::Path> Search::bestPath(const NullModel& base) {
     Round first = tryAll(base);
-    Path best{base, {}, {}};
+    Path best{base, {}, {}, {}};
     if (progress_.stopRequested()) return best;
     decide(base, first);
     std::vector<std::size_t> others;
@@ -596,7 +600,7 @@ Outcome<Search::Path> Search::bestPath(const NullModel& base) {
         round.chosen = other;
         round.members = equivalents(base, round.trials, other);
         round.acceptance = examine(base, round.trials[other].fit, round.trials[other].freed(), round.threshold);
-        Path path{base, {}, {}};
+        Path path{base, {}, {}, {}};
         if (Outcome<Done> done = goOn(path, std::move(round)); !done) continue;
         const double weight = independentShare(path.null, path.null.fit);
         if (weight * (misfit(best) - misfit(path)) > equivalenceMargin) best = std::move(path);
@@ -661,7 +665,9 @@ bool Search::replace(NullModel& null, std::size_t effect) {
         if (t.ok)
             alternatives.push_back({kind, place.at, -t.evidence, weight * (own - t.evidence) < equivalenceMargin});
     }
-    if (!(gain > leastGain)) return false;
+    // what the data hardly tell apart is not exchanged for the less likely
+    const bool isLessLikely = plausibility(best.screened.candidate.effect) > plausibility(old.effect);
+    if (!(gain > leastGain) || (isLessLikely && weight * gain < equivalenceMargin)) return false;
     const double fall = rest->sumOfSquares() - null.sumOfSquares(),
                  bestFall = rest->sumOfSquares() - best.sumOfSquares();
     if (levelOf(best.fit) > largeResidual && best.freed() > static_cast<int>(old.freed.size()) &&
@@ -852,14 +858,16 @@ Outcome<Finding> Search::run() {
     std::vector<Remainder> proposed = takeOutProposals(*null);
     if (!proposed.empty()) removeUnneeded(*null, 0);  // what was seen only beside a proposal is not kept without it
     if (onAll && steps_.empty()) null = *onAll;
-    if (onAll && !steps_.empty()) {
+    if (onAll && !steps_.empty() && !progress_.stopRequested()) {
         Outcome<Variant> all = withEffects(full_, null->variant.effects, null->variant.values);
         if (!all) return all.diagnostics();
         Outcome<NullModel> fitted = fitNull(*all, onAll->noise, NoiseLevel::Estimate, options_.fit, progress_);
         if (!fitted) return fitted.diagnostics();
         null = std::move(*fitted);
     }
-    if (!steps_.empty()) {
+    if (progress_.stopRequested()) {
+        if (path->state) finding.final = std::move(*path->state);
+    } else if (!steps_.empty()) {
         Outcome<ModelState> after = stateOf(null->variant, null->fit, options_.fit.simulation, progress_);
         if (!after) return after.diagnostics();
         finding.final = std::move(*after);
