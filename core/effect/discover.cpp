@@ -121,6 +121,13 @@ bool isDetermined(const NullModel& null, std::size_t effect) {
     });
 }
 
+/// Whether every channel of the residual passes for white.
+bool isNoise(const NullModel& null) {
+    return std::all_of(null.channels.begin(), null.channels.end(), [&](const ResidualChannel& c) {
+        return summarise(null.fit.optimum.residuals.segment(c.begin, c.end - c.begin)).whiteProbability > 1e-4;
+    });
+}
+
 /// Whether the strength rests at a bound: the effect then stands for something else.
 bool isAtBound(const Trial& trial) {
     const std::string& strength = trial.variant.effects.back().freed.front().name;
@@ -900,9 +907,10 @@ Outcome<Finding> Search::run() {
             if (finding.remainders.front().output.empty()) finding.remainders.erase(finding.remainders.begin());
         }
     }
-    finding.kind = finding.remainders.empty()
-                       ? (finding.effects.empty() ? FindingKind::Adequate : FindingKind::Effect)
-                       : (finding.effects.empty() ? FindingKind::Unexplained : FindingKind::Partial);
+    // an interrupted search has not looked at what is left in detail, but must not call it noise
+    const bool leavesStructure = !finding.remainders.empty() || (finding.interrupted && !isNoise(*null));
+    finding.kind = !leavesStructure ? (finding.effects.empty() ? FindingKind::Adequate : FindingKind::Effect)
+                                    : (finding.effects.empty() ? FindingKind::Unexplained : FindingKind::Partial);
     finding.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return finding;
 }
