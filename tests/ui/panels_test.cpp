@@ -169,6 +169,9 @@ TEST_F(Panels, OffersWorkThatAnEndedProgramLeft) {
     const pid_t gone = fork();
     if (gone == 0) _exit(0);
     waitpid(gone, nullptr, 0);
+    // tests side by side must not take over each other's copies
+    const QTemporaryDir own;
+    qputenv("XDG_DATA_HOME", own.path().toUtf8());
     const QDir place(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery");
     place.mkpath(".");
     const QString copy = place.filePath(QString::number(gone) + ".analogon");
