@@ -37,6 +37,17 @@ Outcome<Library> libraryOf(const Options& options) {
     return library;
 }
 
+/// Models within packages, by their full names.
+void collectModels(const syntax::ClassDefinition& definition, const std::string& name,
+                   std::vector<std::string>& found) {
+    using Restriction = syntax::ClassDefinition::Restriction;
+    if (definition.restriction == Restriction::Package)
+        for (const syntax::ClassPtr& c : definition.classes) collectModels(*c, name + "." + c->name, found);
+    else if (!definition.isPartial &&
+             (definition.restriction == Restriction::Model || definition.restriction == Restriction::Block))
+        found.push_back(name);
+}
+
 /// Name of the model a file is about: the one asked for, or its last class that can be simulated.
 Outcome<std::string> classOf(const syntax::StoredDefinition& file, const Options& options, const std::string& name) {
     const std::string prefix = file.within && !file.within->parts.empty() ? file.within->text() + "." : "";
@@ -48,8 +59,22 @@ Outcome<std::string> classOf(const syntax::StoredDefinition& file, const Options
             restriction == Restriction::Model || restriction == Restriction::Block || restriction == Restriction::Class;
         if (isModel && !(*it)->isPartial) return prefix + (*it)->name;
     }
-    return fileError("the file holds no model or block that can be checked", name, 0, 0,
-                     "name one with --class PACKAGE.MODEL");
+    std::vector<std::string> inside;
+    for (const syntax::ClassPtr& c : file.classes) collectModels(*c, prefix + c->name, inside);
+    return fileError("the file holds no model or block that can be checked by itself", name, 0, 0,
+                     inside.empty() ? "a partial class is checked through one that extends it"
+                                    : "name one with --class, for example --class " + inside.front());
+}
+
+/// The outermost directory of the package that a file or directory is part of; empty: none.
+fs::path packageOf(const fs::path& path) {
+    std::error_code problem;
+    fs::path root;
+    const fs::path whole = fs::absolute(path, problem).lexically_normal();
+    for (fs::path at = fs::is_directory(whole, problem) ? whole : whole.parent_path();
+         fs::exists(at / "package.mo", problem) && at != at.parent_path(); at = at.parent_path())
+        root = at;
+    return root;
 }
 
 Outcome<Subject> modelSubject(const Options& options) {
@@ -61,10 +86,22 @@ Outcome<Subject> modelSubject(const Options& options) {
     const syntax::ParseResult parsed = syntax::parse(source);
     if (hasError(parsed.diagnostics)) return parsed.diagnostics;
     Outcome<Library> library = libraryOf(options);
-    if (library) library = library->withSource(source);
+    // A file of a package sees its neighbours.
+    const fs::path package = packageOf(options.input);
+    const bool isPackageFile = !package.empty() && options.input.filename() == "package.mo";
+    const bool isBuiltIn = library && library->find(package.filename().string()) != nullptr;
+    if (library && !package.empty() && !isBuiltIn) library = library->withPath(package);
+    if (library && !isPackageFile) library = library->withSource(source);
     if (!library) return library.diagnostics();
     Outcome<std::string> className = classOf(parsed.definition, options, name);
     if (!className) return className.diagnostics();
+    if (!library->find(*className)) {
+        std::string held;
+        for (const syntax::ClassPtr& c : parsed.definition.classes) held += (held.empty() ? "" : ", ") + c->name;
+        const std::string like = suggestion(*className, library->names());
+        return fileError(fmt::format("there is no class \"{}\"", *className), name, 0, 0,
+                         like.empty() ? "the file holds " + held : fmt::format("did you mean \"{}\"?", like));
+    }
     return Subject{std::move(*library), *className, {}, "model " + *className};
 }
 
@@ -95,6 +132,27 @@ std::string signalText(const std::vector<SignalInfo>& signals) {
     return text.empty() ? "none" : text;
 }
 
+/// The algebraic loops: what is solved for, and how many unknowns hang on it.
+std::string loopText(const Structure& structure) {
+    constexpr std::size_t most = 5;  // lines, and names in a line
+    const auto name = [&](ExpressionId node) {
+        return structure.pool->print(node, [&](VariableId id) { return (*structure.model)[id].name; });
+    };
+    std::string text;
+    std::size_t count = 0;
+    for (const SolutionBlock& block : structure.blocks) {
+        if (block.isExplicit || ++count > most) continue;
+        std::string unknowns;
+        for (std::size_t i = 0; i < block.unknowns.size() && i < most; ++i)
+            unknowns += (i == 0 ? "" : ", ") + name(block.unknowns[i]);
+        if (block.unknowns.size() > most) unknowns += fmt::format(" and {} more", block.unknowns.size() - most);
+        text += fmt::format("  loop        {}, {} unknowns, solved for {}\n", block.isLinear ? "linear" : "nonlinear",
+                            block.torn.size(), unknowns);
+    }
+    if (count > most) text += fmt::format("  loop        and {} more\n", count - most);
+    return text;
+}
+
 void printSummary(const Subject& subject, const FlatModel& flat, const Structure& structure, const System& system,
                   std::ostream& out) {
     int unknowns = 0;
@@ -109,6 +167,7 @@ void printSummary(const Subject& subject, const FlatModel& flat, const Structure
                            ? std::string("as many equations as unknowns")
                            : fmt::format("{} equations for {} unknowns", flat.equations.size(), unknowns))
         << fmt::format("  solved      {} blocks, {} of them simultaneous\n", structure.blocks.size(), implicit)
+        << loopText(structure)
         << fmt::format("  index       {}\n",
                        structure.indexReduction > 0
                            ? fmt::format("reduced: {} equations differentiated", structure.indexReduction)
@@ -119,14 +178,11 @@ void printSummary(const Subject& subject, const FlatModel& flat, const Structure
     if (system.rootCount() > 0) out << fmt::format("  events      {}\n", system.rootCount());
 }
 
-}  // namespace
-
-int check(const Options& options, std::ostream& out, std::ostream& err) {
+int checkSubject(const Outcome<Subject>& subject, const Options& options, std::ostream& out, std::ostream& err) {
     const auto fails = [&err](const Diagnostics& faults) {
         err << format(faults) << '\n';
         return static_cast<int>(inputAtFault);
     };
-    const Outcome<Subject> subject = options.input.extension() == ".mo" ? modelSubject(options) : studySubject(options);
     if (!subject) return fails(subject.diagnostics());
     Outcome<FlatModel> flat = flatten(subject->library, subject->className);
     if (!flat) return fails(flat.diagnostics());
@@ -151,6 +207,38 @@ int check(const Options& options, std::ostream& out, std::ostream& err) {
     if (!structure->warnings.empty()) err << format(structure->warnings) << '\n';
     printSummary(*subject, *model, *structure, **system, out);
     return done;
+}
+
+/// Every model and block of a package, one after the other.
+int checkPackage(const Options& options, const fs::path& root, std::ostream& out, std::ostream& err) {
+    Outcome<Library> library = libraryOf(options);
+    if (library) library = library->withPath(root);
+    if (!library) return checkSubject(library.diagnostics(), options, out, err);
+    std::vector<std::string> names;
+    const std::string prefix = root.filename().string() + ".";
+    for (const LibraryClass* cls : library->classes()) {
+        const LibraryClass* around = library->find(cls->scope);
+        if (around && around->definition->restriction == syntax::ClassDefinition::Restriction::Package &&
+            cls->qualifiedName.starts_with(prefix) &&
+            cls->definition->restriction != syntax::ClassDefinition::Restriction::Package)
+            collectModels(*cls->definition, cls->qualifiedName, names);
+    }
+    if (!options.className.empty()) names = {options.className};
+    int status = done;
+    for (const std::string& name : names)
+        if (checkSubject(Subject{*library, name, {}, "model " + name}, options, out, err) != done)
+            status = inputAtFault;
+    return status;
+}
+
+}  // namespace
+
+int check(const Options& options, std::ostream& out, std::ostream& err) {
+    std::error_code problem;
+    if (options.input.extension() == ".mo") return checkSubject(modelSubject(options), options, out, err);
+    if (fs::exists(options.input / "package.mo", problem) && !fs::exists(options.input / "study.json", problem))
+        return checkPackage(options, packageOf(options.input), out, err);
+    return checkSubject(studySubject(options), options, out, err);
 }
 
 }  // namespace analogon::cli

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/diagram/edit.hpp"
+#include "core/flat/flat_model.hpp"
 #include "core/syntax/printer.hpp"
 
 namespace analogon {
@@ -161,7 +162,16 @@ Outcome<Study> withValues(const Study& study) {
         if (!library) return library.diagnostics();
         const LibraryClass* cls = library->find(result.className);
         if (!cls) continue;
-        ModelEdit edit(*cls->definition);
+        ModelEdit edit(*cls->definition, nullptr, &*library);
+        if (name.find('[') != std::string::npos) {
+            Outcome<FlatModel> flat = flatten(*library, result.className);
+            if (!flat) return flat.diagnostics();
+            edit.valuesOf([model = std::move(*flat)](const std::string& element) {
+                const VariableId id = model.find(element);
+                const std::optional<double> value = id.valid() ? model.parameterValue(id) : std::nullopt;
+                return value ? std::optional(syntax::printNumber(*value)) : std::nullopt;
+            });
+        }
         edit.setParameter(name, syntax::printNumber(*parameter.value));
         const Outcome<syntax::TextEdit> change = edit.finish("value");
         if (!change) return change.diagnostics();

@@ -8,6 +8,7 @@
 #include <QDir>
 #include <QDirIterator>
 #include <QElapsedTimer>
+#include <QGraphicsView>
 #include <QImage>
 #include <QListWidget>
 #include <QPushButton>
@@ -15,6 +16,7 @@
 #include <QSpinBox>
 #include <QStandardPaths>
 #include <QTabWidget>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextBrowser>
@@ -29,9 +31,13 @@
 #include "ui/document/document.hpp"
 #include "ui/document/recovery.hpp"
 #include "ui/effect/report_pdf.hpp"
+#include "ui/effect/result_panel.hpp"
 #include "ui/fit/error_curve.hpp"
 #include "ui/fit/fit_panel.hpp"
 #include "ui/fit/run_controller.hpp"
+#include "ui/inspector/parameter_model.hpp"
+#include "ui/inspector/parameter_panel.hpp"
+#include "ui/measurement/import_panel.hpp"
 #include "ui/messages/message_panel.hpp"
 #include "ui/plot/plot_panel.hpp"
 #include "ui/plot/residual_plot.hpp"
@@ -152,6 +158,82 @@ TEST_F(Panels, ShowsTheResidualFromThreeSidesAndExports) {
     ASSERT_TRUE(numbers) << format(numbers.diagnostics());
     EXPECT_EQ(numbers->rows(), document().before()->experiments.front().time.size());
     EXPECT_TRUE(numbers->find("i_mod measured"));
+}
+
+TEST_F(Panels, TrimsARecordingByDraggingOverThePlot) {
+    openLambda();
+    auto* plots = panel<PlotPanel>();
+    const std::size_t whole = document().before()->experiments.front().time.size();
+    QTest::mouseClick(plots->trimButton(), Qt::LeftButton);
+    QWidget* area = plots->plots().front()->values()->findChild<QGraphicsView*>()->viewport();
+    const int y = area->height() / 2;
+    QTest::mousePress(area, Qt::LeftButton, {}, QPoint(area->width() / 3, y));
+    QTest::mouseMove(area, QPoint(area->width() / 2, y));
+    QTest::mouseMove(area, QPoint(2 * area->width() / 3, y));
+    QTest::mouseRelease(area, Qt::LeftButton, {}, QPoint(2 * area->width() / 3, y));
+    const auto& range = document().study().experiments.front().range;
+    ASSERT_TRUE(range);
+    EXPECT_GT(range->first, 20);
+    EXPECT_LT(range->second, 160);
+    EXPECT_FALSE(plots->trimButton()->isChecked());
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return document().before() && document().before()->experiments.front().time.size() < whole; }, 20000));
+    document().undoStack().undo();
+    EXPECT_FALSE(document().study().experiments.front().range);
+}
+
+TEST_F(Panels, ShowsAParameterInAnotherUnitAndWhereItLiesInItsBounds) {
+    openLambda();
+    ParameterModel* model = panel<ParameterPanel>()->model();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return model->rowOf("heater.R") >= 0; }, 5000));
+    const int row = model->rowOf("heater.R");
+    const auto at = [&](int column) { return model->index(row, column); };
+    EXPECT_TRUE(at(ParameterModel::Unit).data(ParameterModel::UnitsRole).toStringList().contains("mOhm"));
+    EXPECT_FALSE(at(ParameterModel::Unit).data(ParameterModel::UnitsRole).toStringList().contains("V"));
+    const QString text = document().modelText();
+    ASSERT_TRUE(model->setData(at(ParameterModel::Unit), "mOhm", Qt::EditRole));
+    EXPECT_EQ(at(ParameterModel::Value).data().toString(), "3000");
+    EXPECT_EQ(at(ParameterModel::Max).data().toString(), "20000");
+    EXPECT_EQ(document().modelText(), text) << "how a value is shown is no change of the study";
+    ASSERT_TRUE(model->setData(at(ParameterModel::Value), "4000", Qt::EditRole));
+    EXPECT_DOUBLE_EQ(*document().parameterValue("heater.R"), 4);
+    EXPECT_FALSE(model->setData(at(ParameterModel::Unit), "V", Qt::EditRole));
+    const QVariantList bar = at(ParameterModel::Bounds).data(ParameterModel::BarRole).toList();
+    ASSERT_EQ(bar.size(), 3);
+    EXPECT_NEAR(bar[0].toDouble(), std::log(4 / 0.1) / std::log(20 / 0.1), 1e-9)
+        << "a logarithmic scale from 0.1 to 20";
+}
+
+TEST_F(Panels, LeadsFromAFaultOfTheDataToItsLine) {
+    openLambda();
+    Place place;
+    place.file = document().study().experiments.front().file;
+    place.line = 500;
+    Q_EMIT panel<MessagePanel>()->placeChosen(place);
+    auto* import = panel<ImportPanel>();
+    ASSERT_TRUE(import->isVisible());
+    auto* table = import->findChild<QTableView*>();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return table->currentIndex().isValid(); }, 10000));
+    EXPECT_EQ(table->model()->headerData(table->currentIndex().row(), Qt::Vertical).toInt(), 500);
+}
+
+TEST_F(Panels, TriesAnEffectOfTheList) {
+    openLambda();
+    run(RunKind::Discover);
+    auto* results = panel<ResultPanel>();
+    ASSERT_TRUE(results->tryButton());
+    EXPECT_FALSE(results->tryButton()->isEnabled()) << "no line is marked yet";
+    QTreeWidgetItem* line = nullptr;
+    for (int i = 0; i < results->candidates()->topLevelItemCount() && !line; ++i)
+        if (results->candidates()->topLevelItem(i)->toolTip(0).startsWith("thermal.resistance"))
+            line = results->candidates()->topLevelItem(i);
+    ASSERT_TRUE(line);
+    results->candidates()->setCurrentItem(line);
+    QTest::mouseClick(results->tryButton(), Qt::LeftButton);
+    ASSERT_TRUE(window.controller().isRunning());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.controller().isRunning(); }, 120000));
+    ASSERT_EQ(document().history().size(), 2u);
+    for (const CandidateResult& c : document().finding()->candidates) EXPECT_EQ(c.kind, "thermal.resistance");
 }
 
 TEST_F(Panels, WritesTheReportOnPaper) {

@@ -19,6 +19,29 @@ QRectF coordinatesRect(const Extent& e) {
     return QRectF(QPointF(e.p1.x, e.p1.y), QPointF(e.p2.x, e.p2.y)).normalized();
 }
 
+constexpr double sideGap = 3;  // [diagram units] between the middle of a block and a text beside it
+
+/// The values a block was given, rounded for reading; the first few.
+QStringList valueLines(const Block& block) {
+    constexpr int most = 3;
+    QStringList lines;
+    if (block.isConnector) return lines;
+    for (const auto& [name, text] : block.parameters) {
+        if (text.find('(') != std::string::npos) continue;
+        if (lines.size() == most) {
+            lines.back() += QStringLiteral(" …");
+            break;
+        }
+        QString value = QString::fromStdString(text);
+        bool isNumber = false;
+        if (const double number = value.toDouble(&isNumber); isNumber) value = QString::number(number, 'g', 4);
+        constexpr qsizetype longest = 16;
+        if (value.size() > longest) value = value.left(longest - 1) + QStringLiteral("…");
+        lines << QString::fromStdString(name) + " = " + value;
+    }
+    return lines;
+}
+
 }  // namespace
 
 /// The label of a found effect: readable at every zoom.
@@ -85,19 +108,29 @@ BlockItem::BlockItem(const Block& block) : block_(block) {
         nameAt_ = {at.x(), isNameAbove_ ? body_.top() - outlineGap : body_.bottom() + outlineGap};
     }
     std::erase_if(primitives, [](const Primitive& p) { return p.kind == Primitive::Kind::Text && p.text == "%name"; });
-    bounds_ = body_ | boundsOf(block_.icon.primitives, transform_);
-    for (const PortShape& port : ports_) bounds_ |= port.rect;
-    const double nameHeight = 16;
-    bounds_.adjust(-outlineGap - 2, -outlineGap - nameHeight, outlineGap + 2, outlineGap + nameHeight);
-    // A name that is longer than its icon overhangs on both sides.
-    const double overhang =
-        std::max(0.0, std::max(3.5 * static_cast<double>(block_.name.size()), block_.parameters.empty() ? 0 : 46.0) -
-                          bounds_.width()) /
-        2;
-    bounds_.adjust(-overhang, 0, overhang, 0);
+    values_ = valueLines(block_);
+    setLabelPlace(preferredLabelPlace());
     setFlag(ItemIsSelectable);
     setAcceptHoverEvents(true);
     setZValue(1);
+}
+
+void BlockItem::setLabelPlace(LabelPlace place) {
+    prepareGeometryChange();
+    labelPlace_ = place;
+    bounds_ = body_ | boundsOf(block_.icon.primitives, transform_);
+    for (const PortShape& port : ports_) bounds_ |= port.rect;
+    bounds_.adjust(-outlineGap - 2, -outlineGap - 2, outlineGap + 2, outlineGap + 2);
+    bounds_ |= labelRect(place);
+}
+
+QRectF BlockItem::labelRect(LabelPlace place) const {
+    constexpr double nameHeight = 8, lineHeight = 6, nameWidth = 3.5, lineWidth = 2.8;  // [diagram units] a character
+    double width = nameWidth * static_cast<double>(block_.name.size());
+    for (const QString& line : values_) width = std::max(width, lineWidth * static_cast<double>(line.size()));
+    const double height = nameHeight + lineHeight * static_cast<double>(values_.size());
+    const double x = nameAt_.x() + (place.side - 1) * width / 2 + place.side * sideGap;
+    return {x, place.isAbove ? body_.top() - outlineGap - height : body_.bottom() + outlineGap, width, height};
 }
 
 void BlockItem::setEffect(const QString& label, bool isBelow) {
@@ -142,39 +175,45 @@ void BlockItem::paintName(QPainter& painter, const QPalette& palette) const {
     QFont font = painter.font();
     font.setPointSizeF(font.pointSizeF() * 0.9);
     painter.setFont(font);
-    painter.setPen(block_.isResolved ? style::mix(palette.color(QPalette::Text), style::canvas(palette), 0.2)
-                                     : style::fault(palette));
-    const QPointF at = world.map(nameAt_);
-    const double height = QFontMetricsF(font).height();
-    const QRectF box(at.x() - 200, isNameAbove_ ? at.y() - height : at.y(), 400, height);
-    const QString name = QString::fromStdString(block_.name);
-    QColor ground = style::canvas(palette);  // a wire that runs under the name does not strike it out
-    ground.setAlphaF(0.8f);
-    painter.fillRect(QFontMetricsF(font).boundingRect(box, Qt::AlignCenter, name), ground);
-    painter.drawText(box, Qt::AlignCenter, name);
-    paintParameters(painter, palette, box, std::sqrt(std::abs(world.determinant())));
+    const double zoom = std::sqrt(std::abs(world.determinant()));
+    const QPointF at = world.map(QPointF(nameAt_.x() + labelPlace_.side * sideGap,
+                                         labelPlace_.isAbove ? body_.top() - outlineGap : body_.bottom() + outlineGap));
+    const double height = QFontMetricsF(font).height(), wide = 400;
+    const double left = at.x() + (labelPlace_.side - 1) * wide / 2;
+    const QRectF box(left, labelPlace_.isAbove ? at.y() - height : at.y(), wide, height);
+    const QColor ink = block_.isResolved ? style::mix(palette.color(QPalette::Text), style::canvas(palette), 0.2)
+                                         : style::fault(palette);
+    paintLine(painter, box, QString::fromStdString(block_.name), ink, palette);
+    paintParameters(painter, palette, box, zoom);
     painter.restore();
 }
 
-/// The values it was given, in a quiet line at its name, where there is room for it.
+/// A wire that runs under a text does not strike it out.
+void BlockItem::paintLine(QPainter& painter, const QRectF& box, const QString& text, const QColor& ink,
+                          const QPalette& palette) const {
+    const int align = Qt::AlignVCenter | (labelPlace_.side == 0  ? Qt::AlignHCenter
+                                          : labelPlace_.side > 0 ? Qt::AlignLeft
+                                                                 : Qt::AlignRight);
+    QColor ground = style::canvas(palette);
+    ground.setAlphaF(0.8f);
+    painter.fillRect(QFontMetricsF(painter.font()).boundingRect(box, align, text), ground);
+    painter.setPen(ink);
+    painter.drawText(box, align, text);
+}
+
+/// The values it was given, in quiet lines beyond its name, where there is room for them.
 void BlockItem::paintParameters(QPainter& painter, const QPalette& palette, QRectF nameBox, double zoom) const {
-    if (zoom < 1.7 || block_.parameters.empty() || block_.isConnector) return;
-    QStringList shown;
-    for (const auto& [name, value] : block_.parameters)
-        if (value.find('(') == std::string::npos) shown << QString::fromStdString(name + " = " + value);
+    if (zoom < 1.7) return;
     QFont font = painter.font();
     font.setPointSizeF(font.pointSizeF() * 0.85);
     painter.setFont(font);
-    const QFontMetricsF metrics(font);
-    const QString text =
-        metrics.elidedText(shown.join(", "), Qt::ElideRight, std::max(90.0, body_.width() * zoom * 2.2));
-    const double by = isNameAbove_ ? -metrics.height() : nameBox.height();
-    const QRectF box(nameBox.left(), nameBox.top() + by, nameBox.width(), metrics.height());
-    QColor ground = style::canvas(palette);
-    ground.setAlphaF(0.8f);
-    painter.fillRect(metrics.boundingRect(box, Qt::AlignCenter, text), ground);
-    painter.setPen(style::mutedText(palette));
-    painter.drawText(box, Qt::AlignCenter, text);
+    const double height = QFontMetricsF(font).height();
+    double top = labelPlace_.isAbove ? nameBox.top() - height * static_cast<double>(values_.size()) : nameBox.bottom();
+    for (const QString& line : values_) {
+        paintLine(painter, QRectF(nameBox.left(), top, nameBox.width(), height), line, style::mutedText(palette),
+                  palette);
+        top += height;
+    }
 }
 
 void BlockItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) {

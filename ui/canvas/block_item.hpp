@@ -20,6 +20,15 @@ public:
     QString effectLabel() const;
     /// The body without texts and outline.
     QRectF body() const { return body_; }
+    /// Where the name and the values stand: above or below the body, in its middle or to one side of it.
+    struct LabelPlace {
+        bool isAbove{};
+        int side{};  // -1: ends at the middle, 0: centred, 1: begins at the middle
+    };
+    void setLabelPlace(LabelPlace place);
+    LabelPlace preferredLabelPlace() const { return {isNameAbove_, 0}; }
+    /// What the texts would cover there, at the zoom of a diagram that fits the window.
+    QRectF labelRect(LabelPlace place) const;
 
     int type() const override { return Type; }
     QRectF boundingRect() const override { return bounds_; }
@@ -41,6 +50,8 @@ private:
     void paintUnresolved(QPainter& painter, const QPalette& palette) const;
     void paintName(QPainter& painter, const QPalette& palette) const;
     void paintParameters(QPainter& painter, const QPalette& palette, QRectF nameBox, double zoom) const;
+    void paintLine(QPainter& painter, const QRectF& box, const QString& text, const QColor& ink,
+                   const QPalette& palette) const;
     QString tooltip(const PortShape* port) const;
     QString macro(const QString& name) const;
     const PortShape* portAt(QPointF at) const;
@@ -50,6 +61,8 @@ private:
     QRectF body_, bounds_;
     QPointF nameAt_;  // where the icon wants the component's name: its edge next to the body
     bool isNameAbove_{};
+    LabelPlace labelPlace_;
+    QStringList values_;  // "R = 2.452"
     std::vector<PortShape> ports_;
     const PortShape* hovered_{};
     EffectLabel* label_{};

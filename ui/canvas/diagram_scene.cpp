@@ -156,12 +156,46 @@ void DiagramScene::show(const Diagram& diagram) {
         addItem(item);
         blocks_[block.name] = item;
     }
+    placeLabels();
     setSceneRect(contents().adjusted(-400, -400, 400, 400));
     setSelection(selected);
     isRebuilding_ = false;
     noteOrder();
     if (selectedBlock() != shownBlock) Q_EMIT blockSelected(selectedBlock());
     if (!(selection() == selected)) Q_EMIT selectionEdited();
+}
+
+/// Names stand where they cover least: on the side the icon asks for, else on the other, else beside the middle.
+void DiagramScene::placeLabels() {
+    std::vector<QRectF> taken;
+    for (const auto& [name, item] : blocks_) taken.push_back(item->body());
+    constexpr std::size_t most = 120;  // beyond that nobody reads the names at once, and the search would be felt
+    if (blocks_.size() <= most)
+        for (const WireItem* wire : wires_)
+            for (std::size_t i = 1; i < wire->wire().points.size(); ++i)
+                taken.push_back(QRectF(toScene(wire->wire().points[i - 1]), toScene(wire->wire().points[i]))
+                                    .normalized()
+                                    .adjusted(-0.7, -0.7, 0.7, 0.7));
+    if (blocks_.size() > most) return;
+    for (const auto& [name, item] : blocks_) {
+        const BlockItem::LabelPlace preferred = item->preferredLabelPlace();
+        BlockItem::LabelPlace best = preferred;
+        double bestCost = 1e300;
+        for (const int side : {0, 1, -1})
+            for (const bool isAbove : {preferred.isAbove, !preferred.isAbove}) {
+                const QRectF rect = item->labelRect({isAbove, side});
+                double cost = (side != 0 ? 12 : 0) + (isAbove != preferred.isAbove ? 6 : 0);
+                for (const QRectF& other : taken) {
+                    const QRectF shared = other & rect;
+                    if (!shared.isEmpty()) cost += 15 + shared.width() * shared.height();
+                }
+                if (cost >= bestCost) continue;
+                bestCost = cost;
+                best = {isAbove, side};
+            }
+        item->setLabelPlace(best);
+        taken.push_back(item->labelRect(best));
+    }
 }
 
 void DiagramScene::mark(const std::vector<EffectMark>& effects) {

@@ -56,6 +56,7 @@ Q_SIGNALS:
 
 private:
     bool hasRoomBelow(const BlockItem& item) const;
+    void placeLabels();
 
     void noteOrder();
 

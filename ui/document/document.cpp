@@ -250,7 +250,7 @@ void Document::setParameterValue(const std::string& name, double value) {
         return setStudyParameter(name, changed, what);
     }
     if (!definition()) return;
-    ModelEdit edit(*definition());
+    ModelEdit edit(*definition(), nullptr, &library());
     edit.setParameter(name, syntax::printNumber(value));
     Outcome<syntax::TextEdit> text = edit.finish(what.toStdString());
     if (text)

@@ -79,15 +79,15 @@ QString bodyOf(const QString& title, RunKind kind, const Finding& finding, std::
             evidence.add({text(p.name), number(p.value) + " ± " + number(p.standardError, 2) + " " + text(p.unit)});
         evidence.add({tr("Score"), number(e.evidence.score)});
         evidence.add({tr("ΔBIC"), number(e.evidence.deltaBic)});
-        evidence.add({tr("Held-out blocks"), number(e.evidence.heldOut, 2)});
+        evidence.add({tr("Held out"), number(e.evidence.heldOut, 2)});
         html += evidence.html();
     }
     if (!finding.candidates.empty()) {
         html += "<h2>" + tr("What was tried") + "</h2>";
         HtmlTable tried({tr("Effect"), tr("At"), tr("Score"), tr("ΔBIC"), tr("Verdict")});
         for (const CandidateResult& c : finding.candidates)
-            tried.add({text(c.kind), text(c.at), number(c.score, 3), c.deltaBic ? number(*c.deltaBic, 3) : QString(),
-                       text(name(c.verdict))});
+            tried.add({text(c.kind), placeText(text(c.at)), number(c.score, 3),
+                       c.deltaBic ? number(*c.deltaBic, 3) : QString(), verdictText(c.verdict).toHtmlEscaped()});
         html += tried.html();
     }
     return html;

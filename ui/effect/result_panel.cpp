@@ -1,5 +1,6 @@
 #include "ui/effect/result_panel.hpp"
 
+#include <QCoreApplication>
 #include <QFrame>
 #include <QGridLayout>
 #include <QHeaderView>
@@ -76,7 +77,8 @@ Headline headlineOf(const Finding& finding, RunKind kind, const QPalette& palett
     const auto tr = [](const char* s) { return ResultPanel::tr(s); };
     if (kind == RunKind::Fit) {
         const bool converged = finding.final.status == FitStatus::Converged;
-        const QString message = text(finding.final.message);
+        const QString message = converged ? tr("The error cannot be made smaller by changing the fitted parameters.")
+                                          : text(finding.final.message);
         if (finding.interrupted || finding.final.status == FitStatus::Cancelled)
             return {tr("Fit stopped"), tr("The best parameters so far are shown."), style::caution(palette)};
         return {converged ? tr("Parameters fitted") : tr("Fit did not converge"), message,
@@ -126,10 +128,45 @@ QString placeOf(const QString& at) {
     return at.startsWith("output ") || at.startsWith("input ") ? at.section(' ', 1) : at;
 }
 
+QString shortDescription(const QString& description) {
+    const QString whole = QCoreApplication::translate("Library", description.toUtf8().constData());
+    return whole.section(QRegularExpression("[,;:.(]"), 0, 0).trimmed();
+}
+
+QString placeText(const QString& at) {
+    if (at.startsWith("output ")) return ResultPanel::tr("output %1").arg(placeOf(at));
+    if (at.startsWith("input ")) return ResultPanel::tr("input %1").arg(placeOf(at));
+    return at;
+}
+
+QString verdictText(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::Chosen:
+            return ResultPanel::tr("chosen");
+        case Verdict::Equivalent:
+            return ResultPanel::tr("equivalent");
+        case Verdict::Weaker:
+            return ResultPanel::tr("weaker");
+        case Verdict::NotSignificant:
+            return ResultPanel::tr("not significant");
+        case Verdict::Absorbed:
+            return ResultPanel::tr("absorbed");
+        case Verdict::WrongSign:
+            return ResultPanel::tr("wrong sign");
+        case Verdict::FailsHeldOut:
+            return ResultPanel::tr("fails on held-out data");
+        case Verdict::Failed:
+            break;
+    }
+    return ResultPanel::tr("failed");
+}
+
+QString effectName(const AddedEffect& effect) {
+    return shortDescription(text(effect.description.empty() ? effect.kind : effect.description));
+}
+
 QString effectTitle(const AddedEffect& effect) {
-    QString what = text(effect.description.empty() ? effect.kind : effect.description);
-    what = what.section(QRegularExpression("[,;:.(]"), 0, 0).trimmed();
-    return ResultPanel::tr("%1 at %2").arg(what, text(effect.at));
+    return ResultPanel::tr("%1 at %2").arg(effectName(effect), placeText(text(effect.at)));
 }
 
 ResultPanel::ResultPanel(Document& document, QWidget* parent) : QScrollArea(parent), document_(document) {
@@ -167,6 +204,7 @@ void ResultPanel::addHeading(const QString& content) {
 void ResultPanel::refresh() {
     headline_ = nullptr;
     candidates_ = comparison_ = nullptr;
+    try_ = nullptr;
     body_ = new QWidget;
     body_->setBackgroundRole(QPalette::Base);
     body_->setAutoFillBackground(true);
@@ -261,20 +299,29 @@ void ResultPanel::addComparison(const Finding& finding) {
 
 void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
     addHeading(isOneOfSeveral ? effectTitle(effect) : tr("Evidence"));
-    addText(QStringLiteral("%1 · %2").arg(text(effect.kind), text(effect.className)), true);
+    addText(text(effect.className), true);
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(3 * style::unit);
     grid->setVerticalSpacing(style::unit / 2);
-    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(2, 1);
     int row = 0;
-    const auto add = [&](const QString& name, const QString& value, const QString& tip = {}) {
+    const auto add = [&](const QString& name, const QString& value, const QString& meaning = {},
+                         const QString& tip = {}) {
         auto* key = new QLabel(name, body_);
-        style::makeCaption(key);
         auto* label = new QLabel(value, body_);
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        style::makeCaption(key);
         for (QLabel* l : {key, label}) l->setToolTip(tip);
         grid->addWidget(key, row, 0);
-        grid->addWidget(label, row++, 1);
+        grid->addWidget(label, row, 1, 1, meaning.isEmpty() ? 2 : 1);
+        if (!meaning.isEmpty()) {
+            auto* why = new QLabel(meaning, body_);
+            why->setToolTip(tip);
+            why->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // the numbers come first
+            style::makeCaption(why);
+            grid->addWidget(why, row, 2);
+        }
+        ++row;
     };
     for (const EffectValue& p : effect.parameters) {
         QString value = numberText(p.value, 4);
@@ -282,17 +329,19 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
         add(text(p.name), value + " " + text(p.unit));
     }
     const Evidence& e = effect.evidence;
-    add(tr("Error"), percent(e.errorPercentBefore) + " → " + percent(e.errorPercentAfter),
+    add(tr("Error"), percent(e.errorPercentBefore) + " → " + percent(e.errorPercentAfter), tr("fitted experiments"),
         tr("Over the fitted experiments"));
-    add(tr("Score"), evidenceText(e.score), tr("Squared signal-to-noise ratio of the effect in the residual"));
-    add(tr("ΔBIC"), evidenceText(e.deltaBic), tr("Negative: the fit gains more than the added parameters cost"));
-    add(tr("Held-out blocks"), numberText(e.heldOut, 2),
+    add(tr("Score"), evidenceText(e.score), tr("signal to noise, squared"),
+        tr("Squared signal-to-noise ratio of the effect in the residual"));
+    add(tr("ΔBIC"), evidenceText(e.deltaBic), tr("negative: gains more than it costs"),
+        tr("Negative: the fit gains more than the added parameters cost"));
+    add(tr("Held out"), numberText(e.heldOut, 2), tr("+1: holds on data left out; −1: fails"),
         tr("+1: the gain holds on data left out of the fit; −1: it does not"));
     column_->addLayout(grid);
 
     QStringList equivalent;
     for (const Alternative& a : effect.alternatives)
-        if (a.equivalent) equivalent << tr("%1 at %2").arg(text(a.kind), text(a.at));
+        if (a.equivalent) equivalent << tr("%1 at %2").arg(text(a.kind), placeText(text(a.at)));
     if (!equivalent.isEmpty()) addText(tr("This data cannot tell it from: %1.").arg(equivalent.join("; ")), true);
     auto* show = new QPushButton(tr("Show in the diagram"), body_);
     connect(show, &QPushButton::clicked, this, [this, instance = text(effect.instance), at = text(effect.at)] {
@@ -328,9 +377,15 @@ void ResultPanel::addCandidates(const Finding& finding) {
     addHeading(tr("What was tried"));
     candidates_ = makeTable({tr("Effect"), tr("At"), tr("Score"), tr("ΔBIC"), tr("Verdict")}, body_);
     for (const CandidateResult& c : finding.candidates) {
-        auto* item = new QTreeWidgetItem(candidates_,
-                                         {text(c.kind), text(c.at), evidenceText(c.score),
-                                          c.deltaBic ? evidenceText(*c.deltaBic) : QString(), text(name(c.verdict))});
+        const LibraryClass* cls = document_.library().find(c.className);
+        const QString what = cls ? shortDescription(text(cls->definition->description)) : QString();
+        auto* item = new QTreeWidgetItem(
+            candidates_, {what.isEmpty() ? text(c.kind) : what, placeText(text(c.at)), evidenceText(c.score),
+                          c.deltaBic ? evidenceText(*c.deltaBic) : QString(), verdictText(c.verdict)});
+        item->setData(0, Qt::UserRole, text(c.kind));
+        item->setData(1, Qt::UserRole, placeOf(text(c.at)));
+        item->setToolTip(0, text(c.kind) + "\n" + text(c.className));
+        item->setToolTip(1, item->text(1));
         alignRight(item, {2, 3});
         item->setToolTip(4, verdictTip(c));
         if (c.verdict == Verdict::Chosen) {
@@ -346,12 +401,37 @@ void ResultPanel::addCandidates(const Finding& finding) {
     }
     for (const int c : {2, 3}) candidates_->headerItem()->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
     candidates_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    candidates_->header()->setSectionResizeMode(1, QHeaderView::Stretch);
+    candidates_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     candidates_->setMouseTracking(true);
     connect(candidates_, &QTreeWidget::itemEntered, this,
-            [this](QTreeWidgetItem* item) { Q_EMIT placePointedAt(placeOf(item->text(1))); });
+            [this](QTreeWidgetItem* item) { Q_EMIT placePointedAt(item->data(1, Qt::UserRole).toString()); });
+    candidates_->setSelectionMode(QAbstractItemView::SingleSelection);
+    candidates_->setFocusPolicy(Qt::StrongFocus);
+    candidates_->setAccessibleName(tr("What was tried"));
     column_->addWidget(candidates_);
     fitHeight(candidates_);
+    try_ = new QPushButton(tr("Try the marked effect"), body_);
+    try_->setToolTip(tr("Fits the model with this effect and shows its traces; the result is kept among the runs"));
+    try_->setEnabled(false);
+    auto* line = new QHBoxLayout;
+    line->addWidget(try_);
+    line->addStretch(1);
+    column_->addLayout(line);
+    // An equation without a name is only proposed: there is no block to try.
+    const auto kindOf = [](const QTreeWidgetItem* item) {
+        const QString kind = item ? item->data(0, Qt::UserRole).toString() : QString();
+        return kind.startsWith("proposal.") ? QString() : kind;
+    };
+    connect(candidates_, &QTreeWidget::currentItemChanged, this, [this, kindOf](QTreeWidgetItem* item) {
+        try_->setEnabled(!kindOf(item).isEmpty() && !document_.isResultStale());
+        if (item) Q_EMIT placePointedAt(item->data(1, Qt::UserRole).toString());
+    });
+    const auto tryIt = [this, kindOf] {
+        const QString kind = kindOf(candidates_->currentItem());
+        if (!kind.isEmpty() && !document_.isResultStale()) Q_EMIT trialWanted(kind);
+    };
+    connect(try_, &QPushButton::clicked, this, tryIt);
+    connect(candidates_, &QTreeWidget::itemActivated, this, tryIt);
 }
 
 }  // namespace analogon::ui

@@ -4,12 +4,14 @@
 #include <QTimer>
 
 class QLabel;
+class QPushButton;
 class QTreeWidget;
 class QVBoxLayout;
 
 namespace analogon {
 struct AddedEffect;
 struct Finding;
+enum class Verdict;
 }  // namespace analogon
 
 namespace analogon::ui {
@@ -27,10 +29,12 @@ public:
     QString headline() const;
     QTreeWidget* candidates() const { return candidates_; }  // null: none
     QTreeWidget* comparison() const { return comparison_; }
+    QPushButton* tryButton() const { return try_; }  // null: no candidates
 
 Q_SIGNALS:
     void effectChosen(const QString& instance);
     void placePointedAt(const QString& place);  // a block or connector of the diagram
+    void trialWanted(const QString& effectKind);
 
 private:
     void refresh();
@@ -51,10 +55,21 @@ private:
     QLabel* headline_{};
     QTreeWidget* candidates_{};
     QTreeWidget* comparison_{};
+    QPushButton* try_{};
 };
 
 /// "Dry friction at rotor.flange_b", for headings, labels on the diagram and the undo list.
 QString effectTitle(const AddedEffect& effect);
+
+/// The first clause of a class's description, in the language of the screen.
+QString shortDescription(const QString& description);
+
+/// "Dry friction": the effect without its place.
+QString effectName(const AddedEffect& effect);
+
+/// "output T" in the language of the screen.
+QString placeText(const QString& at);
+QString verdictText(Verdict verdict);
 
 /// "T" of "output T": what the diagram knows a place by.
 QString placeOf(const QString& at);

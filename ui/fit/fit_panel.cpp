@@ -13,6 +13,7 @@
 #include <set>
 
 #include "ui/document/document.hpp"
+#include "ui/effect/result_panel.hpp"
 #include "ui/fit/error_curve.hpp"
 #include "ui/fit/run_controller.hpp"
 #include "ui/style/style.hpp"
@@ -87,10 +88,12 @@ FitPanel::FitPanel(Document& document, RunController& controller, QWidget* paren
     form->setHorizontalSpacing(3 * style::unit);
     form->setVerticalSpacing(2 * style::unit);
     form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    for (QComboBox* box : {method_, loss_}) box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     form->addRow(tr("Method"), method_);
     form->addRow(tr("Misfit"), loss_);
     form->addRow(tr("Starts"), starts_);
     style::makeCaption(left_);
+    left_->hide();
     style::makeCaption(hint_);
     hint_->setWordWrap(true);
     history_->setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -124,6 +127,7 @@ FitPanel::FitPanel(Document& document, RunController& controller, QWidget* paren
             curve_->clear();
             clock_.start();
         }
+        left_->setVisible(controller_.isRunning());
         left_->clear();
     });
     connect(&controller, &RunController::progressed, this,
@@ -150,8 +154,7 @@ void FitPanel::refresh() {
         history_->clear();
         for (const RunRecord& run : runs) {
             QString name = runName(run.kind);
-            if (!run.result->finding.effects.empty())
-                name += ": " + QString::fromStdString(run.result->finding.effects.front().kind);
+            if (!run.result->finding.effects.empty()) name += ": " + effectName(run.result->finding.effects.front());
             auto* item = new QTreeWidgetItem(history_, {name, run.when, percentOf(run.result->finding.final, Role::Fit),
                                                         percentOf(run.result->finding.final, Role::Validate)});
             for (int c = 1; c < 4; ++c) item->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
@@ -178,6 +181,7 @@ void FitPanel::compare() {
     hint_->setText(runs.empty()       ? tr("Every fit and discovery is kept here.")
                    : rows.size() == 2 ? QString()
                                       : tr("Choose two runs to compare them."));
+    hint_->setVisible(!hint_->text().isEmpty());
     comparison_->clear();
     if (rows.size() != 2) return;
     const RunRecord &first = runs[rows[0]], &second = runs[rows[1]];

@@ -10,6 +10,19 @@
 
 namespace analogon::ui {
 
+namespace {
+
+/// What a run is doing, in words.
+QString stageText(const QString& stage) {
+    if (stage == "fit") return RunBar::tr("fitting");
+    if (stage == "simulate") return RunBar::tr("simulating");
+    if (stage == "screen") return RunBar::tr("looking at every effect");
+    if (stage == "trial") return RunBar::tr("trying");
+    return stage;
+}
+
+}  // namespace
+
 RunBar::RunBar(RunController& controller, QWidget* parent)
     : QWidget(parent),
       controller_(controller),
@@ -56,7 +69,8 @@ RunBar::RunBar(RunController& controller, QWidget* parent)
                 // The fits of single candidates, side by side, say nothing of how far the search is.
                 isSearching_ = isSearching_ || (stage != "fit" && stage != "simulate");
                 if (isSearching_ && stage == "fit") return;
-                QString text = detail.isEmpty() ? stage : stage + QStringLiteral(" · ") + detail;
+                const QString step = stageText(stage);
+                QString text = detail.isEmpty() ? step : step + QStringLiteral(" · ") + detail;
                 if (error >= 0) text += QStringLiteral(" · ") + tr("error %1 %").arg(error, 0, 'g', 3);
                 text_->setText(text_->fontMetrics().elidedText(text, Qt::ElideMiddle, text_->width()));
                 text_->setToolTip(text);

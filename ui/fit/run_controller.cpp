@@ -67,7 +67,14 @@ RunController::RunController(Document& document, QObject* parent) : QObject(pare
     connect(&document, &Document::opened, this, [this] { run_.drop(); });
 }
 
-void RunController::start(RunKind kind) {
+void RunController::tryKind(const std::string& effectKind) {
+    RunOptions options = options_;
+    options.discover.kinds = {effectKind};
+    options.discover.maxRounds = 1;
+    start(RunKind::Discover, options);
+}
+
+void RunController::start(RunKind kind, const RunOptions& options) {
     if (!document_.isOpen() || run_.isBusy()) return;
     document_.setRunMessages({});
     preview_.drop();
@@ -75,8 +82,7 @@ void RunController::start(RunKind kind) {
     const unsigned long revision = document_.revision();
     clock_.start();
     run_.start<Outcome<RunResult>>(
-        runName(kind),
-        [kind, study, options = options_](const Progress& progress) { return run(kind, study, options, progress); },
+        runName(kind), [kind, study, options](const Progress& progress) { return run(kind, study, options, progress); },
         [this, kind, study, revision](Outcome<RunResult> outcome) {
             conclude(kind, study, revision, std::move(outcome));
         });

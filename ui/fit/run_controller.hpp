@@ -17,7 +17,9 @@ class RunController : public QObject {
 public:
     RunController(Document& document, QObject* parent = nullptr);
 
-    void start(RunKind kind);
+    void start(RunKind kind) { start(kind, options_); }
+    /// A discovery that knows this kind of effect alone: what the model would be with it.
+    void tryKind(const std::string& effectKind);
     void cancel();
     bool isRunning() const { return run_.isBusy(); }
     const JobRunner& job() const { return run_; }
@@ -30,6 +32,7 @@ Q_SIGNALS:
     void concluded(const QString& sentence);
 
 private:
+    void start(RunKind kind, const RunOptions& options);
     void preview();
     void conclude(RunKind kind, const Study& ranOn, unsigned long revision, Outcome<RunResult> outcome);
 

@@ -5,11 +5,27 @@
 #include <QLocale>
 #include <QPalette>
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {
+
+namespace {
+
+/// Units engineers use at the bench; those that measure the same as a parameter are offered for it.
+constexpr const char* commonUnits[] = {
+    "1",     "%",     "K",        "degC",      "m",        "cm",        "mm",      "um",        "m2",         "cm2",
+    "mm2",   "m3",    "l",        "ml",        "kg",       "g",         "s",       "ms",        "min",        "h",
+    "rad",   "deg",   "rad/s",    "rpm",       "Hz",       "N",         "kN",      "N.m",       "mN.m",       "J",
+    "kJ",    "W",     "mW",       "kW",        "V",        "mV",        "A",       "mA",        "Ohm",        "mOhm",
+    "kOhm",  "H",     "mH",       "uH",        "F",        "uF",        "Pa",      "hPa",       "kPa",        "bar",
+    "J/K",   "kJ/K",  "W/K",      "mW/K",      "K/W",      "kg.m2",     "g.cm2",   "N.m.s/rad", "mN.m.s/rad", "m/s",
+    "km/h",  "1/K",   "W/(m2.K)", "W/(cm2.K)", "J/(kg.K)", "kJ/(kg.K)", "V.s/rad", "mV.s/rad",  "kg/s",       "g/s",
+    "l/min", "N.m/A", "mN.m/A",   "N.m/rad",   "1/s"};
+
+}  // namespace
 
 QString numberText(double value, int digits) {
     if (!std::isfinite(value)) return QStringLiteral("–");
@@ -91,24 +107,69 @@ QString ParameterModel::boundText(const Row& row) const {
     return isMin ? tr("at min") : tr("at max");
 }
 
+UnitConversion ParameterModel::shownAs(const Row& row) const {
+    const auto chosen = units_.find(row.name);
+    if (chosen == units_.end()) return {};
+    const Outcome<UnitConversion> conversion = convertUnit(row.unit, chosen->second);
+    return conversion ? *conversion : UnitConversion{};
+}
+
+QString ParameterModel::unitText(const Row& row) const {
+    const auto chosen = units_.find(row.name);
+    return QString::fromStdString(chosen == units_.end() ? row.unit : chosen->second);
+}
+
+/// Bounds of one sign and far apart are seen on a logarithmic scale, as the fit sees them.
+QVariantList ParameterModel::bar(const Row& row) const {
+    const StudyParameter s = settingOf(row);
+    const std::optional<double> value = row.estimate ? std::optional(row.estimate->value) : row.value;
+    if (!s.min || !s.max || !value || !(*s.max > *s.min)) return {};
+    const bool isLog = *s.min > 0 && *s.max >= 10 * *s.min;
+    const auto at = [&](double v) {
+        const double x = isLog ? std::log(std::max(v, *s.min) / *s.min) / std::log(*s.max / *s.min)
+                               : (v - *s.min) / (*s.max - *s.min);
+        return std::clamp(x, 0.0, 1.0);
+    };
+    const double spread = row.estimate && std::isfinite(row.estimate->standardError) ? row.estimate->standardError : 0;
+    return {at(*value), at(*value - spread), at(*value + spread)};
+}
+
+/// What the fit says about this parameter and others: that they cannot be told apart.
+QString ParameterModel::remarkOn(const Row& row) const {
+    const ModelState* after = document_.after();
+    if (!row.estimate || !after) return {};
+    for (const std::string& remark : after->remarks) {
+        const auto at = remark.find(row.name);
+        if (at == std::string::npos) continue;
+        const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.'; };
+        const std::size_t end = at + row.name.size();
+        const bool isWhole = (at == 0 || !isPart(remark[at - 1])) &&
+                             (end == remark.size() || !isPart(remark[end]) ||
+                              (remark[end] == '.' && (end + 1 == remark.size() || !isPart(remark[end + 1]))));
+        if (isWhole) return QString::fromStdString(remark);
+    }
+    return {};
+}
+
 QVariant ParameterModel::display(const Row& row, int column) const {
+    const UnitConversion shown = shownAs(row);
     switch (column) {
         case Name:
             return QString::fromStdString(row.name);
         case Value:
-            return row.value ? numberText(*row.value, 4) : QString();
+            return row.value ? numberText(shown(*row.value), 4) : QString();
         case Unit:
-            return QString::fromStdString(row.unit);
+            return unitText(row);
         case Min:
-            return row.setting && row.setting->min ? numberText(*row.setting->min) : QString();
+            return row.setting && row.setting->min ? numberText(shown(*row.setting->min)) : QString();
         case Max:
-            return row.setting && row.setting->max ? numberText(*row.setting->max) : QString();
+            return row.setting && row.setting->max ? numberText(shown(*row.setting->max)) : QString();
         case Result: {
             if (!row.estimate) return {};
-            QString text = numberText(row.estimate->value, 4);
+            QString text = numberText(shown(row.estimate->value), 4);
             if (row.estimate->atBound) return text + "  " + boundText(row);
             if (std::isfinite(row.estimate->standardError))
-                text += QStringLiteral(" ± ") + numberText(row.estimate->standardError, 2);
+                text += QStringLiteral(" ± ") + numberText(std::abs(shown.factor) * row.estimate->standardError, 2);
             else
                 text += tr("  not determined");
             return text;
@@ -130,7 +191,11 @@ QString ParameterModel::tooltip(const Row& row, int column) const {
         else if (row.estimate->value != 0)
             tip += tr("\nRelative standard error %1 %")
                        .arg(std::abs(row.estimate->standardError / row.estimate->value) * 100, 0, 'g', 2);
+        if (const QString remark = remarkOn(row); !remark.isEmpty()) tip += "\n" + remark;
     }
+    if (column == Bounds && !bar(row).isEmpty())
+        tip = tr("Where the value lies between its bounds; the broad part is its standard error");
+    if (column == Unit) tip = tr("Double-click to see the value in another unit");
     return tip;
 }
 
@@ -142,7 +207,7 @@ QVariant ParameterModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
             return display(row, index.column());
         case Qt::EditRole:
-            if (index.column() == Value && row.value) return QString::number(*row.value, 'g', 12);
+            if (index.column() == Value && row.value) return QString::number(shownAs(row)(*row.value), 'g', 12);
             return display(row, index.column());
         case Qt::CheckStateRole:
             if (index.column() == Name) return isFitted ? Qt::Checked : Qt::Unchecked;
@@ -155,7 +220,7 @@ QVariant ParameterModel::data(const QModelIndex& index, int role) const {
         case Qt::ForegroundRole: {
             const QPalette palette = QGuiApplication::palette();
             if (index.column() == Result && row.estimate &&
-                (row.estimate->atBound || !std::isfinite(row.estimate->standardError)))
+                (row.estimate->atBound || !std::isfinite(row.estimate->standardError) || !remarkOn(row).isEmpty()))
                 return style::caution(palette);
             if (index.column() == Unit || (!isFitted && index.column() != Name)) return style::mutedText(palette);
             return {};
@@ -166,6 +231,16 @@ QVariant ParameterModel::data(const QModelIndex& index, int role) const {
             return row.estimate && row.estimate->atBound;
         case NameRole:
             return QString::fromStdString(row.name);
+        case BarRole:
+            return bar(row);
+        case UnitsRole: {
+            QStringList units;
+            if (row.unit.empty()) return units;
+            units << QString::fromStdString(row.unit);
+            for (const char* unit : commonUnits)
+                if (unit != row.unit && areConvertible(row.unit, unit)) units << QString::fromLatin1(unit);
+            return units;
+        }
         default:
             return {};
     }
@@ -175,7 +250,8 @@ Qt::ItemFlags ParameterModel::flags(const QModelIndex& index) const {
     if (!index.isValid()) return Qt::NoItemFlags;
     Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
     if (index.column() == Name) flags |= Qt::ItemIsUserCheckable;
-    if (index.column() == Value || index.column() == Min || index.column() == Max) flags |= Qt::ItemIsEditable;
+    if (index.column() == Value || index.column() == Min || index.column() == Max || index.column() == Unit)
+        flags |= Qt::ItemIsEditable;
     return flags;
 }
 
@@ -198,6 +274,8 @@ QVariant ParameterModel::headerData(int section, Qt::Orientation orientation, in
             return tr("Min");
         case Max:
             return tr("Max");
+        case Bounds:
+            return tr("In bounds");
         case Result:
             return tr("Result");
         default:
@@ -222,8 +300,10 @@ bool ParameterModel::setNumber(const Row& row, int column, const QString& text) 
         return true;
     }
     bool isNumber = false;
-    const double number = QLocale::c().toDouble(trimmed, &isNumber);
-    if (!isNumber || !std::isfinite(number)) return false;
+    const double typed = QLocale::c().toDouble(trimmed, &isNumber);
+    if (!isNumber || !std::isfinite(typed)) return false;
+    const UnitConversion shown = shownAs(row);
+    const double number = (typed - shown.offset) / shown.factor;
     if (column == Value) {
         if (row.value == number) return false;
         document_.setParameterValue(name, number);
@@ -232,6 +312,17 @@ bool ParameterModel::setNumber(const Row& row, int column, const QString& text) 
     (column == Min ? setting.min : setting.max) = number;
     if (setting.min && setting.max && *setting.min >= *setting.max) return false;
     document_.setStudyParameter(name, setting, tr("Set the bound of %1").arg(QString::fromStdString(name)));
+    return true;
+}
+
+/// How a value is shown is no change of the study.
+bool ParameterModel::setUnit(const Row& row, const QString& unit) {
+    if (!areConvertible(row.unit, unit.toStdString())) return false;
+    if (unit.toStdString() == row.unit)
+        units_.erase(row.name);
+    else
+        units_[row.name] = unit.toStdString();
+    Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
     return true;
 }
 
@@ -246,6 +337,7 @@ bool ParameterModel::setData(const QModelIndex& index, const QVariant& value, in
         return true;
     }
     if (role != Qt::EditRole) return false;
+    if (index.column() == Unit) return setUnit(row, value.toString());
     return setNumber(row, index.column(), value.toString());
 }
 

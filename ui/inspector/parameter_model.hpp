@@ -1,8 +1,10 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <map>
 #include <optional>
 
+#include "core/base/unit.hpp"
 #include "ui/document/document.hpp"
 
 namespace analogon::ui {
@@ -13,8 +15,10 @@ class ParameterModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { Name, Value, Unit, Min, Max, Result, ColumnCount };
-    enum Role { IsFittedRole = Qt::UserRole, AtBoundRole, NameRole };
+    enum Column { Name, Value, Unit, Result, Bounds, Min, Max, ColumnCount };
+    /// BarRole: where the value lies in its bounds and the ends of its standard error, each 0 … 1, as a list of
+    /// doubles. UnitsRole: the units the value can be shown in.
+    enum Role { IsFittedRole = Qt::UserRole, AtBoundRole, NameRole, BarRole, UnitsRole };
 
     explicit ParameterModel(Document& document, QObject* parent = nullptr);
 
@@ -46,9 +50,16 @@ private:
     QString tooltip(const Row& row, int column) const;
     StudyParameter settingOf(const Row& row) const;
     bool setNumber(const Row& row, int column, const QString& text);
+    bool setUnit(const Row& row, const QString& unit);
+    /// From the model's unit to the one it is shown in.
+    UnitConversion shownAs(const Row& row) const;
+    QString unitText(const Row& row) const;
+    QVariantList bar(const Row& row) const;
+    QString remarkOn(const Row& row) const;
 
     Document& document_;
     std::vector<Row> rows_;
+    std::map<std::string, std::string> units_;  // parameter: the unit the user chose to see it in
     QString component_, filter_;
     bool onlyFitted_{};
 };

@@ -1,9 +1,10 @@
 #include "ui/inspector/parameter_panel.hpp"
 
-#include <QDoubleValidator>
+#include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPainter>
 #include <QStackedLayout>
 #include <QStyledItemDelegate>
 #include <QTableView>
@@ -18,11 +19,69 @@ namespace analogon::ui {
 
 namespace {
 
-/// Takes numbers only; says so at once instead of dropping what was typed.
-class NumberDelegate : public QStyledItemDelegate {
+/// Takes numbers only and says so at once instead of dropping what was typed; offers units; draws where a value lies
+/// in its bounds.
+class CellDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        QStyledItemDelegate::paint(painter, option, index);
+        if (index.column() != ParameterModel::Bounds) return;
+        const QVariantList at = index.data(ParameterModel::BarRole).toList();
+        if (at.size() != 3) return;
+        const QPalette& p = option.palette;
+        const bool isSelected = option.state & QStyle::State_Selected;
+        const QColor ink = isSelected                                          ? p.color(QPalette::HighlightedText)
+                           : index.data(ParameterModel::AtBoundRole).toBool()  ? style::caution(p)
+                           : index.data(ParameterModel::IsFittedRole).toBool() ? style::accent(p)
+                                                                               : style::mutedText(p);
+        const QRectF track = QRectF(option.rect).adjusted(2 * style::unit, 0, -2 * style::unit, 0);
+        const double middle = track.center().y();
+        const auto x = [&](int i) { return track.left() + at[i].toDouble() * track.width(); };
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing);
+        painter->setPen(QPen(style::mix(p.color(QPalette::Base), ink, 0.35), 2, Qt::SolidLine, Qt::RoundCap));
+        painter->drawLine(QPointF(track.left(), middle), QPointF(track.right(), middle));
+        painter->setPen(QPen(style::mix(p.color(QPalette::Base), ink, 0.6), 5, Qt::SolidLine, Qt::FlatCap));
+        if (at[2].toDouble() > at[1].toDouble()) painter->drawLine(QPointF(x(1), middle), QPointF(x(2), middle));
+        painter->setPen(Qt::NoPen);
+        painter->setBrush(ink);
+        painter->drawEllipse(QPointF(x(0), middle), 3.5, 3.5);
+        painter->restore();
+    }
+
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        QSize size = QStyledItemDelegate::sizeHint(option, index);
+        if (index.column() == ParameterModel::Bounds) size.setWidth(18 * style::unit);
+        return size;
+    }
+
+    void setEditorData(QWidget* editor, const QModelIndex& index) const override {
+        if (auto* box = qobject_cast<QComboBox*>(editor))
+            box->setCurrentText(index.data().toString());
+        else
+            QStyledItemDelegate::setEditorData(editor, index);
+    }
+
+    void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override {
+        if (auto* box = qobject_cast<QComboBox*>(editor))
+            model->setData(index, box->currentText(), Qt::EditRole);
+        else
+            QStyledItemDelegate::setModelData(editor, model, index);
+    }
+
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const override {
+        if (index.column() == ParameterModel::Unit) {
+            auto* box = new QComboBox(parent);
+            box->addItems(index.data(ParameterModel::UnitsRole).toStringList());
+            auto* self = const_cast<CellDelegate*>(this);
+            QObject::connect(box, &QComboBox::activated, self, [self, box] {
+                Q_EMIT self->commitData(box);
+                Q_EMIT self->closeEditor(box);
+            });
+            return box;
+        }
         auto* editor = new QLineEdit(parent);
         editor->setFrame(false);
         editor->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -62,7 +121,7 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
     onlyFitted_->setToolTip(tr("Hide parameters that are not fitted"));
 
     table_->setModel(model_);
-    table_->setItemDelegate(new NumberDelegate(table_));
+    table_->setItemDelegate(new CellDelegate(table_));
     table_->setFrameShape(QFrame::NoFrame);
     table_->setShowGrid(false);
     table_->setAlternatingRowColors(true);
@@ -73,10 +132,10 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
     table_->setWordWrap(false);
     table_->setTextElideMode(Qt::ElideMiddle);  // the end of a name tells the parameters of a block apart
     table_->verticalHeader()->hide();
-    table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 2 * style::unit + 2);
+    table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 2 * style::unit);
     table_->horizontalHeader()->setHighlightSections(false);
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table_->horizontalHeader()->setStretchLastSection(true);
+    table_->horizontalHeader()->setStretchLastSection(false);
     table_->horizontalHeader()->setMinimumSectionSize(9 * style::unit);
     table_->setAccessibleName(tr("Parameters"));
 

@@ -8,6 +8,8 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTableView>
+#include <QTimer>
+#include <utility>
 
 #include "ui/document/document.hpp"
 #include "ui/measurement/mapping.hpp"
@@ -34,14 +36,14 @@ ImportPanel::ImportPanel(Document& document, QWidget* parent)
     style::makeHeading(title_, 1.2);
     problems_->setWordWrap(true);
     problems_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    separator_->addItem(tr("found by itself"), QString());
+    separator_->addItem(tr("automatic"), QString());
     for (const auto& [text, sign] :
          {std::pair{tr("comma"), ","}, {tr("semicolon"), ";"}, {tr("tab"), "\t"}, {tr("space"), " "}, {tr("bar"), "|"}})
         separator_->addItem(text, QString(sign));
-    decimal_->addItem(tr("found by itself"), QString());
+    decimal_->addItem(tr("automatic"), QString());
     decimal_->addItem(tr("point"), QStringLiteral("."));
     decimal_->addItem(tr("comma"), QStringLiteral(","));
-    units_->addItem(tr("found by itself"), QString());
+    units_->addItem(tr("automatic"), QString());
     units_->addItem(tr("yes"), QStringLiteral("1"));
     units_->addItem(tr("no"), QStringLiteral("0"));
     role_->addItem(tr("fit"), static_cast<int>(Role::Fit));
@@ -52,6 +54,7 @@ ImportPanel::ImportPanel(Document& document, QWidget* parent)
     view_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + style::unit);
     view_->horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
     view_->setSelectionMode(QAbstractItemView::NoSelection);
+    view_->setSelectionBehavior(QAbstractItemView::SelectRows);
     view_->setAccessibleName(tr("Preview"));
     accept_->setIcon(style::icon("apply"));
     accept_->setDefault(true);
@@ -89,6 +92,16 @@ ImportPanel::ImportPanel(Document& document, QWidget* parent)
     for (QComboBox* box : {separator_, decimal_, units_}) connect(box, &QComboBox::activated, this, &ImportPanel::read);
     connect(accept_, &QPushButton::clicked, this, &ImportPanel::accept);
     connect(cancel_, &QPushButton::clicked, this, &ImportPanel::cancelled);
+}
+
+void ImportPanel::pointAt(int line) {
+    wantedLine_ = line;
+    if (reader_.isBusy() || !table_) return;
+    const int row = model_->rowOfLine(std::exchange(wantedLine_, 0));
+    if (row < 0) return;
+    view_->setSelectionMode(QAbstractItemView::SingleSelection);
+    view_->selectRow(row);
+    view_->scrollTo(model_->index(row, 0), QAbstractItemView::PositionAtCenter);
 }
 
 QString ImportPanel::problems() const { return problems_->text(); }
@@ -149,10 +162,11 @@ void ImportPanel::showTable(Outcome<Table> table) {
     p.setColor(QPalette::WindowText, table ? style::caution(p) : style::fault(p));
     problems_->setPalette(problems.isEmpty() ? palette() : p);
     table_ = table ? std::make_shared<const Table>(std::move(*table)) : nullptr;
-    problems_->setText(
-        !problems.isEmpty() ? problems.join('\n')
-        : table_ ? tr("%L1 rows, %2 columns; nothing is wrong with it.").arg(table_->rows()).arg(table_->columns.size())
-                 : QString());
+    problems_->setText(!problems.isEmpty() ? problems.join('\n')
+                       : table_            ? tr("%1 rows, %2 columns; nothing is wrong with it.")
+                                      .arg(style::countText(table_->rows()))
+                                      .arg(table_->columns.size())
+                                : QString());
     model_->show(table_);
     view_->resizeColumnsToContents();
     time_->clear();
@@ -161,6 +175,7 @@ void ImportPanel::showTable(Outcome<Table> table) {
         time_->setCurrentText(QString::fromStdString(proposeTime(*table_)));
     }
     accept_->setEnabled(table_ && table_->columns.size() > 1);
+    if (wantedLine_ > 0) QTimer::singleShot(0, this, [this] { pointAt(wantedLine_); });
 }
 
 void ImportPanel::accept() {

@@ -28,6 +28,8 @@ public:
     QComboBox* timeBox() const { return time_; }
     TableModel* model() const { return model_; }
     QString problems() const;
+    /// Shows a line of the file, once it has been read.
+    void pointAt(int line);
 
 Q_SIGNALS:
     void accepted(const QString& experiment);
@@ -42,6 +44,7 @@ private:
     Document& document_;
     QString path_;
     std::shared_ptr<const Table> table_;
+    int wantedLine_{};  // to be shown once it is there; 0: none
     JobRunner reader_;
     TableModel* model_;
     QLabel *title_, *problems_;

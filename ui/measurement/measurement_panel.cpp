@@ -45,7 +45,7 @@ QString mappingTip(const ChannelMapping& mapping, const QString& file) {
 /// Length of a recording as people say it.
 QString extentText(const Table& table, const StudyExperiment& experiment) {
     const Column* time = table.find(experiment.timeColumn);
-    QString text = MeasurementPanel::tr("%L1 samples").arg(table.rows());
+    QString text = MeasurementPanel::tr("%1 samples").arg(style::countText(table.rows()));
     if (time && !time->values.empty()) {
         const double first = experiment.range ? experiment.range->first : time->values.front();
         const double last = experiment.range ? experiment.range->second : time->values.back();

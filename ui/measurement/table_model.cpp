@@ -10,6 +10,12 @@ void TableModel::show(std::shared_ptr<const Table> table) {
     endResetModel();
 }
 
+int TableModel::rowOfLine(int line) const {
+    for (int row = 0; row < rowCount(); ++row)
+        if (headerData(row, Qt::Vertical, Qt::DisplayRole).toInt() == line) return row;
+    return -1;
+}
+
 int TableModel::rowCount(const QModelIndex& parent) const {
     constexpr std::size_t shown = 1000;  // a preview; the whole file is read nevertheless
     return parent.isValid() || !table_ ? 0 : static_cast<int>(std::min(table_->rows(), shown));

@@ -1,8 +1,11 @@
 #include "ui/messages/message_panel.hpp"
 
+#include <QFileInfo>
 #include <QLabel>
 #include <QListWidget>
 #include <QStackedLayout>
+#include <set>
+#include <tuple>
 
 #include "ui/document/document.hpp"
 #include "ui/style/style.hpp"
@@ -24,7 +27,7 @@ QString iconName(Severity severity) {
 }
 
 QString placeText(const Place& place) {
-    QString text = QString::fromStdString(place.file);
+    QString text = QFileInfo(QString::fromStdString(place.file)).fileName();
     if (place.line > 0) text += QStringLiteral(":%1").arg(place.line);
     if (place.column > 0) text += QStringLiteral(":%1").arg(place.column);
     return text;
@@ -46,7 +49,7 @@ MessagePanel::MessagePanel(Document& document, QWidget* parent)
     pages_->addWidget(list_);
     connect(&document, &Document::messagesChanged, this, &MessagePanel::refresh);
     const auto choose = [this](QListWidgetItem* item) {
-        const auto row = static_cast<std::size_t>(list_->row(item));
+        const auto row = item->data(Qt::UserRole).toUInt();
         if (row < document_.messages().size()) Q_EMIT placeChosen(document_.messages()[row].diagnostic.place);
     };
     connect(list_, &QListWidget::itemClicked, this, choose);
@@ -56,18 +59,22 @@ MessagePanel::MessagePanel(Document& document, QWidget* parent)
 void MessagePanel::refresh() {
     list_->clear();
     int errors = 0;
-    for (const Message& message : document_.messages()) {
-        const Diagnostic& d = message.diagnostic;
+    std::set<std::tuple<std::string, int, int>> told;  // reading and running the model find the same fault
+    for (std::size_t i = 0; i < document_.messages().size(); ++i) {
+        const Diagnostic& d = document_.messages()[i].diagnostic;
+        if (!told.emplace(d.message, d.place.line, d.place.column).second) continue;
         QString text = QString::fromStdString(d.message);
         const QString place = placeText(d.place);
         if (!place.isEmpty()) text = place + "  " + text;
         if (!d.hint.empty()) text += "\n" + QString::fromStdString(d.hint);
         auto* item = new QListWidgetItem(style::icon(iconName(d.severity)), text, list_);
+        item->setData(Qt::UserRole, static_cast<unsigned>(i));
         if (d.severity == Severity::Error) {
             ++errors;
             item->setForeground(style::fault(palette()));
         }
-        if (d.place.line > 0) item->setToolTip(tr("Click to see the place"));
+        if (d.place.line > 0)
+            item->setToolTip(QString::fromStdString(d.place.file) + "\n" + tr("Click to see the place"));
     }
     const int count = list_->count();
     pages_->setCurrentIndex(count > 0 ? 1 : 0);

@@ -89,6 +89,7 @@ OutputPlot::OutputPlot(QWidget* parent)
         connect(plot, &TimePlot::timeRangeWanted, this, &OutputPlot::timeRangeWanted);
         connect(plot, &TimePlot::allWanted, this, &OutputPlot::allWanted);
         connect(plot, &TimePlot::markWanted, this, &OutputPlot::markWanted);
+        connect(plot, &TimePlot::trimWanted, this, &OutputPlot::trimWanted);
         connect(plot, &TimePlot::pointedAt, this, &OutputPlot::pointedAt);
         connect(plot, &TimePlot::pointerLeft, this, &OutputPlot::pointerLeft);
     }

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/document/document.hpp"
 #include "ui/plot/residual_plot.hpp"
@@ -70,14 +71,22 @@ PlotPanel::PlotPanel(Document& document, QWidget* parent)
     layout->setSpacing(0);
     traceView_ = new QToolButton(this);
     residualView_ = new QToolButton(this);
+    trim_ = new QToolButton(this);
+    untrim_ = new QToolButton(this);
     export_ = new QToolButton(this);
     traceView_->setText(tr("Traces"));
     residualView_->setText(tr("Residual"));
     residualView_->setToolTip(tr("What the residual looks like: distribution, memory, what it moves with"));
     export_->setText(tr("Export …"));
     export_->setToolTip(tr("What is shown as PNG or SVG, its numbers as CSV"));
-    for (QToolButton* b : {traceView_, residualView_}) b->setCheckable(true);
-    for (QToolButton* b : {traceView_, residualView_, export_}) b->setAutoRaise(true);
+    trim_->setText(tr("Trim"));
+    trim_->setToolTip(tr("Then drag over the part of the recording that is to be used"));
+    untrim_->setText(tr("Use all"));
+    untrim_->setToolTip(tr("Use the whole recording again"));
+    for (QToolButton* b : {traceView_, residualView_, trim_}) b->setCheckable(true);
+    for (QToolButton* b : {traceView_, residualView_, trim_, untrim_, export_}) b->setAutoRaise(true);
+    connect(trim_, &QToolButton::toggled, this, &PlotPanel::setTrimming);
+    connect(untrim_, &QToolButton::clicked, this, [this] { trim(std::nullopt); });
     traceView_->setChecked(true);
     connect(traceView_, &QToolButton::clicked, this, [this] { showView(false); });
     connect(residualView_, &QToolButton::clicked, this, [this] { showView(true); });
@@ -86,7 +95,7 @@ PlotPanel::PlotPanel(Document& document, QWidget* parent)
     bar->setContentsMargins(0, 0, 2 * style::unit, 0);
     bar->setSpacing(style::unit);
     bar->addWidget(experiments_, 1);
-    for (QToolButton* b : {traceView_, residualView_, export_}) bar->addWidget(b);
+    for (QToolButton* b : {traceView_, residualView_, trim_, untrim_, export_}) bar->addWidget(b);
     layout->addLayout(bar);
     layout->addLayout(pages_, 1);
     pages_->addWidget(empty_);
@@ -118,11 +127,13 @@ void PlotPanel::refresh() {
         while (experiments_->count() > 0) experiments_->removeTab(0);
         for (std::size_t i = 0; i < names.size(); ++i) {
             const bool isFit = shown->experiments[i].role == Role::Fit;
-            experiments_->addTab(QString::fromStdString(names[i]) + (isFit ? tr("  ·  fit") : tr("  ·  validate")));
+            const int tab = experiments_->addTab(QString::fromStdString(names[i]));
+            experiments_->setTabToolTip(tab, isFit ? tr("Used to fit and to choose effects")
+                                                   : tr("Only reported; never used to fit or to choose"));
         }
         names_ = names;
     }
-    for (QWidget* w : std::initializer_list<QWidget*>{experiments_, traceView_, residualView_, export_})
+    for (QWidget* w : std::initializer_list<QWidget*>{experiments_, traceView_, residualView_, trim_, export_})
         w->setVisible(!names_.empty());
     rebuild();
 }
@@ -130,6 +141,7 @@ void PlotPanel::refresh() {
 void PlotPanel::rebuild() {
     const int index = experiments_->currentIndex();
     if (names_.empty() || index < 0) {
+        untrim_->hide();
         empty_->setText(!document_.isOpen()  ? tr("Open a study to see its measurements here.")
                         : document_.canRun() ? tr("Simulating the model as it stands …")
                                              : tr("Import a measurement and map its columns: measured and simulated "
@@ -162,6 +174,7 @@ void PlotPanel::rebuild() {
         connect(plot, &OutputPlot::timeRangeWanted, this, &PlotPanel::setTimeRange);
         connect(plot, &OutputPlot::allWanted, this, &PlotPanel::showAll);
         connect(plot, &OutputPlot::markWanted, this, &PlotPanel::mark);
+        connect(plot, &OutputPlot::trimWanted, this, [this](double from, double to) { trim(std::pair(from, to)); });
         connect(plot, &OutputPlot::pointedAt, this, &PlotPanel::pointAt);
         connect(plot, &OutputPlot::pointerLeft, this, &PlotPanel::leave);
         column_->addWidget(plot, 1);
@@ -204,6 +217,8 @@ void PlotPanel::rebuild() {
         to_ = last_;
     }
     setTimeRange(from_, to_);
+    const StudyExperiment* shown = shownExperiment();
+    untrim_->setVisible(shown && shown->range);
     pages_->setCurrentWidget(area_);
 }
 
@@ -226,6 +241,32 @@ void PlotPanel::mark(double time) {
     if (marks_.size() == 2) marks_.clear();
     marks_.push_back(time);
     for (OutputPlot* plot : plots_) plot->setMarks(marks_);
+}
+
+const StudyExperiment* PlotPanel::shownExperiment() const {
+    if (!document_.isOpen()) return nullptr;
+    for (const StudyExperiment& e : document_.study().experiments)
+        if (QString::fromStdString(e.name) == shown_) return &e;
+    return nullptr;
+}
+
+void PlotPanel::setTrimming(bool isTrimming) {
+    for (OutputPlot* plot : plots_)
+        for (TimePlot* part : {plot->values(), plot->residual()}) part->setTrimming(isTrimming);
+    if (isTrimming) {
+        showView(false);
+        Q_EMIT told(tr("Drag over the part of the recording that is to be used."));
+    }
+}
+
+void PlotPanel::trim(std::optional<std::pair<double, double>> range) {
+    trim_->setChecked(false);
+    if (!shownExperiment()) return;
+    StudySettings settings = document_.settings();
+    for (StudyExperiment& e : settings.experiments)
+        if (QString::fromStdString(e.name) == shown_) e.range = range;
+    const QString name = std::exchange(shown_, {});  // the whole of what is kept is shown
+    document_.applySettings(std::move(settings), range ? tr("Trim %1").arg(name) : tr("Use all of %1").arg(name));
 }
 
 void PlotPanel::showView(bool isResidual) {

@@ -16,6 +16,7 @@ class QVBoxLayout;
 namespace analogon {
 struct ModelState;
 struct ExperimentState;
+struct StudyExperiment;
 }  // namespace analogon
 
 namespace analogon::ui {
@@ -37,6 +38,7 @@ public:
     const std::vector<OutputPlot*>& plots() const { return plots_; }
     const std::vector<ResidualPlot*>& residuals() const { return residuals_; }
     QToolButton* residualButton() const { return residualView_; }
+    QToolButton* trimButton() const { return trim_; }
     /// What is shown as a picture (png, svg) or as numbers (csv), by the ending of the file. Says how it went.
     QString exportTo(const QString& file);
 
@@ -51,6 +53,10 @@ private:
     void pointAt(double time);
     void leave();
     void mark(double time);
+    /// Keeps a part of the recording; the whole again when it is kept as a whole.
+    void trim(std::optional<std::pair<double, double>> range);
+    void setTrimming(bool isTrimming);
+    const StudyExperiment* shownExperiment() const;
     void showView(bool isResidual);
     void askWhereToExport();
 
@@ -66,7 +72,7 @@ private:
     unsigned long version_{};    // of the traces shown
     std::vector<double> marks_;  // [s] at most two
     std::vector<ResidualPlot*> residuals_;
-    QToolButton *traceView_, *residualView_, *export_;
+    QToolButton *traceView_, *residualView_, *trim_, *untrim_, *export_;
     bool isResidualView_{};
     QString shown_;  // experiment the time range belongs to
 };
@@ -99,6 +105,7 @@ Q_SIGNALS:
     void timeRangeWanted(double from, double to);
     void allWanted();
     void markWanted(double time);
+    void trimWanted(double from, double to);
     void pointedAt(double time);
     void pointerLeft();
 

@@ -81,11 +81,16 @@ private:
         return QRectF(left + 58, fontMetrics().height() + 6, width - 58 - style::margin,
                       height() - 2.4 * fontMetrics().height() - 10);
     }
-    void paintFrame(QPainter& painter, const QRectF& area, const QString& title, std::pair<double, double> x,
-                    std::pair<double, double> y, bool hasY) const {
+    void paintFrame(QPainter& painter, const QRectF& area, const QString& title, const QString& axis,
+                    std::pair<double, double> x, std::pair<double, double> y, bool hasY) const {
         painter.setPen(style::mutedText(palette()));
-        painter.drawText(QRectF(area.left(), 0, area.width(), area.top() - 2), Qt::AlignLeft | Qt::AlignVCenter, title);
-        painter.drawText(QRectF(area.left() - 20, area.bottom() + 3, 100, fontMetrics().height() + 2), Qt::AlignLeft,
+        painter.drawText(QRectF(area.left(), 0, area.width(), area.top() - 2), Qt::AlignLeft | Qt::AlignVCenter,
+                         fontMetrics().elidedText(title, Qt::ElideRight, static_cast<int>(area.width())));
+        const int ends = fontMetrics().horizontalAdvance(number(x.first) + number(x.second)) + 4 * style::unit;
+        painter.drawText(QRectF(area.left(), area.bottom() + 3, area.width(), fontMetrics().height() + 2),
+                         Qt::AlignHCenter,
+                         fontMetrics().elidedText(axis, Qt::ElideRight, static_cast<int>(area.width()) - ends));
+        painter.drawText(QRectF(area.left(), area.bottom() + 3, 100, fontMetrics().height() + 2), Qt::AlignLeft,
                          number(x.first));
         painter.drawText(QRectF(area.right() - 100, area.bottom() + 3, 100, fontMetrics().height() + 2), Qt::AlignRight,
                          number(x.second));
@@ -106,7 +111,8 @@ private:
         const auto& r = plot_.residual_;
         const auto [low, high] = rangeOf(r);
         const double reach = std::max(std::abs(low), std::abs(high));
-        paintFrame(painter, area, ResidualPlot::tr("Distribution"), {-reach, reach}, {}, false);
+        paintFrame(painter, area, ResidualPlot::tr("Distribution"), ResidualPlot::tr("residual"), {-reach, reach}, {},
+                   false);
         constexpr int bins = 41;
         std::vector<double> counts(bins);
         double sum = 0, squares = 0;
@@ -144,7 +150,7 @@ private:
 
     void paintCorrelation(QPainter& painter, const QRectF& area) const {
         const auto& c = plot_.correlation_;
-        paintFrame(painter, area, ResidualPlot::tr("Autocorrelation, with the bounds of white noise"),
+        paintFrame(painter, area, ResidualPlot::tr("Autocorrelation"), ResidualPlot::tr("lag"),
                    {0, static_cast<double>(c.size()) - 1}, {-1, 1}, true);
         if (c.size() < 2) return;
         const auto y = [&](double v) { return area.center().y() - v * area.height() / 2; };
@@ -166,8 +172,8 @@ private:
         const auto& x = plot_.against_[static_cast<std::size_t>(chosen)].values;
         const auto& r = plot_.residual_;
         const auto xs = rangeOf(x), ys = rangeOf(r);
-        paintFrame(painter, area, ResidualPlot::tr("Residual against %1").arg(plot_.variable_->currentText()), xs, ys,
-                   true);
+        paintFrame(painter, area, ResidualPlot::tr("Residual against %1").arg(plot_.variable_->currentText()),
+                   plot_.variable_->currentText(), xs, ys, true);
         const std::size_t n = std::min(x.size(), r.size());
         const std::size_t stride = std::max<std::size_t>(1, n / mostPoints);
         QPolygonF points;
@@ -188,6 +194,10 @@ ResidualPlot::ResidualPlot(QWidget* parent)
     : QWidget(parent), name_(new QLabel(this)), variable_(new QComboBox(this)), canvas_(new Canvas(*this)) {
     style::makeHeading(name_, 1.0);
     variable_->setAccessibleName(tr("Residual against"));
+    canvas_->setToolTip(
+        tr("Left: how the residual is distributed, with the normal distribution of the same spread.\n"
+           "Middle: how much of it is left after so many samples; white noise stays within the band.\n"
+           "Right: the residual against another variable; noise shows no shape."));
     auto* heading = new QHBoxLayout;
     heading->setContentsMargins(style::margin, style::unit, style::margin, 0);
     heading->addWidget(name_);

@@ -54,6 +54,7 @@ struct TimePlot::Chart {
     QGraphicsLineItem* marks[2]{};
     QGraphicsRectItem* band{};  // while zooming into it
     QGraphicsSimpleTextItem* caption{};
+    QGraphicsSimpleTextItem* unit{};  // of the time axis
     QRectF area;
     int points{};
 };
@@ -96,6 +97,8 @@ TimePlot::TimePlot(QWidget* parent) : QWidget(parent), chart_(std::make_unique<C
     QFont font = this->font();
     font.setPointSizeF(font.pointSizeF() * 0.85);
     c.caption->setFont(font);
+    c.unit = new QGraphicsSimpleTextItem(QStringLiteral("s"), c.chart);
+    c.unit->setFont(font);
     recolour();
 }
 
@@ -140,6 +143,11 @@ void TimePlot::setTimeLabels(bool isShown) {
     hasTimeLabels_ = isShown;
     chart_->time->setLabelsVisible(isShown);
     layOut();
+}
+
+void TimePlot::setTrimming(bool isTrimming) {
+    isTrimming_ = isTrimming;
+    chart_->view->viewport()->setCursor(isTrimming ? Qt::SplitHCursor : Qt::ArrowCursor);
 }
 
 void TimePlot::setSymmetric(bool isSymmetric) {
@@ -247,6 +255,7 @@ void TimePlot::recolour() {
     tint.setAlphaF(0.12f);
     c.band->setBrush(tint);
     c.caption->setBrush(label);
+    c.unit->setBrush(label);
     colourTraces();
 }
 
@@ -263,13 +272,21 @@ void TimePlot::colourTraces() {
 void TimePlot::layOut() {
     Chart& c = *chart_;
     c.view->setGeometry(rect());
+    c.chart->resize(size());
     const double bottom = hasTimeLabels_ ? fontMetrics().height() + 8 : 8;
-    const QRectF area(leftMargin, topMargin, std::max(10.0, width() - leftMargin - rightMargin),
-                      std::max(10.0, height() - topMargin - bottom));
-    if (area != c.area) c.chart->setPlotArea(area);
+    const double top = c.caption->text().isEmpty() ? topMargin : c.caption->boundingRect().height() + 4;
+    const QRectF area(leftMargin, top, std::max(10.0, width() - leftMargin - rightMargin),
+                      std::max(10.0, height() - top - bottom));
+    if (area != c.area) {
+        c.chart->setPlotArea(area);
+        c.chart->layout()->invalidate();
+        c.chart->layout()->activate();  // axes and grid at once, not when the next event comes by
+    }
     c.area = area;
     setAxis(*c.value, low_, high_, niceStep(high_ - low_, std::max(2, static_cast<int>(area.height() / 18))));
-    c.caption->setPos(leftMargin + 6, topMargin);
+    c.caption->setPos(leftMargin, 1);
+    c.unit->setVisible(hasTimeLabels_);
+    c.unit->setPos(width() - c.unit->boundingRect().width() - 3, area.bottom() + 6);
 }
 
 void TimePlot::resizeEvent(QResizeEvent* event) {
@@ -301,7 +318,9 @@ bool TimePlot::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::MouseButtonPress: {
             auto* mouse = static_cast<QMouseEvent*>(event);
             if (mouse->button() != Qt::LeftButton) return true;
-            if (mouse->modifiers() & Qt::ControlModifier)
+            if (isTrimming_)
+                zoomFrom_ = mouse->position().x();
+            else if (mouse->modifiers() & Qt::ControlModifier)
                 Q_EMIT markWanted(timeAt(mouse->position().x()));
             else if (mouse->modifiers() & Qt::ShiftModifier)
                 zoomFrom_ = mouse->position().x();
@@ -326,13 +345,19 @@ bool TimePlot::eventFilter(QObject* watched, QEvent* event) {
             Q_EMIT pointedAt(timeAt(mouse->position().x()));
             return true;
         }
-        case QEvent::MouseButtonRelease:
-            if (zoomFrom_ && chart_->band->isVisible() && chart_->band->rect().width() > 3)
-                Q_EMIT timeRangeWanted(timeAt(chart_->band->rect().left()), timeAt(chart_->band->rect().right()));
+        case QEvent::MouseButtonRelease: {
+            const bool isChosen = zoomFrom_ && chart_->band->isVisible() && chart_->band->rect().width() > 3;
+            const double from = timeAt(chart_->band->rect().left()), to = timeAt(chart_->band->rect().right());
             chart_->band->hide();
             dragFrom_.reset();
             zoomFrom_.reset();
+            // Last: who is asked may give this plot other traces.
+            if (isChosen && isTrimming_)
+                Q_EMIT trimWanted(from, to);
+            else if (isChosen)
+                Q_EMIT timeRangeWanted(from, to);
             return true;
+        }
         case QEvent::MouseButtonDblClick:
             Q_EMIT allWanted();
             return true;

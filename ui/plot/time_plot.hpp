@@ -35,6 +35,8 @@ public:
     void setSymmetric(bool isSymmetric);
     /// Name at the upper left corner of the area.
     void setCaption(const QString& caption);
+    /// While trimming, a drag chooses the range to keep.
+    void setTrimming(bool isTrimming);
     void setCursorTime(std::optional<double> time);
     /// Up to two times that stay marked.
     void setMarks(const std::vector<double>& times);
@@ -46,6 +48,7 @@ Q_SIGNALS:
     void timeRangeWanted(double from, double to);
     void allWanted();
     void markWanted(double time);
+    void trimWanted(double from, double to);
     void pointedAt(double time);
     void pointerLeft();
 
@@ -71,7 +74,7 @@ private:
     std::vector<TraceRole> hidden_;
     double from_{0}, to_{1};   // [s] shown
     double low_{0}, high_{1};  // values shown
-    bool isSymmetric_{}, hasTimeLabels_{true};
+    bool isSymmetric_{}, hasTimeLabels_{true}, isTrimming_{};
     std::optional<double> dragFrom_, zoomFrom_;  // [px]
     std::vector<double> marks_;                  // [s]
 };

@@ -77,42 +77,224 @@ QPalette darkPalette() {
     return p;
 }
 
-/// Fusion with flat tool bars, and check marks that can be seen on a dark ground.
+/// Fusion without its gradients: flat bars, tabs and headers, rows with air between them, and check marks that can be
+/// seen on a dark ground.
 class Flat : public QProxyStyle {
 public:
     Flat() : QProxyStyle(QStyleFactory::create("Fusion")) {}
 
+    int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
+        switch (metric) {
+            case PM_ScrollBarExtent:
+                return 3 * unit;
+            case PM_HeaderMargin:
+                return unit + 2;
+            case PM_FocusFrameHMargin:  // beside the text of a cell
+                return unit - 1;
+            case PM_DockWidgetSeparatorExtent:
+                return unit + 1;
+            default:
+                return QProxyStyle::pixelMetric(metric, option, widget);
+        }
+    }
+
+    QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
+                           const QWidget* widget) const override {
+        QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
+        switch (type) {
+            case CT_ItemViewItem:
+                size.rheight() = std::max(size.height(), option->fontMetrics.height() + 2 * unit);
+                break;
+            case CT_PushButton:
+                size += QSize(3 * unit, 0);
+                size.rheight() = std::max(size.height(), option->fontMetrics.height() + 3 * unit);
+                break;
+            case CT_ComboBox:
+            case CT_LineEdit:
+            case CT_SpinBox:
+                size.rheight() = std::max(size.height(), option->fontMetrics.height() + 2 * unit + 2);
+                break;
+            case CT_HeaderSection:
+                size.rheight() = std::max(size.height(), option->fontMetrics.height() + 2 * unit);
+                break;
+            case CT_TabBarTab:
+                size += QSize(2 * unit, unit);
+                break;
+            default:
+                break;
+        }
+        return size;
+    }
+
     void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
-        if (element != CE_ToolBar) return QProxyStyle::drawControl(element, option, painter, widget);
-        painter->fillRect(option->rect, option->palette.window());
-        painter->fillRect(QRect(option->rect.left(), option->rect.bottom(), option->rect.width(), 1),
-                          hairline(option->palette));
+        const QPalette& p = option->palette;
+        switch (element) {
+            case CE_ToolBar:
+                painter->fillRect(option->rect, p.window());
+                return underline(*painter, option->rect, hairline(p), 1);
+            case CE_HeaderSection:
+                painter->fillRect(option->rect, mix(p.color(QPalette::Base), p.color(QPalette::Window), 0.6));
+                return underline(*painter, option->rect, hairline(p), 1);
+            case CE_HeaderEmptyArea:
+                painter->fillRect(option->rect, mix(p.color(QPalette::Base), p.color(QPalette::Window), 0.6));
+                return underline(*painter, option->rect, hairline(p), 1);
+            case CE_HeaderLabel: {
+                auto header = *static_cast<const QStyleOptionHeader*>(option);
+                header.palette.setColor(QPalette::ButtonText, mutedText(p));
+                return QProxyStyle::drawControl(element, &header, painter, widget);
+            }
+            case CE_Splitter:
+                return drawSeparator(*option, *painter);
+            case CE_TabBarTabShape:
+                return drawTab(*static_cast<const QStyleOptionTab*>(option), *painter);
+            case CE_TabBarTabLabel: {
+                auto tab = *static_cast<const QStyleOptionTab*>(option);
+                if (!(tab.state & State_Selected)) tab.palette.setColor(QPalette::WindowText, mutedText(p));
+                return QProxyStyle::drawControl(element, &tab, painter, widget);
+            }
+            default:
+                return QProxyStyle::drawControl(element, option, painter, widget);
+        }
     }
 
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override {
-        if (element != PE_IndicatorItemViewItemCheck && element != PE_IndicatorCheckBox)
-            return QProxyStyle::drawPrimitive(element, option, painter, widget);
         const QPalette& p = option->palette;
-        const bool isOn = option->state & State_On;
-        const double side = std::min({option->rect.width(), option->rect.height(), 15}) - 1.0;
-        QRectF box(0, 0, side, side);
-        box.moveCenter(QRectF(option->rect).center());
+        switch (element) {
+            case PE_IndicatorItemViewItemCheck:
+            case PE_IndicatorCheckBox:
+                return drawCheck(*option, *painter);
+            case PE_PanelButtonCommand:
+                return drawButton(*static_cast<const QStyleOptionButton*>(option), *painter);
+            case PE_FrameTabBarBase:
+                return underline(*painter, option->rect, hairline(p), 1);
+            case PE_PanelScrollAreaCorner:
+                painter->fillRect(option->rect, p.base());
+                return;
+            case PE_IndicatorDockWidgetResizeHandle:
+                return drawSeparator(*option, *painter);
+            default:
+                return QProxyStyle::drawPrimitive(element, option, painter, widget);
+        }
+    }
+
+    void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                            const QWidget* widget) const override {
+        if (control != CC_ScrollBar) return QProxyStyle::drawComplexControl(control, option, painter, widget);
+        const auto& bar = *static_cast<const QStyleOptionSlider*>(option);
+        painter->fillRect(bar.rect, bar.palette.base());
+        if (bar.maximum <= bar.minimum) return;
+        QRectF handle = subControlRect(CC_ScrollBar, option, SC_ScrollBarSlider, widget);
+        handle = bar.orientation == Qt::Vertical ? handle.adjusted(3, 1, -3, -1) : handle.adjusted(1, 3, -1, -3);
+        const bool isActive =
+            (bar.activeSubControls & SC_ScrollBarSlider) && (bar.state & (State_MouseOver | State_Sunken));
         painter->save();
         painter->setRenderHint(QPainter::Antialiasing);
+        painter->setPen(Qt::NoPen);
+        painter->setBrush(
+            mix(bar.palette.color(QPalette::Base), bar.palette.color(QPalette::Text), isActive ? 0.5 : 0.25));
+        painter->drawRoundedRect(handle, 3, 3);
+        painter->restore();
+    }
+
+    /// A scroll bar is its handle: no arrows.
+    QRect subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl part,
+                         const QWidget* widget) const override {
+        if (control != CC_ScrollBar) return QProxyStyle::subControlRect(control, option, part, widget);
+        const auto& bar = *static_cast<const QStyleOptionSlider*>(option);
+        const bool isUpright = bar.orientation == Qt::Vertical;
+        const int length = isUpright ? bar.rect.height() : bar.rect.width();
+        const int range = bar.maximum - bar.minimum;
+        const int shown =
+            range <= 0 ? length : static_cast<int>(static_cast<qint64>(length) * bar.pageStep / (range + bar.pageStep));
+        const int handle = std::clamp(shown, std::min(length, 6 * unit), length);
+        const int start =
+            sliderPositionFromValue(bar.minimum, bar.maximum, bar.sliderPosition, length - handle, bar.upsideDown);
+        const auto along = [&](int from, int size) {
+            return visualRect(bar.direction, bar.rect,
+                              isUpright ? QRect(bar.rect.left(), bar.rect.top() + from, bar.rect.width(), size)
+                                        : QRect(bar.rect.left() + from, bar.rect.top(), size, bar.rect.height()));
+        };
+        switch (part) {
+            case SC_ScrollBarSlider:
+                return along(start, handle);
+            case SC_ScrollBarGroove:
+                return bar.rect;
+            case SC_ScrollBarSubPage:
+                return along(0, start);
+            case SC_ScrollBarAddPage:
+                return along(start + handle, length - start - handle);
+            default:
+                return {};
+        }
+    }
+
+private:
+    static void underline(QPainter& painter, const QRect& rect, const QColor& colour, int width) {
+        painter.fillRect(QRect(rect.left(), rect.bottom() - width + 1, rect.width(), width), colour);
+    }
+
+    static void drawSeparator(const QStyleOption& option, QPainter& painter) {
+        const bool isUpright = option.rect.height() > option.rect.width();
+        const QPoint middle = option.rect.center();
+        painter.fillRect(isUpright ? QRect(middle.x(), option.rect.top(), 1, option.rect.height())
+                                   : QRect(option.rect.left(), middle.y(), option.rect.width(), 1),
+                         option.state & State_MouseOver ? accent(option.palette) : hairline(option.palette));
+    }
+
+    static void drawTab(const QStyleOptionTab& tab, QPainter& painter) {
+        const QPalette& p = tab.palette;
+        const bool isChosen = tab.state & State_Selected;
+        if (!isChosen && (tab.state & State_MouseOver) && (tab.state & State_Enabled))
+            painter.fillRect(tab.rect, mix(p.color(QPalette::Window), p.color(QPalette::WindowText), 0.05));
+        underline(painter, tab.rect, isChosen ? accent(p) : hairline(p), isChosen ? 2 : 1);
+        if (isChosen && (tab.state & State_HasFocus))
+            painter.fillRect(QRect(tab.rect.left(), tab.rect.top(), tab.rect.width(), 1), accent(p));
+    }
+
+    static void drawButton(const QStyleOptionButton& button, QPainter& painter) {
+        const QPalette& p = button.palette;
+        const bool isEnabled = button.state & State_Enabled,
+                   isDefault = button.features & QStyleOptionButton::DefaultButton;
+        const bool isDown = button.state & (State_Sunken | State_On), isOver = button.state & State_MouseOver;
+        QColor fill = p.color(QPalette::Button),
+               frame = mix(p.color(QPalette::Window), p.color(QPalette::WindowText), 0.25);
+        if (isEnabled && isDefault) {
+            fill = mix(fill, accent(p), 0.12);
+            frame = accent(p);
+        }
+        if (isEnabled && (isDown || isOver)) fill = mix(fill, p.color(QPalette::ButtonText), isDown ? 0.14 : 0.06);
+        if (isEnabled && (button.state & State_HasFocus)) frame = accent(p);
+        if (!isEnabled) frame = hairline(p);
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(frame, 1));
+        painter.setBrush(fill);
+        painter.drawRoundedRect(QRectF(button.rect).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+        painter.restore();
+    }
+
+    static void drawCheck(const QStyleOption& option, QPainter& painter) {
+        const QPalette& p = option.palette;
+        const bool isOn = option.state & State_On;
+        const double side = std::min({option.rect.width(), option.rect.height(), 15}) - 1.0;
+        QRectF box(0, 0, side, side);
+        box.moveCenter(QRectF(option.rect).center());
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing);
         const QColor frame = isOn ? accent(p) : mix(p.color(QPalette::Base), p.color(QPalette::Text), 0.4);
-        painter->setPen(QPen(frame, 1));
-        painter->setBrush(isOn ? accent(p) : p.color(QPalette::Base));
-        painter->drawRoundedRect(box, 3, 3);
+        painter.setPen(QPen(frame, 1));
+        painter.setBrush(isOn ? accent(p) : p.color(QPalette::Base));
+        painter.drawRoundedRect(box, 3, 3);
         if (isOn) {
-            painter->setPen(QPen(p.color(QPalette::Active, QPalette::HighlightedText), 1.7, Qt::SolidLine, Qt::RoundCap,
-                                 Qt::RoundJoin));
+            painter.setPen(QPen(p.color(QPalette::Active, QPalette::HighlightedText), 1.7, Qt::SolidLine, Qt::RoundCap,
+                                Qt::RoundJoin));
             const auto at = [&](double x, double y) { return box.topLeft() + QPointF(x * side, y * side); };
             const QPointF tick[] = {at(0.24, 0.53), at(0.43, 0.72), at(0.77, 0.31)};
-            painter->drawPolyline(tick, 3);
+            painter.drawPolyline(tick, 3);
         }
-        painter->restore();
+        painter.restore();
     }
 };
 
@@ -208,6 +390,12 @@ QColor onCanvas(const QColor& paper, const QPalette& palette) {
 }
 
 QIcon icon(const QString& name) { return QIcon(new TintedIcon(name)); }
+
+QString countText(qulonglong count) {
+    QString text = QString::number(count);
+    for (qsizetype at = text.size() - 3; at > 0 && text.size() > 4; at -= 3) text.insert(at, QChar(0x202F));
+    return text;
+}
 
 void makeCaption(QWidget* label) {
     QFont font = label->font();

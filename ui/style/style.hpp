@@ -43,6 +43,9 @@ QIcon icon(const QString& name);
 inline constexpr int unit = 4;  // [px] spacing comes in multiples of it
 inline constexpr int margin = 3 * unit;
 
+/// Groups of three with a narrow space, which every language reads the same: "12 345".
+QString countText(qulonglong count);
+
 /// Secondary text: smaller and muted.
 void makeCaption(QWidget* label);
 /// A heading of a panel or a card.

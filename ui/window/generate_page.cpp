@@ -1,5 +1,6 @@
 #include "ui/window/generate_page.hpp"
 
+#include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
@@ -59,6 +60,7 @@ GeneratePage::GeneratePage(QWidget* parent)
     known_->setIconSize({32, 32});
     known_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     chain_->setIconSize({32, 32});
+    chain_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     chain_->setDragDropMode(QAbstractItemView::InternalMove);
     chain_->setToolTip(tr("Drag to change the order; Delete takes one out"));
     for (QListWidget* list : {chain_, recordings_}) list->installEventFilter(this);
@@ -75,7 +77,7 @@ GeneratePage::GeneratePage(QWidget* parent)
     grid->addWidget(known_, 1, 0);
     grid->addWidget(chain_, 1, 1);
     grid->addWidget(add_, 2, 0, Qt::AlignLeft);
-    grid->addWidget(heading(tr("Recordings: of several the last one validates"), recordings_), 3, 0, 1, 2);
+    grid->addWidget(heading(tr("Recordings (the last of several is kept for validation)"), recordings_), 3, 0, 1, 2);
     grid->addWidget(recordings_, 4, 0, 1, 2);
     grid->addWidget(browse_, 5, 0, Qt::AlignLeft);
     auto* nameRow = new QHBoxLayout;
@@ -133,8 +135,11 @@ void GeneratePage::clear() {
         for (const std::string& domain : analogon::knownDomains(*library)) {
             const std::string package = packageOf(domain), cls = "Analogon." + package + ".Basic" + package;
             const LibraryClass* found = library->find(cls);
-            QString text = QString::fromStdString(domain);
-            if (found) text += "\n" + QString::fromStdString(found->definition->description);
+            const auto translated = [](const std::string& t) {
+                return QCoreApplication::translate("Library", t.c_str());
+            };
+            QString text = translated(domain);
+            if (found) text += "\n" + translated(found->definition->description);
             auto* item = new QListWidgetItem(classIcon(*library, cls, 32, devicePixelRatioF()), text, known_);
             item->setData(Qt::UserRole, QString::fromStdString(domain));
             item->setToolTip(text);
@@ -147,8 +152,9 @@ void GeneratePage::clear() {
 void GeneratePage::addDomain(const QString& domain) {
     for (int i = 0; i < known_->count(); ++i)
         if (known_->item(i)->data(Qt::UserRole).toString() == domain) {
-            auto* item = new QListWidgetItem(known_->item(i)->icon(), domain, chain_);
+            auto* item = new QListWidgetItem(known_->item(i)->icon(), known_->item(i)->text(), chain_);
             item->setData(Qt::UserRole, domain);
+            item->setSizeHint(known_->item(i)->sizeHint());
         }
     update();
 }

@@ -6,8 +6,11 @@
 #include <QFileInfo>
 #include <QImage>
 #include <QPushButton>
+#include <QResizeEvent>
+#include <QScrollBar>
 #include <QTextBrowser>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/style/style.hpp"
 
@@ -15,26 +18,53 @@ namespace analogon::ui {
 
 namespace {
 
-/// Pictures no wider than a column of text.
+/// A text whose pictures are as wide as its column at most.
 class Browser : public QTextBrowser {
 public:
     using QTextBrowser::QTextBrowser;
+    void setText(const QString& markdown) {
+        text_ = markdown;
+        layOut();
+    }
 
 protected:
     QVariant loadResource(int type, const QUrl& name) override {
         if (type != QTextDocument::ImageResource) return QTextBrowser::loadResource(type, name);
-        const QImage picture(QFileInfo(guideFile()).dir().filePath(name.path()));
-        constexpr int widest = 760;  // [px]
-        return picture.width() > widest ? picture.scaledToWidth(widest, Qt::SmoothTransformation) : picture;
+        QImage picture(QFileInfo(guideFile()).dir().filePath(name.path()));
+        const double ratio = devicePixelRatioF();
+        const int widest = std::min(760, viewport()->width() - 16 * style::unit);  // [px]
+        if (picture.width() > widest * ratio)
+            picture = picture.scaledToWidth(static_cast<int>(widest * ratio), Qt::SmoothTransformation);
+        picture.setDevicePixelRatio(ratio);
+        return picture;
     }
+    void resizeEvent(QResizeEvent* event) override {
+        QTextBrowser::resizeEvent(event);
+        constexpr int worthIt = 24;  // [px]
+        if (std::abs(event->size().width() - laidOutFor_) >= worthIt) layOut();
+    }
+
+private:
+    void layOut() {
+        laidOutFor_ = viewport()->width();
+        const QScrollBar& bar = *verticalScrollBar();
+        const double part = bar.maximum() > 0 ? bar.value() / static_cast<double>(bar.maximum()) : 0;
+        setMarkdown(text_);
+        verticalScrollBar()->setValue(static_cast<int>(part * verticalScrollBar()->maximum()));
+    }
+    QString text_;
+    int laidOutFor_{};  // [px]
 };
 
 }  // namespace
 
 QString guideFile() {
-    for (const QString& place : {QCoreApplication::applicationDirPath() + "/../share/doc/analogon/user-guide.md",
-                                 QStringLiteral(ANALOGON_SOURCE_EXAMPLES) + "/../docs/user-guide.md"})
-        if (QFile::exists(place)) return place;
+    const QStringList names{GuidePage::tr("user-guide.md"), QStringLiteral("user-guide.md")};  // in its language, else
+    const QStringList places{QCoreApplication::applicationDirPath() + "/../share/doc/analogon/",
+                             QStringLiteral(ANALOGON_SOURCE_EXAMPLES) + "/../docs/"};
+    for (const QString& name : names)
+        for (const QString& place : places)
+            if (QFile::exists(place + name)) return place + name;
     return {};
 }
 
@@ -45,7 +75,7 @@ GuidePage::GuidePage(QWidget* parent) : QWidget(parent), browser_(new Browser(th
     browser_->document()->setDocumentMargin(6 * style::unit);
     QFile file(guideFile());
     if (file.open(QIODevice::ReadOnly))
-        browser_->setMarkdown(QString::fromUtf8(file.readAll()));
+        static_cast<Browser*>(browser_)->setText(QString::fromUtf8(file.readAll()));
     else
         browser_->setPlainText(tr("The guide is not installed."));
     auto* close = new QPushButton(tr("Close the guide"), this);

@@ -110,6 +110,7 @@ void MainWindow::createPanels() {
     pages_->addWidget(centre_);
     generate_ = new GeneratePage(this);
     pages_->addWidget(generate_);
+    pages_->setMinimumSize(320, 160);  // the user decides how narrow the middle may be
     setCentralWidget(pages_);
 
     measurements_ = new MeasurementPanel(*document_);
@@ -351,6 +352,9 @@ void MainWindow::connectPanels() {
         scene_->select(instance.toStdString());
         scene_->pointOut(scene_->block(instance.toStdString()) ? std::string() : instance.toStdString());
     });
+    connect(results_, &ResultPanel::trialWanted, this, [this](const QString& kind) {
+        if (document_->canRun()) controller_->tryKind(kind.toStdString());
+    });
     connect(results_, &ResultPanel::placePointedAt, this,
             [this](const QString& place) { scene_->pointOut(place.toStdString()); });
     connect(messages_, &MessagePanel::placeChosen, this, &MainWindow::showPlace);
@@ -409,8 +413,9 @@ void MainWindow::resetLayout() {
 
 /// Sizes only hold for docks that are shown, so they wait for the first study.
 void MainWindow::sizeDocks() {
-    resizeDocks({measurementDock_, parameterDock_}, {270, 500}, Qt::Horizontal);
-    resizeDocks({libraryDock_, measurementDock_}, {3, 3}, Qt::Vertical);
+    const int left = std::max(264, measurements_->minimumSizeHint().width());
+    resizeDocks({measurementDock_, parameterDock_}, {left, std::clamp(width() - left - 600, 360, 640)}, Qt::Horizontal);
+    resizeDocks({libraryDock_, measurementDock_}, {2, 3}, Qt::Vertical);
     resizeDocks({plotDock_}, {410}, Qt::Vertical);
     resizeDocks({parameterDock_, resultDock_}, {2, 3}, Qt::Vertical);
     isLayoutFresh_ = false;
@@ -491,7 +496,10 @@ void MainWindow::showStudy() {
     updateTitle();
     updateActions();
     if (!isOpen) start_->showWork(QSettings().value("window/recent").toStringList(), Recovery::abandoned());
-    if (isOpen) QTimer::singleShot(0, view_, &DiagramView::fitView);  // once the docks have their sizes
+    if (isOpen) {
+        view_->setFocus();                                    // its keys work at once
+        QTimer::singleShot(0, view_, &DiagramView::fitView);  // once the docks have their sizes
+    }
 }
 
 void MainWindow::showModel() {
@@ -506,7 +514,7 @@ void MainWindow::showEffects() {
             const Block* block = document_->diagram().find(effect.instance);
             // Taken back by undo, a component may still be there, but with its old class.
             if (block && (block->className == effect.className || block->isEffect))
-                marks.push_back({effect.instance, effectTitle(effect).section(tr(" at "), 0, 0)});
+                marks.push_back({effect.instance, effectName(effect)});
         }
     scene_->mark(marks);
 }
@@ -514,6 +522,12 @@ void MainWindow::showEffects() {
 void MainWindow::showPlace(const Place& place) {
     if (place.line <= 0 || !document_->isOpen()) return;
     const QString file = QFileInfo(QString::fromStdString(place.file)).fileName();
+    for (const StudyExperiment& e : document_->study().experiments) {
+        const std::filesystem::path table = document_->study().directory / e.file;
+        if (QString::fromStdString(table.filename().string()) != file || !std::filesystem::exists(table)) continue;
+        importMeasurement(QString::fromStdString(table.string()));
+        return import_->pointAt(place.line);
+    }
     if (file != QString::fromStdString(document_->study().modelFile)) return;
     centre_->setCurrentWidget(text_);
     text_->showPlace(place.line, place.column, place.length);

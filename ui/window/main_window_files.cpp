@@ -94,6 +94,7 @@ void MainWindow::importMeasurement(const QString& path) {
 void MainWindow::leaveImport() {
     if (const int tab = centre_->indexOf(import_); tab >= 0) centre_->removeTab(tab);
     centre_->setCurrentWidget(view_);
+    view_->setFocus();
 }
 
 void MainWindow::askForStudy(bool isDirectory) {

@@ -1,7 +1,9 @@
 #include "ui/window/pictures.hpp"
 
+#include <QAction>
 #include <QApplication>
 #include <QDir>
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QListWidget>
 #include <QPushButton>
@@ -9,12 +11,14 @@
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QToolButton>
+#include <QTreeWidget>
 #include <functional>
 #include <iostream>
 
 #include "ui/canvas/diagram_scene.hpp"
 #include "ui/canvas/diagram_view.hpp"
 #include "ui/document/document.hpp"
+#include "ui/fit/fit_panel.hpp"
 #include "ui/fit/run_controller.hpp"
 #include "ui/measurement/import_panel.hpp"
 #include "ui/measurement/measurement_panel.hpp"
@@ -30,7 +34,7 @@ namespace analogon::ui {
 
 namespace {
 
-bool waitFor(const std::function<bool()>& holds, int milliseconds = 120000) {
+bool waitFor(const std::function<bool()>& holds, int milliseconds = 900000) {
     QElapsedTimer clock;
     clock.start();
     while (!holds() && clock.elapsed() < milliseconds)
@@ -100,6 +104,21 @@ public:
         window.findChild<PlotPanel*>()->residualButton()->click();
         settle();
         take(window, "11-residual");
+        window.findChild<QDockWidget*>("runs")->raise();
+        window.findChild<FitPanel*>()->history()->selectAll();
+        settle();
+        take(window, "12-runs");
+        window.findChild<PlotPanel*>()->residualButton()->setChecked(false);
+        QString broken = document.modelText();
+        document.typeText(broken.replace("connect(heater.i", "connect(heater.current"));
+        settle(400);
+        window.findChild<QDockWidget*>("messages")->raise();
+        settle();
+        take(window, "13-messages");
+        for (QAction* action : window.findChildren<QAction*>())
+            if (action->shortcut() == QKeySequence(QKeySequence::HelpContents)) action->trigger();
+        settle(300);
+        take(window, "14-guide");
         return isWhole_;
     }
 
