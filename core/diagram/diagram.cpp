@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -265,7 +266,7 @@ Domain Diagram::domain(std::string_view connector) const {
 
 namespace {
 
-std::vector<std::pair<std::string, std::string>> modifiedParameters(const Component& component) {
+std::vector<std::pair<std::string, std::string>> modifiedParameters(const std::vector<syntax::Modification>& all) {
     std::vector<std::pair<std::string, std::string>> result;
     const std::function<void(const std::vector<syntax::Modification>&, const std::string&)> collect =
         [&](const std::vector<syntax::Modification>& list, const std::string& prefix) {
@@ -276,9 +277,76 @@ std::vector<std::pair<std::string, std::string>> modifiedParameters(const Compon
                 collect(m.arguments, name + ".");
             }
         };
-    collect(component.modifications, {});
+    collect(all, {});
     return result;
 }
+
+/// What a block takes from its class.
+void describeClass(const Library& library, const LibraryClass& type, Block& block) {
+    block.className = type.qualifiedName;
+    if (block.description.empty()) block.description = type.definition->description;
+    block.icon = readIcon(library, type.qualifiedName);
+    block.isConnector = isConnectorClass(library, &type);
+    if (block.isConnector)
+        block.domain = connectorDomain(library, type.qualifiedName);
+    else
+        block.ports = readPorts(library, type.qualifiedName);
+    block.isEffect = hasEffectAnnotation(type) || type.qualifiedName.starts_with("Analogon.Effects.");
+}
+
+/// What the extends clauses of a class and of its bases say about inherited components: another class, parameters.
+class InheritedChanges {
+public:
+    InheritedChanges(const Library& library, const LibraryClass* cls) : library_(library) {
+        // Bases come first, so that what a derived class says counts.
+        visitBases(library, cls, [&](const LibraryClass& one) {
+            const ClassDefinition& definition = *one.definition;
+            collect(definition.shortModifications, one.scope);
+            for (const syntax::Extends& base : definition.bases) collect(base.modifications, one.qualifiedName);
+        });
+    }
+
+    void apply(Block& block) const {
+        if (const auto found = classes_.find(block.name); found != classes_.end())
+            describeClass(library_, *found->second, block);
+        if (const auto found = parameters_.find(block.name); found != parameters_.end())
+            for (const auto& [name, value] : found->second) set(block.parameters, name, value);
+    }
+
+private:
+    using Parameters = std::vector<std::pair<std::string, std::string>>;
+
+    void collect(const std::vector<syntax::Modification>& list, const std::string& scope) {
+        for (const syntax::Modification& m : list) {
+            const std::string name = m.name.text();
+            const auto dot = name.find('.');
+            if (m.redeclaredComponent) {
+                if (const LibraryClass* type = library_.lookup(m.redeclaredComponent->type, scope))
+                    classes_[m.redeclaredComponent->name] = type;
+                for (const auto& [inner, value] : modifiedParameters(m.redeclaredComponent->modifications))
+                    set(parameters_[m.redeclaredComponent->name], inner, value);
+            } else if (dot != std::string::npos) {
+                if (m.value)
+                    set(parameters_[name.substr(0, dot)], name.substr(dot + 1), std::string(m.value->span.text()));
+            } else if (!m.redeclaredClass) {
+                for (const auto& [inner, value] : modifiedParameters(m.arguments)) set(parameters_[name], inner, value);
+            }
+        }
+    }
+
+    static void set(Parameters& parameters, const std::string& name, const std::string& value) {
+        for (auto& [known, text] : parameters)
+            if (known == name) {
+                text = value;
+                return;
+            }
+        parameters.emplace_back(name, value);
+    }
+
+    const Library& library_;
+    std::map<std::string, const LibraryClass*> classes_;
+    std::map<std::string, Parameters> parameters_;
+};
 
 /// Components without a place are laid out in rows below the diagram's middle, so that none hides another.
 Placement defaultPlacement(int index) {
@@ -295,7 +363,7 @@ std::optional<Block> blockOf(const Library& library, const LibraryClass& owner, 
     block.name = component.name;
     block.description = component.description;
     block.span = component.span;
-    block.parameters = modifiedParameters(component);
+    block.parameters = modifiedParameters(component.modifications);
     const LibraryClass* type = library.lookup(component.type, owner.qualifiedName);
     if (!type) {
         block.className = typeName;
@@ -305,15 +373,7 @@ std::optional<Block> blockOf(const Library& library, const LibraryClass& owner, 
     const auto restriction = type->definition->restriction;
     if (restriction == ClassDefinition::Restriction::Type || restriction == ClassDefinition::Restriction::Record)
         return std::nullopt;
-    block.className = type->qualifiedName;
-    if (block.description.empty()) block.description = type->definition->description;
-    block.icon = readIcon(library, type->qualifiedName);
-    block.isConnector = isConnectorClass(library, type);
-    if (block.isConnector)
-        block.domain = connectorDomain(library, type->qualifiedName);
-    else
-        block.ports = readPorts(library, type->qualifiedName);
-    block.isEffect = hasEffectAnnotation(*type) || type->qualifiedName.starts_with("Analogon.Effects.");
+    describeClass(library, *type, block);
     return block;
 }
 
@@ -358,11 +418,20 @@ Outcome<Diagram> readDiagram(const Library& library, std::string_view className)
     diagram.coordinates = layer.coordinates;
     diagram.graphics = layer.primitives;
     int unplaced = 0;
+    const InheritedChanges changes(library, cls);
     visitBases(library, cls, [&](const LibraryClass& one) {
         for (const Component& component : one.definition->components) {
             auto block = blockOf(library, one, component);
             if (!block) continue;
             const auto place = annotation::placement(component.annotation);
+            const auto known = std::find_if(diagram.blocks.begin(), diagram.blocks.end(),
+                                            [&](const Block& b) { return b.name == block->name; });
+            if (component.isRedeclare && known != diagram.blocks.end()) {  // stands where the inherited one stood
+                block->placement = place.value_or(known->placement);
+                *known = std::move(*block);
+                continue;
+            }
+            changes.apply(*block);
             block->placement = place ? *place : defaultPlacement(unplaced++);
             diagram.blocks.push_back(std::move(*block));
         }

@@ -77,11 +77,13 @@ ModelEdit::ModelEdit(const ClassDefinition& definition, const Diagram* diagram, 
         collectConnections(section.equations, connectEquations_);
 }
 
+ModelEdit::ComponentChange* ModelEdit::ownChange(std::string_view component) {
+    return findComponent(*definition_, component) ? &components_[std::string(component)] : nullptr;
+}
+
 ModelEdit::ComponentChange* ModelEdit::change(std::string_view component) {
-    if (findComponent(*definition_, component)) return &components_[std::string(component)];
-    std::vector<std::string> names;
-    for (const Component& c : definition_->components) names.push_back(c.name);
-    const std::string like = suggestion(component, names);
+    if (ComponentChange* own = ownChange(component)) return own;
+    const std::string like = suggestion(component, componentNames());
     faults_.push_back(error(fmt::format("model {} has no component \"{}\"", definition_->name, component),
                             definition_->nameSpan,
                             like.empty() ? std::string{} : fmt::format("did you mean \"{}\"?", like)));
@@ -94,6 +96,7 @@ ModelEdit& ModelEdit::addComponent(const NewComponent& component) {
 }
 
 ModelEdit& ModelEdit::removeComponent(std::string_view name) {
+    if (!ownChange(name) && refuseInherited(name, "removed")) return *this;
     if (ComponentChange* c = change(name)) {
         c->isRemoved = true;
         for (const Equation* equation : connectEquations_)
@@ -104,11 +107,13 @@ ModelEdit& ModelEdit::removeComponent(std::string_view name) {
 }
 
 ModelEdit& ModelEdit::renameComponent(std::string_view from, const std::string& to) {
+    if (!ownChange(from) && refuseInherited(from, "renamed")) return *this;
     if (change(from)) renames_[std::string(from)] = to;
     return *this;
 }
 
 ModelEdit& ModelEdit::setClass(std::string_view component, const std::string& className) {
+    if (!ownChange(component) && redeclareInherited(component, className)) return *this;
     if (ComponentChange* c = change(component)) c->className = className;
     return *this;
 }
@@ -119,6 +124,8 @@ ModelEdit& ModelEdit::setModifier(std::string_view component, const std::string&
     if (added != newComponents_.end()) {
         std::erase_if(added->modifications, [&](const auto& m) { return m.first == name; });
         if (!value.empty()) added->modifications.emplace_back(name, value);
+    } else if (!ownChange(component) && changeInherited(component, fmt::format("{}.{}", component, name), value)) {
+        return *this;
     } else if (ComponentChange* c = change(component)) {
         c->modifiers.emplace_back(name, value);
     }
@@ -126,11 +133,16 @@ ModelEdit& ModelEdit::setModifier(std::string_view component, const std::string&
 }
 
 ModelEdit& ModelEdit::setBinding(std::string_view component, const std::string& value) {
+    if (!ownChange(component) && changeInherited(component, std::string(component), value)) return *this;
     if (ComponentChange* c = change(component)) c->binding = value;
     return *this;
 }
 
 ModelEdit& ModelEdit::setParameter(std::string_view flatName, const std::string& value) {
+    if (flatName.find('[') != std::string_view::npos) {
+        setElement(flatName, value);
+        return *this;
+    }
     const auto dot = flatName.find('.');
     if (dot == std::string_view::npos) return setBinding(flatName, value);
     return setModifier(flatName.substr(0, dot), std::string(flatName.substr(dot + 1)), value);
@@ -141,6 +153,8 @@ ModelEdit& ModelEdit::setPlacement(std::string_view component, const Placement& 
                                     [&](const NewComponent& n) { return n.name == component; });
     if (added != newComponents_.end())
         added->placement = placement;
+    else if (!ownChange(component) && refuseInherited(component, "moved"))
+        return *this;
     else if (ComponentChange* c = change(component))
         c->placement = placement;
     return *this;
@@ -178,7 +192,10 @@ ModelEdit& ModelEdit::replaceInConnections(std::string_view connector, const std
     }
     if (!found)
         faults_.push_back(error(fmt::format("no connection of model {} ends at \"{}\"", definition_->name, connector),
-                                definition_->nameSpan));
+                                definition_->nameSpan,
+                                definition_->bases.empty() && !definition_->isShort
+                                    ? ""
+                                    : "an inherited connection can only be changed in the class that holds it"));
     return *this;
 }
 
@@ -261,7 +278,6 @@ void ModelEdit::writeComponents(Replacements& edits) const {
 void ModelEdit::writeNewComponents(Replacements& edits) const {
     if (newComponents_.empty()) return;
     const std::string& text = definition_->source->text();
-    const std::string newline = edit_text::lineEnd(text);
 
     // Behind the last public component; else behind what may stand before the components.
     std::uint32_t last = definition_->nameSpan.end;
@@ -287,6 +303,12 @@ void ModelEdit::writeNewComponents(Replacements& edits) const {
             }
         }
     }
+    const std::uint32_t at = edit_text::behindTrailingComment(text, last);
+    edits.push_back({at, at, newComponentsText(indent)});
+}
+
+std::string ModelEdit::newComponentsText(const std::string& indent) const {
+    const std::string newline = edit_text::lineEnd(definition_->source->text());
     std::string declarations;
     for (const NewComponent& component : newComponents_) {
         std::string list;
@@ -297,8 +319,7 @@ void ModelEdit::writeNewComponents(Replacements& edits) const {
         if (!component.description.empty()) declarations += " \"" + component.description + "\"";
         declarations += " annotation (" + placementAnnotation(component.placement) + ");";
     }
-    const std::uint32_t at = edit_text::behindTrailingComment(text, last);
-    edits.push_back({at, at, declarations});
+    return declarations;
 }
 
 void ModelEdit::writeConnections(Replacements& edits) const {
@@ -348,8 +369,6 @@ void ModelEdit::writeNewConnections(Replacements& edits) const {
     const std::string& text = definition_->source->text();
     const std::string newline = edit_text::lineEnd(text);
     const std::string classIndent = edit_text::indentation(text, definition_->span.begin);
-    std::optional<Diagram> diagram;
-    if (diagram_) diagram = diagramWithNewBlocks();
 
     const syntax::EquationSection* section = nullptr;
     for (const syntax::EquationSection& s : definition_->equationSections)
@@ -357,19 +376,7 @@ void ModelEdit::writeNewConnections(Replacements& edits) const {
     std::string indent = classIndent + "  ";
     if (section && !section->equations.empty())
         indent = edit_text::indentation(text, section->equations.back().span.begin);
-
-    std::string lines;
-    for (const NewConnection& connection : newConnections_) {
-        std::vector<Point> points = connection.points;
-        if (points.size() < 2 && diagram) {
-            const auto from = diagram->anchor(connection.from), to = diagram->anchor(connection.to);
-            if (from && to)
-                points = route(*from, diagram->direction(connection.from), *to, diagram->direction(connection.to));
-        }
-        lines += newline + indent + "connect(" + connection.from + ", " + connection.to + ")";
-        if (points.size() >= 2) lines += " annotation (" + lineAnnotation(points, connection.colour) + ")";
-        lines += ";";
-    }
+    const std::string lines = newConnectionsText(indent);
 
     if (section) {
         const std::uint32_t end =
@@ -388,6 +395,25 @@ void ModelEdit::writeNewConnections(Replacements& edits) const {
     const std::uint32_t at = edit_text::beforeIndentation(text, before);
     const bool startsLine = at == 0 || text[at - 1] == '\n';
     edits.push_back({at, at, (startsLine ? "" : newline) + classIndent + "equation" + lines + newline});
+}
+
+std::string ModelEdit::newConnectionsText(const std::string& indent) const {
+    const std::string newline = edit_text::lineEnd(definition_->source->text());
+    std::optional<Diagram> diagram;
+    if (diagram_) diagram = diagramWithNewBlocks();
+    std::string lines;
+    for (const NewConnection& connection : newConnections_) {
+        std::vector<Point> points = connection.points;
+        if (points.size() < 2 && diagram) {
+            const auto from = diagram->anchor(connection.from), to = diagram->anchor(connection.to);
+            if (from && to)
+                points = route(*from, diagram->direction(connection.from), *to, diagram->direction(connection.to));
+        }
+        lines += newline + indent + "connect(" + connection.from + ", " + connection.to + ")";
+        if (points.size() >= 2) lines += " annotation (" + lineAnnotation(points, connection.colour) + ")";
+        lines += ";";
+    }
+    return lines;
 }
 
 namespace {
@@ -483,7 +509,13 @@ Outcome<syntax::TextEdit> ModelEdit::finish(std::string what) const {
     if (!faults_.empty()) return faults_.front();
     syntax::TextEdit edit;
     edit.what = std::move(what);
+    if (definition_->isShort && !(newComponents_.empty() && newConnections_.empty())) {
+        writeLongClass(edit.replacements);
+        edit.normalise();
+        return edit;
+    }
     writeComponents(edit.replacements);
+    writeInherited(edit.replacements);
     writeNewComponents(edit.replacements);
     writeConnections(edit.replacements);
     writeNewConnections(edit.replacements);

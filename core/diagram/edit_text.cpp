@@ -98,24 +98,54 @@ public:
     void set(const std::string& name, const std::string& value) {
         for (std::size_t i = 0; i < list_.size(); ++i) {
             const Modification& m = list_[i];
-            if (m.redeclaredComponent || m.redeclaredClass) continue;
+            if (m.redeclaredClass) continue;
             const std::string modified = m.name.text();
-            if (modified == name) return setExisting(i, value);
-            if (name.starts_with(modified + ".") && m.hasArguments && !m.arguments.empty()) {
+            if (modified == name && !m.redeclaredComponent) return setExisting(i, value);
+            if (name.starts_with(modified + ".") && (m.redeclaredComponent || !m.arguments.empty())) {
                 nested_[i].emplace_back(name.substr(modified.size() + 1), value);
                 return;
             }
         }
+        for (Redeclared& r : redeclared_)
+            if (name.starts_with(r.name + ".")) {
+                if (!value.empty()) r.arguments.push_back(name.substr(r.name.size() + 1) + "=" + value);
+                return;
+            }
         if (!value.empty()) added_.push_back(name + "=" + value);
+    }
+
+    /// Gives the element another class; before the values of its own parameters are set.
+    void redeclare(const std::string& name, const std::string& className) {
+        for (const Modification& m : list_) {
+            if (m.redeclaredClass || m.name.text() != name) continue;
+            if (m.redeclaredComponent) {
+                const Span& type = m.redeclaredComponent->typeSpan;
+                edits_.push_back({type.begin, type.end, className});
+            } else if (m.span.begin == m.name.span.begin) {
+                edits_.push_back({m.span.begin, m.span.begin, "redeclare " + className + " "});
+            } else {  // `each`, `final` stand between
+                edits_.push_back({m.span.begin, m.span.begin, "redeclare "});
+                edits_.push_back({m.name.span.begin, m.name.span.begin, className + " "});
+            }
+            return;
+        }
+        redeclared_.push_back({name, className, {}});
     }
 
     std::vector<Replacement> finish(const Span& listSpan) {
         for (const auto& [i, values] : nested_) {
             if (removed_[i]) continue;
-            ListEdit inner(list_[i].arguments);
+            const auto& component = list_[i].redeclaredComponent;
+            ListEdit inner(component ? component->modifications : list_[i].arguments);
             for (const auto& [name, value] : values) inner.set(name, value);
             // The arguments of a nested list have no span of their own; it is never removed as a whole.
-            for (Replacement& r : inner.finish({})) edits_.push_back(std::move(r));
+            for (Replacement& r : inner.finish(component ? component->modificationsSpan : Span{}))
+                edits_.push_back(std::move(r));
+        }
+        for (const Redeclared& r : redeclared_) {
+            std::string text = "redeclare " + r.className + " " + r.name;
+            if (!r.arguments.empty()) text += "(" + joined(r.arguments) + ")";
+            added_.push_back(std::move(text));
         }
         const bool nothingLeft = std::find(removed_.begin(), removed_.end(), false) == removed_.end();
         if (nothingLeft && listSpan.valid()) return replaceWhole(listSpan);
@@ -133,6 +163,9 @@ private:
         if (value.empty()) {
             removed_[i] = true;
         } else if (m.value) {
+            // An array of values takes the place of one for each element.
+            if (m.each && value.starts_with('{'))
+                edits_.push_back({m.span.begin, m.name.span.begin, m.isFinal ? "final " : ""});
             edits_.push_back({m.value->span.begin, m.value->span.end, value});
         } else {
             const std::uint32_t at = bindingOffset(m);
@@ -166,24 +199,33 @@ private:
         }
     }
 
-    std::string joined() const {
+    std::string joined() const { return joined(added_); }
+
+    static std::string joined(const std::vector<std::string>& arguments) {
         std::string text;
-        for (const std::string& a : added_) text += (text.empty() ? "" : ", ") + a;
+        for (const std::string& a : arguments) text += (text.empty() ? "" : ", ") + a;
         return text;
     }
+
+    struct Redeclared {
+        std::string name, className;
+        std::vector<std::string> arguments;
+    };
 
     const std::vector<Modification>& list_;
     std::vector<bool> removed_;
     std::map<std::size_t, Values> nested_;
     std::vector<std::string> added_;
+    std::vector<Redeclared> redeclared_;
     std::vector<Replacement> edits_;
 };
 
 }  // namespace
 
 std::vector<Replacement> setModifications(const std::vector<Modification>& list, const Span& listSpan,
-                                          const Values& values) {
+                                          const Values& values, const Values& classes) {
     ListEdit edit(list);
+    for (const auto& [name, className] : lastOfEach(classes)) edit.redeclare(name, className);
     for (const auto& [name, value] : lastOfEach(values)) edit.set(name, value);
     return edit.finish(listSpan);
 }

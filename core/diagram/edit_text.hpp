@@ -28,9 +28,10 @@ std::uint32_t behindTrailingComment(std::string_view text, std::uint32_t offset)
 syntax::Replacement removal(std::string_view text, std::uint32_t begin, std::uint32_t end);
 
 /// Sets or (with empty value) removes modifications in a list `( … )`, which may be missing (an empty span).
-/// Names may be dotted; of equal names the last counts.
+/// Names may be dotted; of equal names the last counts. `classes` redeclares elements: name, new class.
 std::vector<syntax::Replacement> setModifications(const std::vector<syntax::Modification>& list, const Span& listSpan,
-                                                  const std::vector<std::pair<std::string, std::string>>& values);
+                                                  const std::vector<std::pair<std::string, std::string>>& values,
+                                                  const std::vector<std::pair<std::string, std::string>>& classes = {});
 
 /// The text under [begin, end) after replacements that lie inside.
 std::string applied(std::string_view text, std::uint32_t begin, std::uint32_t end,

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "core/diagram/edit.hpp"
+#include "core/flat/flat_model.hpp"
 #include "core/syntax/printer.hpp"
 
 namespace analogon {
@@ -134,15 +136,21 @@ std::vector<ParameterValue> valuesOf(const FitResult& result) {
 Outcome<std::string> textWithValues(const Variant& variant) {
     const LibraryClass* model = modelOf(variant.task);
     if (model == nullptr) return error(fmt::format("unknown class '{}'", variant.task.className));
-    ModelEdit edit(*model->definition);
-    for (const ParameterValue& v : variant.values) {
-        if (v.experiment >= 0) continue;
-        const std::size_t dot = v.name.find('.');
-        if (dot == std::string::npos)
-            edit.setBinding(v.name, syntax::printNumber(v.value));
-        else
-            edit.setModifier(v.name.substr(0, dot), v.name.substr(dot + 1), syntax::printNumber(v.value));
+    ModelEdit edit(*model->definition, nullptr, &variant.task.library);
+    const bool setsElements = std::any_of(variant.values.begin(), variant.values.end(), [](const ParameterValue& v) {
+        return v.experiment < 0 && v.name.find('[') != std::string::npos;
+    });
+    if (setsElements) {
+        Outcome<FlatModel> flat = flatten(variant.task.library, variant.task.className);
+        if (!flat) return flat.diagnostics();
+        edit.valuesOf([flat = std::make_shared<const FlatModel>(std::move(*flat))](const std::string& name) {
+            const VariableId id = flat->find(name);
+            const std::optional<double> value = id.valid() ? flat->parameterValue(id) : std::nullopt;
+            return value ? std::optional(syntax::printNumber(*value)) : std::nullopt;
+        });
     }
+    for (const ParameterValue& v : variant.values)
+        if (v.experiment < 0) edit.setParameter(v.name, syntax::printNumber(v.value));
     Outcome<syntax::TextEdit> text = edit.finish("Write fitted values");
     if (!text) return text.diagnostics();
     return syntax::apply(variant.task.model->text(), std::move(*text)).text;

@@ -12,10 +12,10 @@ namespace {
 
 constexpr double blockSize = 20;
 
-std::string instanceName(const syntax::ClassDefinition& model, const EffectClass& effect) {
+std::string instanceName(const Library& library, const syntax::ClassDefinition& model, const EffectClass& effect) {
     std::string base = effect.className.substr(effect.className.rfind('.') + 1);
     base[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(base[0])));
-    return freeName(model, base);
+    return freeName(library, model, base);
 }
 
 std::vector<std::pair<std::string, std::string>> modifications(const std::map<std::string, double>& values) {
@@ -59,9 +59,13 @@ class Wiring {
 public:
     Wiring(const Library& library, const syntax::ClassDefinition& model, const EffectClass& effect,
            const EffectPlace& place, const std::map<std::string, double>& values, Diagram diagram)
-        : library_(library), effect_(effect), place_(place), diagram_(std::move(diagram)), edit_(model) {
+        : library_(library),
+          effect_(effect),
+          place_(place),
+          diagram_(std::move(diagram)),
+          edit_(model, nullptr, &library) {
         component_.className = effect.className;
-        component_.name = instanceName(model, effect);
+        component_.name = instanceName(library, model, effect);
         component_.modifications = modifications(values);
         const Point near = diagram_.anchor(place.connector).value_or(Point{0, 0});
         component_.placement = freePlacement(diagram_, near, blockSize, blockSize);

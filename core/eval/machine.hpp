@@ -13,6 +13,7 @@ namespace analogon {
 
 struct SystemCode;
 struct RecurrenceCode;
+struct RowCode;
 
 /// Memory on lines of the cache, so that wide vectors do not straddle them.
 template <class T>
@@ -49,6 +50,9 @@ struct Registers {
 
     std::shared_ptr<const RecurrenceCode> recurrence;  // with its matrices in the scratch memory
     LineVector recurrenceScratch;
+
+    std::shared_ptr<const RowCode> rowCode;
+    std::array<LineVector, 3> rowScratch;  // walk, step, tabulation
 
     void resize(std::size_t registers, std::size_t guessCount);
 };

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <cstring>
 
 #include "core/eval/vector_code.hpp"
 
@@ -18,7 +20,10 @@ struct Processor {
     Processor() {
         const auto& features = asmjit::CpuInfo::host().features().x86();
         hasAvx2 = features.hasAVX2() && features.hasFMA();
-        hasAvx512 = hasAvx2 && features.hasAVX512_F() && features.hasAVX512_DQ() && features.hasAVX512_VL();
+        const char* const asked = std::getenv("ANALOGON_VECTOR_WIDTH");
+        const bool mayBeWide = !asked || std::strcmp(asked, "4") != 0;
+        hasAvx512 = hasAvx2 && mayBeWide && features.hasAVX512_F() && features.hasAVX512_DQ() &&
+                    features.hasAVX512_VL();
     }
 };
 const Processor& processor() {
@@ -44,8 +49,16 @@ public:
         collectUses();
         fail_ = out_.newLabel();
         prologue();
+        const asmjit::Label next = out_.newLabel();
+        out_.bind(next);
         for (now_ = 0; now_ < code_.steps().size(); ++now_)
             if (isLive_[now_]) step(code_.steps()[now_]);
+        if (code_.isLoop()) {
+            out_.add(x86::r14, 8 * code_.rowSize());
+            if (code_.resultSize() > 0) out_.add(x86::r15, 8 * code_.resultSize());
+            out_.dec(x86::qword_ptr(x86::rsp, countAt_));
+            out_.jnz(next);
+        }
         out_.mov(x86::eax, 1);
         epilogue();
         out_.bind(fail_);
@@ -55,6 +68,7 @@ public:
 
 private:
     static constexpr int first_ = 3;  // registers 0 to 2 carry arguments and intermediate values
+    static constexpr int countAt_ = 64;  // on the stack: the seventh argument, above what a loop keeps
 
     /// Backwards: what nothing needs is left out.
     void collectUses() {
@@ -78,6 +92,12 @@ private:
         out_.push(x86::rbp);
         out_.push(x86::r12);
         out_.push(x86::r13);
+        if (code_.isLoop()) {
+            out_.push(x86::r14);
+            out_.push(x86::r15);
+            out_.mov(x86::r14, x86::r8);
+            out_.mov(x86::r15, x86::r9);
+        }
         out_.sub(x86::rsp, 8);
         out_.mov(x86::rbx, x86::rdi);
         out_.mov(x86::r12, x86::rsi);
@@ -87,6 +107,10 @@ private:
     void epilogue() {
         out_.vzeroupper();
         out_.add(x86::rsp, 8);
+        if (code_.isLoop()) {
+            out_.pop(x86::r15);
+            out_.pop(x86::r14);
+        }
         out_.pop(x86::r13);
         out_.pop(x86::r12);
         out_.pop(x86::rbp);
@@ -103,10 +127,8 @@ private:
     }
     x86::Mem home(Entity e) const {
         const VectorCode::Home& h = code_.homes()[e];
-        const x86::Gp base = h.space == VectorCode::Space::Values     ? x86::rbx
-                             : h.space == VectorCode::Space::Tangents ? x86::r12
-                                                                      : x86::r13;
-        return x86::ptr(base, static_cast<std::int32_t>(8 * h.offset));
+        const x86::Gp bases[] = {x86::rbx, x86::r12, x86::r13, x86::r14, x86::r15};
+        return x86::ptr(bases[static_cast<std::size_t>(h.space)], static_cast<std::int32_t>(8 * h.offset));
     }
 
     /// Step of the next use after the one under way; beyond the end: none.

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/eval/program_emitter.hpp"
+#include "core/eval/runge_kutta_code.hpp"
 
 namespace analogon {
 
@@ -336,12 +337,6 @@ void ProgramEmitter::block(const Instruction& i) {
 
 namespace {
 
-bool hasBlocks(const Program& program) {
-    return std::any_of(program.code.begin(), program.code.end(), [](const Instruction& i) {
-        return i.opcode == Opcode::SolveLinear || i.opcode == Opcode::SolveNonlinear;
-    });
-}
-
 bool compileProgram(const SystemPrograms& s, const Program& program, int lanes,
                     std::initializer_list<const std::vector<ResultRegister>*> results, CompiledProgram& out) {
     ProgramEmitter emitter(s, lanes, out);
@@ -351,135 +346,29 @@ bool compileProgram(const SystemPrograms& s, const Program& program, int lanes,
     return emitter.finish();
 }
 
-/// x + h/6 (k1 + 2 k2 + 2 k3 + k4) in one function (Kutta 1901).
-class StepEmitter {
-public:
-    StepEmitter(const SystemPrograms& s, int lanes, CompiledProgram& out, StepArguments& arguments)
-        : s_(s), emitter_(s, lanes, out), code_(emitter_.code()), arguments_(arguments) {}
-
-    bool run() {
-        declareArguments();
-        loadState();
-        const std::vector<char> varies = dependsOnStates();
-        for (int stage = 0; stage < 4; ++stage) {
-            constexpr int place[] = {0, 1, 1, 2};
-            emitter_.bind(s_.timeRegister, time_[place[stage]]);
-            for (std::size_t i = 0; i < slots_[0].size(); ++i)
-                emitter_.bind(s_.firstSlot + static_cast<std::uint32_t>(i), slots_[place[stage]][i]);
-            // The two stages in the middle see the same inputs.
-            emitter_.run(s_.derivative, stage == 2 ? &varies : nullptr);
-            advance(stage);
-        }
-        for (std::size_t i = 0; i < s_.states.size(); ++i) finish(i);
-        return emitter_.finish();
-    }
-
-private:
-    std::size_t chunkCount() const { return emitter_.chunks().size(); }
-    std::uint32_t stateRegister(std::size_t i) const { return s_.firstState + static_cast<std::uint32_t>(i); }
-
-    std::vector<char> dependsOnStates() const {
-        std::vector<char> varies(s_.registerCount, 0);
-        for (std::size_t i = 0; i < s_.states.size(); ++i) varies[stateRegister(i)] = 1;
-        for (const Instruction& i : s_.derivative.code) {
-            if (i.opcode == Opcode::SolveLinear || i.opcode == Opcode::SolveNonlinear) {
-                const bool isLinear = i.opcode == Opcode::SolveLinear;
-                for (const std::uint32_t reg :
-                     isLinear ? s_.tables.linear[i.a].unknowns : s_.tables.nonlinear[i.a].unknowns)
-                    varies[reg] = 1;
-                continue;
-            }
-            const std::uint32_t operands[] = {i.a, i.b, i.c};
-            for (int k = 0; k < registerOperands(i.opcode); ++k)
-                if (varies[operands[k]]) varies[i.dst] = 1;
-        }
-        return varies;
-    }
-
-    void declareArguments() {
-        const auto declare = [&](std::uint32_t& offset) {
-            const Entity e = emitter_.inMemory(1);
-            offset = emitter_.offsetOf(e);
-            return e;
-        };
-        full_ = declare(arguments_.fullStep);
-        half_ = declare(arguments_.halfStep);
-        third_ = declare(arguments_.thirdStep);
-        sixth_ = declare(arguments_.sixthStep);
-        for (int p = 0; p < 3; ++p) time_[p] = declare(arguments_.time[p]);
-        for (int p = 0; p < 3; ++p)
-            for (int i = 0; i < s_.layout.slots; ++i) {
-                std::uint32_t offset{};
-                slots_[p].push_back(declare(offset));
-                if (i == 0) arguments_.slots[p] = offset;
-            }
-    }
-
-    /// Blocks write where the states stand, so a copy is kept.
-    void loadState() {
-        const bool isCopied = hasBlocks(s_.derivative);
-        for (std::size_t i = 0; i < s_.states.size(); ++i) {
-            const std::uint32_t reg = stateRegister(i);
-            State state;
-            state.value = emitter_.value(reg);
-            if (isCopied) state.value = code_.emit(Op::Move, 1, state.value);
-            emitter_.bind(reg, state.value);
-            for (std::size_t c = 0; c < chunkCount(); ++c) {
-                Entity e = emitter_.tangent(reg, c);
-                if (isCopied) e = code_.emit(Op::Move, emitter_.chunks()[c].width, e);
-                state.tangents.push_back(e);
-                emitter_.bindTangent(reg, c, e);
-            }
-            begin_.push_back(state);
-        }
-        sum_ = begin_;
-    }
-
-    /// sum + weight * slope, and the state at which the next stage looks.
-    void advance(int stage) {
-        const Entity weight = stage == 0 || stage == 3 ? sixth_ : third_;
-        const Entity reach = stage == 2 ? full_ : half_;
-        std::vector<State> next = begin_;
-        for (std::size_t i = 0; i < s_.states.size(); ++i) {
-            const ResultRegister& slope = s_.stateDerivatives[i];
-            const Entity k = emitter_.value(slope.place);
-            sum_[i].value = code_.emit(Op::MultiplyAdd, 1, weight, k, sum_[i].value);
-            if (stage < 3) next[i].value = code_.emit(Op::MultiplyAdd, 1, reach, k, begin_[i].value);
-            for (std::size_t c = 0; c < chunkCount() && slope.active[InputsConstant]; ++c) {
-                const int width = emitter_.chunks()[c].width;
-                const Entity dk = emitter_.tangent(slope.place, c);
-                sum_[i].tangents[c] = code_.emit(Op::MultiplyAdd, width, weight, dk, sum_[i].tangents[c]);
-                if (stage < 3)
-                    next[i].tangents[c] = code_.emit(Op::MultiplyAdd, width, reach, dk, begin_[i].tangents[c]);
-            }
-        }
-        for (std::size_t i = 0; i < s_.states.size() && stage < 3; ++i) {
-            emitter_.bind(stateRegister(i), next[i].value);
-            for (std::size_t c = 0; c < chunkCount(); ++c)
-                emitter_.bindTangent(stateRegister(i), c, next[i].tangents[c]);
-        }
-    }
-
-    void finish(std::size_t i) {
-        const std::uint32_t reg = stateRegister(i);
-        emitter_.bind(reg, sum_[i].value);
-        ResultRegister result{reg, {1, 1}};
-        for (std::size_t c = 0; c < chunkCount(); ++c) emitter_.bindTangent(reg, c, sum_[i].tangents[c]);
-        emitter_.storeResult(result);
-    }
-
-    struct State {
-        Entity value{none};
-        std::vector<Entity> tangents;
+/// One step as a function of its own, the arguments in the scratch memory.
+bool compileStep(const SystemPrograms& s, int lanes, CompiledProgram& out, StepArguments& arguments) {
+    ProgramEmitter emitter(s, lanes, out);
+    const auto declare = [&](std::uint32_t& offset) {
+        const Entity e = emitter.inMemory(1);
+        offset = emitter.offsetOf(e);
+        return e;
     };
-    const SystemPrograms& s_;
-    ProgramEmitter emitter_;
-    VectorCode& code_;
-    StepArguments& arguments_;
-    Entity full_{}, half_{}, third_{}, sixth_{}, time_[3]{};
-    std::vector<Entity> slots_[3];
-    std::vector<State> begin_, sum_;
-};
+    StepPoints points;
+    points.full = declare(arguments.fullStep);
+    points.half = declare(arguments.halfStep);
+    points.third = declare(arguments.thirdStep);
+    points.sixth = declare(arguments.sixthStep);
+    for (int p = 0; p < 3; ++p) points.time[p] = declare(arguments.time[p]);
+    for (int p = 0; p < 3; ++p)
+        for (int i = 0; i < s.layout.slots; ++i) {
+            std::uint32_t offset{};
+            points.slots[p].push_back(declare(offset));
+            if (i == 0) arguments.slots[p] = offset;
+        }
+    emitRungeKutta(s, emitter, points);
+    return emitter.finish();
+}
 
 }  // namespace
 
@@ -490,7 +379,7 @@ std::shared_ptr<const SystemCode> compileCode(const SystemPrograms& s, int lanes
         !compileProgram(s, s.output, lanes, {&s.outputResults, &s.tapResults}, code->output)) {
         return nullptr;
     }
-    if (!StepEmitter(s, lanes, code->step, code->arguments).run()) return nullptr;
+    if (!compileStep(s, lanes, code->step, code->arguments)) return nullptr;
     return code;
 }
 

@@ -87,11 +87,17 @@ public:
             code_.store(settleTangent(result.place, c));
     }
 
-    /// With `varies` (by register) only what depends on one of these; the rest is as it was the last time.
-    void run(const Program& program, const std::vector<char>* varies = nullptr) {
+    /// With `varies` (by register) only what depends on one of these; the rest is as it was the last time. What is in
+    /// `known` is not computed.
+    using Known = std::map<std::uint32_t, Entity>;
+    void run(const Program& program, const std::vector<char>* varies = nullptr, const Known* known = nullptr) {
         for (const Instruction& i : program.code) {
             const bool isBlock = i.opcode == Opcode::SolveLinear || i.opcode == Opcode::SolveNonlinear;
             if (varies && !isBlock && !(*varies)[i.dst]) continue;
+            if (known && !isBlock && known->count(i.dst) > 0) {
+                bind(i.dst, known->at(i.dst));
+                continue;
+            }
             if (isBlock) {
                 block(i);
             } else {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/eval/program_emitter.hpp"
-
 namespace analogon {
 namespace {
 
@@ -113,22 +111,18 @@ LinearRecurrence recurrenceOf(const LinearRates& rates, double h) {
     return recurrence;
 }
 
-std::shared_ptr<const RecurrenceCode> compileRecurrence(const SystemPrograms& s, int lanes) {
-    if (!VectorCode::isAvailable()) return nullptr;
+void emitRecurrence(const SystemPrograms& s, ProgramEmitter& emitter, const std::vector<VectorCode::Entity>& begin,
+                    const std::vector<VectorCode::Entity>& end, std::vector<std::uint32_t>& entries,
+                    std::vector<std::uint32_t>& slopes) {
     using Op = VectorCode::Operation;
-    auto code = std::make_shared<RecurrenceCode>();
-    ProgramEmitter emitter(s, lanes, code->program);
     VectorCode& out = emitter.code();
     const std::size_t n = s.states.size(), m = static_cast<std::size_t>(s.layout.slots), size = n + 2 * m + 1;
     const std::size_t chunks = emitter.chunks().size();
 
     std::vector<VectorCode::Entity> factors;  // what each column multiplies
     for (std::size_t j = 0; j < n; ++j) factors.push_back(emitter.value(s.firstState + static_cast<std::uint32_t>(j)));
-    for (std::size_t j = 0; j < 2 * m; ++j) {
-        factors.push_back(emitter.inMemory(1));
-        if (j == 0) code->begin = emitter.offsetOf(factors.back());
-        if (j == m) code->end = emitter.offsetOf(factors.back());
-    }
+    factors.insert(factors.end(), begin.begin(), begin.end());
+    factors.insert(factors.end(), end.begin(), end.end());
     factors.push_back(emitter.constant(1));
 
     std::vector<VectorCode::Entity> values(n), tangents(n * chunks);
@@ -138,14 +132,14 @@ std::shared_ptr<const RecurrenceCode> compileRecurrence(const SystemPrograms& s,
         VectorCode::Entity value{};
         for (std::size_t j = 0; j < size; ++j) {
             const VectorCode::Entity entry = emitter.inMemory(1);
-            code->entries.push_back(emitter.offsetOf(entry));
+            entries.push_back(emitter.offsetOf(entry));
             value = j == 0 ? out.emit(Op::Multiply, 1, factors[j], entry)
                            : out.emit(Op::MultiplyAdd, 1, factors[j], entry, value);
             for (std::size_t c = 0; c < chunks; ++c) {
                 const int width = emitter.chunks()[c].width;
                 const VectorCode::Entity slope = emitter.inMemory(width);
                 for (int lane = 0; lane < width; ++lane)
-                    code->tangents.push_back(emitter.offsetOf(slope) + static_cast<std::uint32_t>(lane));
+                    slopes.push_back(emitter.offsetOf(slope) + static_cast<std::uint32_t>(lane));
                 sums[c] = out.emit(Op::MultiplyAdd, width, factors[j], slope, sums[c]);
                 if (j >= n) continue;
                 const VectorCode::Entity dx = emitter.tangent(s.firstState + static_cast<std::uint32_t>(j), c);
@@ -161,6 +155,19 @@ std::shared_ptr<const RecurrenceCode> compileRecurrence(const SystemPrograms& s,
         for (std::size_t c = 0; c < chunks; ++c) emitter.bindTangent(reg, c, tangents[i * chunks + c]);
         emitter.storeResult({reg, {1, 1}});
     }
+}
+
+std::shared_ptr<const RecurrenceCode> compileRecurrence(const SystemPrograms& s, int lanes) {
+    if (!VectorCode::isAvailable()) return nullptr;
+    auto code = std::make_shared<RecurrenceCode>();
+    ProgramEmitter emitter(s, lanes, code->program);
+    std::vector<VectorCode::Entity> slots[2];
+    for (int p = 0; p < 2; ++p)
+        for (int i = 0; i < s.layout.slots; ++i) {
+            slots[p].push_back(emitter.inMemory(1));
+            if (i == 0) (p == 0 ? code->begin : code->end) = emitter.offsetOf(slots[p].back());
+        }
+    emitRecurrence(s, emitter, slots[0], slots[1], code->entries, code->tangents);
     if (!emitter.finish()) return nullptr;
     return code;
 }

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/eval/program_code.hpp"
+#include "core/eval/program_emitter.hpp"
 
 namespace analogon {
 
@@ -34,6 +34,12 @@ struct RecurrenceCode {
     std::vector<std::uint32_t> entries;   // by entry of the matrix
     std::vector<std::uint32_t> tangents;  // by entry and lane
 };
+
+/// One step from and to the registers of the states, with u at its begin and end. `entries` and `tangents` receive the
+/// places in the scratch memory as in RecurrenceCode.
+void emitRecurrence(const SystemPrograms& programs, ProgramEmitter& emitter,
+                    const std::vector<VectorCode::Entity>& begin, const std::vector<VectorCode::Entity>& end,
+                    std::vector<std::uint32_t>& entries, std::vector<std::uint32_t>& tangents);
 
 /// Null: no machine code here.
 std::shared_ptr<const RecurrenceCode> compileRecurrence(const SystemPrograms& programs, int lanes);

@@ -8,9 +8,11 @@
 #include <limits>
 #include <map>
 #include <mutex>
+#include <optional>
 
 #include "core/eval/program_code.hpp"
 #include "core/eval/recurrence.hpp"
+#include "core/eval/row_code.hpp"
 #include "core/eval/system_builder.hpp"
 
 namespace analogon {
@@ -35,6 +37,8 @@ struct System::Impl {
         return observation;
     }
 
+    std::shared_ptr<const void> identity = std::make_shared<char>();
+
     mutable std::mutex codeMutex;
     mutable std::map<int, std::shared_ptr<const SystemCode>> codes;  // by lanes; null: not to be had
 
@@ -51,6 +55,15 @@ struct System::Impl {
         const std::lock_guard lock(codeMutex);
         const auto [at, isNew] = recurrences.try_emplace(lanes);
         if (isNew) at->second = compileRecurrence(programs, lanes);
+        return at->second;
+    }
+
+    mutable std::map<std::pair<int, bool>, std::shared_ptr<const RowCode>> rows;  // by lanes and whether exact
+
+    std::shared_ptr<const RowCode> rowsFor(int lanes, bool isExact) const {
+        const std::lock_guard lock(codeMutex);
+        const auto [at, isNew] = rows.try_emplace({lanes, isExact});
+        if (isNew) at->second = compileRows(programs, lanes, isExact);
         return at->second;
     }
 
@@ -93,6 +106,34 @@ const std::vector<SignalInfo>& System::parameters() const { return impl_->progra
 const std::vector<DelayInfo>& System::delays() const { return impl_->programs.delays; }
 bool System::needsInputDerivative() const { return impl_->programs.layout.hasDerivatives; }
 bool System::isLinearTimeInvariant() const { return impl_->programs.isLinearTimeInvariant; }
+bool System::isSmooth() const {
+    const auto isPlain = [](const Instruction& i) {
+        switch (i.opcode) {
+            case Opcode::LoadConstant:
+            case Opcode::Copy:
+            case Opcode::Negate:
+            case Opcode::Add:
+            case Opcode::Subtract:
+            case Opcode::Multiply:
+            case Opcode::Divide:
+            case Opcode::Power:
+            case Opcode::Square:
+            case Opcode::Sqrt:
+            case Opcode::Exp:
+            case Opcode::Log:
+            case Opcode::Log10:
+            case Opcode::Sin:
+            case Opcode::Cos:
+            case Opcode::SolveLinear:
+                return true;
+            default:
+                return false;
+        }
+    };
+    const auto& code = impl_->programs.derivative.code;
+    return std::all_of(code.begin(), code.end(), isPlain);
+}
+const std::shared_ptr<const void>& System::identity() const { return impl_->identity; }
 std::string System::print() const { return analogon::print(impl_->programs); }
 
 namespace {
@@ -395,28 +436,86 @@ bool probe(const System& system, Workspace& w, LinearRates& rates) {
 
 }  // namespace
 
-bool System::prepareRecurrence(Workspace& w, double h) const {
-    constexpr std::size_t mostColumns = 24, mostLanes = 32;  // beyond, steps of a general method are no dearer
-    const SystemPrograms& s = impl_->programs;
-    Registers& r = w.data_->registers;
-    const auto n = s.states.size(), m = static_cast<std::size_t>(s.layout.slots), size = n + 2 * m + 1;
-    const auto K = static_cast<std::size_t>(r.directions);
-    if (!s.isLinearTimeInvariant || n == 0 || size > mostColumns || K > mostLanes || !impl_->equip(r)) return false;
-    LinearRates rates{stateCount(), slotCount(), r.directions, {}, {}};
-    if (!probe(*this, w, rates)) return false;
-    r.recurrence = impl_->recurrenceFor(r.lanes);
-    if (!r.recurrence) return false;
-    const LinearRecurrence exact = recurrenceOf(rates, h);
-    const RecurrenceCode& code = *r.recurrence;
-    r.recurrenceScratch.assign(code.program.scratchSize, 0.0);
-    for (const auto& [offset, value] : code.program.constants) r.recurrenceScratch[offset] = value;
-    for (std::size_t e = 0; e < exact.matrix.size(); ++e) {
-        if (!std::isfinite(exact.matrix[e])) return false;
-        r.recurrenceScratch[code.entries[e]] = exact.matrix[e];
-        for (std::size_t k = 0; k < K; ++k)
-            r.recurrenceScratch[code.tangents[e * static_cast<std::size_t>(r.lanes) + k]] = exact.tangents[e * K + k];
+namespace {
+
+/// The scratch memory of a function as it expects it.
+void prepare(LineVector& scratch, const CompiledProgram& program) {
+    scratch.assign(program.scratchSize, 0.0);
+    for (const auto& [offset, value] : program.constants) scratch[offset] = value;
+}
+
+/// The matrices of exact steps at the parameters in force; nothing: the system is not of that kind.
+std::optional<LinearRecurrence> exactSteps(const System& system, Workspace& w, double h) {
+    constexpr int mostColumns = 24, mostLanes = 32;  // beyond, steps of a general method are no dearer
+    const int size = system.stateCount() + 2 * system.slotCount() + 1;
+    if (!system.isLinearTimeInvariant() || system.stateCount() == 0 || size > mostColumns ||
+        w.directions() > mostLanes) {
+        return std::nullopt;
     }
+    LinearRates rates{system.stateCount(), system.slotCount(), w.directions(), {}, {}};
+    if (!probe(system, w, rates)) return std::nullopt;
+    LinearRecurrence exact = recurrenceOf(rates, h);
+    for (const double entry : exact.matrix)
+        if (!std::isfinite(entry)) return std::nullopt;
+    return exact;
+}
+
+void putMatrices(const LinearRecurrence& exact, std::size_t K, std::size_t lanes,
+                 const std::vector<std::uint32_t>& entries, const std::vector<std::uint32_t>& tangents,
+                 LineVector& scratch) {
+    for (std::size_t e = 0; e < exact.matrix.size(); ++e) {
+        scratch[entries[e]] = exact.matrix[e];
+        for (std::size_t k = 0; k < K; ++k) scratch[tangents[e * lanes + k]] = exact.tangents[e * K + k];
+    }
+}
+
+}  // namespace
+
+bool System::prepareRecurrence(Workspace& w, double h) const {
+    Registers& r = w.data_->registers;
+    if (!impl_->programs.isLinearTimeInvariant || !impl_->equip(r)) return false;
+    const std::optional<LinearRecurrence> exact = exactSteps(*this, w, h);
+    if (!exact || !(r.recurrence = impl_->recurrenceFor(r.lanes))) return false;
+    prepare(r.recurrenceScratch, r.recurrence->program);
+    putMatrices(*exact, static_cast<std::size_t>(r.directions), static_cast<std::size_t>(r.lanes),
+                r.recurrence->entries, r.recurrence->tangents, r.recurrenceScratch);
     return true;
+}
+
+const RowLayout* System::prepareRows(Workspace& w, double h) const {
+    Registers& r = w.data_->registers;
+    const bool isExact = h > 0.0;
+    if (!impl_->equip(r)) return nullptr;
+    std::optional<LinearRecurrence> exact;
+    if (isExact && !(exact = exactSteps(*this, w, h))) return nullptr;
+    r.rowCode = impl_->rowsFor(r.lanes, isExact);
+    if (!r.rowCode) return nullptr;
+    prepare(r.rowScratch[0], r.rowCode->walk);
+    prepare(r.rowScratch[1], r.rowCode->step);
+    prepare(r.rowScratch[2], r.rowCode->tabulation);
+    if (exact)
+        putMatrices(*exact, static_cast<std::size_t>(r.directions), static_cast<std::size_t>(r.lanes), r.rowCode->entries,
+                    r.rowCode->tangents, r.rowScratch[0]);
+    return &r.rowCode->layout;
+}
+
+void System::tabulate(Workspace& w, const double* slots, double* terms, std::int64_t count) const {
+    Registers& r = w.data_->registers;
+    if (count > 0 && r.rowCode->layout.terms() > 0)
+        (*r.rowCode->tabulation.function)(r.values.data(), r.tangents.data(), r.rowScratch[2].data(), &r, slots, terms,
+                                       count);
+}
+
+bool System::walk(Workspace& w, const double* rows, double* results, std::int64_t count) const {
+    Registers& r = w.data_->registers;
+    return count <= 0 || (*r.rowCode->walk.function)(r.values.data(), r.tangents.data(), r.rowScratch[0].data(), &r, rows,
+                                                  results, count);
+}
+
+bool System::stepOver(Workspace& w, const double* rows, std::int64_t count) const {
+    Registers& r = w.data_->registers;
+    return count <= 0 || (*r.rowCode->step.function)(r.values.data(), r.tangents.data(), r.rowScratch[1].data(), &r, rows,
+                                                  nullptr, count);
 }
 
 void System::recur(Workspace& w, const double* uBegin, const double* uEnd) const {

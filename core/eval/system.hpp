@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -42,6 +43,27 @@ private:
     struct Data;
     std::unique_ptr<Data> data_;
     int directions_{};
+};
+
+/// Where the numbers of a row of steps, and of what comes out of it, stand (in doubles). A row is a step: time and length,
+/// u at its begin, what depends on u alone at its begin and its middle. The end of a step is the begin of the next row.
+struct RowLayout {
+    static constexpr int time = 0, step = 1;
+    int slots{};
+    int rateTerms{}, outputTerms{};  // of u alone, looked up instead of computed
+    int outputs{}, states{};
+    int lanes{};  // tangents are padded to these
+
+    int slot() const { return 2; }
+    int terms() const { return rateTerms + outputTerms; }  // at the begin: those of the rates, those of the outputs
+    int rateTerm(int point) const { return 2 + slots + (point == 0 ? 0 : terms()); }  // begin or middle
+    int outputTerm() const { return 2 + slots + rateTerms; }
+    int size() const { return 2 + slots + terms() + rateTerms; }
+
+    int tangent(int output) const { return output * lanes; }
+    int value(int output) const { return outputs * lanes + output; }
+    int state(int i) const { return outputs * (lanes + 1) + i; }
+    int resultSize() const { return (outputs * (lanes + 1) + states + 7) / 8 * 8; }
 };
 
 /// The executable model x' = f(t, x, u, p), y = g(t, x, u, p), const and shared between threads.
@@ -114,6 +136,18 @@ public:
     bool prepareRecurrence(Workspace& w, double h) const;
     void recur(Workspace& w, const double* uBegin, const double* uEnd) const;
     bool isStateFinite(const Workspace& w) const;
+
+    // Whole stretches of such steps in one go, over a table of rows that the caller fills.
+
+    /// Makes the code ready: exact steps of length h, or Runge-Kutta steps where h is 0. Null: there is none.
+    const RowLayout* prepareRows(Workspace& w, double h) const;
+    /// What depends on slots alone: `count` times slotCount() values in, RowLayout::terms() out.
+    void tabulate(Workspace& w, const double* slots, double* terms, std::int64_t count) const;
+    /// Over `count` rows, with one more behind them: outputs and states at their begins into `results`
+    /// (RowLayout::resultSize() each), the state goes on to the end of the last. False as step().
+    bool walk(Workspace& w, const double* rows, double* results, std::int64_t count) const;
+    /// The same for Runge-Kutta steps that nobody looks at.
+    bool stepOver(Workspace& w, const double* rows, std::int64_t count) const;
     /// Outputs at the state in the workspace; y outputCount, dy outputCount x K (may be null).
     bool outputsOfState(Workspace& w, double t, const double* u, double* y, double* dy) const;
 
@@ -138,6 +172,12 @@ public:
     /// x' affine in x and u (input derivatives and delayed values are entries of u), with coefficients that are
     /// constant for fixed p, and free of time: the exact recurrence applies.
     bool isLinearTimeInvariant() const;
+
+    /// Whether the rates are made of operations without kinks, jumps or thresholds (a steep tanh counts as one).
+    bool isSmooth() const;
+
+    /// Lives as long as the system, or longer: what is kept for a system is kept with it.
+    const std::shared_ptr<const void>& identity() const;
 
     /// The program, one instruction a line.
     std::string print() const;

@@ -1,5 +1,7 @@
 #include "core/eval/vector_code.hpp"
 
+#include <utility>
+
 namespace analogon {
 
 VectorCode::Entity VectorCode::add(Space space, std::uint32_t offset, int width, bool isInMemory) {
@@ -16,8 +18,15 @@ VectorCode::Entity VectorCode::fresh(int width) {
 }
 
 VectorCode::Entity VectorCode::emit(Operation operation, int width, Entity a, Entity b, Entity c) {
+    // What is moved may be a place that a block fills again.
+    const bool isShared = operation != Operation::Move;
+    const bool isSymmetric = operation == Operation::Add || operation == Operation::Multiply;
+    if (isSymmetric && b < a) std::swap(a, b);
+    const Key key{static_cast<std::uint64_t>(operation) << 8 | static_cast<std::uint64_t>(width), a, b, c, 0, 0};
+    if (const auto at = known_.find(key); isShared && at != known_.end()) return at->second;
     const Entity target = fresh(width);
     emitTo(target, operation, a, b, c);
+    if (isShared) known_.emplace(key, target);
     return target;
 }
 
@@ -32,7 +41,16 @@ void VectorCode::emitTo(Entity target, Operation operation, Entity a, Entity b, 
 }
 
 VectorCode::Entity VectorCode::call(const void* function, const void* data, Entity a, Entity b, Entity c) {
-    const Entity target = emit(Operation::Call, 1, a, b, c);
+    const Key key{static_cast<std::uint64_t>(Operation::Call) << 8,
+                  a,
+                  b,
+                  c,
+                  reinterpret_cast<std::uint64_t>(function),
+                  reinterpret_cast<std::uint64_t>(data)};
+    const auto [at, isNew] = known_.try_emplace(key, none);
+    if (!isNew) return at->second;
+    const Entity target = at->second = fresh(1);
+    emitTo(target, Operation::Call, a, b, c);
     steps_.back().function = function;
     steps_.back().data = data;
     return target;

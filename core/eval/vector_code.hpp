@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -15,7 +17,8 @@ class VectorCode {
 public:
     using Entity = std::uint32_t;
     static constexpr Entity none = 0xffffffffu;
-    enum class Space : std::uint8_t { Values, Tangents, Scratch };
+    /// Row and Result: the place in a table that a loop has come to.
+    enum class Space : std::uint8_t { Values, Tangents, Scratch, Row, Result };
 
     enum class Operation : std::uint8_t {
         Add,               // a + b
@@ -40,7 +43,8 @@ public:
 
     /// Whether this processor, and this build, can run machine code.
     static bool isAvailable();
-    /// Doubles in the widest vectors here.
+    /// Doubles in the widest vectors here: 8 or 4. The environment variable ANALOGON_VECTOR_WIDTH=4 asks for the narrow
+    /// ones on a processor that has both.
     static int vectorWidth();
 
     /// An entity of `width` doubles; width 1 is a value, the same in every place of a vector. Offsets count doubles.
@@ -48,6 +52,7 @@ public:
     /// One with a home of its own in the scratch memory.
     Entity fresh(int width);
 
+    /// The same operation on the same operands is one entity.
     Entity emit(Operation operation, int width, Entity a, Entity b = none, Entity c = none);
     void emitTo(Entity target, Operation operation, Entity a, Entity b = none, Entity c = none);
     /// `function` is double (*)([const void* data,] double, ...), free of side effects.
@@ -55,6 +60,17 @@ public:
     /// Calls a block after storing what it reads; what it writes is in memory afterwards. False ends the run.
     void block(BlockFunction function, const void* data, std::vector<Entity> reads);
     void store(Entity entity) { emitTo(none, Operation::Store, entity); }
+
+    /// The code is the body of a loop over the rows of a table; all it carries from row to row goes through memory. It
+    /// reads Space::Row (the row it has come to, and those after it) and writes Space::Result; sizes in doubles.
+    void repeat(std::uint32_t rowSize, std::uint32_t resultSize) {
+        isLoop_ = true;
+        rowSize_ = rowSize;
+        resultSize_ = resultSize;
+    }
+    bool isLoop() const { return isLoop_; }
+    std::uint32_t rowSize() const { return rowSize_; }
+    std::uint32_t resultSize() const { return resultSize_; }
 
     std::size_t scratchSize() const { return scratchSize_; }  // doubles
 
@@ -84,6 +100,10 @@ private:
     std::vector<Step> steps_;
     std::vector<BlockCall> blocks_;
     std::uint32_t scratchSize_{};
+    using Key = std::array<std::uint64_t, 6>;
+    std::map<Key, Entity> known_;
+    bool isLoop_{};
+    std::uint32_t rowSize_{}, resultSize_{};
 };
 
 /// A translated VectorCode. Const, callable from any thread.
@@ -94,12 +114,17 @@ public:
     ~MachineFunction();
     /// False: a block failed.
     bool operator()(double* values, double* tangents, double* scratch, Registers* registers) const {
-        return function_(values, tangents, scratch, registers) != 0;
+        return function_(values, tangents, scratch, registers, nullptr, nullptr, 1) != 0;
+    }
+    /// A loop over `count` rows (VectorCode::repeat), at least one.
+    bool operator()(double* values, double* tangents, double* scratch, Registers* registers, const double* rows,
+                    double* results, std::int64_t count) const {
+        return function_(values, tangents, scratch, registers, rows, results, count) != 0;
     }
 
 private:
     struct Memory;
-    using Function = int (*)(double*, double*, double*, Registers*);
+    using Function = int (*)(double*, double*, double*, Registers*, const double*, double*, std::int64_t);
     MachineFunction(std::unique_ptr<Memory> memory, Function function);
     std::unique_ptr<Memory> memory_;
     Function function_;

@@ -22,6 +22,7 @@ struct Descent {
     double startCost{};
     std::vector<GridPlan> plans;
     Linearisation optimum;  // ok when it is known already
+    ReducedMisfit reduced;  // at the optimum; not ok: not known
     int simulations{}, failedSimulations{};
     double lossScale{1};
 };
@@ -32,9 +33,16 @@ struct Descent {
 class Rounds {
 public:
     Rounds(Misfit& misfit, const FitOptions& options, const Eigen::VectorXd& start)
-        : misfit_(misfit), options_(options), isRough_(options.method == FitMethod::LeastSquares), plannedAt_(start) {
+        : misfit_(misfit), options_(options), isRough_(options.method != FitMethod::NelderMead), plannedAt_(start) {
         constexpr double looseness = 30.0;
         misfit.plan(start, isRough_ ? looseness : 1.0);
+        // Where the coarsest steps are fine enough there is nothing to refine.
+        const auto& plans = misfit.plans();
+        const bool isFine = std::all_of(plans.begin(), plans.end(), [&](const GridPlan& plan) {
+            return plan.method == GridMethod::Exact ||
+                   (!plan.steps && plan.errorEstimate <= options.simulation.relativeTolerance);
+        });
+        if (isFine && !plans.empty() && options.loss == RobustLoss::None) isRough_ = false;
         misfit.rescaleLoss(start);
     }
 
@@ -95,17 +103,21 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
         if (isFirst) descent.startCost = here.cost();
         coordinates.moveOrigin(minimum.values);
         coordinates.scaleBy(here.jacobian.colwise().norm());
-        minimum = options.method == FitMethod::NelderMead
-                      ? nelderMead(misfit, coordinates, rounds.optionsNow())
-                      : leastSquares(misfit, coordinates, rounds.optionsNow(), options.maxIterations - iterations);
+        const FitOptions now = rounds.optionsNow();
+        const int left = options.maxIterations - iterations;
+        minimum = options.method == FitMethod::NelderMead     ? nelderMead(misfit, coordinates, now)
+                  : options.method == FitMethod::LeastSquares ? levenbergMarquardt(misfit, coordinates, now, left)
+                                                              : leastSquares(misfit, coordinates, now, left);
         iterations += minimum.iterations;
     }
     minimum.iterations = iterations;
-    if (minimum.status == FitStatus::Converged && options.method == FitMethod::LeastSquares) {
+    if (minimum.status == FitStatus::Converged && options.method != FitMethod::NelderMead) {
         minimum.message = fmt::format("converged after {} iterations", iterations);
     }
     descent.plans = misfit.plans();
     descent.optimum = misfit.takeBestLinearisation();
+    if (!options.keepsOptimum && minimum.values.size() > 0 && !misfit.isCancelled())
+        descent.reduced = misfit.reduced(minimum.values);
     descent.simulations = misfit.simulations();
     descent.failedSimulations = misfit.failedSimulations();
     descent.lossScale = misfit.lossScale();
@@ -170,15 +182,18 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
     result.plans = best.plans;
     result.optimum = std::move(best.optimum);
     // Not cancellable: what was found so far is to be told.
-    if (!result.optimum.ok) result.optimum = linearise(problem, result.values, true, best.plans, options.simulation);
-    result.cost = 0.5 * result.optimum.residuals.squaredNorm();  // NaN when even the best point failed
+    const bool isReduced = !options.keepsOptimum && best.reduced.ok;
+    if (!result.optimum.ok && !isReduced)
+        result.optimum = linearise(problem, result.values, true, best.plans, options.simulation);
+    // NaN when even the best point failed
+    result.cost = isReduced ? best.reduced.cost() : 0.5 * result.optimum.residuals.squaredNorm();
 
     const auto K = static_cast<Eigen::Index>(problem.parameters.size());
     const double nan = std::numeric_limits<double>::quiet_NaN();
     Uncertainty uncertainty;
     uncertainty.standardErrors = Eigen::VectorXd::Constant(K, nan);
     uncertainty.covariance = uncertainty.correlation = Eigen::MatrixXd::Constant(K, K, nan);
-    if (result.optimum.ok && K > 0) {
+    if ((result.optimum.ok || isReduced) && K > 0) {
         std::vector<std::string> names;
         for (const FitParameter& p : problem.parameters) {
             names.push_back(p.experiment < 0
@@ -186,13 +201,15 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
                                 : fmt::format("{} of '{}'", p.name,
                                               problem.experiments[static_cast<std::size_t>(p.experiment)].name));
         }
-        const auto freedom = static_cast<double>(result.optimum.residuals.size() - K);
+        const auto freedom = static_cast<double>(problem.residualCount() - K);
         double variance = freedom > 0 ? 2.0 * result.cost / freedom : 1.0;
         if (options.loss != RobustLoss::None) variance = best.lossScale * best.lossScale;
         if (problem.weightsAreNoise) variance = std::max(variance, 1.0);
-        const ReducedMisfit reduced = reduce(result.optimum.jacobian, result.optimum.residuals);
+        const ReducedMisfit reduced =
+            isReduced ? best.reduced : reduce(result.optimum.jacobian, result.optimum.residuals);
         uncertainty = uncertaintyOf(reduced.jacobian, variance, names);
     }
+    if (!options.keepsOptimum) result.optimum = {};
     result.covariance = uncertainty.covariance;
     result.correlation = uncertainty.correlation;
     for (std::size_t i = 0; i < problem.parameters.size(); ++i) {

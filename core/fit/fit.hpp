@@ -9,7 +9,8 @@
 
 namespace analogon {
 
-enum class FitMethod { LeastSquares, NelderMead };
+/// Least squares by Levenberg-Marquardt: our own, or Ceres' for comparison.
+enum class FitMethod { LeastSquares, LeastSquaresByCeres, NelderMead };
 enum class RobustLoss { None, Huber, Cauchy };
 
 struct FitOptions {
@@ -21,6 +22,8 @@ struct FitOptions {
     int starts{1};                // > 1: further starts from a Latin hypercube within the bounds, best one kept
     std::uint64_t seed{1};
     int threads{1};
+    /// False: FitResult::optimum stays empty; the fit then needs no memory that grows with the record.
+    bool keepsOptimum{true};
     SimulationOptions simulation;
 };
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "core/fit/normal_equations.hpp"
 
 namespace analogon {
 
@@ -30,15 +33,47 @@ Softened soften(RobustLoss loss, double r) {
 }  // namespace
 
 Misfit::Misfit(const FitProblem& problem, const FitOptions& options, const Progress& progress)
-    : problem_(problem), options_(options), progress_(progress) {}
+    : problem_(problem), options_(options), progress_(progress) {
+    // Starts take the threads first, then the experiments.
+    threads_ = std::max(1, options.threads / std::max(1, options.starts));
+    constexpr int few = 1000;  // residuals: below, nothing is gained
+    isLong_ = problem.residualCount() >= few;
+}
+
+bool Misfit::maySumUp() const {
+    return isLong_ && !isIllConditioned_ && options_.loss == RobustLoss::None &&
+           options_.simulation.engine != Engine::Adaptive;
+}
+
+void Misfit::fail(const std::string& failure) {
+    if (isCancelled()) return;
+    ++failedSimulations_;
+    failure_ = failure;
+}
+
+/// False: the sums are not exact enough here.
+bool Misfit::summed(const Eigen::VectorXd& values, ReducedMisfit& reduced) {
+    const MisfitSums sums = sumUp(problem_, values, true, plans_, options_.simulation, progress_, threads_);
+    if (!sums.ok) {
+        ++simulations_;
+        fail(sums.failure);
+        reduced = {};
+        return true;
+    }
+    std::optional<ReducedMisfit> found = reduce(sums.hessian, sums.gradient, sums.squares);
+    if (!found) {
+        isIllConditioned_ = true;
+        return false;
+    }
+    ++simulations_;
+    reduced = std::move(*found);
+    return true;
+}
 
 Linearisation Misfit::simulate(const Eigen::VectorXd& values, bool withJacobian) {
     Linearisation result = linearise(problem_, values, withJacobian, plans_, options_.simulation, progress_);
     ++simulations_;
-    if (!result.ok && !isCancelled()) {
-        ++failedSimulations_;
-        failure_ = result.failure;
-    }
+    if (!result.ok) fail(result.failure);
     return result;
 }
 
@@ -74,6 +109,11 @@ const ReducedMisfit& Misfit::reduced(const Eigen::VectorXd& values) {
     Point& point = memory_[oldest_];
     oldest_ = (oldest_ + 1) % memory_.size();
     point.values = values;
+    if (maySumUp() && summed(values, point.reduced)) {
+        if (!point.reduced.ok && isCancelled()) point.values.resize(0);
+        if (point.reduced.ok) note(values, point.reduced.cost());
+        return point.reduced;
+    }
     Linearisation line = simulate(values, true);
     if (!line.ok) {
         point.reduced = {};
@@ -88,6 +128,16 @@ const ReducedMisfit& Misfit::reduced(const Eigen::VectorXd& values) {
 }
 
 double Misfit::cost(const Eigen::VectorXd& values) {
+    if (isLong_ && options_.loss == RobustLoss::None && options_.simulation.engine != Engine::Adaptive) {
+        const MisfitSums sums = sumUp(problem_, values, false, plans_, options_.simulation, progress_, threads_);
+        ++simulations_;
+        if (!sums.ok) {
+            fail(sums.failure);
+            return std::numeric_limits<double>::infinity();
+        }
+        note(values, 0.5 * sums.squares);
+        return 0.5 * sums.squares;
+    }
     Linearisation line = simulate(values, false);
     if (!line.ok) return std::numeric_limits<double>::infinity();
     applyLoss(line.residuals, nullptr);

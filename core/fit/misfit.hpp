@@ -53,6 +53,10 @@ private:
         ReducedMisfit reduced;
     };
     Linearisation simulate(const Eigen::VectorXd& values, bool withJacobian);
+    /// Without a robust loss and in records of some length, sums do where they are exact enough.
+    bool maySumUp() const;
+    bool summed(const Eigen::VectorXd& values, ReducedMisfit& reduced);
+    void fail(const std::string& failure);
     void applyLoss(Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) const;
     void note(const Eigen::VectorXd& values, double cost, Linearisation line = {});
     std::vector<GridPlan> plansFor(const Eigen::VectorXd& values, double looseness) const;
@@ -68,6 +72,8 @@ private:
     double bestCost_{std::numeric_limits<double>::infinity()};
     Linearisation bestLine_;
     double lossScale_{1};
+    bool isLong_{}, isIllConditioned_{};
+    int threads_{1};
     int simulations_{}, failedSimulations_{};
     std::string failure_;
 };
@@ -82,7 +88,9 @@ struct Minimum {
     int iterations{};
 };
 
-/// Levenberg-Marquardt with an active set for the bounds.
+/// Levenberg-Marquardt of our own; the same by Ceres with an active set for the bounds.
+Minimum levenbergMarquardt(Misfit& misfit, const Coordinates& coordinates, const FitOptions& options,
+                           int iterationsLeft);
 Minimum leastSquares(Misfit& misfit, Coordinates& coordinates, const FitOptions& options, int iterationsLeft);
 /// The simplex of Nelder and Mead (1965), the 2014 paper's method, restarted until it stays where it is.
 Minimum nelderMead(Misfit& misfit, Coordinates& coordinates, const FitOptions& options);

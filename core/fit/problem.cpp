@@ -4,6 +4,11 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
+
+#include "core/base/parallel.hpp"
+#include "core/fit/normal_equations.hpp"
+#include "core/simulate/all_finite.hpp"
 
 namespace analogon {
 
@@ -11,6 +16,18 @@ namespace {
 
 bool isFitted(const FitExperiment& experiment, Eigen::Index output) {
     return output < experiment.weights.size() && experiment.weights[output] > 0.0;
+}
+
+Eigen::Index measuredCount(const FitExperiment& experiment, Eigen::Index output) {
+    const Eigen::Index stride = experiment.measured.rows(), samples = experiment.measured.cols();
+    const double* at = experiment.measured.data() + output;
+    Eigen::Index count = 0;
+    for (Eigen::Index k = 0; k < samples; ++k, at += stride) count += *at == *at;
+    return count;
+}
+
+bool hasGaps(const FitExperiment& experiment, Eigen::Index output) {
+    return measuredCount(experiment, output) != experiment.measured.cols();
 }
 
 /// System parameter that each fit parameter drives in one experiment; -1: none. A parameter of this experiment
@@ -55,6 +72,24 @@ SimulationTask taskFor(const FitProblem& problem, int experiment, const Eigen::V
     return task;
 }
 
+/// Whether a parameter moves something in each experiment.
+bool actsEverywhere(const FitProblem& problem, Eigen::Index parameter) {
+    for (std::size_t e = 0; e < problem.experiments.size(); ++e)
+        if (drivenParameters(problem, static_cast<int>(e))[static_cast<std::size_t>(parameter)] < 0) return false;
+    return true;
+}
+
+/// A trajectory as a sink would have seen it.
+void pour(const Trajectory& trajectory, int directions, SampleSink& sink) {
+    std::vector<double> dy;
+    for (Eigen::Index k = 0; k < trajectory.outputs.cols(); ++k) {
+        dy.clear();
+        for (const Eigen::MatrixXd& tangents : trajectory.tangents)
+            for (int i = 0; i < directions; ++i) dy.push_back(tangents(k, i));
+        sink.take(static_cast<int>(k), trajectory.outputs.col(k).data(), directions > 0 ? dy.data() : nullptr);
+    }
+}
+
 std::string describe(const SimulationFailure& failure, const std::string& experiment) {
     std::string text =
         fmt::format("experiment '{}' failed at t = {:.6g} s: {}", experiment, failure.time, failure.reason);
@@ -62,37 +97,78 @@ std::string describe(const SimulationFailure& failure, const std::string& experi
     return text;
 }
 
-/// Writes the rows of one output; returns the row after them.
-Eigen::Index fillRows(const FitExperiment& experiment, const Trajectory& trajectory, Eigen::Index output,
-                      const std::vector<Eigen::Index>& columns, Eigen::Index row, Linearisation& result) {
-    const double weight = experiment.weights[output];
-    const auto samples = experiment.measured.cols();
-    const auto measured = experiment.measured.row(output);
-    const bool isComplete = !measured.hasNaN();
-    if (isComplete) {
-        result.residuals.segment(row, samples) = weight * (trajectory.outputs.row(output) - measured).transpose();
-    } else {
-        Eigen::Index to = row;
-        for (Eigen::Index k = 0; k < samples; ++k) {
-            if (!std::isnan(measured[k]))
-                result.residuals[to++] = weight * (trajectory.outputs(output, k) - measured[k]);
+/// Writes the rows of one experiment while its samples pass by, and keeps the outputs.
+class RowWriter final : public SampleSink {
+public:
+    RowWriter(const FitExperiment& experiment, const std::vector<Eigen::Index>& columns, Eigen::Index firstRow,
+              bool withJacobian, Linearisation& result)
+        : experiment_(experiment), columns_(columns), withJacobian_(withJacobian), result_(result) {
+        outputs.resize(experiment.measured.rows(), experiment.measured.cols());
+        for (Eigen::Index o = 0; o < experiment.measured.rows(); ++o) {
+            if (!isFitted(experiment, o)) continue;
+            Output output;
+            output.index = o;
+            output.firstRow = firstRow;
+            output.isComplete = !hasGaps(experiment, o);
+            for (Eigen::Index k = 0; k < experiment.measured.cols() && !output.isComplete; ++k)
+                output.rows.push_back(std::isnan(experiment.measured(o, k)) ? -1 : firstRow++);
+            if (output.isComplete) firstRow += experiment.measured.cols();
+            fitted_.push_back(std::move(output));
         }
     }
-    Eigen::Index end = row + samples;
-    if (!isComplete) end = row + samples - measured.array().isNaN().count();
-    for (std::size_t j = 0; j < columns.size(); ++j) {
-        const auto tangent = trajectory.tangents[static_cast<std::size_t>(output)].col(static_cast<Eigen::Index>(j));
-        if (isComplete) {
-            result.jacobian.col(columns[j]).segment(row, samples) = weight * tangent;
-            continue;
-        }
-        Eigen::Index to = row;
-        for (Eigen::Index k = 0; k < samples; ++k) {
-            if (!std::isnan(measured[k])) result.jacobian(to++, columns[j]) = weight * tangent[k];
+
+    void take(int sample, const double* y, const double* dy) override {
+        outputs.col(sample) = Eigen::Map<const Eigen::VectorXd>(y, outputs.rows());
+        for (const Output& output : fitted_)
+            write(output, sample, 1, y + output.index,
+                  dy ? dy + output.index * static_cast<Eigen::Index>(columns_.size()) : nullptr, 0);
+    }
+
+    void takeRows(int first, int count, const double* rows, const RowLayout& layout, int) override {
+        for (int j = 0; j < count; ++j)
+            outputs.col(first + j) =
+                Eigen::Map<const Eigen::VectorXd>(rows + j * layout.resultSize() + layout.value(0), outputs.rows());
+        for (const Output& output : fitted_) {
+            const int o = static_cast<int>(output.index);
+            write(output, first, count, rows + layout.value(o), rows + layout.tangent(o), layout.resultSize());
         }
     }
-    return end;
-}
+    void restart() override {}
+
+    Eigen::MatrixXd outputs;  // rows: outputs, columns: samples
+
+private:
+    struct Output {
+        Eigen::Index index{}, firstRow{};
+        bool isComplete{};
+        std::vector<Eigen::Index> rows;  // of each sample, unless complete; -1: not measured
+    };
+
+    void write(const Output& output, int first, int count, const double* y, const double* dy, Eigen::Index stride) {
+        const double weight = experiment_.weights[output.index];
+        const auto rowOf = [&](int j) {
+            return output.isComplete ? output.firstRow + first + j : output.rows[static_cast<std::size_t>(first + j)];
+        };
+        for (int j = 0; j < count; ++j) {
+            const Eigen::Index row = rowOf(j);
+            if (row >= 0) result_.residuals[row] = weight * (y[j * stride] - experiment_.measured(output.index, first + j));
+        }
+        for (std::size_t k = 0; withJacobian_ && k < columns_.size(); ++k) {
+            double* const column = result_.jacobian.data() + columns_[k] * result_.jacobian.rows();
+            const double* slope = dy + k;
+            for (int j = 0; j < count; ++j, slope += stride) {
+                const Eigen::Index row = rowOf(j);
+                if (row >= 0) column[row] = weight * *slope;
+            }
+        }
+    }
+
+    const FitExperiment& experiment_;
+    const std::vector<Eigen::Index>& columns_;
+    bool withJacobian_{};
+    Linearisation& result_;
+    std::vector<Output> fitted_;
+};
 
 }  // namespace
 
@@ -101,7 +177,7 @@ int FitProblem::residualCount() const {
     for (const FitExperiment& experiment : experiments) {
         for (Eigen::Index o = 0; o < experiment.measured.rows(); ++o) {
             if (isFitted(experiment, o)) {
-                count += experiment.measured.cols() - experiment.measured.row(o).array().isNaN().count();
+                count += measuredCount(experiment, o);
             }
         }
     }
@@ -119,34 +195,85 @@ Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values
     Linearisation result;
     const Eigen::Index rows = problem.residualCount();
     result.residuals.setConstant(rows, std::numeric_limits<double>::quiet_NaN());
-    if (withJacobian)
-        result.jacobian = Eigen::MatrixXd::Zero(rows, static_cast<Eigen::Index>(problem.parameters.size()));
+    if (withJacobian) {
+        const auto K = static_cast<Eigen::Index>(problem.parameters.size());
+        result.jacobian.resize(rows, K);
+        // What acts in every experiment fills its column; a parameter of one leaves gaps.
+        for (Eigen::Index k = 0; k < K; ++k)
+            if (problem.parameters[static_cast<std::size_t>(k)].experiment >= 0 || !actsEverywhere(problem, k))
+                result.jacobian.col(k).setZero();
+    }
     Eigen::Index row = 0;
     for (std::size_t e = 0; e < problem.experiments.size(); ++e) {
         const FitExperiment& experiment = problem.experiments[e];
         std::vector<Eigen::Index> columns;  // column of the Jacobian of each direction
         const SimulationTask task = taskFor(problem, static_cast<int>(e), values, withJacobian ? &columns : nullptr);
+        RowWriter writer(experiment, columns, row, withJacobian, result);
         if (options.engine == Engine::Adaptive) {
             result.trajectories.push_back(simulateAdaptive(task, options, progress));
         } else {
             const GridPlan plan = e < plans.size() ? plans[e] : planGrid(task, options, progress);
-            result.trajectories.push_back(simulateGrid(task, plan, options, progress));
+            result.trajectories.push_back(simulateGrid(task, plan, options, progress, &writer));
         }
-        const Trajectory& trajectory = result.trajectories.back();
+        Trajectory& trajectory = result.trajectories.back();
         if (trajectory.failure.failed) {
             result.failure = describe(trajectory.failure, experiment.name);
             return result;
         }
-        for (Eigen::Index o = 0; o < experiment.measured.rows(); ++o) {
-            if (isFitted(experiment, o)) row = fillRows(experiment, trajectory, o, columns, row, result);
+        if (options.engine == Engine::Adaptive) {
+            pour(trajectory, static_cast<int>(task.directions.cols()), writer);
+            trajectory.tangents.clear();
         }
-        if (!result.residuals.head(row).allFinite() || (withJacobian && !result.jacobian.topRows(row).allFinite())) {
-            result.failure = fmt::format("experiment '{}': the sensitivities are not finite", experiment.name);
+        trajectory.outputs = std::move(writer.outputs);
+        for (Eigen::Index o = 0; o < experiment.measured.rows(); ++o)
+            if (isFitted(experiment, o)) row += measuredCount(experiment, o);
+        if (!allFinite(trajectory.outputs.data(), trajectory.outputs.size())) {
+            result.failure = fmt::format("experiment '{}': an output is not finite", experiment.name);
             return result;
         }
     }
+    if (withJacobian && !allFinite(result.jacobian.data(), result.jacobian.size())) {
+        result.failure = "the sensitivities are not finite";
+        return result;
+    }
     result.ok = true;
     return result;
+}
+
+MisfitSums sumUp(const FitProblem& problem, const Eigen::VectorXd& values, bool withJacobian,
+                 const std::vector<GridPlan>& plans, const SimulationOptions& options, const Progress& progress,
+                 int threads) {
+    const auto K = withJacobian ? static_cast<Eigen::Index>(problem.parameters.size()) : 0;
+    MisfitSums sums;
+    sums.hessian = Eigen::MatrixXd::Zero(K, K);
+    sums.gradient = Eigen::VectorXd::Zero(K);
+    const std::size_t count = problem.experiments.size();
+    std::vector<std::unique_ptr<NormalEquations>> parts(count);
+    std::vector<std::string> failures(count);
+    parallelFor(static_cast<int>(count), threads, [&](int index) {
+        const auto e = static_cast<std::size_t>(index);
+        std::vector<Eigen::Index> columns;
+        const SimulationTask task = taskFor(problem, index, values, withJacobian ? &columns : nullptr);
+        parts[e] = std::make_unique<NormalEquations>(problem.experiments[e], std::move(columns));
+        const GridPlan plan = e < plans.size() ? plans[e] : planGrid(task, options, progress);
+        const Trajectory trajectory = simulateGrid(task, plan, options, progress, parts[e].get());
+        if (trajectory.failure.failed) {
+            failures[e] = describe(trajectory.failure, problem.experiments[e].name);
+        } else if (!parts[e]->isFinite()) {
+            failures[e] = fmt::format("experiment '{}': the sensitivities are not finite", problem.experiments[e].name);
+        }
+    });
+    // In the order of the experiments, whatever thread was first.
+    for (std::size_t e = 0; e < count; ++e) {
+        if (!failures[e].empty()) {
+            sums.failure = failures[e];
+            return sums;
+        }
+        sums.squares += parts[e]->squares();
+        parts[e]->addTo(sums.hessian, sums.gradient);
+    }
+    sums.ok = true;
+    return sums;
 }
 
 }  // namespace analogon

@@ -50,7 +50,7 @@ struct Linearisation {
     bool ok{};
     Eigen::VectorXd residuals;             // weight * (simulated - measured)
     Eigen::MatrixXd jacobian;              // rows: residuals, columns: parameters
-    std::vector<Trajectory> trajectories;  // one per experiment
+    std::vector<Trajectory> trajectories;  // one per experiment, without tangents
     std::string failure;                   // which experiment, when, which variable
 };
 
@@ -63,5 +63,20 @@ GridPlan planFor(const FitProblem& problem, int experiment, const Eigen::VectorX
 Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values, bool withJacobian,
                         const std::vector<GridPlan>& plans, const SimulationOptions& options = {},
                         const Progress& progress = {});
+
+/// What a least-squares step needs of all residuals r and their Jacobian J, without keeping them.
+struct MisfitSums {
+    bool ok{};
+    Eigen::MatrixXd hessian;   // JᵀJ
+    Eigen::VectorXd gradient;  // Jᵀr
+    double squares{};          // rᵀr
+    std::string failure;
+};
+
+/// As linearise(), sample by sample (not for the adaptive engine). Experiments run side by side on up to `threads`
+/// threads; the result does not depend on their number.
+MisfitSums sumUp(const FitProblem& problem, const Eigen::VectorXd& values, bool withJacobian,
+                 const std::vector<GridPlan>& plans, const SimulationOptions& options = {},
+                 const Progress& progress = {}, int threads = 1);
 
 }  // namespace analogon

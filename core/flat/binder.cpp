@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/flat/translator.hpp"
+#include "core/syntax/printer.hpp"
 
 namespace analogon {
 namespace {
@@ -334,6 +335,23 @@ void Binder::checkParameters() {
             }
         }
     }
+    for (std::uint32_t i = 0; i < variables.size(); ++i)
+        if (variables[i].variability == FlatVariability::Parameter) checkRange({i});
+}
+
+/// A value outside min and max is used, but hardly what was meant.
+void Binder::checkRange(VariableId id) {
+    const FlatVariable& variable = work_.model.variables[id.value];
+    if (!variable.min && !variable.max) return;
+    const std::optional<double> value = work_.model.parameterValue(id);
+    if (!value) return;
+    const bool isBelow = variable.min && *value < *variable.min, isAbove = variable.max && *value > *variable.max;
+    if (!isBelow && !isAbove) return;
+    work_.messages.warning(
+        fmt::format("the parameter '{}' is {}, {} its {} {}", variable.name, syntax::printNumber(*value),
+                    isBelow ? "below" : "above", isBelow ? "min" : "max",
+                    syntax::printNumber(isBelow ? *variable.min : *variable.max)),
+        variable.value, "change the value, or the range where the parameter is declared");
 }
 
 }  // namespace analogon

@@ -30,6 +30,7 @@ private:
                                   const std::string& what);
     bool fitsType(const Element& element, const Value& value) const;
     void freeParameters(Instance& instance, Element& element);
+    void checkRange(VariableId id);
     void checkParameter(VariableId id);
 
     Flattening& work_;

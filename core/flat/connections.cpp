@@ -286,9 +286,19 @@ void Connections::unconnectedInputs() {
         if (isConnected && record.isBound)
             work_.messages.error(fmt::format("the input '{}' is connected and has a value as well", name),
                                  component.declared, "remove the connection or the value");
-        else if (!isConnected && !record.isBound && !isSetByEquation(id))
-            work_.messages.error(fmt::format("the input '{}' of {} is not connected", name, component.label()),
-                                 component.declared, "connect it to an output or a top-level input");
+        else if (!isConnected && !record.isBound && !isSetByEquation(id)) {
+            const Element& element = work_.elementOf(id);
+            const bool isConnector = record.owner->isConnector() || element.type.isConnector;
+            work_.messages.error(
+                fmt::format("the input '{}' of {} {}", name, component.label(),
+                            isConnector ? "is not connected" : "has no value"),
+                component.declared,
+                isConnector
+                    ? "connect it to an output or a top-level input"
+                    : fmt::format("give it one where the component is declared: {}({} = …); an equation can only "
+                                  "set an input that is a connector, such as RealInput",
+                                  component.name.substr(component.name.rfind('.') + 1), element.declaration->name));
+        }
     }
 }
 

@@ -184,7 +184,9 @@ private:
         if (!take({"expr"}, 1)) return std::nullopt;
         auto value = numeric(0);
         if (!value) return value;
-        value->type = FlatType::Real;
+        if (value->type != FlatType::Real)
+            return fail("der needs a Real variable: an Integer does not vary continuously", expressions_[0]->span,
+                        "declare the variable as Real");
         for (ExpressionId& element : value->elements) element = work_.translator->derivative(element, call_.span);
         return value;
     }
@@ -352,15 +354,26 @@ private:
 
     std::optional<Value> table(LookupTable::Interpolation interpolation) {
         if (!take({"x", "xs", "ys"}, 3)) return std::nullopt;
-        auto x = numeric(0);
-        const auto xs = constantVector(1), ys = constantVector(2);
+        return tableOf(0, 1, 2, interpolation);
+    }
+
+    /// As the Modelica Standard Library has it: abscissas and ordinates first.
+    std::optional<Value> interpolation() {
+        if (!take({"x", "y", "xi"}, 3)) return std::nullopt;
+        return tableOf(2, 0, 1, LookupTable::Interpolation::Linear);
+    }
+
+    std::optional<Value> tableOf(std::size_t at, std::size_t abscissas, std::size_t ordinates,
+                                 LookupTable::Interpolation interpolation) {
+        auto x = numeric(at);
+        const auto xs = constantVector(abscissas), ys = constantVector(ordinates);
         if (!x || !xs || !ys) return std::nullopt;
         if (xs->empty() || xs->size() != ys->size())
             return fail(fmt::format("the table has {} abscissas and {} ordinates", xs->size(), ys->size()));
         for (std::size_t i = 1; i < xs->size(); ++i)
             if (!((*xs)[i] > (*xs)[i - 1]))
                 return fail(fmt::format("the abscissas of the table must rise: {} follows {}", (*xs)[i], (*xs)[i - 1]),
-                            expressions_[1]->span);
+                            expressions_[abscissas]->span);
         LookupTable lookup;
         lookup.x = *xs;
         lookup.y = *ys;
@@ -374,6 +387,7 @@ private:
     std::optional<Value> libraryFunction() {
         const LibraryClass* definition = work_.lookup(call_.name, scope_.lexical);
         const std::string qualified = definition ? definition->qualifiedName : name_;
+        if (qualified == "Modelica.Math.Vectors.interpolate") return interpolation();
         if (qualified == "Analogon.Tables.linear") return table(LookupTable::Interpolation::Linear);
         if (qualified == "Analogon.Tables.monotoneCubic") return table(LookupTable::Interpolation::MonotoneCubic);
         const Span& span = call_.name.span.valid() ? call_.name.span : call_.span;

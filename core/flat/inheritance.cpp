@@ -204,6 +204,7 @@ void Instantiator::replaceElement(Instance& instance, Element& existing, Element
                                          knownScope, work_.messages);
         element.modifier = merge(element.modifier, std::move(constraint), work_.messages, component.name);
         element.original = existing.original;
+        element.owner = existing.owner;
         existing = std::move(element);
         return;
     }

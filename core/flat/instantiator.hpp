@@ -51,7 +51,14 @@ private:
     bool mayContain(const Instance& instance, const Element& element);
     void bindRecord(Instance& record, const Modifier& modifier);
 
+    struct RedeclaredIn {
+        Instance* instance{};  // null: none
+        const Instance::RedeclaredClass* redeclared{};
+    };
+
     std::optional<ResolvedType> resolveType(const syntax::Name& name, const Scope& scope, int depth = 0);
+    RedeclaredIn redeclarationOf(const syntax::Name& name, const Scope& scope);
+    bool isReachedUnmodified(const syntax::Name& name, const Scope& scope, const LibraryClass& found);
     bool satisfies(const ResolvedType& type, const syntax::Name& constraint, const Scope& scope, const Span& span);
     void constrain(ResolvedType& type, Instance& instance, const std::string& name);
     std::optional<ResolvedType> followClass(const LibraryClass& definition, const Scope& scope, int depth);

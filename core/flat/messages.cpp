@@ -23,6 +23,8 @@ void Messages::warning(const std::string& message, const Span& span, const std::
 }
 
 std::string didYouMean(std::string_view misspelt, const std::vector<std::string>& names) {
+    if (misspelt == "Modelica" || misspelt.starts_with("Modelica."))
+        return "the Modelica Standard Library is not part of Analogon: use Analogon's blocks, or declare what you need";
     const std::string best = suggestion(misspelt, names);
     return best.empty() ? best : fmt::format("did you mean '{}'?", best);
 }

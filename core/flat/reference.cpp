@@ -330,10 +330,31 @@ std::optional<Value> Translator::constantOf(const LibraryClass& definition, cons
         busyConstants_.erase({&definition, name});
         return value;
     }
-    for (const auto& base : definition.definition->bases) {
-        const LibraryClass* inherited = work_.lookup(base.base, work_.library.find(definition.scope));
-        if (!inherited) continue;
-        auto value = constantOf(*inherited, name, found, seen);
+    const syntax::ClassDefinition& tree = *definition.definition;
+    const LibraryClass* outside = work_.library.find(definition.scope);
+    // A modification on the way to the base is nearer than the base's own value.
+    const auto inherited = [&](const syntax::Name& baseName, const std::vector<syntax::Modification>& modifications,
+                               const LibraryClass* scope) -> std::optional<Value> {
+        const LibraryClass* base = work_.lookup(baseName, outside);
+        if (!base) return std::nullopt;
+        for (const syntax::Modification& m : modifications) {
+            if (m.name.text() != name || !m.value) continue;
+            found = true;
+            work_.keepSource(tree);
+            if (!busyConstants_.emplace(&definition, name).second) {
+                work_.messages.error(
+                    fmt::format("the constant '{}.{}' depends on itself", definition.qualifiedName, name), m.span);
+                return std::nullopt;
+            }
+            auto value = translate(*m.value, {nullptr, scope});
+            busyConstants_.erase({&definition, name});
+            return value;
+        }
+        return constantOf(*base, name, found, seen);
+    };
+    if (tree.isShort && !tree.isEnumeration) return inherited(tree.shortBase, tree.shortModifications, outside);
+    for (const auto& base : tree.bases) {
+        auto value = inherited(base.base, base.modifications, &definition);
         if (found) return value;
     }
     return std::nullopt;

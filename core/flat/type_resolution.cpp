@@ -34,22 +34,26 @@ std::optional<ResolvedType> Instantiator::resolveType(const syntax::Name& name, 
         work_.messages.error(fmt::format("the type '{}' is defined through itself", name.text()), name.span);
         return std::nullopt;
     }
-    if (!name.absolute && name.parts.size() == 1 && scope.instance) {
-        const auto replaced = scope.instance->redeclared.find(name.parts[0].identifier);
-        if (replaced != scope.instance->redeclared.end()) {
-            const Instance::RedeclaredClass& r = replaced->second;
-            std::optional<ResolvedType> type;
-            const bool isShort = r.definition->isShort && !r.definition->isEnumeration;
-            if (r.asElement || isShort) {
-                type = r.asElement ? followClass(*r.asElement, r.scope, depth + 1)
-                                   : followShort(*r.definition, r.scope, {}, depth + 1);
-                if (type) constrain(*type, *scope.instance, name.parts[0].identifier);
-                return type;
-            }
-            work_.messages.error(fmt::format("the class '{}' is redeclared by a class with a body", name.text()),
-                                 r.span, "write: redeclare model NAME = CLASS");
+    if (const RedeclaredIn replaced = redeclarationOf(name, scope); replaced.instance) {
+        const Instance::RedeclaredClass& r = *replaced.redeclared;
+        if (name.parts.size() > 1) {
+            work_.messages.error(
+                fmt::format("'{}' names a class within '{}', which is redeclared; that is not supported", name.text(),
+                            name.parts[0].identifier),
+                name.span, "declare the inner class as \"replaceable\" itself and redeclare that one");
             return std::nullopt;
         }
+        std::optional<ResolvedType> type;
+        const bool isShort = r.definition->isShort && !r.definition->isEnumeration;
+        if (r.asElement || isShort) {
+            type = r.asElement ? followClass(*r.asElement, r.scope, depth + 1)
+                               : followShort(*r.definition, r.scope, {}, depth + 1);
+            if (type) constrain(*type, *replaced.instance, name.parts[0].identifier);
+            return type;
+        }
+        work_.messages.error(fmt::format("the class '{}' is redeclared by a class with a body", name.text()), r.span,
+                             "write: redeclare model NAME = CLASS");
+        return std::nullopt;
     }
     const LibraryClass* found = work_.lookup(name, scope.lexical);
     if (!found) {
@@ -59,7 +63,56 @@ std::optional<ResolvedType> Instantiator::resolveType(const syntax::Name& name, 
                              didYouMean(name.text(), work_.library.names()));
         return std::nullopt;
     }
+    if (!isReachedUnmodified(name, scope, *found)) return std::nullopt;
     return followClass(*found, scope, depth + 1);
+}
+
+/// The redeclaration that a name meets: in the instance itself, or in one around it when the name leads to a class
+/// which that one holds.
+Instantiator::RedeclaredIn Instantiator::redeclarationOf(const syntax::Name& name, const Scope& scope) {
+    if (name.absolute || name.parts.empty() || !scope.instance) return {};
+    const std::string& first = name.parts[0].identifier;
+    const LibraryClass* meant = nullptr;
+    for (Instance* instance = scope.instance; instance; instance = instance->parent) {
+        const auto replaced = instance->redeclared.find(first);
+        if (replaced == instance->redeclared.end()) continue;
+        if (instance != scope.instance) {
+            if (!meant) meant = work_.library.lookup(first, scope.lexical ? scope.lexical->qualifiedName : "");
+            const auto local = instance->localClasses.find(first);
+            if (!meant || local == instance->localClasses.end() || local->second.definition != meant->definition.get())
+                continue;
+        }
+        return {instance, &replaced->second};
+    }
+    return {};
+}
+
+/// A class inherited by a package that modifies its base would see other constants than those of its own text.
+bool Instantiator::isReachedUnmodified(const syntax::Name& name, const Scope& scope, const LibraryClass& found) {
+    if (name.parts.size() < 2) return true;
+    syntax::Name prefix = name;
+    prefix.parts.pop_back();
+    const LibraryClass* holder = work_.lookup(prefix, name.absolute ? nullptr : scope.lexical);
+    for (std::size_t steps = 0; holder && holder->qualifiedName != found.scope && steps < deepest; ++steps) {
+        const syntax::ClassDefinition& tree = *holder->definition;
+        const bool isModified = !tree.shortModifications.empty() ||
+                                std::any_of(tree.bases.begin(), tree.bases.end(),
+                                            [](const syntax::Extends& base) { return !base.modifications.empty(); });
+        if (isModified) {
+            work_.messages.error(
+                fmt::format("'{}' is inherited by {}, which modifies what it inherits; that is not supported for the "
+                            "classes of a package",
+                            name.text(), holder->qualifiedName),
+                name.span, fmt::format("use {} and modify its parameters", found.qualifiedName));
+            return false;
+        }
+        const std::vector<const LibraryClass*> bases = work_.library.bases(*holder);
+        const auto next = std::find_if(bases.begin(), bases.end(), [&](const LibraryClass* base) {
+            return work_.library.lookup(name.parts.back().identifier, base->qualifiedName) == &found;
+        });
+        holder = next == bases.end() ? nullptr : *next;
+    }
+    return true;
 }
 
 /// A class that takes the place of another has each of its public elements (section 6.4).

@@ -163,19 +163,17 @@ private:
 
 bool canBeExact(Dynamics& dynamics, const SampledInputs& inputs) {
     const Dynamics::Shape& shape = dynamics.shape();
-    const std::size_t count = inputs.time.size();
-    if (shape.states == 0 || !shape.delays.empty() || count < 3) return false;
-    const double h = (inputs.time.back() - inputs.time.front()) / static_cast<double>(count - 1);
-    for (std::size_t k = 0; k + 1 < count; ++k)
-        if (!(std::abs(inputs.time[k + 1] - inputs.time[k] - h) <= 1e-8 * h)) return false;
-    return dynamics.prepareRecurrence(h);
+    if (shape.states == 0 || !shape.delays.empty()) return false;
+    const std::optional<double> h = equidistantStep(inputs);
+    return h && (dynamics.prepareRows(*h) || dynamics.prepareRecurrence(*h));
 }
 
 bool runCompiled(Dynamics& dynamics, const SampledInputs& inputs, const GridRun& run, const SimulationOptions& options,
                  const Progress& progress, Trajectory& result) {
     const Dynamics::Shape& shape = dynamics.shape();
     const bool isExact = run.plan.method == GridMethod::Exact;
-    if (isExact ? !canBeExact(dynamics, inputs)
+    const std::optional<double> h = isExact ? equidistantStep(inputs) : std::nullopt;
+    if (isExact ? !h || shape.states == 0 || !shape.delays.empty() || !dynamics.prepareRecurrence(*h)
                 : (run.plan.method != GridMethod::RungeKutta4 && !run.plan.steps) || shape.states == 0 ||
                       !shape.delays.empty() || inputs.time.size() <= 100 || !dynamics.prepareSteps()) {
         return false;

@@ -65,6 +65,16 @@ public:
     virtual bool isStateFinite() { return false; }
     virtual bool outputsOfState(double /*t*/, const double* /*u*/, double* /*y*/, double* /*dy*/) { return false; }
 
+    /// Whole stretches of steps (System::prepareRows and on); null: not possible.
+    virtual const RowLayout* prepareRows(double /*h*/) { return nullptr; }
+    virtual void tabulate(const double* /*slots*/, double* /*terms*/, std::int64_t /*count*/) {}
+    virtual bool walk(const double* /*rows*/, double* /*results*/, std::int64_t /*count*/) { return false; }
+    virtual bool stepOver(const double* /*rows*/, std::int64_t /*count*/) { return false; }
+    virtual std::shared_ptr<const void> identity() const { return nullptr; }  // of the system
+
+    /// Whether the rates have no kinks, jumps or thresholds.
+    virtual bool isSmooth() const { return false; }
+
     /// The variables asked for in the task.
     virtual int observedCount() const { return 0; }
     virtual bool observed(double, const double*, const double*, double*) { return true; }
@@ -114,6 +124,20 @@ public:
     }
     bool isStateFinite() override { return system_.isStateFinite(stepping()); }
     bool outputsOfState(double t, const double* u, double* y, double* dy) override;
+    const RowLayout* prepareRows(double h) override { return system_.prepareRows(stepping(), h); }
+    void tabulate(const double* slots, double* terms, std::int64_t count) override {
+        system_.tabulate(stepping(), slots, terms, count);
+    }
+    bool walk(const double* rows, double* results, std::int64_t count) override {
+        evaluations_ += 5 * count;
+        return system_.walk(stepping(), rows, results, count);
+    }
+    bool stepOver(const double* rows, std::int64_t count) override {
+        evaluations_ += 4 * count;
+        return system_.stepOver(stepping(), rows, count);
+    }
+    std::shared_ptr<const void> identity() const override { return system_.identity(); }
+    bool isSmooth() const override { return system_.isSmooth(); }
     int observedCount() const override { return static_cast<int>(handles_.size()); }
     bool observed(double t, const double* x, const double* u, double* values) override;
     std::string failure() const override;

@@ -215,7 +215,10 @@ Trajectory runGrid(Dynamics& dynamics, const SampledInputs& inputs, const GridRu
         result.failure = {true, 0.0, {}, "no samples"};
         return result;
     }
-    if (runCompiled(dynamics, inputs, run, options, progress, result)) return result;
+    if (runRows(dynamics, inputs, run, options, progress, result) ||
+        runCompiled(dynamics, inputs, run, options, progress, result)) {
+        return result;
+    }
     GridRun general = run;
     if (run.plan.method == GridMethod::Exact) general.plan = {GridMethod::RungeKutta4, 8, run.plan.errorEstimate};
     GridPass(dynamics, inputs, general, options, progress, result).execute();

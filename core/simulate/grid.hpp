@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+#include <optional>
+
 #include "core/simulate/dynamics.hpp"
 #include "core/simulate/simulate.hpp"
 
@@ -23,6 +26,17 @@ Trajectory runGrid(Dynamics& dynamics, const SampledInputs& inputs, const GridRu
 /// possible, or a value was not finite; runGrid knows where and why.
 bool runCompiled(Dynamics& dynamics, const SampledInputs& inputs, const GridRun& run, const SimulationOptions& options,
                  const Progress& progress, Trajectory& result);
+
+/// The same where whole stretches of the record are one piece of machine code: no slots that jump at the samples, and
+/// nothing but outputs and states to record. False as above.
+bool runRows(Dynamics& dynamics, const SampledInputs& inputs, const GridRun& run, const SimulationOptions& options,
+             const Progress& progress, Trajectory& result);
+
+/// The terms of the inputs alone for runRows() with this plan; null: there are none.
+std::shared_ptr<const InputTerms> tabulateTerms(Dynamics& dynamics, const SampledInputs& inputs, const GridPlan& plan);
+
+/// The length of the sample intervals where all are the same, within rounding.
+std::optional<double> equidistantStep(const SampledInputs& inputs);
 
 /// Whether runCompiled() can take exact steps: the dynamics are made ready for them.
 bool canBeExact(Dynamics& dynamics, const SampledInputs& inputs);

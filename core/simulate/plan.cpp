@@ -4,6 +4,7 @@
 #include <optional>
 #include <tuple>
 
+#include "core/simulate/input_slots.hpp"
 #include "core/simulate/step_schedule.hpp"
 
 namespace analogon {
@@ -43,7 +44,9 @@ public:
         const bool mayBeExact = options_.method == GridMethod::Auto || options_.method == GridMethod::Exact;
         if (mayBeExact && options_.substeps == 0 && canBeExact(dynamics_, inputs_)) return {GridMethod::Exact, 1, 0.0};
         if (options_.method == GridMethod::Exact) options_.method = GridMethod::Auto;
+        takeTerms(inForce);
         if (!surveyWholeRecord()) return fallback();
+        if (const std::optional<GridPlan> plan = singleSteps()) return *plan;
         if (options_.method == GridMethod::Auto && options_.substeps == 0) {
             const std::optional<GridPlan> plan =
                 scheduleSteps(dynamics_, inputs_, surveyRun_, tolerance_, limited_, progress_, inForce);
@@ -72,9 +75,56 @@ public:
 private:
     Window wholeRecord() const { return {0, sampleCount_ - 1, {}}; }
 
+    static GridPlan oneStep() { return {GridMethod::RungeKutta4, 1, 0.0}; }
+
+    /// What depends on the inputs alone, for the plan that is looked at most.
+    void takeTerms(const GridPlan* inForce) {
+        const bool isKnown = inForce && inForce->terms && *inForce == oneStep() &&
+                             inForce->terms->owner == dynamics_.identity();
+        terms_ = isKnown ? inForce->terms : tabulateTerms(dynamics_, inputs_, oneStep());
+    }
+
+    /// One explicit step an interval, where that is far more exact than asked for, in a model without kinks: what is
+    /// seen at the start, where the record is liveliest, and at the eigenvalues here and there then speaks for all of
+    /// it. Nothing: it takes a closer look.
+    std::optional<GridPlan> singleSteps() {
+        const bool isFree = options_.method == GridMethod::Auto && options_.substeps == 0;
+        if (!isFree || !(survey_ == oneStep()) || sampleCount_ < 2 * kLongestWindow || !dynamics_.isSmooth() ||
+            !dynamics_.shape().delays.empty() || !isFarFromStiff()) {
+            return std::nullopt;
+        }
+        takeSurvey(surveyRun_);
+        constexpr double margin = 1e-3;
+        const std::optional<double> moved = difference(survey_, {GridMethod::RungeKutta4, 2, 0.0});
+        if (!moved || *moved > margin * tolerance_) return std::nullopt;
+        GridPlan plan = oneStep();
+        plan.errorEstimate = *moved;
+        plan.terms = terms_;
+        return plan;
+    }
+
+    bool isFarFromStiff() {
+        constexpr int places = 50;
+        constexpr double reach = 0.5;  // of the 2.8 at which the method fails
+        const auto n = static_cast<std::size_t>(dynamics_.shape().states);
+        std::vector<double> xdot(n), jacobian(n * n), scratch(n * n), u(static_cast<std::size_t>(dynamics_.shape().slots));
+        InputSlots slots(dynamics_, inputs_);
+        for (int i = 0; i < places; ++i) {
+            const int k = static_cast<int>(static_cast<long>(i) * (sampleCount_ - 2) / (places - 1));
+            const double t = inputs_.time[static_cast<std::size_t>(k)];
+            slots.at(k, t, u.data());
+            if (!dynamics_.jacobian(t, surveyRun_.states.col(k).data(), u.data(), xdot.data(), jacobian.data()))
+                return false;
+            const double h = inputs_.time[static_cast<std::size_t>(k) + 1] - t;
+            if (!(spectralRadius(jacobian.data(), scratch.data(), static_cast<int>(n)) * h <= reach)) return false;
+        }
+        return true;
+    }
+
     Trajectory run(const GridPlan& plan, const Window& window, bool keepStates) {
         GridRun grid;
         grid.plan = plan;
+        if (plan == oneStep()) grid.plan.terms = terms_;
         grid.first = window.first;
         grid.last = window.last;
         grid.startState = window.state.empty() ? nullptr : window.state.data();
@@ -274,6 +324,7 @@ private:
     double tolerance_{};
     int sampleCount_{};
     double least_{};  // plans cheaper than this have failed on the whole record
+    std::shared_ptr<const InputTerms> terms_;  // of single steps
     GridPlan survey_;
     Trajectory surveyRun_;
     Eigen::VectorXd ranges_;

@@ -1,7 +1,9 @@
 #include "core/simulate/simulate.hpp"
 
+#include <algorithm>
 #include <limits>
 
+#include "core/simulate/all_finite.hpp"
 #include "core/simulate/grid.hpp"
 
 namespace analogon {
@@ -39,7 +41,7 @@ const char* misfit(const SimulationTask& task) {
     if (task.directions.cols() > 0 && task.directions.rows() != system.parameterCount()) {
         return "directions do not have the shape the system asks for";
     }
-    if (!task.inputs->values.allFinite()) return "an input is not finite";
+    if (!allFinite(task.inputs->values.data(), task.inputs->values.size())) return "an input is not finite";
     return nullptr;
 }
 
@@ -55,6 +57,16 @@ Trajectory explained(Trajectory trajectory, const Dynamics& dynamics) {
 }
 
 }  // namespace
+
+void SampleSink::takeRows(int first, int count, const double* rows, const RowLayout& layout, int directions) {
+    const auto outputs = static_cast<std::size_t>(layout.outputs), K = static_cast<std::size_t>(directions);
+    std::vector<double> dy(outputs * K);
+    for (int j = 0; j < count; ++j, rows += layout.resultSize()) {
+        for (int o = 0; o < layout.outputs; ++o)
+            std::copy_n(rows + layout.tangent(o), K, dy.data() + static_cast<std::size_t>(o) * K);
+        take(first + j, rows + layout.value(0), K > 0 ? dy.data() : nullptr);
+    }
+}
 
 double GridPlan::work() const {
     constexpr double implicitCost = 12.0;
@@ -77,7 +89,14 @@ GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options, 
     values.observe.clear();
     SystemDynamics dynamics(values, false);
     if (!dynamics.isReady()) return {};
-    return choosePlan(dynamics, *task.inputs, options, progress, inForce);
+    GridPlan plan = choosePlan(dynamics, *task.inputs, options, progress, inForce);
+    if (plan.terms) return plan;
+    if (inForce && plan == *inForce && inForce->terms && inForce->terms->owner == task.system->identity()) {
+        plan.terms = inForce->terms;
+    } else {
+        plan.terms = tabulateTerms(dynamics, *task.inputs, plan);
+    }
+    return plan;
 }
 
 Trajectory simulateGrid(const SimulationTask& task, const GridPlan& plan, const SimulationOptions& options,

@@ -32,6 +32,13 @@ struct SimulationOptions {
     long evaluationLimit{2'000'000'000};  // of the model, in one grid run or in planning one
 };
 
+/// Terms of the model that depend on the inputs alone, for every explicit step of a plan: computed once, then looked up.
+struct InputTerms {
+    std::shared_ptr<const void> owner;  // System::identity() of the system they belong to
+    int count{};                        // terms a point
+    std::vector<double> begin, middle;  // of each step, those of the rates alone in its middle
+};
+
 /// What a grid run was found to need; chosen once per experiment, then kept so that a misfit stays smooth.
 struct GridPlan {
     GridMethod method{GridMethod::RungeKutta4};
@@ -40,6 +47,7 @@ struct GridPlan {
     /// Where the sample intervals need different steps: for each, how many explicit (> 0) or implicit (< 0) ones;
     /// above is then the most demanding of them. Null: all alike.
     std::shared_ptr<const std::vector<std::int16_t>> steps{};
+    std::shared_ptr<const InputTerms> terms{};  // null: computed on the way
 
     GridMethod methodIn(int interval) const {
         if (!steps) return method;
@@ -89,6 +97,8 @@ struct SimulationTask {
 class SampleSink {
 public:
     virtual ~SampleSink() = default;
+    /// Samples first, first + 1 … in rows of `layout` (RowLayout::tangent, value), of K directions.
+    virtual void takeRows(int first, int count, const double* rows, const RowLayout& layout, int directions);
     /// Outputs at a sample and their tangents (outputs x K, row-major; null when K = 0).
     virtual void take(int sample, const double* y, const double* dy) = 0;
     /// All samples so far are void: they come again from the first one.

@@ -38,6 +38,7 @@ private:
     void refuse(const Equation& equation, const std::string& why);
     void addLeftEquations();
     void closeInputs();
+    std::string slopesOf(int derivativeClass);
     void chooseRepresentatives();
     int score(VariableId id, const Signed& root) const;
     ExpressionId signedNode(ExpressionId node, int sign) { return sign < 0 ? pool_.negate(node) : node; }
@@ -252,6 +253,20 @@ void AliasElimination::addLeftEquations() {
     }
 }
 
+/// ", as the derivative of 'J.w'": the variables that are an input's slope.
+std::string AliasElimination::slopesOf(int derivativeClass) {
+    constexpr int most = 3;
+    std::string names;
+    int count = 0;
+    for (std::uint32_t i = 0; i < system_.model->variables.size() && count < most; ++i) {
+        if (!isUnknownVariable(system_.model->variables[i])) continue;
+        const int entity = entityOf(pool_.variable({i}));
+        if (entity < 0 || classes_.find(entity).entity != derivativeClass) continue;
+        names += fmt::format("{}'{}'", count++ == 0 ? "" : ", ", system_.model->variables[i].name);
+    }
+    return names.empty() ? names : ", as the derivative of " + names;
+}
+
 /// The derivative of an input is known as well: it is a further input of the program.
 void AliasElimination::closeInputs() {
     for (std::uint32_t i = 0; i < system_.model->variables.size(); ++i) {
@@ -267,11 +282,9 @@ void AliasElimination::closeInputs() {
                 error(fmt::format("The derivative of the input '{}' is fixed by the equations.", variable.name),
                       variable.declared));
         } else if (c.derivative.entity >= 0) {
-            faults_.push_back(
-                error(fmt::format("The model needs the second derivative of the input '{}'.", variable.name),
-                      variable.declared,
-                      "A measured signal that runs linearly between samples has none. Drive the quantity through a "
-                      "spring and damper, or pass the signal through Signals.FirstOrder twice."));
+            faults_.push_back(error(fmt::format("The model needs the second derivative of the input '{}'{}.",
+                                                variable.name, slopesOf(classes_.find(derivative).entity)),
+                                    variable.declared, noSecondDerivative));
         } else {
             c.known = derivative;
         }

@@ -53,4 +53,11 @@ struct EquationSystem {
     ExpressionId residual(const Equation& equation) const { return pool->subtract(equation.left, equation.right); }
 };
 
+/// What to do about an input whose second derivative is asked for.
+inline constexpr const char* noSecondDerivative =
+    "A recorded signal runs linearly between its samples: it has a slope and no second derivative. Leave out the "
+    "inertia "
+    "that follows it rigidly, drive it through a spring and damper, or pass the signal through Signals.FirstOrder "
+    "twice.";
+
 }  // namespace analogon

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/structure/finite_check.hpp"
 #include "core/structure/rewrite.hpp"
 
 namespace analogon {
@@ -23,7 +24,8 @@ public:
           pool_(*out.system.pool),
           state_(model.variables.size(), State::New),
           result_(model.variables.size()),
-          rewrite_(pool_, [this](ExpressionId node) { return leaf(node); }) {}
+          rewrite_(pool_, [this](ExpressionId node) { return leaf(node); }),
+          finite_(model, pool_, rewrite_) {}
 
     void keep(const StructureOptions& options);
     void run();
@@ -43,6 +45,7 @@ private:
     std::vector<State> state_;
     std::vector<ExpressionId> result_;
     Rewriter rewrite_;
+    FiniteCheck finite_;
 };
 
 /// The kept parameters, as named by the options.
@@ -139,8 +142,10 @@ ExpressionId Folder::resolve(VariableId id) {
 
 void Folder::foldEquations(const std::vector<FlatEquation>& from, std::vector<Equation>& to) {
     to.reserve(from.size());
-    for (const FlatEquation& equation : from)
+    for (const FlatEquation& equation : from) {
         to.push_back({rewrite_(equation.left), rewrite_(equation.right), equation.span, equation.component, 0});
+        if (std::optional<Diagnostic> fault = finite_(equation)) faults_.push_back(std::move(*fault));
+    }
 }
 
 void Folder::run() {

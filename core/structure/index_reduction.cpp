@@ -139,10 +139,8 @@ ExpressionId IndexReduction::derivativeOfLeaf(const ExpressionNode& node) {
         return system_.unknowns[static_cast<std::size_t>(u)].derivative;
     }
     if (node.operation == Operation::Variable) return pool.derivativeOf(node.variable);  // an input
-    faults_.push_back(
-        error(fmt::format("The model needs the second derivative of the input '{}'.", variable.name), variable.declared,
-              "A measured signal that runs linearly between samples has none. Drive the quantity through a spring and "
-              "damper, or pass the signal through Signals.FirstOrder twice."));
+    faults_.push_back(error(fmt::format("The model needs the second derivative of the input '{}'.", variable.name),
+                            variable.declared, noSecondDerivative));
     return pool.constant(0);
 }
 

@@ -118,9 +118,10 @@ private:
         if (variable.variability == FlatVariability::Constant) reason = "a constant";
         if (variable.type != FlatType::Real) reason = "no real number";
         if (variable.isFinal) reason = "declared final";
+        if (variable.isProtected && name.find('.') != std::string::npos) reason = "protected";
         if (reason.empty()) return &variable;
         fault(pointer, fmt::format("'{}' cannot be set or fitted: it is {}", name, reason),
-              "Only real parameters that are not final can.");
+              "Only real parameters that are neither final nor protected can.");
         return nullptr;
     }
 

@@ -126,6 +126,7 @@ struct Component {
 struct Extends {
     Name base;
     std::vector<Modification> modifications;
+    Span modificationsSpan;  // with the parentheses; empty, right behind the base's name, without
     std::optional<Annotation> annotation;
     bool isProtected{};
     Span span;  // with its `;`
@@ -199,6 +200,7 @@ struct ClassDefinition {
     Causality shortCausality{Causality::None};
     std::vector<Expression> shortDimensions;
     std::vector<Modification> shortModifications;
+    Span shortModificationsSpan;  // as in Extends
     std::vector<std::string> enumeration;              // type E = enumeration(…)
     std::vector<std::string> enumerationDescriptions;  // one per literal; may be empty texts
     bool isEnumeration{};

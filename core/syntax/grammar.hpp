@@ -58,6 +58,8 @@ private:
     // Refused constructs (grammar_refusal.cpp): one message each, the construct is skipped as a whole.
     void refuse(std::string_view construct, std::string hint);
     bool refuseClassKind();
+    bool isBuiltinFunction() const;
+    std::shared_ptr<ClassDefinition> builtinFunction();
     bool refuseSection();
     void refuseElementPrefix();
     void skipClass();

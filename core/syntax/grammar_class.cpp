@@ -97,6 +97,7 @@ void Grammar::classPrefixes(ClassDefinition& definition) {
 }
 
 std::shared_ptr<ClassDefinition> Grammar::classDefinition() {
+    if (cursor_.at("function")) return builtinFunction();
     const Cursor::Nesting nesting(cursor_);
     const std::size_t begin = cursor_.index();
     auto definition = std::make_shared<ClassDefinition>();
@@ -137,7 +138,12 @@ void Grammar::shortClass(ClassDefinition& definition) {
             definition.shortCausality = Causality::Output;
         definition.shortBase = typeName();
         if (cursor_.at("[")) definition.shortDimensions = subscripts();
-        if (cursor_.at("(")) definition.shortModifications = classModification();
+        definition.shortModificationsSpan = cursor_.behind();
+        if (cursor_.at("(")) {
+            const std::size_t open = cursor_.index();
+            definition.shortModifications = classModification();
+            definition.shortModificationsSpan = cursor_.spanFrom(open);
+        }
     }
     definition.description = description();
     definition.annotation = annotation();
@@ -306,7 +312,12 @@ void Grammar::extendsClause(ClassDefinition& definition, bool isProtected) {
     Extends result;
     result.isProtected = isProtected;
     result.base = typeName();
-    if (cursor_.at("(")) result.modifications = classModification();
+    result.modificationsSpan = cursor_.behind();
+    if (cursor_.at("(")) {
+        const std::size_t open = cursor_.index();
+        result.modifications = classModification();
+        result.modificationsSpan = cursor_.spanFrom(open);
+    }
     result.annotation = annotation();
     cursor_.expectSemicolon("\"extends\"");
     result.span = cursor_.spanFrom(begin);

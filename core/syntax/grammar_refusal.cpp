@@ -10,6 +10,33 @@ void Grammar::refuse(std::string_view construct, std::string hint) {
     cursor_.report(error(fmt::format("{} not supported", construct), cursor_.here(), std::move(hint)));
 }
 
+/// Whether the function that begins here says by its annotation that the program knows it itself:
+/// `annotation (__Analogon(builtin = true))`. Its algorithm is for other tools.
+bool Grammar::isBuiltinFunction() const {
+    constexpr std::size_t farthest = 5000;  // words
+    if (!cursor_.at("function") || !cursor_.atIdentifier(1)) return false;
+    const std::string_view name = cursor_.text(1);
+    for (std::size_t i = 2; i < farthest && cursor_.peek(i).kind != Token::Kind::End; ++i) {
+        if (cursor_.at("end", i) && cursor_.text(i + 1) == name) return false;
+        if (cursor_.text(i) == "__Analogon" && cursor_.at("(", i + 1) && cursor_.text(i + 2) == "builtin") return true;
+    }
+    return false;
+}
+
+/// A built-in function as a class without content.
+std::shared_ptr<ClassDefinition> Grammar::builtinFunction() {
+    const std::size_t begin = cursor_.index();
+    auto definition = std::make_shared<ClassDefinition>();
+    definition->source = cursor_.source();
+    definition->restriction = ClassDefinition::Restriction::Function;
+    cursor_.next();
+    definition->name = cursor_.text();
+    definition->nameSpan = cursor_.here();
+    skipClass();
+    definition->span = cursor_.spanFrom(begin);
+    return definition;
+}
+
 /// Functions, operators and expandable connectors are skipped as a whole, behind their `;`.
 bool Grammar::refuseClassKind() {
     std::size_t ahead = 0;
@@ -21,6 +48,7 @@ bool Grammar::refuseClassKind() {
     const bool isOperator = cursor_.at("operator", ahead);
     const bool isExpandable = cursor_.at("expandable", ahead);
     if (!isFunction && !isOperator && !isExpandable) return false;
+    if (isBuiltinFunction()) return false;
     cursor_.moveTo(cursor_.index() + ahead);
     if (isFunction) refuse("functions are", "write the relation as equations of a block");
     if (isOperator) refuse("operator classes are", "write the relation as equations of a block");

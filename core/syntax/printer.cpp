@@ -414,6 +414,10 @@ private:
     }
 
     void classHead(const ClassDefinition& definition) {
+        if (definition.restriction == ClassDefinition::Restriction::Function) {
+            out_ += definition.span.text();  // its algorithm has no tree
+            return;
+        }
         if (definition.isEncapsulated) out_ += "encapsulated ";
         if (definition.isPartial) out_ += "partial ";
         out_ += keyword(definition.restriction);

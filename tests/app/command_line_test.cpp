@@ -143,6 +143,42 @@ TEST_F(CommandLine, ChecksAStudyAndAModel) {
     EXPECT_FALSE(run({"check", directory.string(), "--print", "program"}).out.empty());
 }
 
+TEST_F(CommandLine, ChecksPrintTheAlgebraicLoops) {
+    const fs::path file = scratch / "loop.mo";
+    std::ofstream(file) << "model Loop\n  Real x(start = 1), y;\nequation\n  x^2 + y^2 = 2;\n  y = x^3;\nend Loop;\n";
+    const Result checked = run({"check", file.string()});
+    EXPECT_EQ(checked.status, done) << checked.err;
+    EXPECT_THAT(checked.out, HasSubstr("  loop        nonlinear, 2 unknowns, solved for "));
+}
+
+TEST_F(CommandLine, ChecksAFileOfAPackageAndAWholePackage) {
+    const fs::path package = scratch / "Shop";
+    fs::create_directories(package / "Motion");
+    const auto put = [&](const char* name, const char* text) { std::ofstream(package / name) << text; };
+    put("package.mo", "package Shop\nend Shop;\n");
+    put("package.order", "Base\nRotor\nMotion\n");
+    put("Base.mo", "within Shop;\npartial model Base\n  parameter Real J = 1;\n  Real w;\nend Base;\n");
+    put("Rotor.mo", "within Shop;\nmodel Rotor\n  extends Base;\nequation\n  J*der(w) = -w;\nend Rotor;\n");
+    put("Motion/package.mo", "within Shop;\npackage Motion\nend Motion;\n");
+    put("Motion/Pair.mo", "within Shop.Motion;\nmodel Pair\n  Rotor a, b;\nend Pair;\n");
+    for (const char* name : {"Rotor.mo", "Motion/Pair.mo"}) {
+        const Result checked = run({"check", (package / name).string()});
+        EXPECT_EQ(checked.status, done) << name << checked.err;
+    }
+    const Result all = run({"check", package.string() + "/"});
+    EXPECT_EQ(all.status, done) << all.err;
+    EXPECT_THAT(all.out, HasSubstr("model Shop.Rotor"));
+    EXPECT_THAT(all.out, HasSubstr("model Shop.Motion.Pair"));
+    EXPECT_THAT(all.out, Not(HasSubstr("Base")));
+
+    put("Rotor.mo", "within Shop;\nmodel Rotor\n  extends Base;\nequation\n  J*der(v) = -w;\nend Rotor;\n");
+    const Result faulty = run({"check", package.string()});
+    EXPECT_EQ(faulty.status, inputAtFault);
+    EXPECT_THAT(faulty.err, HasSubstr("Rotor.mo:5:9: error: 'v' is not declared"));
+    const Result unknown = run({"check", (package / "Rotor.mo").string(), "--class", "Shop.Rotr"});
+    EXPECT_THAT(unknown.err, HasSubstr("did you mean \"Shop.Rotor\"?"));
+}
+
 TEST_F(CommandLine, FitsAndLeavesAllResults) {
     const Result fitted = run({"fit", study(lag).string(), "--out", (scratch / "out").string(), "--progress", "json"});
     EXPECT_EQ(fitted.status, done) << fitted.err;

@@ -190,35 +190,73 @@ unsigned numberFrom(const char* variable, unsigned otherwise) {
     return text ? static_cast<unsigned>(std::strtoul(text, nullptr, 10)) : otherwise;
 }
 
+/// Runs every text and keeps the figures.
+class Campaign {
+public:
+    void run(const Library& builtIn, const Seed& seed, std::string text) {
+        const auto start = std::chrono::steady_clock::now();
+        through_ += goesThrough(builtIn, seed, std::move(text));
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+        if (spent.count() > slowest_) {
+            slowest_ = spent.count();
+            slowestCount_ = count_;
+        }
+        ++count_;
+    }
+    void finish() const {
+        EXPECT_LT(slowest_, 10.0) << "text " << slowestCount_;
+        EXPECT_GT(through_, 0u);
+        EXPECT_LT(through_, count_);
+        rusage usage{};
+        getrusage(RUSAGE_SELF, &usage);
+        const double memory = static_cast<double>(usage.ru_maxrss) / 1024;  // [MiB]
+        EXPECT_LT(memory, 1024);
+        std::printf("%u mutations, %u models; slowest %.2f s (number %u); %.0f MiB\n", count_, through_, slowest_,
+                    slowestCount_, memory);
+    }
+
+private:
+    double slowest_{};
+    unsigned slowestCount_{}, through_{}, count_{};
+};
+
 TEST(Mutations, EndInASystemOrInMessages) {
     const Outcome<Library> builtIn = builtInLibrary();
     ASSERT_TRUE(builtIn) << format(builtIn.diagnostics());
     const std::vector<Seed> all = seeds();
     ASSERT_FALSE(all.empty());
     const unsigned first = numberFrom("ANALOGON_MUTATION_FIRST", 0), count = numberFrom("ANALOGON_MUTATIONS", 400);
-    double slowest = 0;
-    unsigned slowestIndex = 0, through = 0;
+    Campaign campaign;
     for (unsigned i = first; i < first + count; ++i) {
         SCOPED_TRACE(i);
         const Seed& seed = all[i % all.size()];
-        const auto start = std::chrono::steady_clock::now();
-        through += goesThrough(*builtIn, seed, Mutator(i)(seed.text));
-        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-        if (spent.count() > slowest) {
-            slowest = spent.count();
-            slowestIndex = i;
-        }
+        campaign.run(*builtIn, seed, Mutator(i)(seed.text));
         if (HasFatalFailure() || HasNonfatalFailure()) break;
     }
-    EXPECT_LT(slowest, 10.0) << "mutation " << slowestIndex;
-    EXPECT_GT(through, 0u);
-    EXPECT_LT(through, count);
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    const double memory = static_cast<double>(usage.ru_maxrss) / 1024;  // [MiB]
-    EXPECT_LT(memory, 1024);
-    std::printf("%u mutations, %u models; slowest %.2f s (number %u); %.0f MiB\n", count, through, slowest,
-                slowestIndex, memory);
+    campaign.finish();
+}
+
+/// The same for texts that another program has changed: all .mo files of the folder ANALOGON_MUTATION_FOLDER.
+TEST(Mutations, MadeElsewhereEndInASystemOrInMessages) {
+    const char* folder = std::getenv("ANALOGON_MUTATION_FOLDER");
+    if (!folder) GTEST_SKIP() << "ANALOGON_MUTATION_FOLDER names no folder of changed texts";
+    const Outcome<Library> builtIn = builtInLibrary();
+    ASSERT_TRUE(builtIn) << format(builtIn.diagnostics());
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.path().extension() == ".mo") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    ASSERT_FALSE(files.empty());
+    const char* trace = std::getenv("ANALOGON_MUTATION_TRACE");  // a file that names the text at work
+    Campaign campaign;
+    for (const fs::path& path : files) {
+        SCOPED_TRACE(path);
+        if (trace) std::ofstream(trace) << path.string() << '\n';
+        std::ifstream file(path, std::ios::binary);
+        campaign.run(*builtIn, {path, {}}, std::string(std::istreambuf_iterator<char>(file), {}));
+        if (HasFatalFailure() || HasNonfatalFailure()) break;
+    }
+    campaign.finish();
 }
 
 }  // namespace

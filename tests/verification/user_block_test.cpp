@@ -167,5 +167,60 @@ TEST_F(UserBlock, OfALibraryIsGivenWithTheCommand) {
     EXPECT_FALSE(estimationTask(*study));  // without it the class is not known
 }
 
+/// The study's class inherits the whole composition, with its parameters, from the user's library.
+TEST_F(UserBlock, WhichTheStudyInheritsIsFittedAndGetsEffects) {
+    std::string base = rig;
+    base.replace(base.find("Rig"), 3, "Base");
+    base.replace(base.rfind("Rig"), 3, "Base");
+    base.replace(base.find("equation"), 0, "  parameter Real offset(unit = \"N.m\") = 0;\n");
+    put("study/base.mo", base);
+    put("study/model.mo", "model Rig \"inherits all\"\n  extends Base(rotor(J = 0.02));  // from beside\nend Rig;\n");
+    put("study/workshop.mo", workshop);
+    putStudy("");
+    const Outcome<Study> study = readStudy(root_ / "study");
+    ASSERT_TRUE(study) << format(study.diagnostics());
+    const Outcome<RunResult> fitted = runFit(*study, {});
+    ASSERT_TRUE(fitted) << format(fitted.diagnostics());
+    const std::string text = fitted->completed.models.at("model.mo");
+    EXPECT_EQ(text.find("model Rig \"inherits all\"\n  extends Base(rotor(J = 0.0"), 0u) << text;
+    EXPECT_NE(text.find("bearing.b=0.0"), std::string::npos) << text;
+    EXPECT_NE(text.find(";  // from beside\nend Rig;\n"), std::string::npos) << text;
+    EXPECT_EQ(fitted->completed.models.at("base.mo"), base);
+
+    const Outcome<RunResult> result = runDiscover(*study, {});
+    ASSERT_TRUE(result) << format(result.diagnostics());
+    ASSERT_EQ(result->finding.effects.size(), 1u);
+    EXPECT_EQ(result->finding.effects[0].kind, "drag.fan");
+    const std::string completed = result->completed.models.at("model.mo");
+    EXPECT_NE(completed.find("Workshop.FanDrag fanDrag("), std::string::npos) << completed;
+    const Outcome<RunResult> again = runFit(result->completed, {});
+    EXPECT_TRUE(again) << format(again.diagnostics());
+}
+
+TEST_F(UserBlock, InAnArrayIsFittedElementByElement) {
+    put("study/workshop.mo", workshop);
+    putStudy("");
+    std::string text = rig;
+    const auto exchange = [&text](const std::string& from, const std::string& to) {
+        for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+            text.replace(at, from.size(), to);
+    };
+    exchange("Workshop.Rotor rotor;", "Workshop.Rotor rotor[2](each J = 0.004);");
+    exchange("rotor.flange_b", "rotor[2].flange_b");
+    exchange("connect(torque.flange, rotor.flange_a)",
+             "connect(rotor[1].flange_b, rotor[2].flange_a);\n  connect(torque.flange, rotor[1].flange_a)");
+    put("study/model.mo", text);
+    Outcome<Study> study = readStudy(root_ / "study");
+    ASSERT_TRUE(study) << format(study.diagnostics());
+    const StudyParameter inertia = study->parameters.at("rotor.J");
+    study->parameters.erase("rotor.J");
+    study->parameters["rotor[2].J"] = inertia;
+    const Outcome<RunResult> fitted = runFit(*study, {});
+    ASSERT_TRUE(fitted) << format(fitted.diagnostics());
+    const std::string completed = fitted->completed.models.at("model.mo");
+    EXPECT_NE(completed.find("rotor[2](J = {0.004, 0.00"), std::string::npos) << completed;
+    EXPECT_TRUE(runFit(fitted->completed, {}));
+}
+
 }  // namespace
 }  // namespace analogon

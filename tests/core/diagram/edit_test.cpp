@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "core/syntax/parser.hpp"
 
 namespace analogon {
@@ -313,6 +315,159 @@ TEST(FreePlacement, CoversNoBlockAndStaysOnTheGrid) {
     EXPECT_GE(std::abs((e.p1.y + e.p2.y) / 2), 20) << "beside the row of blocks";
     EXPECT_LE(std::hypot(e.p1.x + 10, e.p1.y + 10), 45) << "near the place that was asked for";
     EXPECT_GT(e.p1.x, 0) << "its left port can be reached from the point without crossing it";
+}
+
+// ---- inherited components ------------------------------------------------------------------------------------
+
+TEST(ModelEdit, WritesAnInheritedParameterIntoTheExtendsClause) {
+    const Edited text("model Lag \"a lag\"\n  extends Own.First(T = 3);  // seconds\nend Lag;\n");
+    EXPECT_EQ(text(text.edit().setParameter("T", "2.5")),
+              "model Lag \"a lag\"\n  extends Own.First(T = 2.5);  // seconds\nend Lag;\n");
+    EXPECT_EQ(text(text.edit().setParameter("k", "2").setParameter("rotor.J", "0.1")),
+              "model Lag \"a lag\"\n  extends Own.First(T = 3, k=2, rotor.J=0.1);  // seconds\nend Lag;\n");
+    EXPECT_EQ(text(text.edit().setParameter("T", "")),
+              "model Lag \"a lag\"\n  extends Own.First;  // seconds\nend Lag;\n");
+}
+
+TEST(ModelEdit, OpensTheModificationsOfAnExtendsClauseAndOfAShortClass) {
+    const Edited longer("model Lag\n  extends Own.First annotation (Icon());\nend Lag;\n");
+    EXPECT_EQ(longer(longer.edit().setParameter("T", "2")),
+              "model Lag\n  extends Own.First(T=2) annotation (Icon());\nend Lag;\n");
+    const Edited brief("model Lag = Own.First(rotor(J = 1)) \"a lag\";\n");
+    EXPECT_EQ(brief(brief.edit().setParameter("rotor.J", "2").setParameter("T", "3")),
+              "model Lag = Own.First(rotor(J = 2), T=3) \"a lag\";\n");
+}
+
+TEST(ModelEdit, ReachesIntoARedeclaredComponent) {
+    const Edited text(model("  Drive drive(redeclare Fast motor(R = 1), redeclare Slow rotor);\n"));
+    EXPECT_THAT(text(text.edit().setModifier("drive", "motor.R", "2").setModifier("drive", "rotor.J", "3")),
+                HasSubstr("drive(redeclare Fast motor(R = 2), redeclare Slow rotor(J=3));"));
+}
+
+/// Two bases and a model that inherits from both, as a library.
+class InheritingModel {
+public:
+    explicit InheritingModel(const std::string& text) {
+        static const char* const bases = R"(package Own
+  model First
+    parameter Real T = 1;
+    replaceable Plain motor constrainedby Plain annotation (Placement(transformation(extent={{0,0},{20,20}})));
+    Plain shaft;
+  end First;
+  model Second
+    parameter Real k = 1;
+  end Second;
+  model Plain
+    parameter Real R = 1;
+  end Plain;
+  model Other
+    extends Plain;
+    parameter Real a = 0;
+  end Other;
+end Own;
+)";
+        auto with = Library().withSource(std::make_shared<const Source>("own.mo", bases));
+        EXPECT_TRUE(with) << format(with.diagnostics());
+        source_ = std::make_shared<const Source>("model.mo", text);
+        with = with->withSource(source_);
+        EXPECT_TRUE(with) << format(with.diagnostics());
+        library_ = *with;
+    }
+    ModelEdit edit() const { return ModelEdit(*library_.find("M")->definition, nullptr, &library_); }
+    std::string operator()(const ModelEdit& edit) const {
+        const auto change = edit.finish("change");
+        if (!change) return format(change.diagnostics());
+        const std::string text = syntax::apply(source_->text(), *change).text;
+        EXPECT_TRUE(library_.withSource(std::make_shared<const Source>("model.mo", text))) << text;
+        return text;
+    }
+    const Library& library() const { return library_; }
+
+private:
+    SourcePtr source_;
+    Library library_;
+};
+
+TEST(ModelEdit, FindsTheBaseThatHoldsTheComponent) {
+    const InheritingModel text("model M\n  extends Own.First;\n  extends Own.Second(k = 2);\nend M;\n");
+    EXPECT_EQ(text(text.edit().setParameter("k", "3").setParameter("motor.R", "4")),
+              "model M\n  extends Own.First(motor.R=4);\n  extends Own.Second(k = 3);\nend M;\n");
+    EXPECT_THAT(text(text.edit().setParameter("motr.R", "4")), HasSubstr("did you mean \"motor\"?"));
+}
+
+TEST(ModelEdit, RedeclaresAnInheritedReplaceableComponent) {
+    const InheritingModel text("model M\n  extends Own.First(motor(R = 2));\nend M;\n");
+    auto edit = text.edit();
+    edit.setClass("motor", "Own.Other").setModifier("motor", "a", "3");
+    EXPECT_EQ(text(edit), "model M\n  extends Own.First(redeclare Own.Other motor(R = 2, a=3));\nend M;\n");
+    const InheritingModel bare("model M\n  extends Own.First;\nend M;\n");
+    auto other = bare.edit();
+    other.setClass("motor", "Own.Other").setModifier("motor", "a", "3");
+    const std::string result = bare(other);
+    EXPECT_EQ(result, "model M\n  extends Own.First(redeclare Own.Other motor(a=3));\nend M;\n");
+    const auto diagram = readDiagram(InheritingModel(result).library(), "M");
+    ASSERT_TRUE(diagram);
+    const Block* motor = diagram->find("motor");
+    ASSERT_NE(motor, nullptr);
+    EXPECT_EQ(motor->className, "Own.Other");
+    EXPECT_EQ(motor->parameters, (std::vector<std::pair<std::string, std::string>>{{"a", "3"}}));
+    EXPECT_EQ(motor->placement.extent.p2, (Point{20, 20}));
+}
+
+TEST(ModelEdit, SaysWhatCannotBeDoneToAnInheritedComponent) {
+    const InheritingModel text("model M\n  extends Own.First;\nend M;\n");
+    EXPECT_THAT(text(text.edit().setClass("shaft", "Own.Other")),
+                HasSubstr("it is inherited from Own.First, where it is not replaceable"));
+    EXPECT_THAT(text(text.edit().removeComponent("shaft")),
+                HasSubstr("\"shaft\" is inherited from Own.First and cannot be removed in model M"));
+    EXPECT_THAT(text(text.edit().renameComponent("shaft", "axle")), HasSubstr("cannot be renamed"));
+    EXPECT_THAT(text(text.edit().setPlacement("shaft", {})), HasSubstr("cannot be moved"));
+    EXPECT_THAT(text(text.edit().replaceInConnections("shaft.a", "x.b")), HasSubstr("an inherited connection"));
+}
+
+TEST(ModelEdit, MakesRoomInAShortClass) {
+    const InheritingModel text("model M = Own.First(T = 2) \"short\" annotation (Icon());\n");
+    auto edit = text.edit();
+    edit.addComponent({"Own.Plain", "more", {{"R", "5"}}, "", {{{-10, -10}, {10, 10}}, {}, 0}});
+    edit.addConnection("more.a", "motor.b", {}, {}).setParameter("T", "4");
+    EXPECT_EQ(text(edit), R"(model M "short"
+  extends Own.First(T = 4);
+  Own.Plain more(R=5) annotation (Placement(transformation(extent={{-10,-10},{10,10}})));
+equation
+  connect(more.a, motor.b);
+  annotation (Icon());
+end M;
+)");
+}
+
+TEST(FreeName, AvoidsInheritedNamesToo) {
+    const InheritingModel text("model M\n  extends Own.First;\nend M;\n");
+    EXPECT_EQ(freeName(text.library(), *text.library().find("M")->definition, "motor"), "motor1");
+}
+
+TEST(ModelEdit, SetsOneElementOfAnArrayByWritingAll) {
+    const Edited text(
+        model("  parameter Real G[2] = {1, 2};\n  Mass mass[3](each C = 2, each final T = 1);\n"
+              "  Mass grid[2, 2](v = fill(7, 2, 2, 2));\n"));
+    std::map<std::string, std::string> values{
+        {"G[1]", "1"},           {"G[2]", "2"},           {"mass[1].C", "2"},     {"mass[2].C", "2"},
+        {"mass[3].C", "2"},      {"mass[1].T", "1"},      {"mass[2].T", "1"},     {"mass[3].T", "1"},
+        {"mass[1].a", "5"},      {"mass[2].a", "5"},      {"mass[3].a", "5"},     {"grid[1,1].v[1]", "7"},
+        {"grid[1,2].v[1]", "7"}, {"grid[2,1].v[1]", "7"}, {"grid[2,2].v[1]", "7"}};
+    auto edit = text.edit();
+    edit.valuesOf([&](const std::string& name) {
+        const auto found = values.find(name);
+        return found == values.end() ? std::nullopt : std::optional(found->second);
+    });
+    edit.setParameter("G[2]", "9").setParameter("mass[2].C", "3").setParameter("mass[3].C", "4");
+    edit.setParameter("mass[1].T", "0").setParameter("mass[1].a", "6").setParameter("grid[2,1].v[1]", "8");
+    EXPECT_EQ(text(edit), model("  parameter Real G[2] = {1, 9};\n"
+                                "  Mass mass[3](C = {2, 3, 4}, final T = {0, 1, 1}, a={6, 5, 5});\n"
+                                "  Mass grid[2, 2](v = {{{7}, {7}}, {{8}, {7}}});\n"));
+    auto unknown = text.edit();
+    const auto refused = unknown.setParameter("mass[2].C", "3").finish("set");
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(format(refused.diagnostics()), HasSubstr("the values of the other elements are not known"));
 }
 
 }  // namespace

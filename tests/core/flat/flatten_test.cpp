@@ -140,6 +140,34 @@ TEST(Flatten, ATableIsLookedUpByTheLibraryFunctions) {
                 ElementsAre(HasSubstr("must rise: 0 follows 0")));
 }
 
+TEST(Flatten, KnowsTheInterpolationOfTheStandardLibrary) {
+    const FlatModel m = flatOf(R"(model M input Real u;
+        Real y = Modelica.Math.Vectors.interpolate({0, 1, 3}, {0, 2, 4}, u);
+        Real z = Analogon.Tables.linear(u, {0, 1, 3}, {0, 2, 4}); end M;)");
+    EXPECT_EQ(m.equations[0].right, m.equations[1].right);
+    EXPECT_THAT(faultsOf("model M Real y = Modelica.Math.Vectors.interpolate({1, 0}, {0, 2}, time); end M;"),
+                ElementsAre(HasSubstr("the abscissas of the table must rise: 0 follows 1")));
+    EXPECT_THAT(faultsOf("model M Real y = Modelica.Constants.pi; end M;"),
+                ElementsAre(HasSubstr("the Modelica Standard Library is not part of Analogon")));
+}
+
+TEST(Flatten, AParameterOutsideItsRangeIsNoted) {
+    const Outcome<FlatModel> m = flatten(libraryOf(R"(model M
+        parameter Real a(min = 0, max = 1) = 2; parameter Real b(min = 0) = -a; parameter Real c(max = 3) = 3;
+        Real x = a + b + c; end M;)"),
+                                         "M");
+    ASSERT_TRUE(m) << format(m.diagnostics());
+    ASSERT_EQ(m.diagnostics().size(), 2u);
+    EXPECT_EQ(m.diagnostics()[0].message, "the parameter 'a' is 2, above its max 1");
+    EXPECT_EQ(m.diagnostics()[1].message, "the parameter 'b' is -2, below its min 0");
+}
+
+TEST(Flatten, AnIntegerHasNoDerivative) {
+    EXPECT_THAT(faultsOf("model M Integer k; equation der(k) = 1; end M;"),
+                ElementsAre(HasSubstr("der needs a Real variable")));
+    EXPECT_TRUE(flatOf("model M parameter Real p = 1; Real x = der(p); end M;").equations.size() == 1);
+}
+
 TEST(Flatten, ParameterValuesFollowTheirBindings) {
     const FlatModel m = flatOf(R"(
         package Data constant Real g = 9.81; constant Real twice = 2*g; end Data;

@@ -131,5 +131,72 @@ TEST(Inheritance, DifferentDeclarationsOfOneNameAreRefused) {
               1u);
 }
 
+TEST(Redeclaration, AsAnElementKeepsTheConstrainingClassOfThePackage) {
+    const std::string source = R"(
+        package Lib
+          partial model Law parameter Real k = 1; output Real y; end Law;
+          model Lin extends Law; equation y = k*time; end Lin;
+          model Quad extends Law(k = 2); equation y = k*time^2; end Quad;
+          model Other Real z = 1; end Other;
+          model Host replaceable Lin law constrainedby Law; Real y = law.y; end Host;
+        end Lib;)";
+    const FlatModel m = flatOf(source + "model M extends Lib.Host; redeclare Lib.Quad law(k = 9); end M;");
+    EXPECT_EQ(valueOf(m, "law.k"), 9);
+    EXPECT_THAT(faultsOf(source + "model M extends Lib.Host; redeclare Lib.Other law; end M;"),
+                Contains(HasSubstr("Lib.Other cannot take the place of Lib.Law")));
+}
+
+TEST(Redeclaration, ReachesTheLocalClassesOfTheModel) {
+    const std::string source = R"(
+        package Lib
+          model Lin Real y = time; end Lin;
+          model Quad Real y = time^2; end Quad;
+          model Host
+            replaceable model Law = Lin;
+            model Part Law law; end Part;
+            Part part;
+          end Host;
+        end Lib;)";
+    EXPECT_THAT(print(flatOf(source + "model M Lib.Host h; end M;")), HasSubstr("h.part.law.y = time;"));
+    EXPECT_THAT(print(flatOf(source + "model M Lib.Host h(redeclare model Law = Lib.Quad); end M;")),
+                HasSubstr("h.part.law.y = time^2;"));
+}
+
+TEST(Redeclaration, OfAPackageIsNeverHalfRead) {
+    const std::string source = R"(
+        package Lib
+          package Medium constant Real cp = 1; model State Real h = cp; end State; end Medium;
+          package Water extends Medium(cp = 4); end Water;
+          package Oil = Medium(cp = 2);
+          package Same extends Medium; end Same;
+          model Host replaceable package Medium = Lib.Medium; Medium.State s; end Host;
+        end Lib;)";
+    EXPECT_THAT(print(flatOf(source + "model M Real a = Lib.Water.cp; Real b = Lib.Oil.cp; end M;")),
+                testing::AllOf(HasSubstr("a = 4;"), HasSubstr("b = 2;")));
+    EXPECT_THAT(print(flatOf(source + "model M Lib.Same.State s; end M;")), HasSubstr("s.h = 1;"));
+    EXPECT_THAT(print(flatOf(source + "model M Lib.Host h; end M;")), HasSubstr("h.s.h = 1;"));
+    EXPECT_THAT(
+        faultsOf(source + "model M Lib.Water.State s; end M;"),
+        ElementsAre(HasSubstr("'Lib.Water.State' is inherited by Lib.Water, which modifies what it inherits; that "
+                              "is not supported for the classes of a package | use Lib.Medium.State")));
+    EXPECT_THAT(faultsOf(source + "model M Lib.Host h(redeclare package Medium = Lib.Water); end M;"),
+                ElementsAre(HasSubstr("'Medium.State' names a class within 'Medium', which is redeclared; that is not "
+                                      "supported")));
+}
+
+TEST(Inheritance, AConstantThatIsModifiedByItselfIsNamed) {
+    EXPECT_THAT(faultsOf(R"(package P constant Real c = 1; end P; package Q extends P(c = c); end Q;
+                            model M Real y = Q.c; end M;)"),
+                ElementsAre(HasSubstr("the constant 'Q.c' depends on itself")));
+}
+
+TEST(Connection, AnInputThatIsNoConnectorGetsItsValueWhereItIsDeclared) {
+    const std::string source = "model Law input Real u; output Real y; equation y = 2*u; end Law;";
+    EXPECT_THAT(print(flatOf(source + "model M Law law(u = time); end M;")), HasSubstr("law.u = time;"));
+    EXPECT_THAT(faultsOf(source + "model M Law law; equation law.u = time; end M;"),
+                ElementsAre(HasSubstr("the input 'law.u' of component 'law' (Law) has no value | give it one where the "
+                                      "component is declared: law(u = …)")));
+}
+
 }  // namespace
 }  // namespace analogon

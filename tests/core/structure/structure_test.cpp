@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 
 #include "tests/core/structure/sample_models.hpp"
 
@@ -353,6 +355,51 @@ TEST(Structure, LongChainsNeedNoDeepStack) {
     const Structure s = analysed(m.model());
     EXPECT_EQ(s.blocks.size(), static_cast<std::size_t>(n));
     EXPECT_EQ(implicitBlocks(s), 0);
+}
+
+TEST(Structure, NamesWhatMakesAnEquationImpossible) {
+    const auto faultOf = [](const std::function<void(ModelBuilder&)>& fill) {
+        ModelBuilder m;
+        m.variables({"x"});
+        fill(m);
+        const Outcome<Structure> result = analyse(m.model());
+        return result ? std::string() : result.diagnostics().front().message;
+    };
+    EXPECT_EQ(faultOf([](ModelBuilder& m) {
+                  m.parameter("k", 0);
+                  m.eq(m.der("x"), m.v("x") / m.v("k"));
+              }),
+              "The equation der(x) = x/k cannot hold: x/k divides by 0 (k = 0).");
+    EXPECT_EQ(faultOf([](ModelBuilder& m) {
+                  m.parameter("k", 0);
+                  m.parameter("r", 1 / m.v("k"));
+                  m.eq(m.der("x"), 2 * m.v("r"));
+              }),
+              "The equation der(x) = 2*r cannot hold: 1/k divides by 0 (k = 0).");
+    EXPECT_EQ(faultOf([](ModelBuilder& m) {
+                  m.parameter("k", std::nan(""));
+                  m.eq(m.der("x"), m.v("k") * m.v("x"));
+              }),
+              "The equation der(x) = k*x cannot hold: 'k' is not a number.");
+}
+
+TEST(Structure, AllowsWhatNeedNotBeEvaluated) {
+    ModelBuilder m;
+    m.variables({"x", "y", "z"});
+    m.parameter("k", 0);
+    m.parameter("unused", 1 / m.v("k"));
+    // A branch of an if whose condition varies; infinity as a limit; a free parameter that starts at 0.
+    m.eq(m.der("x"), m.ifElse(m.f(Operation::Greater, m.v("x"), m.c(0)), 1 / m.v("k"), m.c(1)));
+    m.eq(m.v("y"), m.f(Operation::Min, m.v("x"), 1 / m.v("k")));
+    m.eq(m.v("z"), m.c(1));
+    const Outcome<Structure> folded = analyse(m.model());
+    EXPECT_TRUE(folded) << format(folded.diagnostics());
+
+    ModelBuilder free;
+    free.variables({"x"});
+    free.parameter("k", 0);
+    free.eq(free.der("x"), 1 / free.v("k"));
+    EXPECT_TRUE(analyse(free.model(), {{"k"}}));
 }
 
 }  // namespace

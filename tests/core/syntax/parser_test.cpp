@@ -387,5 +387,23 @@ TEST(Parser, BytesThatAreNoTextAreOneMessage) {
               "the byte 0xb0 is not valid UTF-8");
 }
 
+TEST(Parser, KeepsAFunctionThatTheProgramKnowsItself) {
+    const std::string text =
+        "package P\n  function f input Real x; output Real y; algorithm y := x; while y > 1 loop y := y/2; end while;\n"
+        "    annotation (__Analogon(builtin = true)); end f;\n  model A Real x; end A;\nend P;\n";
+    const ClassPtr package = classOf(text);
+    ASSERT_EQ(package->classes.size(), 2u);
+    EXPECT_EQ(package->classes[0]->restriction, ClassDefinition::Restriction::Function);
+    EXPECT_EQ(package->classes[0]->name, "f");
+    EXPECT_TRUE(package->classes[0]->components.empty());
+    EXPECT_TRUE(package->classes[0]->span.text().ends_with("end f"));
+    // The annotation of a later function does not excuse an earlier one.
+    EXPECT_EQ(
+        faultOf("package P function g algorithm end g; function f annotation (__Analogon(builtin = true)); end f; "
+                "end P;")
+            .message,
+        "functions are not supported");
+}
+
 }  // namespace
 }  // namespace analogon::syntax

@@ -3,6 +3,7 @@ block Saturation "Limit of an input channel"
   extends Analogon.Interfaces.PartialSignal;
   parameter Real s(min=0) = 0 "1/limit (0: no limit)"
     annotation (Dialog(group="Effect"));
+  final parameter Real limit = if s > 0 then 1/s else 0 "Limit, in the unit of the signal (0 while there is none)";
 equation
   y = u/(1 + ((s*u)^2)^16)^(1/32);
   annotation (

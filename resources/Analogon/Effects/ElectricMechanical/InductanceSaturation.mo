@@ -3,6 +3,7 @@ model InductanceSaturation "Saturation of the inductance with the current"
   extends Analogon.ElectricMechanical.PartialElectricMechanical;
   parameter Real s_i(unit="1/A", min=0) = 0 "Saturation 1/i_s: at the current i_s half of the inductance is left (0: off)"
     annotation (Dialog(group="Effect"));
+  final parameter Real i_s(unit="A") = if s_i > 0 then 1/s_i else 0 "Current at which half of the inductance is left (0 while off)";
   Real L_i(unit="H") "Inductance at the present current";
 equation
   L_i = L/(1 + (s_i*i)^2);

@@ -5,6 +5,8 @@ model WindingTemperature "Warming of the winding, which gains resistance"
     annotation (Dialog(group="Effect"));
   parameter Real tau_w(unit="s", min=1e-6) = 100 "Time constant with which the winding cools, C_w/G_w"
     annotation (Dialog(group="Effect"));
+  final parameter Real C_w(unit="J/K") = if e_w > 0 then 1/e_w else 0 "Heat capacity of the winding (0 while off)";
+  final parameter Real G_w(unit="W/K") = C_w/tau_w "Conductance from the winding to its surroundings (0 while off)";
   parameter Real alpha(unit="1/K") = 0.00393 "Temperature coefficient of the resistance (copper)"
     annotation (Dialog(group="Effect"));
   Real dT_w(unit="K", start=0, fixed=true, nominal=10) "Winding over its temperature at the start";

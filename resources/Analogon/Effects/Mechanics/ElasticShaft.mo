@@ -5,6 +5,7 @@ model ElasticShaft "Shaft that twists"
     annotation (Dialog(group="Effect"));
   parameter Real d(unit="N.m.s/rad", min=0) = 0 "Damping"
     annotation (Dialog(group="Effect"));
+  final parameter Real c(unit="N.m/rad") = if e > 0 then 1/e else 0 "Stiffness 1/e (0 while the shaft is rigid)";
   Real phi_rel(unit="rad") "Twist: flange_b against flange_a";
   Real w_rel(unit="rad/s") "Rate of twist";
   Real tau(unit="N.m") "Torque in the shaft";

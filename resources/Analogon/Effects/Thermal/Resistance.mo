@@ -6,6 +6,7 @@ model Resistance "Thermal contact resistance"
     annotation (Placement(transformation(extent={{90,-10},{110,10}})));
   parameter Real R_th(unit="K/W", min=0) = 0 "Resistance 1/G (0: none)"
     annotation (Dialog(group="Effect"));
+  final parameter Real G(unit="W/K") = if R_th > 0 then 1/R_th else 0 "Conductance 1/R_th (0 while there is no resistance)";
   Real dT(unit="K") "port_a against port_b";
   Real Q_flow(unit="W") "Heat from port_a to port_b";
   Real T(unit="K", displayUnit="degC", start=293.15, nominal=300) "Temperature of port_a";

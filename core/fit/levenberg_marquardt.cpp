@@ -1,0 +1,177 @@
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <cmath>
+
+#include "core/fit/misfit.hpp"
+
+namespace analogon {
+
+namespace {
+
+/// Levenberg (1944) and Marquardt (1963) in coordinates z with bounds: the damping follows Nielsen (IMM-REP-1999-05),
+/// the scale of each coordinate is the largest its column has had (Moré 1978). A step is projected into the bounds and
+/// judged there; what presses against a bound is held for that step.
+class LevenbergMarquardt {
+public:
+    LevenbergMarquardt(Misfit& misfit, const Coordinates& coordinates, const FitOptions& options, int iterationsLeft)
+        : misfit_(misfit),
+          coordinates_(coordinates),
+          options_(options),
+          iterationsLeft_(iterationsLeft),
+          K_(coordinates.size()) {
+        z_ = lower_ = upper_ = scale_ = Eigen::VectorXd::Zero(K_);
+        for (int i = 0; i < K_; ++i) {
+            lower_[i] = coordinates.lower(i);
+            upper_[i] = coordinates.upper(i);
+        }
+    }
+
+    Minimum run() {
+        Minimum minimum;
+        here_ = misfit_.reduced(coordinates_.values(z_));
+        while (!isOver(minimum)) {
+            if (!descend(minimum)) break;
+            ++iterations_;
+        }
+        minimum.iterations = iterations_;
+        minimum.values = misfit_.hasBest() ? misfit_.best() : coordinates_.values(z_);
+        minimum.cost = misfit_.bestCost();
+        for (int i = 0; i < K_; ++i) minimum.atBound.push_back(z_[i] <= lower_[i] || z_[i] >= upper_[i]);
+        return minimum;
+    }
+
+private:
+    /// Slopes, gradient and what is held at the point reached; true when the search ends here.
+    bool isOver(Minimum& minimum) {
+        const auto end = [&](FitStatus status, std::string message) {
+            minimum.status = status;
+            minimum.message = std::move(message);
+            return true;
+        };
+        if (misfit_.isCancelled()) return end(FitStatus::Cancelled, "cancelled; the best parameters so far are kept");
+        if (!here_.ok) return end(FitStatus::Failed, misfit_.failure());
+        misfit_.progress().report({"fit", fmt::format("iteration {}", iterations_),
+                                   std::min(1.0, iterations_ / static_cast<double>(options_.maxIterations)), -1.0});
+        slopes_ = here_.jacobian * coordinates_.slopes(coordinates_.values(z_)).asDiagonal();
+        gradient_ = slopes_.transpose() * here_.residuals;
+        scale_ = scale_.cwiseMax(slopes_.colwise().norm().transpose());
+        free_.clear();
+        for (int i = 0; i < K_; ++i) {
+            const bool presses =
+                (z_[i] <= lower_[i] && gradient_[i] >= 0.0) || (z_[i] >= upper_[i] && gradient_[i] <= 0.0);
+            if (!presses && scale_[i] > 0.0) free_.push_back(i);
+        }
+        if (free_.empty())
+            return end(FitStatus::Converged, gradient_.isZero(0.0) ? "converged" : "all parameters rest at their bounds");
+        const double cost = here_.cost();
+        const Eigen::VectorXd full = step(1e-12);
+        expected_ = predictedFall(full);
+        if (expected_ <= std::max(options_.costTolerance, 1e-15) * cost || isTiny(full)) {
+            return end(FitStatus::Converged, "converged");
+        }
+        if (flatSteps_ >= 3 && expected_ <= 1e-6 * cost) return end(FitStatus::Converged, "converged");
+        if (flatSteps_ >= 8)
+            return end(FitStatus::IterationLimit,
+                       fmt::format("stopped after {} iterations in a flat valley: the cost hardly falls any more, and the "
+                                   "parameters still move",
+                                   iterations_));
+        if (iterations_ >= iterationsLeft_)
+            return end(FitStatus::IterationLimit,
+                       fmt::format("stopped at the limit of {} iterations while the cost still fell", iterations_));
+        return false;
+    }
+
+    /// Damps until a step lowers the cost.
+    bool descend(Minimum& minimum) {
+        constexpr int mostTries = 60;
+        const double cost = here_.cost();
+        for (int tries = 0; tries < mostTries && damping_ < 1e20; ++tries) {
+            const Eigen::VectorXd aimed = z_ + limited(step(damping_));
+            const Eigen::VectorXd there = aimed.cwiseMax(lower_).cwiseMin(upper_);
+            const double predicted = predictedFall(there - z_);
+            if (predicted > 0.0) {
+                const ReducedMisfit found = misfit_.reduced(coordinates_.values(there));
+                if (misfit_.isCancelled()) return true;
+                const double fall = found.ok ? cost - found.cost() : -1.0;
+                if (fall > 0.0) {
+                    const double quality = 2.0 * fall / predicted - 1.0;
+                    damping_ = std::max(1e-12, damping_ * std::max(1.0 / 9.0, 1.0 - quality * quality * quality));
+                    growth_ = 2.0;
+                    flatSteps_ = fall <= options_.costTolerance * cost ? flatSteps_ + 1 : 0;
+                    z_ = there;
+                    here_ = found;
+                    return true;
+                }
+            }
+            damping_ = std::max(damping_, 1e-8) * growth_;
+            growth_ *= 2.0;
+        }
+        // Rounding, or a kink, hides the last digits of the cost.
+        const bool isDone = expected_ <= 1e-8 * cost;
+        minimum.status = isDone ? FitStatus::Converged : FitStatus::Failed;
+        minimum.message = isDone ? "converged" : misfit_.failure().empty() ? "no step lowers the cost" : misfit_.failure();
+        return false;
+    }
+
+    /// Minimises |slopes z + residuals|² + damping |scale z|² over what is free.
+    Eigen::VectorXd step(double damping) const {
+        const auto count = static_cast<Eigen::Index>(free_.size()), rows = slopes_.rows();
+        Eigen::MatrixXd stack = Eigen::MatrixXd::Zero(rows + count, count);
+        Eigen::VectorXd right = Eigen::VectorXd::Zero(rows + count);
+        for (Eigen::Index j = 0; j < count; ++j) {
+            const int i = free_[static_cast<std::size_t>(j)];
+            stack.col(j).head(rows) = slopes_.col(i) / scale_[i];
+            stack(rows + j, j) = std::sqrt(damping);
+        }
+        right.head(rows) = -here_.residuals;
+        const Eigen::VectorXd solution = stack.householderQr().solve(right);
+        Eigen::VectorXd result = Eigen::VectorXd::Zero(K_);
+        for (Eigen::Index j = 0; j < count; ++j) {
+            const int i = free_[static_cast<std::size_t>(j)];
+            result[i] = solution[j] / scale_[i];
+        }
+        return result;
+    }
+
+    /// No parameter grows or falls more than about fivefold in a step.
+    Eigen::VectorXd limited(Eigen::VectorXd z) const {
+        constexpr double most = 1.5;
+        const Eigen::VectorXd values = coordinates_.values(z_), slopes = coordinates_.slopes(values);
+        for (int i = 0; i < K_; ++i) {
+            if (!coordinates_.isLogarithmic(i)) continue;
+            const double perUnit = slopes[i] / values[i];
+            z[i] = std::clamp(perUnit * z[i], -most, most) / perUnit;
+        }
+        return z;
+    }
+
+    double predictedFall(const Eigen::VectorXd& z) const {
+        return -gradient_.dot(z) - 0.5 * (slopes_ * z).squaredNorm();
+    }
+
+    /// Whether a step is lost in rounding.
+    bool isTiny(const Eigen::VectorXd& z) const {
+        const Eigen::VectorXd values = coordinates_.values(z_), slopes = coordinates_.slopes(values);
+        return (slopes.cwiseProduct(z).array().abs() <= 1e-12 * values.array().abs()).all();
+    }
+
+    Misfit& misfit_;
+    const Coordinates& coordinates_;
+    const FitOptions& options_;
+    int iterationsLeft_{}, iterations_{}, flatSteps_{}, K_{};
+    double damping_{1e-3}, growth_{2.0}, expected_{};
+    Eigen::VectorXd z_, lower_, upper_, scale_, gradient_;
+    Eigen::MatrixXd slopes_;
+    ReducedMisfit here_;
+    std::vector<int> free_;
+};
+
+}  // namespace
+
+Minimum levenbergMarquardt(Misfit& misfit, const Coordinates& coordinates, const FitOptions& options,
+                           int iterationsLeft) {
+    return LevenbergMarquardt(misfit, coordinates, options, iterationsLeft).run();
+}
+
+}  // namespace analogon

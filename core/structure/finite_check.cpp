@@ -1,0 +1,100 @@
+#include "core/structure/finite_check.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace analogon {
+namespace {
+
+bool allowsInfinity(Operation operation) {
+    switch (operation) {
+        case Operation::Min:
+        case Operation::Max:
+        case Operation::Less:
+        case Operation::LessEqual:
+        case Operation::Greater:
+        case Operation::GreaterEqual:
+            return true;
+        default:
+            return false;
+    }
+}
+
+}  // namespace
+
+/// From the judgements of its operands, which come before it in the pool.
+bool FiniteCheck::judge(const ExpressionNode& node) const {
+    const auto isBad = [&](ExpressionId id) {
+        if (!id.valid() || !senseless_[id.value]) return false;
+        const ExpressionNode& n = pool_[id];
+        return !(allowsInfinity(node.operation) && n.operation == Operation::Constant && std::isinf(n.value));
+    };
+    if (node.operation == Operation::Constant) return !std::isfinite(node.value);
+    if (node.operation == Operation::If) return isBad(node.a);
+    if (node.operation == Operation::Divide && pool_.isConstant(node.b, 0)) return true;
+    return isBad(node.a) || isBad(node.b);
+}
+
+bool FiniteCheck::isSenseless(ExpressionId rewritten) {
+    while (senseless_.size() < pool_.size())
+        senseless_.push_back(judge(pool_[{static_cast<std::uint32_t>(senseless_.size())}]));
+    return senseless_[rewritten.value];
+}
+
+/// The innermost part of an expression that is senseless by itself; through the values of parameters.
+ExpressionId FiniteCheck::sourceIn(ExpressionId original) {
+    ExpressionId source = original;
+    for (bool isDeeper = true; isDeeper;) {
+        isDeeper = false;
+        const ExpressionNode node = pool_[source];
+        std::array<ExpressionId, 3> parts{node.a, node.b, node.c};
+        if (node.operation == Operation::Variable) {
+            const ExpressionId binding = model_[node.variable].binding;
+            // A number says less than the name of the parameter that has it.
+            parts = {binding.valid() && !pool_.isConstant(binding) ? binding : ExpressionId{}, {}, {}};
+        }
+        for (const ExpressionId part : parts)
+            if (!isDeeper && part.valid() && isSenseless(rewrite_(part))) {
+                source = part;
+                isDeeper = true;
+            }
+    }
+    return source;
+}
+
+std::string FiniteCheck::text(ExpressionId of) const {
+    return pool_.print(of, [this](VariableId v) { return model_[v].name; });
+}
+
+std::string FiniteCheck::whatIsWrong(ExpressionId source) {
+    const ExpressionId value = rewrite_(source);
+    const bool isInfinite = pool_.isConstant(value) && std::isinf(pool_[value].value);
+    const ExpressionNode node = pool_[source];
+    if (node.operation == Operation::Variable)
+        return fmt::format("'{}' is {}", model_[node.variable].name, isInfinite ? "infinite" : "not a number");
+    if (node.operation == Operation::Constant)
+        return isInfinite ? "it holds a constant that is infinite" : "it holds a constant that is not a number";
+    std::string values;
+    LeafCollector collect(pool_);
+    for (const ExpressionId leaf : collect.leaves(source))
+        if (const ExpressionId number = rewrite_(leaf); number != leaf && pool_.isConstant(number))
+            values += fmt::format("{}{} = {}", values.empty() ? "" : ", ", text(leaf), text(number));
+    return fmt::format("{} {}{}", text(source),
+                       node.operation == Operation::Divide && pool_.isConstant(rewrite_(node.b), 0)
+                           ? "divides by 0"
+                           : (isInfinite ? "is infinite" : "is not a number"),
+                       values.empty() ? "" : " (" + values + ")");
+}
+
+std::optional<Diagnostic> FiniteCheck::operator()(const FlatEquation& equation) {
+    for (const ExpressionId side : {equation.left, equation.right})
+        if (isSenseless(rewrite_(side)))
+            return error(fmt::format("The equation {} = {} cannot hold: {}.", text(equation.left), text(equation.right),
+                                     whatIsWrong(sourceIn(side))),
+                         equation.span, "Give the parameter another value, or write the equation without it.");
+    return std::nullopt;
+}
+
+}  // namespace analogon
