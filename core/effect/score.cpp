@@ -12,6 +12,7 @@ namespace {
 
 constexpr double rankThreshold = 1e-9;
 constexpr int maxAutoregressiveOrder = 12;
+constexpr double leastSharedInformation = 0.05;  // of a direction, outside a part of the record that is left out
 
 /// Columns scaled to unit norm, so that parameters of any magnitude weigh alike in a rank decision.
 Eigen::MatrixXd unitColumns(const Eigen::MatrixXd& columns) {
@@ -167,6 +168,19 @@ Eigen::VectorXd leftOutResidual(const Linearisation& model, const Eigen::MatrixX
     return residual + block * rest.ldlt().solve(block.transpose() * residual);
 }
 
+/// Smallest share of what the whole record says about any direction of the parameters that is left without these rows.
+double leastInformation(const Linearisation& model, const Eigen::MatrixXd& normal, const Eigen::VectorXd& scale,
+                        const std::vector<Eigen::Index>& rows) {
+    if (normal.cols() == 0) return 1;
+    const Eigen::MatrixXd block = model.jacobian(rows, Eigen::all) * scale.asDiagonal();
+    Eigen::MatrixXd whole = normal;
+    whole.diagonal().array() += 1e-9;  // unit columns: a direction that nothing tells of loses nothing
+    const Eigen::LLT<Eigen::MatrixXd> root(whole);
+    const Eigen::MatrixXd own = root.matrixL().solve(block.transpose());
+    const Eigen::MatrixXd shares = own * own.transpose();
+    return 1 - Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(shares, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+}
+
 }  // namespace
 
 double heldOutGain(const std::vector<ResidualChannel>& channels, const Linearisation& without,
@@ -193,6 +207,11 @@ double heldOutGain(const std::vector<ResidualChannel>& channels, const Linearisa
                     rows.push_back(row);
         }
         if (rows.empty()) continue;
+        if (leastInformation(with, normal1, scale1, rows) < leastSharedInformation) {
+            // only this part of the record says what the effect is: what it claims to explain here stays unconfirmed
+            moved += (with.residuals(rows) - without.residuals(rows)).squaredNorm();
+            continue;
+        }
         const Eigen::VectorXd r0 = leftOutResidual(without, normal0, scale0, rows);
         const Eigen::VectorXd r1 = leftOutResidual(with, normal1, scale1, rows);
         gained += r0.squaredNorm() - r1.squaredNorm();

@@ -121,6 +121,29 @@ std::optional<Start> prepareStart(const NullModel& null, const Screened& screene
     return start;
 }
 
+Eigen::VectorXd startValues(const FitProblem& problem) {
+    Eigen::VectorXd values(static_cast<Eigen::Index>(problem.parameters.size()));
+    for (Eigen::Index j = 0; j < values.size(); ++j) values[j] = problem.parameters[static_cast<std::size_t>(j)].start;
+    return values;
+}
+
+/// Where the strength comes from a slope at 0, the slope may promise far more than the model bears there (a magnet that
+/// warms until its field turns over). The strength is taken back until it is no worse than the model without.
+void takeBack(const NullModel& null, Start& start, const SimulationOptions& simulation, const Progress& progress) {
+    const std::string& name = start.variant.effects.back().freed.front().name;
+    std::vector<FitParameter>& parameters = start.prepared.problem.parameters;
+    const auto strength =
+        std::find_if(parameters.begin(), parameters.end(), [&](const FitParameter& p) { return p.name == name; });
+    const double first = strength->start;
+    for (const double part : {1.0, 0.25, 0.0625, 0.015625}) {
+        strength->start = std::clamp(first * part, strength->min, strength->max);
+        const Linearisation at =
+            linearise(start.prepared.problem, startValues(start.prepared.problem), false, {}, simulation, progress);
+        if (at.ok && at.residuals.squaredNorm() < null.sumOfSquares()) return;
+    }
+    strength->start = std::clamp(first, strength->min, strength->max);  // no way down: as promised
+}
+
 }  // namespace
 
 Trial refit(const NullModel& null, const Screened& screened, const FitOptions& options, int starts,
@@ -134,10 +157,9 @@ Trial refit(const NullModel& null, const Screened& screened, const FitOptions& o
         if (progress.stopRequested() || ready.size() == mostStarts) break;
         std::optional<Start> start = prepareStart(null, screened, *probe, strength, best.failure);
         if (!start) continue;
+        if (probe->secant == 0) takeBack(null, *start, options.simulation, progress);
         if (offered.size() > static_cast<std::size_t>(starts)) {
-            Eigen::VectorXd values(static_cast<Eigen::Index>(start->prepared.problem.parameters.size()));
-            for (Eigen::Index j = 0; j < values.size(); ++j)
-                values[j] = start->prepared.problem.parameters[static_cast<std::size_t>(j)].start;
+            const Eigen::VectorXd values = startValues(start->prepared.problem);
             const Linearisation at = linearise(start->prepared.problem, values, true, {}, options.simulation, progress);
             if (!at.ok || !at.jacobian.allFinite()) continue;
             start->promised = promisedCost(at);

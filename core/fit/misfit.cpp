@@ -51,9 +51,26 @@ void Misfit::fail(const std::string& failure) {
     failure_ = failure;
 }
 
+/// Steps that were fine where they were chosen may be too long for a stiffer model (a lag that grows short). Empty: the
+/// plans in force are what would be chosen here.
+std::vector<GridPlan> Misfit::finerPlansAt(const Eigen::VectorXd& values) const {
+    if (isCancelled() || options_.simulation.engine == Engine::Adaptive) return {};
+    std::vector<GridPlan> plans = plansFor(values, 1.0);
+    if (plans == plans_) plans.clear();
+    return plans;
+}
+
 /// False: the sums are not exact enough here.
 bool Misfit::summed(const Eigen::VectorXd& values, ReducedMisfit& reduced) {
-    const MisfitSums sums = sumUp(problem_, values, true, plans_, options_.simulation, progress_, threads_);
+    MisfitSums sums = sumUp(problem_, values, true, plans_, options_.simulation, progress_, threads_);
+    if (!sums.ok) {
+        std::vector<GridPlan> finer = finerPlansAt(values);
+        if (!finer.empty()) {
+            sums = sumUp(problem_, values, true, finer, options_.simulation, progress_, threads_);
+            ++simulations_;
+            if (sums.ok) plans_ = std::move(finer);
+        }
+    }
     if (!sums.ok) {
         ++simulations_;
         fail(sums.failure);
@@ -73,6 +90,14 @@ bool Misfit::summed(const Eigen::VectorXd& values, ReducedMisfit& reduced) {
 Linearisation Misfit::simulate(const Eigen::VectorXd& values, bool withJacobian) {
     Linearisation result = linearise(problem_, values, withJacobian, plans_, options_.simulation, progress_);
     ++simulations_;
+    if (!result.ok) {
+        std::vector<GridPlan> finer = finerPlansAt(values);
+        if (!finer.empty()) {
+            result = linearise(problem_, values, withJacobian, finer, options_.simulation, progress_);
+            ++simulations_;
+            if (result.ok) plans_ = std::move(finer);
+        }
+    }
     if (!result.ok) fail(result.failure);
     return result;
 }

@@ -61,6 +61,7 @@ private:
     void note(const Eigen::VectorXd& values, double cost, Linearisation line = {});
     std::vector<GridPlan> plansFor(const Eigen::VectorXd& values, double looseness) const;
     bool take(std::vector<GridPlan> plans);
+    std::vector<GridPlan> finerPlansAt(const Eigen::VectorXd& values) const;
 
     const FitProblem& problem_;
     const FitOptions& options_;
