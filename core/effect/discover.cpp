@@ -26,9 +26,10 @@ constexpr double nearlyAsMuch = 0.6;       // of the fall in the sum of squares
 constexpr double falseAlarmQuantile = 0.99;
 constexpr double rivalShare = 0.3;  // of the winner's evidence, from which on a weaker candidate is looked at again
 constexpr std::size_t mostRivals = 5, mostAlternatives = 6, otherPaths = 2;
-constexpr double structuredResidual = 1.1;  // in units of the noise: something is left to find
-constexpr double leastGain = 1;             // in evidence, for which an effect is exchanged: exact twins are not
-constexpr double mostGrowth = 5;            // of an effect's strength when another joins it
+constexpr double integrationShare = 2e-3, coarsestTolerance = 3e-5;  // of the noise, and of a channel's range at most
+constexpr double structuredResidual = 1.1;                           // in units of the noise: something is left to find
+constexpr double leastGain = 1;   // in evidence, for which an effect is exchanged: exact twins are not
+constexpr double mostGrowth = 5;  // of an effect's strength when another joins it
 constexpr double changeShare = 0.5, firstOrderShare = 0.85, leastChange = 100;
 constexpr long mostSearchedSamples = 10'000;
 constexpr int startsPerTrial = 2;
@@ -200,6 +201,26 @@ void offer(std::vector<Remainder> proposed, std::vector<Remainder>& left) {
     left.insert(left.begin(), std::make_move_iterator(proposed.begin()), std::make_move_iterator(proposed.end()));
 }
 
+/// Smallest noise of a fitted channel over the range of its measurement.
+double quietest(const NullModel& null) {
+    double least = 1;
+    std::size_t e = 0;
+    for (const Recording& r : null.variant.task.recordings) {
+        const std::size_t index = e++;
+        if (r.role != Role::Fit || index >= null.noise.size()) continue;
+        for (Eigen::Index o = 0; o < std::min(r.outputs.rows(), null.noise[index].size()); ++o) {
+            double low = std::numeric_limits<double>::infinity(), high = -low;
+            for (const double y : r.outputs.row(o))
+                if (!std::isnan(y)) {
+                    low = std::min(low, y);
+                    high = std::max(high, y);
+                }
+            if (high > low) least = std::min(least, null.noise[index][o] / (high - low));
+        }
+    }
+    return least;
+}
+
 /// One search, from the model as given to the model that leaves noise.
 class Search {
 public:
@@ -208,6 +229,7 @@ public:
           thinning_(thinningFor(task, mostSearchedSamples)),
           base_{thinned(task, thinning_), {}, {}},
           options_(options),
+          search_(options),
           progress_(progress) {}
 
     Outcome<Finding> run();
@@ -271,6 +293,7 @@ private:
     int thinning_;
     Variant base_;  // on what the search works with
     const DiscoverOptions& options_;
+    DiscoverOptions search_;  // integration as exact as the noise asks for
     const Progress& progress_;
     std::vector<EffectClass> catalogue_;
     std::vector<CandidateResult> candidates_;
@@ -288,14 +311,14 @@ std::vector<Screened> Search::screenAll(const NullModel& null) {
         const Candidate& c = (*candidates)[static_cast<std::size_t>(i)];
         say("screen", c.effect.kind + " at " + c.place.at,
             static_cast<double>(i) / static_cast<double>(screened.size()));
-        screened[static_cast<std::size_t>(i)] = screen(null, c, options_.fit.simulation, progress_);
+        screened[static_cast<std::size_t>(i)] = screen(null, c, search_.fit.simulation, progress_);
     });
     return screened;
 }
 
 std::vector<Trial> Search::tryThese(const NullModel& null, const std::vector<const Screened*>& chosen, int iterations,
                                     int starts) {
-    FitOptions quick = options_.fit;
+    FitOptions quick = search_.fit;
     quick.maxIterations = iterations;
     quick.costTolerance = trialTolerance;
     quick.simulation = limited(null, quick.simulation);
@@ -357,7 +380,7 @@ std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>&
 /// Takes the trials that a short fit brought to the front further.
 void Search::continueBest(const NullModel& null, std::vector<Trial>& trials) {
     rank(null, trials);
-    FitOptions options = options_.fit;
+    FitOptions options = search_.fit;
     options.maxIterations = 2 * trialIterations;
     options.costTolerance = trialTolerance;
     options.simulation = limited(null, options.simulation);
@@ -554,7 +577,7 @@ Outcome<Done> Search::goOn(Path& path, Round first) {
         Variant wider = step.winner.variant;
         steps_.push_back(std::move(step));
         // the noise shows better with every effect that is explained
-        Outcome<NullModel> next = fitNull(wider, path.null.noise, NoiseLevel::Estimate, options_.fit, progress_);
+        Outcome<NullModel> next = fitNull(wider, path.null.noise, NoiseLevel::Estimate, search_.fit, progress_);
         if (!next) {
             done = next.diagnostics();
             break;
@@ -562,7 +585,7 @@ Outcome<Done> Search::goOn(Path& path, Round first) {
         path.null = std::move(*next);
         reconsider(path.null);
         removeUnneeded(path.null, 1);  // a single one has just passed its tests
-        if (Outcome<ModelState> after = stateOf(path.null.variant, path.null.fit, options_.fit.simulation, progress_);
+        if (Outcome<ModelState> after = stateOf(path.null.variant, path.null.fit, search_.fit.simulation, progress_);
             after && !progress_.stopRequested()) {
             bestError_ = std::min(bestError_, errorPercentOf(*after, Role::Fit));
             path.state = std::move(*after);
@@ -622,7 +645,7 @@ std::optional<NullModel> Search::without(const NullModel& null, std::size_t effe
         if (k != effect) others.push_back(null.variant.effects[k]);
     Outcome<Variant> variant = withEffects(base_, others, null.variant.values);
     if (!variant) return std::nullopt;
-    Outcome<NullModel> refitted = fitNull(*variant, null.noise, NoiseLevel::Keep, options_.fit, progress_);
+    Outcome<NullModel> refitted = fitNull(*variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
     if (!refitted) return std::nullopt;
     return std::move(*refitted);
 }
@@ -646,7 +669,7 @@ bool Search::replace(NullModel& null, std::size_t effect) {
                 " for " + old.effect.kind,
             -1);
         screened[static_cast<std::size_t>(i)] =
-            screen(*rest, rivals[static_cast<std::size_t>(i)], options_.fit.simulation, progress_);
+            screen(*rest, rivals[static_cast<std::size_t>(i)], search_.fit.simulation, progress_);
     });
     std::vector<const Screened*> chosen;
     for (const Screened& s : screened)
@@ -680,7 +703,7 @@ bool Search::replace(NullModel& null, std::size_t effect) {
     if (levelOf(best.fit) > largeResidual && best.freed() > static_cast<int>(old.freed.size()) &&
         fall > nearlyAsMuch * bestFall)
         return false;
-    Outcome<NullModel> next = fitNull(best.variant, null.noise, NoiseLevel::Keep, options_.fit, progress_);
+    Outcome<NullModel> next = fitNull(best.variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
     if (!next) return false;
 
     Step step;
@@ -745,7 +768,7 @@ void Search::removeUnneeded(NullModel& null, std::size_t least) {
         if (missed.isSignificant && missed.isWorthwhile && missed.heldOut > 0 && isDetermined(null, i)) {
             steps_[i].acceptance = missed;
             if (Outcome<ModelState> state =
-                    stateOf(refitted->variant, refitted->fit, options_.fit.simulation, progress_))
+                    stateOf(refitted->variant, refitted->fit, search_.fit.simulation, progress_))
                 steps_[i].errorWithout = errorPercentOf(*state, Role::Fit);
             ++i;
             continue;
@@ -845,6 +868,8 @@ Outcome<Finding> Search::run() {
     bestError_ = errorPercentOf(finding.baseline, Role::Fit);
 
     const NullModel base = *null;
+    search_.fit.simulation.relativeTolerance =
+        std::clamp(integrationShare * quietest(base), options_.fit.simulation.relativeTolerance, coarsestTolerance);
     Outcome<Path> path = bestPath(base);
     if (!path) return path.diagnostics();
     null = std::move(path->null);
@@ -864,6 +889,11 @@ Outcome<Finding> Search::run() {
     }
     std::vector<Remainder> proposed = takeOutProposals(*null);
     if (!proposed.empty()) removeUnneeded(*null, 0);  // what was seen only beside a proposal is not kept without it
+    if (!steps_.empty() && !onAll && !progress_.stopRequested()) {
+        Outcome<NullModel> fitted = fitNull(null->variant, null->noise, NoiseLevel::Keep, options_.fit, progress_);
+        if (!fitted) return fitted.diagnostics();
+        null = std::move(*fitted);
+    }
     if (onAll && steps_.empty()) null = *onAll;
     if (onAll && !steps_.empty() && !progress_.stopRequested()) {
         Outcome<Variant> all = withEffects(full_, null->variant.effects, null->variant.values);
