@@ -1,13 +1,18 @@
 #include "core/effect/change.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "core/flat/parameter_change.hpp"
 
 namespace analogon {
 namespace {
 
-constexpr int coarse = 40;        // moments that are tried over a recording, then again around the best
-constexpr double margin = 0.04;   // of the recording at either end, where a break is no break
-constexpr double visible = 3e-3;  // |g_perp| / |g|
+constexpr int coarse = 40;           // moments that are tried over a recording, then again around the best
+constexpr double margin = 0.04;      // of the recording at either end, where a break is no break
+constexpr double visible = 3e-3;     // |g_perp| / |g|
+constexpr double leastLikely = 0.3;  // of what the likeliest explains
+constexpr std::size_t mostFitted = 4;
 
 /// Rows of one experiment at or after a moment.
 Eigen::VectorXd from(const NullModel& null, const std::vector<double>& time, int experiment, double moment,
@@ -24,39 +29,107 @@ Eigen::VectorXd from(const NullModel& null, const std::vector<double>& time, int
 
 }  // namespace
 
-std::optional<Change> strongestChange(const NullModel& null) {
+std::vector<Change> likelyChanges(const NullModel& null) {
     const Eigen::MatrixXd& jacobian = null.fit.optimum.jacobian;
     const Eigen::VectorXd& residual = null.fit.optimum.residuals;
     const Complement complement(jacobian);
-    std::optional<Change> best;
+    std::vector<Change> likely;
     int experiment = 0;
     for (const Recording& recording : null.variant.task.recordings) {
         if (recording.role != Role::Fit) continue;
         const std::vector<double>& time = recording.time;
         const double begin = time.front(), span = time.back() - time.front();
-        const auto take = [&](Eigen::Index j, double moment) {
-            const Eigen::VectorXd column = from(null, time, experiment, moment, jacobian.col(j));
-            const Eigen::VectorXd rest = complement(Eigen::MatrixXd(column)).col(0);
-            const double squared = rest.squaredNorm();
-            if (!(rest.norm() > visible * column.norm())) return;
-            const double along = rest.dot(residual);
-            const double explained = along * along / squared;
-            if (best && explained <= best->explained) return;
-            const FitEstimate& estimate = null.fit.estimates[static_cast<std::size_t>(j)];
-            best = {estimate.name, experiment, moment, estimate.value, estimate.value - along / squared, explained};
-        };
         for (Eigen::Index j = 0; j < jacobian.cols(); ++j) {
-            if (null.fit.estimates[static_cast<std::size_t>(j)].experiment >= 0) continue;  // a start value
+            const FitEstimate& estimate = null.fit.estimates[static_cast<std::size_t>(j)];
+            if (estimate.experiment >= 0) continue;  // a start value
+            Change best;
+            const auto take = [&](double moment) {
+                const Eigen::VectorXd column = from(null, time, experiment, moment, jacobian.col(j));
+                const Eigen::VectorXd rest = complement(Eigen::MatrixXd(column)).col(0);
+                const double squared = rest.squaredNorm();
+                if (!(rest.norm() > visible * column.norm())) return;
+                const double along = rest.dot(residual);
+                const double explained = along * along / squared;
+                if (explained > best.explained)
+                    best = {estimate.name, experiment, moment, estimate.value, estimate.value - along / squared,
+                            explained,     {}};
+            };
             for (int k = 0; k <= coarse; ++k)
-                take(j, begin + span * (margin + (1 - 2 * margin) * k / static_cast<double>(coarse)));
-        }
-        if (best && best->experiment == experiment) {
-            const double around = best->time, step = span / coarse;
-            for (Eigen::Index j = 0; j < jacobian.cols(); ++j)
-                if (null.fit.estimates[static_cast<std::size_t>(j)].name == best->parameter)
-                    for (int k = -10; k <= 10; ++k) take(j, around + step * k / 10.0);
+                take(begin + span * (margin + (1 - 2 * margin) * k / static_cast<double>(coarse)));
+            if (best.parameter.empty()) continue;
+            const double around = best.time, step = span / coarse;
+            for (int k = -10; k <= 10; ++k) take(around + step * k / 10.0);
+            likely.push_back(std::move(best));
         }
         ++experiment;
+    }
+    std::stable_sort(likely.begin(), likely.end(),
+                     [](const Change& a, const Change& b) { return a.explained > b.explained; });
+    return likely;
+}
+
+namespace {
+
+/// The change fitted together with all parameters of the model.
+std::optional<Change> fitted(const NullModel& null, const Change& likely, const FitOptions& options,
+                             const Progress& progress) {
+    const std::vector<int> recordings = recordingsOf(null.variant.task, Role::Fit);
+    const std::vector<double>& time =
+        null.variant.task.recordings[static_cast<std::size_t>(recordings[static_cast<std::size_t>(likely.experiment)])]
+            .time;
+    const double span = time.back() - time.front();
+    Variant variant = null.variant;
+    variant.task.change = ParameterChange{likely.parameter, span / static_cast<double>(time.size() - 1)};
+    FitParameter step, moment;
+    step.name = stepOf(likely.parameter);
+    step.start = likely.after - likely.before;
+    moment.name = momentOf(likely.parameter);
+    moment.start = likely.time;
+    moment.min = time.front() + margin * span;
+    moment.max = time.back() - margin * span;
+    moment.scale = ParameterScale::Linear;
+    step.experiment = moment.experiment = likely.experiment;
+    variant.task.parameters.push_back(step);
+    variant.task.parameters.push_back(moment);
+    Outcome<PreparedTask> prepared = prepareAt(variant, null.noise);
+    if (!prepared) return std::nullopt;
+    FitResult result = fit(prepared->problem, options, progress);
+    if (!result.optimum.ok) return std::nullopt;
+    Change change = likely;
+    for (const FitEstimate& e : result.estimates) {
+        if (e.name == likely.parameter) change.before = e.value;
+        if (e.name == step.name) change.after = e.value;
+        if (e.name == moment.name) change.time = e.value;
+    }
+    change.after += change.before;
+    change.explained = null.sumOfSquares() - result.optimum.residuals.squaredNorm();
+    change.fit = std::move(result);
+    return change;
+}
+
+}  // namespace
+
+std::optional<Change> bestChange(const NullModel& null, const FitOptions& options, const Progress& progress) {
+    std::optional<Change> best;
+    const std::vector<Change> likely = likelyChanges(null);
+    for (std::size_t i = 0; i < std::min(likely.size(), mostFitted) && !progress.stopRequested(); ++i) {
+        if (likely[i].explained < leastLikely * likely.front().explained) break;
+        std::optional<Change> change = fitted(null, likely[i], options, progress);
+        if (change && (!best || change->explained > best->explained)) best = std::move(change);
+    }
+    if (!best) return best;
+    // a moment is found by steps too short to cross what happens between two manoeuvres
+    const Change first = *best;
+    const std::vector<int> recordings = recordingsOf(null.variant.task, Role::Fit);
+    const std::vector<double>& time =
+        null.variant.task.recordings[static_cast<std::size_t>(recordings[static_cast<std::size_t>(first.experiment)])]
+            .time;
+    for (const double away : {-4.0, -2.0, -1.0, 1.0, 2.0, 4.0}) {
+        Change near = first;
+        near.time += away * (time.back() - time.front()) / coarse;
+        if (near.time <= time.front() || near.time >= time.back() || progress.stopRequested()) continue;
+        std::optional<Change> change = fitted(null, near, options, progress);
+        if (change && change->explained > best->explained) best = std::move(change);
     }
     return best;
 }

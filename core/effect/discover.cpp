@@ -30,7 +30,7 @@ constexpr double integrationShare = 2e-3, coarsestTolerance = 3e-5;  // of the n
 constexpr double structuredResidual = 1.1;                           // in units of the noise: something is left to find
 constexpr double leastGain = 1;   // in evidence, for which an effect is exchanged: exact twins are not
 constexpr double mostGrowth = 5;  // of an effect's strength when another joins it
-constexpr double changeShare = 0.5, firstOrderShare = 0.85, leastChange = 100;
+constexpr double changeShare = 0.5, leastChange = 100;
 constexpr long mostSearchedSamples = 10'000;
 constexpr int startsPerTrial = 2;
 constexpr int trialIterations = 12;  // a trial must show what it is worth; the winner is refitted to convergence
@@ -171,16 +171,32 @@ double excess(const NullModel& null) {
     return null.sumOfSquares() - static_cast<double>(null.fit.optimum.residuals.size());
 }
 
-/// Whether a change in mid run accounts for most of what is above the noise, by a wide margin over chance.
-bool isMost(const NullModel& null, const Change& change) {
-    return change.explained > changeShare * excess(null) && change.explained > leastChange;
+/// Sum of squares that a model leaves, in units of the noise that another one stands beside.
+double sumInUnitsOf(const NullModel& units, const NullModel& model) {
+    const std::vector<int> recordings = recordingsOf(model.variant.task, Role::Fit);
+    double sum = 0;
+    for (const ResidualChannel& c : model.channels) {
+        const auto r = static_cast<std::size_t>(recordings[static_cast<std::size_t>(c.experiment)]);
+        const double ratio = model.noise[r][c.output] / units.noise[r][c.output];
+        sum += ratio * ratio * model.fit.optimum.residuals.segment(c.begin, c.end - c.begin).squaredNorm();
+    }
+    return sum;
 }
 
-/// Whether it does so no worse than an effect that leaves much. (The change is judged to first order, so by less than
-/// it is worth.)
-bool isBetterThan(const NullModel& null, const FitResult& with, const Change& change) {
-    return levelOf(with) > largeResidual && isMost(null, change) &&
-           change.explained > firstOrderShare * (null.sumOfSquares() - with.optimum.residuals.squaredNorm());
+/// Whether a change in mid run accounts for most of what is above the noise, by a wide margin over chance, and is a
+/// better account of it than the effects that were found: another structure, or all of them only to imitate it.
+bool isBetterThan(const NullModel& base, const NullModel& with, const Change& change) {
+    if (!(change.explained > changeShare * excess(base)) || !(change.explained > leastChange)) return false;
+    const double left = sumInUnitsOf(base, with), leftByChange = change.fit.optimum.residuals.squaredNorm();
+    const FitResult& nearer = left < leftByChange ? with.fit : change.fit;  // to the truth, as far as we know
+    const double count = effectiveCount(base.channels, nearer.optimum.residuals);
+    const double rows = static_cast<double>(nearer.optimum.residuals.size());
+    const double variance =
+        std::min(left, leftByChange) / std::max(1.0, rows - static_cast<double>(nearer.estimates.size()));
+    const double gain = (left - leftByChange) / variance * count / rows;
+    // the parameter that changes was chosen, too
+    const double more = static_cast<double>(change.fit.estimates.size()) - with.parameterCount() + 1;
+    return gain - more * std::log(count) > equivalenceMargin;
 }
 
 /// Puts proposals first among what is left; the strongest channel tells when it shows and what it moves with.
@@ -877,8 +893,8 @@ Outcome<Finding> Search::run() {
     candidates_ = std::move(path->candidates);
 
     // A parameter that changed in mid run is imitated by many slow effects; none of them is it.
-    change_ = strongestChange(base);
-    if (change_ && isBetterThan(base, null->fit, *change_)) {
+    if (!isNoise(base) && !progress_.stopRequested()) change_ = bestChange(base, search_.fit, progress_);
+    if (change_ && isBetterThan(base, *null, *change_)) {
         for (const PlacedEffect& e : null->variant.effects)
             setVerdict(e.effect.kind, e.place.at, Verdict::NotSignificant);
         steps_.clear();

@@ -37,14 +37,14 @@ void connectSpare(EstimationTask& task, const std::string& spare, const std::str
     }
 }
 
+}  // namespace
+
 std::vector<int> recordingsOf(const EstimationTask& task, Role role) {
     std::vector<int> indices;
     for (std::size_t i = 0; i < task.recordings.size(); ++i)
         if (task.recordings[i].role == role) indices.push_back(static_cast<int>(i));
     return indices;
 }
-
-}  // namespace
 
 Outcome<Variant> withEffect(const Variant& variant, const EffectClass& effect, const EffectPlace& place,
                             const std::map<std::string, double>& values) {

@@ -34,6 +34,9 @@ struct Variant {
     std::vector<ParameterValue> values;
 };
 
+/// Indices of the recordings with a role, in order.
+std::vector<int> recordingsOf(const EstimationTask& task, Role role);
+
 /// The variant with one more effect; its parameters are not yet among the fitted ones.
 Outcome<Variant> withEffect(const Variant& variant, const EffectClass& effect, const EffectPlace& place,
                             const std::map<std::string, double>& values);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "core/flat/parameter_change.hpp"
+
 namespace analogon {
 
 namespace {
@@ -224,6 +226,8 @@ private:
 Outcome<PreparedTask> prepare(const EstimationTask& task, const std::vector<Eigen::VectorXd>& noise, Role role,
                               const std::vector<std::string>& alsoKeep) {
     Outcome<FlatModel> flat = flatten(task.library, task.className);
+    if (!flat) return flat.diagnostics();
+    if (task.change) flat = withChange(std::move(*flat), task.change->parameter, task.change->width);
     if (!flat) return flat.diagnostics();
     auto model = std::make_shared<const FlatModel>(std::move(*flat));
     StructureOptions options;

@@ -40,12 +40,19 @@ struct Recording {
     std::vector<SpareChannel> spares;
 };
 
+/// A parameter that may take another value in mid run; `stepOf` and `momentOf` it are then parameters, too.
+struct ParameterChange {
+    std::string parameter;
+    double width{};  // [s] over which it changes
+};
+
 struct EstimationTask {
     Library library;  // with the model's own text in it
     SourcePtr model;  // text of the composed model
     std::string className;
     std::vector<FitParameter> parameters;  // fitted for all experiments
     std::vector<Recording> recordings;
+    std::optional<ParameterChange> change;
 };
 
 /// A task made ready to simulate: one system for all experiments, the problem for the experiments with a role.
