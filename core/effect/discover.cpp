@@ -14,6 +14,7 @@
 #include "core/effect/remainder.hpp"
 #include "core/effect/thin.hpp"
 #include "core/effect/trial.hpp"
+#include "core/effect/twin.hpp"
 #include "core/residual/quantisation.hpp"
 
 namespace analogon {
@@ -298,6 +299,7 @@ private:
     std::vector<Remainder> takeOutProposals(NullModel& null);
     bool replace(NullModel& null, std::size_t effect);
     void removeUnneeded(NullModel& null, std::size_t least);
+    void treatAlike(NullModel& null);
     void setVerdict(const std::string& kind, const std::string& at, Verdict verdict);
     void note(const Screened& s, Verdict verdict, std::optional<double> deltaBic);
     AddedEffect describe(const NullModel& last, const PlacedEffect& placed, const Step& step) const;
@@ -601,6 +603,7 @@ Outcome<Done> Search::goOn(Path& path, Round first) {
         path.null = std::move(*next);
         reconsider(path.null);
         removeUnneeded(path.null, 1);  // a single one has just passed its tests
+        treatAlike(path.null);
         if (Outcome<ModelState> after = stateOf(path.null.variant, path.null.fit, search_.fit.simulation, progress_);
             after && !progress_.stopRequested()) {
             bestError_ = std::min(bestError_, errorPercentOf(*after, Role::Fit));
@@ -796,6 +799,31 @@ void Search::removeUnneeded(NullModel& null, std::size_t least) {
     }
 }
 
+/// Where much is left that nothing explains, a channel that shows an effect of its sensor clearly and one of the same
+/// kind that does not are more likely two equal sensors than two different ones: the effect is put in front of both,
+/// with the same parameters, unless the data speak against it.
+void Search::treatAlike(NullModel& null) {
+    for (std::size_t i = 0; i < null.variant.effects.size() && !progress_.stopRequested(); ++i) {
+        if (!(levelOf(null.fit) > largeResidual)) return;
+        const PlacedEffect& placed = null.variant.effects[i];
+        if (placed.effect.signalSide != "output" || !placed.effect.proposal.empty() || !placed.twins.empty()) continue;
+        const std::vector<EffectPlace> like = likePlaces(null.variant, placed, catalogue_);
+        if (like.empty()) continue;
+        say("reconsider", fmt::format("{} at every sensor like {}", placed.effect.kind, placed.place.at), -1);
+        std::vector<PlacedEffect> effects = null.variant.effects;
+        effects[i].twins = like;
+        Outcome<Variant> variant = withEffects(base_, effects, null.variant.values);
+        if (!variant) continue;
+        Outcome<NullModel> tied = fitNull(*variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
+        if (!tied) continue;
+        const double rows = static_cast<double>(null.fit.optimum.residuals.size());
+        const double least = std::min(null.sumOfSquares(), tied->sumOfSquares());
+        const double worse = (tied->sumOfSquares() - null.sumOfSquares()) / least * (rows - null.parameterCount()) *
+                             independentShare(null, null.fit);
+        if (worse < equivalenceMargin) null = std::move(*tied);
+    }
+}
+
 /// Proposals explain while the search goes on and are offered, not added: the model ends without them.
 std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
     std::vector<Remainder> found;
@@ -931,7 +959,17 @@ Outcome<Finding> Search::run() {
         effect.evidence.errorPercentBefore =
             steps_[i].errorWithout >= 0 ? steps_[i].errorWithout : errorPercentOf(finding.baseline, Role::Fit);
         effect.evidence.errorPercentAfter = errorPercentOf(finding.final, Role::Fit);
-        finding.effects.push_back(std::move(effect));
+        finding.effects.push_back(effect);
+        const PlacedEffect& placed = null->variant.effects[i];
+        for (std::size_t t = 0; t < placed.twins.size(); ++t) {
+            effect.at = placed.twins[t].at;
+            effect.instance = placed.twinInstances[t];
+            effect.alternatives.clear();
+            finding.effects.push_back(effect);
+            finding.warnings.push_back(fmt::format(
+                "{} stands at {} and {} with one set of parameters: equal sensors, and the data do not tell them apart",
+                effect.kind, placed.place.at, effect.at));
+        }
     }
     finding.candidates = std::move(candidates_);
     finding.interrupted = progress_.stopRequested();

@@ -349,8 +349,10 @@ Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std:
     for (const EffectClass& e : catalogue)
         for (const EffectPlace& p : nodes.placesFor(e, spares)) {
             const bool isThere =
-                std::any_of(variant.effects.begin(), variant.effects.end(),
-                            [&](const PlacedEffect& x) { return x.effect.className == e.className && x.place == p; });
+                std::any_of(variant.effects.begin(), variant.effects.end(), [&](const PlacedEffect& x) {
+                    return x.effect.className == e.className &&
+                           (x.place == p || std::find(x.twins.begin(), x.twins.end(), p) != x.twins.end());
+                });
             if (!isThere) candidates.push_back({e, p});
         }
     return candidates;

@@ -37,6 +37,23 @@ void connectSpare(EstimationTask& task, const std::string& spare, const std::str
     }
 }
 
+/// Wires the newest effect in at one more place, with the parameters it has at its first.
+Outcome<Done> addTwin(Variant& variant, const EffectPlace& place) {
+    PlacedEffect& placed = variant.effects.back();
+    std::map<std::string, std::string> same;
+    for (const FitParameter& p : placed.freed) same[p.name.substr(placed.instance.size() + 1)] = p.name;
+    for (const auto& [name, value] : placed.values) same[name] = placed.instance + "." + name;
+    Outcome<WiredEffect> wired =
+        wireIn(variant.task.library, *modelOf(variant.task)->definition, placed.effect, place, {}, same);
+    if (!wired) return wired.diagnostics();
+    Outcome<EstimationTask> task = withText(variant.task, syntax::apply(variant.task.model->text(), wired->edit).text);
+    if (!task) return task.diagnostics();
+    variant.task = std::move(*task);
+    placed.twins.push_back(place);
+    placed.twinInstances.push_back(wired->instance);
+    return Done{};
+}
+
 }  // namespace
 
 std::vector<int> recordingsOf(const EstimationTask& task, Role role) {
@@ -79,6 +96,8 @@ Outcome<Variant> withEffects(const Variant& base, const std::vector<PlacedEffect
             placed.freed.push_back(p);
             variant.task.parameters.push_back(std::move(p));
         }
+        for (const EffectPlace& twin : e.twins)
+            if (Outcome<Done> added = addTwin(variant, twin); !added) return added.diagnostics();
     }
     // values of effects that are not in this variant belong to nothing
     std::erase_if(variant.values, [&](const ParameterValue& v) {

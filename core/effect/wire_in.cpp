@@ -72,6 +72,10 @@ public:
         colour_ = colourAt(diagram_, place.connector);
     }
 
+    void bind(const std::map<std::string, std::string>& expressions) {
+        for (const auto& [name, text] : expressions) component_.modifications.emplace_back(name, text);
+    }
+
     void attach() {
         edit_.addComponent(component_);
         join(component_.name + "." + effect_.ports[0], port(library_, component_, effect_.ports[0]), place_.connector);
@@ -144,10 +148,12 @@ private:
 }  // namespace
 
 Outcome<WiredEffect> wireIn(const Library& library, const syntax::ClassDefinition& model, const EffectClass& effect,
-                            const EffectPlace& place, const std::map<std::string, double>& values) {
+                            const EffectPlace& place, const std::map<std::string, double>& values,
+                            const std::map<std::string, std::string>& expressions) {
     Outcome<Diagram> diagram = readDiagram(library, model.name);
     if (!diagram) return diagram.diagnostics();
     Wiring wiring(library, model, effect, place, values, std::move(*diagram));
+    wiring.bind(expressions);
     switch (effect.way) {
         case Way::Attach:
             wiring.attach();

@@ -17,8 +17,9 @@ struct WiredEffect {
 
 /// The edit that adds an effect at a place (attach: a component and a connection; insert: a component between a
 /// connector and the rest of its node, or between a signal and what it feeds; specialise: another class).
-/// `values` are written as modifications of the instance.
+/// `values` are written as modifications of the instance, and so are `expressions` (the parameters of a twin: "lag.T").
 Outcome<WiredEffect> wireIn(const Library& library, const syntax::ClassDefinition& model, const EffectClass& effect,
-                            const EffectPlace& place, const std::map<std::string, double>& values);
+                            const EffectPlace& place, const std::map<std::string, double>& values,
+                            const std::map<std::string, std::string>& expressions = {});
 
 }  // namespace analogon

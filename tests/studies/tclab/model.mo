@@ -1,4 +1,6 @@
-model TwoHeaters "Two transistor heaters side by side on a board, each with a thermistor"
+model TwoHeaters "Two equal transistor heaters side by side on a board, each with a thermistor"
+  parameter Real C(unit="J/K") = 4 "Heat capacity of one transistor";
+  parameter Real G(unit="W/K") = 0.012 "Loss of one transistor to the room";
   Analogon.Interfaces.RealInput heater1(unit="1") "Duty of heater 1"
     annotation (Placement(transformation(extent={{-170,30},{-150,50}})));
   Analogon.Interfaces.RealInput heater2(unit="1") "Duty of heater 2"
@@ -15,13 +17,13 @@ model TwoHeaters "Two transistor heaters side by side on a board, each with a th
     annotation (Placement(transformation(extent={{-90,30},{-70,50}})));
   Analogon.Sources.PrescribedHeatFlow loss2
     annotation (Placement(transformation(extent={{-90,-50},{-70,-30}})));
-  Analogon.Thermal.HeatCapacitor body1(C=4)
+  Analogon.Thermal.HeatCapacitor body1(C=C)
     annotation (Placement(transformation(extent={{-40,50},{-20,70}})));
-  Analogon.Thermal.HeatCapacitor body2(C=4)
+  Analogon.Thermal.HeatCapacitor body2(C=C)
     annotation (Placement(transformation(extent={{-40,-70},{-20,-50}})));
-  Analogon.Thermal.ThermalConductor air1(G=0.012)
+  Analogon.Thermal.ThermalConductor air1(G=G)
     annotation (Placement(transformation(extent={{20,30},{40,50}})));
-  Analogon.Thermal.ThermalConductor air2(G=0.012)
+  Analogon.Thermal.ThermalConductor air2(G=G)
     annotation (Placement(transformation(extent={{20,-50},{40,-30}})));
   Analogon.Thermal.ThermalConductor between(G=0.005)
     annotation (Placement(transformation(extent={{-10,-10},{10,10}}, rotation=270)));
