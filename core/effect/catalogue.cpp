@@ -52,6 +52,12 @@ public:
         return texts(*m->value, name);
     }
 
+    double number(const Expression& value, std::string_view name) {
+        if (value.kind == Expression::Kind::Number) return value.number;
+        complain(value.span, fmt::format("'{}' must be a number", name));
+        return 0;
+    }
+
     std::vector<std::string> texts(const Expression& value, std::string_view name) {
         if (value.kind == Expression::Kind::String) return {value.text};
         std::vector<std::string> result;
@@ -125,6 +131,9 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
         for (const Modification& m : fixed->arguments)
             if (m.value)
                 for (const std::string& t : read.texts(*m.value, m.name.text())) e.fixed[m.name.text()] = t;
+    if (const Modification* sharper = child(annotation, "sharper"))
+        for (const Modification& m : sharper->arguments)
+            if (m.value) e.sharper[m.name.text()] = read.number(*m.value, m.name.text());
     if (const Modification* shape = child(annotation, "shape"))
         for (const Modification& m : shape->arguments)
             if (m.value) e.shape[m.name.text()] = read.texts(*m.value, m.name.text());

@@ -33,6 +33,8 @@ constexpr double leastGain = 1;   // in evidence, for which an effect is exchang
 constexpr double mostGrowth = 5;  // of an effect's strength when another joins it
 constexpr double changeShare = 0.5, leastChange = 100;
 constexpr long mostSearchedSamples = 10'000;
+constexpr int mostSharpenings = 3;
+constexpr double leastSharpening = 2;  // fall in the sum of squares, in units of the noise
 constexpr int startsPerTrial = 2;
 constexpr int trialIterations = 12;  // a trial must show what it is worth; the winner is refitted to convergence
 constexpr int glanceIterations = 5;  // of the whole catalogue, to see who deserves a trial
@@ -300,6 +302,7 @@ private:
     bool replace(NullModel& null, std::size_t effect);
     void removeUnneeded(NullModel& null, std::size_t least);
     void treatAlike(NullModel& null);
+    void sharpen(NullModel& null);
     void setVerdict(const std::string& kind, const std::string& at, Verdict verdict);
     void note(const Screened& s, Verdict verdict, std::optional<double> deltaBic);
     AddedEffect describe(const NullModel& last, const PlacedEffect& placed, const Step& step) const;
@@ -601,6 +604,7 @@ Outcome<Done> Search::goOn(Path& path, Round first) {
             break;
         }
         path.null = std::move(*next);
+        sharpen(path.null);
         reconsider(path.null);
         removeUnneeded(path.null, 1);  // a single one has just passed its tests
         treatAlike(path.null);
@@ -796,6 +800,27 @@ void Search::removeUnneeded(NullModel& null, std::size_t least) {
         null = std::move(*refitted);
         steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
         i = 0;
+    }
+}
+
+/// What the newest effect rounds off for the sake of the integration (the change of sign of a friction, the corner of a
+/// limit) is drawn sharper as long as the data ask for it: the rest would pass for an effect of its own.
+void Search::sharpen(NullModel& null) {
+    for (int pass = 0; pass < mostSharpenings && !progress_.stopRequested(); ++pass) {
+        std::vector<PlacedEffect> effects = null.variant.effects;
+        PlacedEffect& newest = effects.back();
+        bool changes = false;
+        for (const auto& [name, factor] : newest.effect.sharper)
+            if (const auto value = newest.values.find(name); value != newest.values.end()) {
+                value->second *= factor;
+                changes = true;
+            }
+        if (!changes) return;
+        Outcome<Variant> variant = withEffects(base_, effects, null.variant.values);
+        if (!variant) return;
+        Outcome<NullModel> sharper = fitNull(*variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
+        if (!sharper || !(null.sumOfSquares() - sharper->sumOfSquares() > leastSharpening)) return;
+        null = std::move(*sharper);
     }
 }
 

@@ -25,7 +25,7 @@ struct PlacedEffect {
     std::string newInput;                  // top-level input that carries place.spare
     std::vector<FitParameter> freed;       // its fitted parameters (full names), the strength first
     std::map<std::string, double> values;  // of its own parameters, at the time it was wired in
-    std::vector<EffectPlace> twins{};       // where it stands as well, with the same parameters
+    std::vector<EffectPlace> twins{};      // where it stands as well, with the same parameters
     std::vector<std::string> twinInstances{};
 };
 

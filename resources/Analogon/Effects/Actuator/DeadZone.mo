@@ -16,6 +16,7 @@ equation
       strength = "b",
       oneSided = true,
       fixed(u_eps = "0.003*maxabs(u)"),
+      sharper(u_eps = 0.25),
       secant = {"0.02*maxabs(u)", "0.1*maxabs(u)"})),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
         Line(points={{-80,0},{85,0}}, color={128,128,128}),

@@ -4,8 +4,10 @@ block Saturation "Limit of an input channel"
   parameter Real s(min=0) = 0 "1/limit (0: no limit)"
     annotation (Dialog(group="Effect"));
   final parameter Real limit = if s > 0 then 1/s else 0 "Limit, in the unit of the signal (0 while there is none)";
+  parameter Real n(min=1) = 16 "How sharply the limit sets in"
+    annotation (Dialog(group="Numerics"));
 equation
-  y = u/(1 + ((s*u)^2)^16)^(1/32);
+  y = u/(1 + ((s*u)^2)^n)^(1/(2*n));
   annotation (
     __Analogon(effect(
       kind = "actuator.saturation",
@@ -14,6 +16,8 @@ equation
       at = "input",
       strength = "s",
       oneSided = true,
+      fixed(n = "16"),
+      sharper(n = 4),
       secant = {"1/(0.98*maxabs(u))", "1/(0.92*maxabs(u))", "1/(0.75*maxabs(u))"})),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
         Line(points={{-80,0},{85,0}}, color={128,128,128}),

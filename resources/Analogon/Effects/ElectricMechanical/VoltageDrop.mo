@@ -14,7 +14,8 @@ equation
       way = "specialise",
       strength = "V_b",
       oneSided = true,
-      fixed(i_eps = "0.004*rms(i)"))),
+      fixed(i_eps = "0.004*rms(i)"),
+      sharper(i_eps = 0.25))),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
         Text(extent={{-50,40},{50,-40}}, textString="M", textColor={0,0,0}, textStyle={TextStyle.Bold}),
         Rectangle(extent={{30,-50},{110,-100}}, lineColor={213,94,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid, radius=8),

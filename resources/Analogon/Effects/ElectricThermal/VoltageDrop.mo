@@ -14,7 +14,8 @@ equation
       way = "specialise",
       strength = "V_b",
       oneSided = true,
-      fixed(v_eps = "0.004*rms(v)"))),
+      fixed(v_eps = "0.004*rms(v)"),
+      sharper(v_eps = 0.25))),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
         Rectangle(extent={{30,-50},{110,-100}}, lineColor={213,94,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid, radius=8),
         Text(extent={{34,-56},{106,-94}}, textString="V_b", textColor={213,94,0}, textStyle={TextStyle.Bold})}),

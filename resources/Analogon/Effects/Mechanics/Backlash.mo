@@ -32,6 +32,7 @@ equation
       strength = "b",
       oneSided = true,
       fixed(phi_eps = "0.01*sample*rms(w)"),
+      sharper(phi_eps = 0.25),
       shape(c = {"5*maxabs(tau)/(sample*rms(w))"}, d = {"0.3*maxabs(tau)/rms(w)"}),
       secant = {"2*sample*rms(w)", "10*sample*rms(w)"})),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={

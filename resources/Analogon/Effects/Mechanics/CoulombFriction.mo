@@ -14,7 +14,8 @@ equation
       ports = {"flange"},
       strength = "tau_c",
       oneSided = true,
-      fixed(w_eps = "0.002*rms(w)"))),
+      fixed(w_eps = "0.002*rms(w)"),
+      sharper(w_eps = 0.25))),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
         Rectangle(extent={{-90,90},{90,-90}}, lineColor={213,94,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid, radius=10),
         Line(points={{-100,0},{-90,0}}, color={95,95,95}, thickness=0.5),
