@@ -1,6 +1,7 @@
 // The closed loop on recordings made here, by equations of their own.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -21,6 +22,7 @@ constexpr double step = 0.02;  // [s]
 struct Shaft {
     double inertia{0.02};  // [kg.m2]
     std::function<double(double t, double w, double phi)> torque;
+    double limit{1e9};  // [N.m] of the drive
 };
 
 double excitation(double t) {
@@ -38,7 +40,8 @@ std::vector<double> speedOf(const Shaft& shaft) {
             const double h = step / inner, t = k * step + i * h;
             // the program joins samples by straight lines
             const double a = (t - k * step) / step;
-            const double u = (1 - a) * excitation(k * step) + a * excitation((k + 1) * step);
+            const double command = (1 - a) * excitation(k * step) + a * excitation((k + 1) * step);
+            const double u = std::clamp(command, -shaft.limit, shaft.limit);
             const double half = w + 0.5 * h * (u - shaft.torque(t, w, phi)) / shaft.inertia;
             phi += h * half;
             w += h * (u - shaft.torque(t + 0.5 * h, half, phi)) / shaft.inertia;
@@ -156,9 +159,17 @@ TEST_F(Discovery, SaysWhenAParameterChangedInMidRun) {
     EXPECT_EQ(finding.kind, FindingKind::Unexplained);
     ASSERT_FALSE(finding.remainders.empty());
     EXPECT_EQ(finding.remainders.front().node, "load");
-    EXPECT_NEAR(finding.remainders.front().from, 16.0, 0.5);
+    EXPECT_NEAR(finding.remainders.front().from, 16.0, 0.2);
     ASSERT_FALSE(finding.warnings.empty());
     EXPECT_NE(finding.warnings.front().find("load.b"), std::string::npos) << finding.warnings.front();
+}
+
+TEST_F(Discovery, DrawsAHardLimitSharpEnoughToLeaveNoise) {
+    const Finding finding = search({0.02, [](double, double w, double) { return 0.03 * w; }, 0.6}, 0.02);
+    ASSERT_EQ(finding.effects.size(), 1u) << finding.effects.back().kind;
+    EXPECT_EQ(finding.effects.front().kind, "actuator.saturation");
+    EXPECT_NEAR(1 / finding.effects.front().parameters.front().value, 0.6, 0.001);
+    EXPECT_EQ(finding.kind, FindingKind::Effect);
 }
 
 }  // namespace

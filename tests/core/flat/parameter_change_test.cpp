@@ -1,0 +1,50 @@
+#include "core/flat/parameter_change.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "flat_support.hpp"
+
+namespace analogon::test {
+namespace {
+
+/// Value of the right side of the model's first equation at a time, with parameters at their values.
+double rightSide(const FlatModel& model, double time, double step, double moment) {
+    return model.pool->evaluate(model.equations.front().right, [&](const ExpressionNode& node) {
+        if (node.operation == Operation::Time) return time;
+        const std::string& name = model[node.variable].name;
+        if (name == "p.step") return step;
+        if (name == "p.moment") return moment;
+        return model.parameterValue(node.variable).value_or(std::nan(""));
+    });
+}
+
+TEST(ParameterChange, GivesTheParameterAnotherValueFromItsMomentOn) {
+    const FlatModel flat = flatOf("model M parameter Real p = 2; Real x; equation x = 10*p; end M;");
+    const Outcome<FlatModel> changed = withChange(flat, "p", 0.1);
+    ASSERT_TRUE(changed) << format(changed.diagnostics());
+    EXPECT_NEAR(rightSide(*changed, 1.0, 0.5, 3.0), 20, 1e-9);
+    EXPECT_NEAR(rightSide(*changed, 3.0, 0.5, 3.0), 22.5, 1e-9);
+    EXPECT_NEAR(rightSide(*changed, 5.0, 0.5, 3.0), 25, 1e-9);
+    EXPECT_NEAR(rightSide(*changed, 5.0, 0.0, 0.0), 20, 1e-9);
+}
+
+TEST(ParameterChange, IsFollowedByParametersBoundToIt) {
+    const FlatModel flat = flatOf(
+        "model M parameter Real p = 2; parameter Real q = 3*p; parameter Real r = 1; Real x; equation x = q + r; end "
+        "M;");
+    const Outcome<FlatModel> changed = withChange(flat, "p", 0.1);
+    ASSERT_TRUE(changed) << format(changed.diagnostics());
+    EXPECT_NEAR(rightSide(*changed, 0.0, 1.0, 3.0), 7, 1e-9);
+    EXPECT_NEAR(rightSide(*changed, 9.0, 1.0, 3.0), 10, 1e-9);
+}
+
+TEST(ParameterChange, RefusesWhatIsNoParameter) {
+    const FlatModel flat = flatOf("model M Real x; equation x = time; end M;");
+    EXPECT_FALSE(withChange(flat, "x", 0.1));
+    EXPECT_FALSE(withChange(flat, "y", 0.1));
+}
+
+}  // namespace
+}  // namespace analogon::test
