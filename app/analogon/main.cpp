@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
     const QCommandLineOption pictures("pictures", "Writes pictures of every panel into a directory and ends.", "dir");
     parser.addOptions({language, pictures});
     parser.process(application);
-    if (parser.isSet(pictures)) return ui::writePictures(parser.value(pictures)) ? 0 : 1;
+    if (parser.isSet(pictures)) return ui::writePictures(parser.value(pictures), parser.value(language)) ? 0 : 1;
 
     const QString code = parser.isSet(language)
                              ? parser.value(language)

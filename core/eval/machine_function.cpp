@@ -22,8 +22,8 @@ struct Processor {
         hasAvx2 = features.hasAVX2() && features.hasFMA();
         const char* const asked = std::getenv("ANALOGON_VECTOR_WIDTH");
         const bool mayBeWide = !asked || std::strcmp(asked, "4") != 0;
-        hasAvx512 = hasAvx2 && mayBeWide && features.hasAVX512_F() && features.hasAVX512_DQ() &&
-                    features.hasAVX512_VL();
+        hasAvx512 =
+            hasAvx2 && mayBeWide && features.hasAVX512_F() && features.hasAVX512_DQ() && features.hasAVX512_VL();
     }
 };
 const Processor& processor() {
@@ -67,7 +67,7 @@ public:
     }
 
 private:
-    static constexpr int first_ = 3;  // registers 0 to 2 carry arguments and intermediate values
+    static constexpr int first_ = 3;     // registers 0 to 2 carry arguments and intermediate values
     static constexpr int countAt_ = 64;  // on the stack: the seventh argument, above what a loop keeps
 
     /// Backwards: what nothing needs is left out.

@@ -106,9 +106,7 @@ public:
         layout.outputTerms = static_cast<int>(outputTerms_.size());
     }
 
-    bool run() {
-        return walk(true, code_.walk) && (code_.isExact || walk(false, code_.step)) && tabulation();
-    }
+    bool run() { return walk(true, code_.walk) && (code_.isExact || walk(false, code_.step)) && tabulation(); }
 
 private:
     Entity inRow(ProgramEmitter& emitter, int offset) const {

@@ -13,10 +13,11 @@ namespace analogon {
 /// slots that do not depend on the parameters and are continuous from row to row.
 struct RowCode {
     RowLayout layout;
-    bool isExact{};              // by the recurrence, else Runge-Kutta
-    CompiledProgram walk;        // outputs at the begin of the row into the result, then the step to the next row
-    CompiledProgram step;        // the step alone
-    CompiledProgram tabulation;  // from slots (layout.slots a row) what depends on them alone; layout.tabulated() results
+    bool isExact{};        // by the recurrence, else Runge-Kutta
+    CompiledProgram walk;  // outputs at the begin of the row into the result, then the step to the next row
+    CompiledProgram step;  // the step alone
+    CompiledProgram
+        tabulation;  // from slots (layout.slots a row) what depends on them alone; layout.tabulated() results
     // The exact recurrence: places of the matrix in the scratch memory of `walk`, by entry, and by entry and lane.
     std::vector<std::uint32_t> entries, tangents;
 };

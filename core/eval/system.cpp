@@ -494,8 +494,8 @@ const RowLayout* System::prepareRows(Workspace& w, double h) const {
     prepare(r.rowScratch[1], r.rowCode->step);
     prepare(r.rowScratch[2], r.rowCode->tabulation);
     if (exact)
-        putMatrices(*exact, static_cast<std::size_t>(r.directions), static_cast<std::size_t>(r.lanes), r.rowCode->entries,
-                    r.rowCode->tangents, r.rowScratch[0]);
+        putMatrices(*exact, static_cast<std::size_t>(r.directions), static_cast<std::size_t>(r.lanes),
+                    r.rowCode->entries, r.rowCode->tangents, r.rowScratch[0]);
     return &r.rowCode->layout;
 }
 
@@ -503,19 +503,19 @@ void System::tabulate(Workspace& w, const double* slots, double* terms, std::int
     Registers& r = w.data_->registers;
     if (count > 0 && r.rowCode->layout.terms() > 0)
         (*r.rowCode->tabulation.function)(r.values.data(), r.tangents.data(), r.rowScratch[2].data(), &r, slots, terms,
-                                       count);
+                                          count);
 }
 
 bool System::walk(Workspace& w, const double* rows, double* results, std::int64_t count) const {
     Registers& r = w.data_->registers;
-    return count <= 0 || (*r.rowCode->walk.function)(r.values.data(), r.tangents.data(), r.rowScratch[0].data(), &r, rows,
-                                                  results, count);
+    return count <= 0 || (*r.rowCode->walk.function)(r.values.data(), r.tangents.data(), r.rowScratch[0].data(), &r,
+                                                     rows, results, count);
 }
 
 bool System::stepOver(Workspace& w, const double* rows, std::int64_t count) const {
     Registers& r = w.data_->registers;
-    return count <= 0 || (*r.rowCode->step.function)(r.values.data(), r.tangents.data(), r.rowScratch[1].data(), &r, rows,
-                                                  nullptr, count);
+    return count <= 0 || (*r.rowCode->step.function)(r.values.data(), r.tangents.data(), r.rowScratch[1].data(), &r,
+                                                     rows, nullptr, count);
 }
 
 void System::recur(Workspace& w, const double* uBegin, const double* uEnd) const {

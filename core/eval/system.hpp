@@ -45,8 +45,9 @@ private:
     int directions_{};
 };
 
-/// Where the numbers of a row of steps, and of what comes out of it, stand (in doubles). A row is a step: time and length,
-/// u at its begin, what depends on u alone at its begin and its middle. The end of a step is the begin of the next row.
+/// Where the numbers of a row of steps, and of what comes out of it, stand (in doubles). A row is a step: time and
+/// length, u at its begin, what depends on u alone at its begin and its middle. The end of a step is the begin of the
+/// next row.
 struct RowLayout {
     static constexpr int time = 0, step = 1;
     int slots{};

@@ -82,6 +82,29 @@ private:
     int lossRounds_{}, planRounds_{};
 };
 
+/// How much the residuals move with each parameter: in its own units, or relative where it is searched so.
+Eigen::VectorXd relativeSlopes(const Coordinates& coordinates, const ReducedMisfit& at, const Eigen::VectorXd& values) {
+    Eigen::VectorXd slopes = at.jacobian.colwise().norm();
+    for (int i = 0; i < coordinates.size(); ++i)
+        if (coordinates.isLogarithmic(i)) slopes[i] *= values[i];
+    return slopes;
+}
+
+/// A parameter inside its bounds that moved the residuals at the start and no longer does; -1: none.
+int lostInfluence(const FitProblem& problem, const Coordinates& coordinates, const Eigen::VectorXd& startSlopes,
+                  const ReducedMisfit& end, const Minimum& minimum) {
+    constexpr double next = 1e-9;  // to nothing
+    if (!end.ok || startSlopes.size() != coordinates.size()) return -1;
+    const Eigen::VectorXd slopes = relativeSlopes(coordinates, end, minimum.values);
+    for (int i = 0; i < coordinates.size(); ++i) {
+        const auto index = static_cast<std::size_t>(i);
+        const FitParameter& p = problem.parameters[index];
+        const bool isBounded = !Coordinates::isOpen(p.min) || !Coordinates::isOpen(p.max);
+        if (!isBounded && slopes[i] <= next * startSlopes[i] && startSlopes[i] > 0.0) return i;
+    }
+    return -1;
+}
+
 Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const FitOptions& options,
                 const Progress& progress) {
     Descent descent;
@@ -92,6 +115,7 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
     Rounds rounds(misfit, options, start);
     Minimum& minimum = descent.minimum;
     minimum.values = start;
+    Eigen::VectorXd startSlopes;
     int iterations = 0;
     for (bool isFirst = true; isFirst || rounds.goOn(minimum); isFirst = false) {
         const ReducedMisfit here = misfit.reduced(minimum.values);
@@ -100,7 +124,10 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
             minimum.message = misfit.isCancelled() ? "cancelled" : misfit.failure();
             break;
         }
-        if (isFirst) descent.startCost = here.cost();
+        if (isFirst) {
+            descent.startCost = here.cost();
+            startSlopes = relativeSlopes(coordinates, here, minimum.values);
+        }
         coordinates.moveOrigin(minimum.values);
         coordinates.scaleBy(here.jacobian.colwise().norm());
         const FitOptions now = rounds.optionsNow();
@@ -111,6 +138,15 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
         iterations += minimum.iterations;
     }
     minimum.iterations = iterations;
+    if (minimum.status == FitStatus::Converged) {
+        const int lost = lostInfluence(problem, coordinates, startSlopes, misfit.reduced(minimum.values), minimum);
+        if (lost >= 0) {
+            minimum.status = FitStatus::IterationLimit;
+            minimum.message =
+                fmt::format("stopped on a plain: at {:.6g}, {} has no influence any more; start elsewhere, or bound it",
+                            minimum.values[lost], problem.parameters[static_cast<std::size_t>(lost)].name);
+        }
+    }
     if (minimum.status == FitStatus::Converged && options.method != FitMethod::NelderMead) {
         minimum.message = fmt::format("converged after {} iterations", iterations);
     }

@@ -63,19 +63,21 @@ private:
             if (!presses && scale_[i] > 0.0) free_.push_back(i);
         }
         if (free_.empty())
-            return end(FitStatus::Converged, gradient_.isZero(0.0) ? "converged" : "all parameters rest at their bounds");
+            return end(FitStatus::Converged,
+                       gradient_.isZero(0.0) ? "converged" : "all parameters rest at their bounds");
         const double cost = here_.cost();
         const Eigen::VectorXd full = step(1e-12);
         expected_ = predictedFall(full);
-        if (expected_ <= std::max(options_.costTolerance, 1e-15) * cost || isTiny(full)) {
+        full_ = full;
+        if (expected_ <= options_.costTolerance * cost || isWithin(full, 1e-12))
             return end(FitStatus::Converged, "converged");
-        }
         if (flatSteps_ >= 3 && expected_ <= 1e-6 * cost) return end(FitStatus::Converged, "converged");
         if (flatSteps_ >= 8)
-            return end(FitStatus::IterationLimit,
-                       fmt::format("stopped after {} iterations in a flat valley: the cost hardly falls any more, and the "
-                                   "parameters still move",
-                                   iterations_));
+            return end(
+                FitStatus::IterationLimit,
+                fmt::format("stopped after {} iterations in a flat valley: the cost hardly falls any more, and the "
+                            "parameters still move",
+                            iterations_));
         if (iterations_ >= iterationsLeft_)
             return end(FitStatus::IterationLimit,
                        fmt::format("stopped at the limit of {} iterations while the cost still fell", iterations_));
@@ -108,9 +110,11 @@ private:
             growth_ *= 2.0;
         }
         // Rounding, or a kink, hides the last digits of the cost.
-        const bool isDone = expected_ <= 1e-8 * cost;
+        const bool isDone = expected_ <= 1e-8 * cost || isWithin(full_, 1e-8);
         minimum.status = isDone ? FitStatus::Converged : FitStatus::Failed;
-        minimum.message = isDone ? "converged" : misfit_.failure().empty() ? "no step lowers the cost" : misfit_.failure();
+        minimum.message = isDone                      ? "converged"
+                          : misfit_.failure().empty() ? "no step lowers the cost"
+                                                      : misfit_.failure();
         return false;
     }
 
@@ -150,10 +154,10 @@ private:
         return -gradient_.dot(z) - 0.5 * (slopes_ * z).squaredNorm();
     }
 
-    /// Whether a step is lost in rounding.
-    bool isTiny(const Eigen::VectorXd& z) const {
+    /// Whether a step changes no parameter by more than this part of it.
+    bool isWithin(const Eigen::VectorXd& z, double part) const {
         const Eigen::VectorXd values = coordinates_.values(z_), slopes = coordinates_.slopes(values);
-        return (slopes.cwiseProduct(z).array().abs() <= 1e-12 * values.array().abs()).all();
+        return (slopes.cwiseProduct(z).array().abs() <= part * values.array().abs()).all();
     }
 
     Misfit& misfit_;
@@ -161,7 +165,7 @@ private:
     const FitOptions& options_;
     int iterationsLeft_{}, iterations_{}, flatSteps_{}, K_{};
     double damping_{1e-3}, growth_{2.0}, expected_{};
-    Eigen::VectorXd z_, lower_, upper_, scale_, gradient_;
+    Eigen::VectorXd z_, lower_, upper_, scale_, gradient_, full_;
     Eigen::MatrixXd slopes_;
     ReducedMisfit here_;
     std::vector<int> free_;

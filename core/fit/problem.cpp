@@ -151,7 +151,8 @@ private:
         };
         for (int j = 0; j < count; ++j) {
             const Eigen::Index row = rowOf(j);
-            if (row >= 0) result_.residuals[row] = weight * (y[j * stride] - experiment_.measured(output.index, first + j));
+            if (row >= 0)
+                result_.residuals[row] = weight * (y[j * stride] - experiment_.measured(output.index, first + j));
         }
         for (std::size_t k = 0; withJacobian_ && k < columns_.size(); ++k) {
             double* const column = result_.jacobian.data() + columns_[k] * result_.jacobian.rows();

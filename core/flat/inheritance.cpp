@@ -64,6 +64,16 @@ void Instantiator::collectBase(Instance& instance, const LibraryClass& derived, 
             baseName.span, didYouMean(baseName.text(), work_.library.names()));
         return;
     }
+    using Restriction = syntax::ClassDefinition::Restriction;
+    const Restriction restriction = base->definition->restriction;
+    if ((restriction == Restriction::Function || restriction == Restriction::Package) &&
+        derived.definition->restriction != restriction) {
+        work_.messages.error(
+            fmt::format("'{}' is a {} and cannot extend {}, which is a {}", derived.qualifiedName,
+                        keyword(derived.definition->restriction), base->qualifiedName, keyword(restriction)),
+            baseName.span);
+        return;
+    }
     collect(instance, *base, merge(outer, modifications, work_.messages), isProtected, path);
     checkModifiedNames(instance, modifications, false);
 }

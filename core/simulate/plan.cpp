@@ -79,8 +79,8 @@ private:
 
     /// What depends on the inputs alone, for the plan that is looked at most.
     void takeTerms(const GridPlan* inForce) {
-        const bool isKnown = inForce && inForce->terms && *inForce == oneStep() &&
-                             inForce->terms->owner == dynamics_.identity();
+        const bool isKnown =
+            inForce && inForce->terms && *inForce == oneStep() && inForce->terms->owner == dynamics_.identity();
         terms_ = isKnown ? inForce->terms : tabulateTerms(dynamics_, inputs_, oneStep());
     }
 
@@ -107,7 +107,8 @@ private:
         constexpr int places = 50;
         constexpr double reach = 0.5;  // of the 2.8 at which the method fails
         const auto n = static_cast<std::size_t>(dynamics_.shape().states);
-        std::vector<double> xdot(n), jacobian(n * n), scratch(n * n), u(static_cast<std::size_t>(dynamics_.shape().slots));
+        std::vector<double> xdot(n), jacobian(n * n), scratch(n * n),
+            u(static_cast<std::size_t>(dynamics_.shape().slots));
         InputSlots slots(dynamics_, inputs_);
         for (int i = 0; i < places; ++i) {
             const int k = static_cast<int>(static_cast<long>(i) * (sampleCount_ - 2) / (places - 1));
@@ -323,7 +324,7 @@ private:
     const Progress& progress_;
     double tolerance_{};
     int sampleCount_{};
-    double least_{};  // plans cheaper than this have failed on the whole record
+    double least_{};                           // plans cheaper than this have failed on the whole record
     std::shared_ptr<const InputTerms> terms_;  // of single steps
     GridPlan survey_;
     Trajectory surveyRun_;

@@ -11,8 +11,8 @@ namespace analogon {
 
 namespace {
 
-constexpr int kMostRows = 256;          // a chunk of them stays in the cache
-constexpr int kMostSubsteps = 128;      // of a sample interval
+constexpr int kMostRows = 256;                // a chunk of them stays in the cache
+constexpr int kMostSubsteps = 128;            // of a sample interval
 constexpr std::size_t kMostTerms = 8u << 20;  // doubles that may be kept
 
 /// Fills rows of steps (RowLayout) from the samples.
@@ -156,8 +156,8 @@ private:
 
     const InputTerms* termsOf(const GridRun& run) const {
         const InputTerms* const terms = run.plan.terms.get();
-        const bool fits = terms && run.first == 0 && terms->owner == dynamics_.identity() &&
-                          terms->count == layout_.terms();
+        const bool fits =
+            terms && run.first == 0 && terms->owner == dynamics_.identity() && terms->count == layout_.terms();
         return fits ? terms : nullptr;
     }
 
@@ -183,8 +183,7 @@ private:
             std::copy_n(run_.startState, x_.size(), x_.data());
         } else {
             slots_.at(std::min(run_.first, std::max(0, slots_.intervals() - 1)), time(run_.first), u_.data());
-            if (!dynamics_.initialise(time(run_.first), u_.data(), nullptr, x_.data(),
-                                      K_ > 0 ? dx_.data() : nullptr)) {
+            if (!dynamics_.initialise(time(run_.first), u_.data(), nullptr, x_.data(), K_ > 0 ? dx_.data() : nullptr)) {
                 return false;
             }
         }

@@ -32,7 +32,8 @@ struct SimulationOptions {
     long evaluationLimit{2'000'000'000};  // of the model, in one grid run or in planning one
 };
 
-/// Terms of the model that depend on the inputs alone, for every explicit step of a plan: computed once, then looked up.
+/// Terms of the model that depend on the inputs alone, for every explicit step of a plan: computed once, then looked
+/// up.
 struct InputTerms {
     std::shared_ptr<const void> owner;  // System::identity() of the system they belong to
     int count{};                        // terms a point

@@ -22,19 +22,34 @@ bool allowsInfinity(Operation operation) {
     }
 }
 
+bool isArithmetic(Operation operation) {
+    return (operation >= Operation::Negate && operation <= Operation::Power) ||
+           (operation >= Operation::Abs && operation <= Operation::Div);
+}
+
 }  // namespace
+
+/// An infinite constant; 1/0 is not folded to one.
+bool FiniteCheck::isInfinite(ExpressionId id) const {
+    const ExpressionNode& n = pool_[id];
+    if (n.operation == Operation::Constant) return std::isinf(n.value);
+    return n.operation == Operation::Divide && pool_.isConstant(n.b, 0) && pool_.isConstant(n.a) &&
+           !pool_.isConstant(n.a, 0);
+}
 
 /// From the judgements of its operands, which come before it in the pool.
 bool FiniteCheck::judge(const ExpressionNode& node) const {
     const auto isBad = [&](ExpressionId id) {
         if (!id.valid() || !senseless_[id.value]) return false;
-        const ExpressionNode& n = pool_[id];
-        return !(allowsInfinity(node.operation) && n.operation == Operation::Constant && std::isinf(n.value));
+        return !(allowsInfinity(node.operation) && isInfinite(id));
     };
     if (node.operation == Operation::Constant) return !std::isfinite(node.value);
     if (node.operation == Operation::If) return isBad(node.a);
     if (node.operation == Operation::Divide && pool_.isConstant(node.b, 0)) return true;
-    return isBad(node.a) || isBad(node.b);
+    if (isBad(node.a) || isBad(node.b)) return true;
+    if (!isArithmetic(node.operation) || !pool_.isConstant(node.a)) return false;
+    return (!node.b.valid() || pool_.isConstant(node.b)) &&  // sqrt(-1) is not folded
+           !std::isfinite(apply(node.operation, pool_[node.a].value, node.b.valid() ? pool_[node.b].value : 0));
 }
 
 bool FiniteCheck::isSenseless(ExpressionId rewritten) {
@@ -46,12 +61,14 @@ bool FiniteCheck::isSenseless(ExpressionId rewritten) {
 /// The innermost part of an expression that is senseless by itself; through the values of parameters.
 ExpressionId FiniteCheck::sourceIn(ExpressionId original) {
     ExpressionId source = original;
+    owner_ = {};
     for (bool isDeeper = true; isDeeper;) {
         isDeeper = false;
         const ExpressionNode node = pool_[source];
         std::array<ExpressionId, 3> parts{node.a, node.b, node.c};
         if (node.operation == Operation::Variable) {
             const ExpressionId binding = model_[node.variable].binding;
+            owner_ = node.variable;
             // A number says less than the name of the parameter that has it.
             parts = {binding.valid() && !pool_.isConstant(binding) ? binding : ExpressionId{}, {}, {}};
         }
@@ -70,21 +87,21 @@ std::string FiniteCheck::text(ExpressionId of) const {
 
 std::string FiniteCheck::whatIsWrong(ExpressionId source) {
     const ExpressionId value = rewrite_(source);
-    const bool isInfinite = pool_.isConstant(value) && std::isinf(pool_[value].value);
     const ExpressionNode node = pool_[source];
     if (node.operation == Operation::Variable)
-        return fmt::format("'{}' is {}", model_[node.variable].name, isInfinite ? "infinite" : "not a number");
+        return fmt::format("'{}' is {}", model_[node.variable].name, isInfinite(value) ? "infinite" : "not a number");
     if (node.operation == Operation::Constant)
-        return isInfinite ? "it holds a constant that is infinite" : "it holds a constant that is not a number";
+        return isInfinite(value) ? "it holds a constant that is infinite" : "it holds a constant that is not a number";
     std::string values;
     LeafCollector collect(pool_);
     for (const ExpressionId leaf : collect.leaves(source))
         if (const ExpressionId number = rewrite_(leaf); number != leaf && pool_.isConstant(number))
             values += fmt::format("{}{} = {}", values.empty() ? "" : ", ", text(leaf), text(number));
+    if (values.empty() && owner_.valid()) values = fmt::format("the value of '{}'", model_[owner_].name);
     return fmt::format("{} {}{}", text(source),
                        node.operation == Operation::Divide && pool_.isConstant(rewrite_(node.b), 0)
                            ? "divides by 0"
-                           : (isInfinite ? "is infinite" : "is not a number"),
+                           : (isInfinite(value) ? "is infinite" : "is not a number"),
                        values.empty() ? "" : " (" + values + ")");
 }
 

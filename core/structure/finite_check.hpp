@@ -22,6 +22,7 @@ public:
 
 private:
     bool isSenseless(ExpressionId rewritten);
+    bool isInfinite(ExpressionId id) const;
     bool judge(const ExpressionNode& node) const;
     ExpressionId sourceIn(ExpressionId original);
     std::string whatIsWrong(ExpressionId source);
@@ -30,6 +31,7 @@ private:
     const FlatModel& model_;
     const ExpressionPool& pool_;
     Rewriter& rewrite_;
+    VariableId owner_;             // the parameter in whose value the last source was found
     std::vector<char> senseless_;  // by node, as far as it was asked
 };
 

@@ -125,7 +125,9 @@ ExpressionId Folder::resolve(VariableId id) {
         state_[id.value] = State::Done;
         return result_[id.value] = pool_.constant(0);
     }
-    const ExpressionId expression = rewrite_(value);
+    ExpressionId expression = rewrite_(value);
+    if (!pool_.isConstant(expression) && LeafCollector(pool_).leaves(expression).empty())  // 1/0 is not folded
+        expression = pool_.constant(pool_.evaluate(expression, [](const ExpressionNode&) { return std::nan(""); }));
     ExpressionId result = expression;
     if (pool_.isConstant(expression)) {
         out_.folded.emplace_back(id, pool_[expression].value);

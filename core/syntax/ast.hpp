@@ -200,7 +200,7 @@ struct ClassDefinition {
     Causality shortCausality{Causality::None};
     std::vector<Expression> shortDimensions;
     std::vector<Modification> shortModifications;
-    Span shortModificationsSpan;  // as in Extends
+    Span shortModificationsSpan;                       // as in Extends
     std::vector<std::string> enumeration;              // type E = enumeration(…)
     std::vector<std::string> enumerationDescriptions;  // one per literal; may be empty texts
     bool isEnumeration{};

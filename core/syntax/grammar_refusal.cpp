@@ -32,6 +32,10 @@ std::shared_ptr<ClassDefinition> Grammar::builtinFunction() {
     cursor_.next();
     definition->name = cursor_.text();
     definition->nameSpan = cursor_.here();
+    const std::size_t name = cursor_.index();
+    cursor_.next();
+    definition->description = description();
+    cursor_.moveTo(name);
     skipClass();
     definition->span = cursor_.spanFrom(begin);
     return definition;

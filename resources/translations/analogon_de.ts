@@ -621,7 +621,7 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     </message>
     <message>
         <source>Torque constant that follows a temperature of the model</source>
-        <translation>Drehmomentkonstante, die einer Temperatur des Modells folgt</translation>
+        <translation>Temperaturabhängige Drehmomentkonstante</translation>
     </message>
     <message>
         <source>Lead or contact resistance in series with the winding</source>
@@ -637,7 +637,7 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     </message>
     <message>
         <source>Resistance that follows a temperature of the model</source>
-        <translation>Widerstand, der einer Temperatur des Modells folgt</translation>
+        <translation>Temperaturabhängiger Widerstand</translation>
     </message>
     <message>
         <source>Dry friction</source>
@@ -649,7 +649,7 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     </message>
     <message>
         <source>Torque that repeats n times per turn</source>
-        <translation>Drehmoment, das sich n-mal je Umdrehung wiederholt</translation>
+        <translation>n-mal je Umdrehung wiederkehrendes Drehmoment</translation>
     </message>
     <message>
         <source>Torque proportional to the square of the speed</source>
@@ -665,7 +665,7 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     </message>
     <message>
         <source>Dry friction with extra breakaway torque that falls off with speed</source>
-        <translation>Trockene Reibung mit Losbrechmoment, das mit der Drehzahl abfällt</translation>
+        <translation>Trockene Reibung mit drehzahlabhängigem Losbrechmoment</translation>
     </message>
     <message>
         <source>Further inertia on the shaft</source>
@@ -705,11 +705,11 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     </message>
     <message>
         <source>Convection that depends on a recorded flow</source>
-        <translation>Konvektion, die von einer gemessenen Strömung abhängt</translation>
+        <translation>Konvektion abhängig von einer gemessenen Strömung</translation>
     </message>
     <message>
         <source>Convection that depends on the temperature difference</source>
-        <translation>Konvektion, die von der Temperaturdifferenz abhängt</translation>
+        <translation>Konvektion abhängig von der Temperaturdifferenz</translation>
     </message>
     <message>
         <source>Offset of an input channel</source>
@@ -741,7 +741,7 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     </message>
     <message>
         <source>Lead or contact resistance whose heat is lost elsewhere</source>
-        <translation>Zuleitungs- oder Kontaktwiderstand, dessen Wärme anderswo bleibt</translation>
+        <translation>Zuleitungs- oder Kontaktwiderstand mit Wärmeabgabe an anderer Stelle</translation>
     </message>
     <message>
         <source>Torque that grows with the third power of speed</source>
@@ -753,23 +753,23 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     </message>
     <message>
         <source>Torque that sets in during the run</source>
-        <translation>Drehmoment, das während des Laufs einsetzt</translation>
+        <translation>Im Lauf einsetzendes Drehmoment</translation>
     </message>
     <message>
         <source>Viscous friction that differs with the direction</source>
-        <translation>Viskose Reibung, die von der Richtung abhängt</translation>
+        <translation>Richtungsabhängige viskose Reibung</translation>
     </message>
     <message>
         <source>Heat flow that repeats in time</source>
-        <translation>Wärmestrom, der sich zeitlich wiederholt</translation>
+        <translation>Periodischer Wärmestrom</translation>
     </message>
     <message>
         <source>Offset that sets in during the run</source>
-        <translation>Nullpunktfehler, der während des Laufs einsetzt</translation>
+        <translation>Im Lauf einsetzender Nullpunktfehler</translation>
     </message>
     <message>
         <source>Torque that repeats in time</source>
-        <translation>Drehmoment, das sich zeitlich wiederholt</translation>
+        <translation>Periodisches Drehmoment</translation>
     </message>
     <message>
         <source>End stop at a small angle</source>
@@ -777,7 +777,7 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     </message>
     <message>
         <source>Heat flow that sets in during the run</source>
-        <translation>Wärmestrom, der während des Laufs einsetzt</translation>
+        <translation>Im Lauf einsetzender Wärmestrom</translation>
     </message>
     <message>
         <source>Upper limit of a measured channel</source>

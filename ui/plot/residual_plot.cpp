@@ -87,9 +87,9 @@ private:
         painter.drawText(QRectF(area.left(), 0, area.width(), area.top() - 2), Qt::AlignLeft | Qt::AlignVCenter,
                          fontMetrics().elidedText(title, Qt::ElideRight, static_cast<int>(area.width())));
         const int ends = fontMetrics().horizontalAdvance(number(x.first) + number(x.second)) + 4 * style::unit;
-        painter.drawText(QRectF(area.left(), area.bottom() + 3, area.width(), fontMetrics().height() + 2),
-                         Qt::AlignHCenter,
-                         fontMetrics().elidedText(axis, Qt::ElideRight, static_cast<int>(area.width()) - ends));
+        if (fontMetrics().horizontalAdvance(axis) + ends <= area.width())
+            painter.drawText(QRectF(area.left(), area.bottom() + 3, area.width(), fontMetrics().height() + 2),
+                             Qt::AlignHCenter, axis);
         painter.drawText(QRectF(area.left(), area.bottom() + 3, 100, fontMetrics().height() + 2), Qt::AlignLeft,
                          number(x.first));
         painter.drawText(QRectF(area.right() - 100, area.bottom() + 3, 100, fontMetrics().height() + 2), Qt::AlignRight,

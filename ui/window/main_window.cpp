@@ -309,12 +309,21 @@ void MainWindow::connectPanels() {
         if (!hasError && (document_->before() || document_->after())) plotDock_->raise();
     });
     connect(document_, &Document::readingChanged, this, [this] {
-        if (document_->isReading()) statusBar()->showMessage(tr("Reading the study …"));
+        if (document_->isReading())
+            statusBar()->showMessage(tr("Reading the study …"));
+        else
+            statusBar()->clearMessage();
         updateActions();
     });
     connect(document_, &Document::messagesChanged, this, [this] {
         if (document_->isOpen() || document_->messages().empty()) return;
-        start_->showFault(QString::fromStdString(format(document_->messages().front().diagnostic)));
+        const Diagnostic& fault = document_->messages().front().diagnostic;
+        QString text = QString::fromStdString(fault.place.file);
+        if (fault.place.line > 0) text += QStringLiteral(":%1").arg(fault.place.line);
+        if (!text.isEmpty()) text += QStringLiteral(": ");
+        text += QString::fromStdString(fault.message);
+        if (!fault.hint.empty()) text += "\n" + QString::fromStdString(fault.hint);
+        start_->showFault(text);
     });
     connect(document_, &Document::modifiedChanged, this, &MainWindow::updateTitle);
     connect(document_, &Document::experimentsChanged, this, &MainWindow::updateActions);

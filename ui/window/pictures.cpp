@@ -8,10 +8,12 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSettings>
+#include <QStatusBar>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QTreeWidget>
+#include <algorithm>
 #include <functional>
 #include <iostream>
 
@@ -99,6 +101,15 @@ public:
         take(window, "09-found");
         if (!document.finding()) return false;
         document.adoptCompleted("picture");
+        const std::string added =
+            document.finding()->effects.empty() ? "" : document.finding()->effects.front().instance;
+        waitFor(
+            [&] {  // the lists follow once the model has been analysed
+                const auto& known = document.facts().parameters;
+                return std::any_of(known.begin(), known.end(),
+                                   [&](const ParameterFact& p) { return p.name.rfind(added + ".", 0) == 0; });
+            },
+            60000);
         settle(300);
         take(window, "10-added");
         window.findChild<PlotPanel*>()->residualButton()->click();
@@ -123,7 +134,8 @@ public:
     }
 
 private:
-    void take(QWidget& window, const QString& name) {
+    void take(MainWindow& window, const QString& name) {
+        window.statusBar()->clearMessage();  // it tells how fast this machine is: no part of the picture
         const QString file = directory_.filePath(name + suffix_ + ".png");
         isWhole_ = window.grab().save(file) && isWhole_;
         std::cout << file.toStdString() << std::endl;
@@ -136,13 +148,13 @@ private:
 
 }  // namespace
 
-bool writePictures(const QString& directory) {
+bool writePictures(const QString& directory, const QString& onlyLanguage) {
     const QTemporaryDir settings;  // neither read nor change the user's own
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
     const QDir target(directory);
     if (!target.mkpath(".")) return false;
     bool isWhole = true;
-    for (const QString& language : languages())
+    for (const QString& language : onlyLanguage.isEmpty() ? languages() : QStringList{onlyLanguage})
         for (const style::Theme theme : {style::Theme::Light, style::Theme::Dark}) {
             style::apply(*qApp, theme);
             Translator translator;

@@ -198,5 +198,10 @@ TEST(Connection, AnInputThatIsNoConnectorGetsItsValueWhereItIsDeclared) {
                                       "component is declared: law(u = …)")));
 }
 
+TEST(Inheritance, AModelExtendsNoPackage) {
+    EXPECT_THAT(faultsOf("package P end P; model M extends P; Real x = 1; end M;"),
+                ElementsAre("'M' is a model and cannot extend P, which is a package"));
+}
+
 }  // namespace
 }  // namespace analogon
