@@ -250,10 +250,15 @@ private:
     double errorOf(const GridPlan& plan) {
         GridRun run;
         run.plan = plan;
+        // the walk knows no delayed signals of the model's own: then the states must agree
+        const bool comparesStates = !dynamics_.shape().delays.empty();
+        run.keepStates = comparesStates;
         const Trajectory trajectory = runGrid(dynamics_, inputs_, run, options_, progress_);
         if (trajectory.failure.failed) return std::numeric_limits<double>::infinity();
         const double largest =
-            ((trajectory.outputs - reference_).array().abs().colwise() / outputRanges_.array()).maxCoeff();
+            comparesStates
+                ? ((trajectory.states - states_).array().abs().colwise() / stateRanges_.array()).maxCoeff()
+                : ((trajectory.outputs - reference_).array().abs().colwise() / outputRanges_.array()).maxCoeff();
         return std::isfinite(largest) ? largest : std::numeric_limits<double>::infinity();
     }
 
@@ -278,7 +283,7 @@ std::optional<GridPlan> scheduleSteps(Dynamics& dynamics, const SampledInputs& i
                                       const GridPlan* inForce) {
     const Dynamics::Shape& shape = dynamics.shape();
     if (static_cast<int>(inputs.time.size()) < kFewestSamples || shape.states == 0 || shape.outputs == 0 ||
-        !shape.delays.empty() || shape.directions > 0) {
+        shape.directions > 0) {
         return std::nullopt;
     }
     return Scheduler(dynamics, inputs, tolerance, options, progress).run(survey, inForce);
