@@ -23,6 +23,7 @@ namespace {
 constexpr double equivalenceMargin = 10;   // evidence within which two candidates cannot be told apart
 constexpr double twinCorrelation = 0.999;  // projected traces more alike than this are twins
 constexpr double largeResidual = 1.2;      // in units of the noise: above it, first-order scores may mislead
+constexpr double indistinctShare = 0.03;   // of a large residual
 constexpr double nearlyAsMuch = 0.6;       // of the fall in the sum of squares
 constexpr double falseAlarmQuantile = 0.99;
 constexpr double rivalShare = 0.3;  // of the winner's evidence, from which on a weaker candidate is looked at again
@@ -107,10 +108,13 @@ double levelOf(const FitResult& fit) {
     return std::sqrt(fit.optimum.residuals.squaredNorm() / static_cast<double>(fit.optimum.residuals.size()));
 }
 
-/// Of the samples, those that speak for themselves: neighbours in a slow residual say the same.
+/// Of the samples, those that speak for themselves: neighbours in a slow residual say the same, and beside much that
+/// nothing explains a small part of it tells nothing apart (it is the model that is wrong there, not the noise).
 double independentShare(const NullModel& null, const FitResult& fit) {
     const Eigen::VectorXd& r = fit.optimum.residuals;
-    return effectiveCount(null.channels, r) / static_cast<double>(r.size());
+    const double rows = static_cast<double>(r.size());
+    const double share = effectiveCount(null.channels, r) / rows;
+    return levelOf(fit) > largeResidual ? std::min(share, equivalenceMargin / (indistinctShare * rows)) : share;
 }
 
 /// Between kinds that the data cannot tell apart while much is left: a command is followed at once more often than a
