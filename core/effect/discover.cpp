@@ -224,6 +224,25 @@ void offer(std::vector<Remainder> proposed, std::vector<Remainder>& left) {
     left.insert(left.begin(), std::make_move_iterator(proposed.begin()), std::make_move_iterator(proposed.end()));
 }
 
+/// Adds what an effect computes from its fitted parameters for people to read (the limit behind its reciprocal): its
+/// final parameters.
+void appendDerived(const NullModel& model, const std::string& textWithValues, AddedEffect& effect) {
+    const EstimationTask& task = model.variant.task;
+    Outcome<Library> library = task.library.withSource(std::make_shared<Source>(task.model->name(), textWithValues));
+    if (!library) return;
+    Outcome<FlatModel> flat = flatten(*library, task.className);
+    if (!flat) return;
+    const std::string prefix = effect.instance + ".";
+    for (std::size_t v = 0; v < flat->variables.size(); ++v) {
+        const FlatVariable& variable = flat->variables[v];
+        if (!variable.isFinal || variable.isProtected || variable.variability != FlatVariability::Parameter ||
+            variable.type != FlatType::Real || variable.name.rfind(prefix, 0) != 0)
+            continue;
+        if (const std::optional<double> value = flat->parameterValue({static_cast<std::uint32_t>(v)}))
+            effect.parameters.push_back({variable.name.substr(prefix.size()), *value, 0, variable.unit});
+    }
+}
+
 /// Smallest noise of a fitted channel over the range of its measurement.
 double quietest(const NullModel& null) {
     double least = 1;
@@ -984,6 +1003,7 @@ Outcome<Finding> Search::run() {
     }
     for (std::size_t i = 0; i < steps_.size() && i < null->variant.effects.size(); ++i) {
         AddedEffect effect = describe(*null, null->variant.effects[i], steps_[i]);
+        appendDerived(*null, finding.final.modelText, effect);
         // what the model is without this effect, and with it; the others are there in both
         effect.evidence.errorPercentBefore =
             steps_[i].errorWithout >= 0 ? steps_[i].errorWithout : errorPercentOf(finding.baseline, Role::Fit);

@@ -168,7 +168,12 @@ TEST_F(Discovery, DrawsAHardLimitSharpEnoughToLeaveNoise) {
     const Finding finding = search({0.02, [](double, double w, double) { return 0.03 * w; }, 0.6}, 0.02);
     ASSERT_EQ(finding.effects.size(), 1u) << finding.effects.back().kind;
     EXPECT_EQ(finding.effects.front().kind, "actuator.saturation");
-    EXPECT_NEAR(1 / finding.effects.front().parameters.front().value, 0.6, 0.001);
+    const std::vector<EffectValue>& parameters = finding.effects.front().parameters;
+    EXPECT_NEAR(1 / parameters.front().value, 0.6, 0.001);
+    const auto limit =
+        std::find_if(parameters.begin(), parameters.end(), [](const EffectValue& p) { return p.name == "limit"; });
+    ASSERT_NE(limit, parameters.end());
+    EXPECT_NEAR(limit->value, 0.6, 0.001);
     EXPECT_EQ(finding.kind, FindingKind::Effect);
 }
 
