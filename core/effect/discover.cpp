@@ -34,8 +34,8 @@ constexpr double leastGain = 1;   // in evidence, for which an effect is exchang
 constexpr double mostGrowth = 5;  // of an effect's strength when another joins it
 constexpr double changeShare = 0.5, leastChange = 100;
 constexpr long mostSearchedSamples = 10'000;
-constexpr int mostSharpenings = 3;
-constexpr double leastSharpening = 2;  // fall in the sum of squares, in units of the noise
+constexpr int mostSharpenings = 2;
+constexpr double leastSharpening = 8;  // fall in the sum of squares, in units of the noise
 constexpr int startsPerTrial = 2;
 constexpr int trialIterations = 12;  // a trial must show what it is worth; the winner is refitted to convergence
 constexpr int glanceIterations = 5;  // of the whole catalogue, to see who deserves a trial
