@@ -201,8 +201,8 @@ TEST_F(Panels, ShowsAParameterInAnotherUnitAndWhereItLiesInItsBounds) {
     EXPECT_FALSE(model->setData(at(ParameterModel::Unit), "V", Qt::EditRole));
     const auto bar = [&] { return at(ParameterModel::Bounds).data(ParameterModel::BarRole).toList(); };
     const double expected = std::log(4 / 0.1) / std::log(20 / 0.1);  // a logarithmic scale from 0.1 to 20
-    EXPECT_TRUE(QTest::qWaitFor(
-        [&] { return bar().size() == 3 && std::abs(bar()[0].toDouble() - expected) < 1e-9; }, 5000));
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return bar().size() == 3 && std::abs(bar()[0].toDouble() - expected) < 1e-9; }, 5000));
 }
 
 TEST_F(Panels, LeadsFromAFaultOfTheDataToItsLine) {
