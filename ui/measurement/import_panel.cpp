@@ -61,14 +61,16 @@ ImportPanel::ImportPanel(Document& document, QWidget* parent)
 
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(3 * style::unit);
-    grid->setVerticalSpacing(2 * style::unit);
+    grid->setVerticalSpacing(style::unit / 2);
     int cell = 0;
     const auto add = [&](const QString& text, QWidget* field) {
         auto* label = new QLabel(text, this);
         label->setBuddy(field);
         field->setMinimumWidth(110);
-        grid->addWidget(label, cell / 3, cell % 3 * 2, Qt::AlignRight | Qt::AlignVCenter);
-        grid->addWidget(field, cell / 3, cell % 3 * 2 + 1);
+        // the label above its field: three columns fit into a narrow panel in any language
+        grid->addWidget(label, cell / 3 * 2, cell % 3, Qt::AlignLeft | Qt::AlignBottom);
+        grid->addWidget(field, cell / 3 * 2 + 1, cell % 3);
+        grid->setColumnStretch(cell % 3, 1);
         ++cell;
     };
     add(tr("Experiment"), name_);
@@ -77,7 +79,6 @@ ImportPanel::ImportPanel(Document& document, QWidget* parent)
     add(tr("Separator"), separator_);
     add(tr("Decimal sign"), decimal_);
     add(tr("Row of units"), units_);
-    grid->setColumnStretch(6, 1);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(problems_, 1);
     buttons->addWidget(cancel_);
