@@ -27,8 +27,9 @@ Eigen::VectorXd from(const NullModel& null, const std::vector<double>& time, int
     return later;
 }
 
-}  // namespace
-
+/// For each parameter the change that explains most of the residual to first order, best first (Chow 1960: the
+/// regression before and after a break). The trace of a change is taken as the parameter's slope from then on, which
+/// leaves out how the states move over to it.
 std::vector<Change> likelyChanges(const NullModel& null) {
     const Eigen::MatrixXd& jacobian = null.fit.optimum.jacobian;
     const Eigen::VectorXd& residual = null.fit.optimum.residuals;
@@ -68,15 +69,10 @@ std::vector<Change> likelyChanges(const NullModel& null) {
     return likely;
 }
 
-namespace {
-
 /// The change fitted together with all parameters of the model.
 std::optional<Change> fitted(const NullModel& null, const Change& likely, const FitOptions& options,
                              const Progress& progress) {
-    const std::vector<int> recordings = recordingsOf(null.variant.task, Role::Fit);
-    const std::vector<double>& time =
-        null.variant.task.recordings[static_cast<std::size_t>(recordings[static_cast<std::size_t>(likely.experiment)])]
-            .time;
+    const std::vector<double>& time = fittedRecording(null.variant.task, likely.experiment).time;
     const double span = time.back() - time.front();
     Variant variant = null.variant;
     variant.task.change = ParameterChange{likely.parameter, span / static_cast<double>(time.size() - 1)};
@@ -120,10 +116,7 @@ std::optional<Change> bestChange(const NullModel& null, const FitOptions& option
     if (!best) return best;
     // a moment is found by steps too short to cross what happens between two manoeuvres
     const Change first = *best;
-    const std::vector<int> recordings = recordingsOf(null.variant.task, Role::Fit);
-    const std::vector<double>& time =
-        null.variant.task.recordings[static_cast<std::size_t>(recordings[static_cast<std::size_t>(first.experiment)])]
-            .time;
+    const std::vector<double>& time = fittedRecording(null.variant.task, first.experiment).time;
     for (const double away : {-4.0, -2.0, -1.0, 1.0, 2.0, 4.0}) {
         Change near = first;
         near.time += away * (time.back() - time.front()) / coarse;

@@ -18,13 +18,8 @@ struct Change {
     FitResult fit;       // with the change
 };
 
-/// For each parameter the change in mid run that explains most of the residual to first order, best first (Chow 1960:
-/// the regression before and after a break). The trace of a change is taken as the parameter's slope from then on,
-/// which leaves out how the states move over to it. `fit` is empty.
-std::vector<Change> likelyChanges(const NullModel& null);
-
-/// The best of the likeliest changes once each is fitted with all parameters of the model, its moment and its size.
-/// Empty: nothing to gain.
+/// The best of the changes that are likely to first order, once each is fitted with all parameters of the model, its
+/// moment and its size. Empty: nothing to gain.
 std::optional<Change> bestChange(const NullModel& null, const FitOptions& options, const Progress& progress);
 
 }  // namespace analogon

@@ -224,21 +224,23 @@ void offer(std::vector<Remainder> proposed, std::vector<Remainder>& left) {
     left.insert(left.begin(), std::make_move_iterator(proposed.begin()), std::make_move_iterator(proposed.end()));
 }
 
+/// The equations of a model with its values written in.
+Outcome<FlatModel> flattened(const EstimationTask& task, const std::string& textWithValues) {
+    Outcome<Library> library = task.library.withSource(std::make_shared<Source>(task.model->name(), textWithValues));
+    if (!library) return library.diagnostics();
+    return flatten(*library, task.className);
+}
+
 /// Adds what an effect computes from its fitted parameters for people to read (the limit behind its reciprocal): its
 /// final parameters.
-void appendDerived(const NullModel& model, const std::string& textWithValues, AddedEffect& effect) {
-    const EstimationTask& task = model.variant.task;
-    Outcome<Library> library = task.library.withSource(std::make_shared<Source>(task.model->name(), textWithValues));
-    if (!library) return;
-    Outcome<FlatModel> flat = flatten(*library, task.className);
-    if (!flat) return;
+void appendDerived(const FlatModel& model, AddedEffect& effect) {
     const std::string prefix = effect.instance + ".";
-    for (std::size_t v = 0; v < flat->variables.size(); ++v) {
-        const FlatVariable& variable = flat->variables[v];
+    for (std::size_t v = 0; v < model.variables.size(); ++v) {
+        const FlatVariable& variable = model.variables[v];
         if (!variable.isFinal || variable.isProtected || variable.variability != FlatVariability::Parameter ||
             variable.type != FlatType::Real || variable.name.rfind(prefix, 0) != 0)
             continue;
-        if (const std::optional<double> value = flat->parameterValue({static_cast<std::uint32_t>(v)}))
+        if (const std::optional<double> value = model.parameterValue({static_cast<std::uint32_t>(v)}))
             effect.parameters.push_back({variable.name.substr(prefix.size()), *value, 0, variable.unit});
     }
 }
@@ -320,6 +322,7 @@ private:
     std::vector<std::size_t> equivalents(const NullModel& null, const std::vector<Trial>& trials,
                                          std::size_t best) const;
     std::optional<NullModel> without(const NullModel& null, std::size_t effect);
+    std::optional<NullModel> refittedWith(const NullModel& null, const std::vector<PlacedEffect>& effects);
     bool reconsider(NullModel& null);
     std::vector<Remainder> takeOutProposals(NullModel& null);
     bool replace(NullModel& null, std::size_t effect);
@@ -689,7 +692,12 @@ std::optional<NullModel> Search::without(const NullModel& null, std::size_t effe
     std::vector<PlacedEffect> others;
     for (std::size_t k = 0; k < null.variant.effects.size(); ++k)
         if (k != effect) others.push_back(null.variant.effects[k]);
-    Outcome<Variant> variant = withEffects(base_, others, null.variant.values);
+    return refittedWith(null, others);
+}
+
+/// The model with these effects instead, refitted beside the same noise.
+std::optional<NullModel> Search::refittedWith(const NullModel& null, const std::vector<PlacedEffect>& effects) {
+    Outcome<Variant> variant = withEffects(base_, effects, null.variant.values);
     if (!variant) return std::nullopt;
     Outcome<NullModel> refitted = fitNull(*variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
     if (!refitted) return std::nullopt;
@@ -839,9 +847,7 @@ void Search::sharpen(NullModel& null) {
                 changes = true;
             }
         if (!changes) return;
-        Outcome<Variant> variant = withEffects(base_, effects, null.variant.values);
-        if (!variant) return;
-        Outcome<NullModel> sharper = fitNull(*variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
+        std::optional<NullModel> sharper = refittedWith(null, effects);
         if (!sharper || !(null.sumOfSquares() - sharper->sumOfSquares() > leastSharpening)) return;
         null = std::move(*sharper);
     }
@@ -860,9 +866,7 @@ void Search::treatAlike(NullModel& null) {
         say("reconsider", fmt::format("{} at every sensor like {}", placed.effect.kind, placed.place.at), -1);
         std::vector<PlacedEffect> effects = null.variant.effects;
         effects[i].twins = like;
-        Outcome<Variant> variant = withEffects(base_, effects, null.variant.values);
-        if (!variant) continue;
-        Outcome<NullModel> tied = fitNull(*variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
+        std::optional<NullModel> tied = refittedWith(null, effects);
         if (!tied) continue;
         const double rows = static_cast<double>(null.fit.optimum.residuals.size());
         const double least = std::min(null.sumOfSquares(), tied->sumOfSquares());
@@ -981,16 +985,14 @@ Outcome<Finding> Search::run() {
     }
     std::vector<Remainder> proposed = takeOutProposals(*null);
     if (!proposed.empty()) removeUnneeded(*null, 0);  // what was seen only beside a proposal is not kept without it
-    if (!steps_.empty() && !onAll && !progress_.stopRequested()) {
-        Outcome<NullModel> fitted = fitNull(null->variant, null->noise, NoiseLevel::Keep, options_.fit, progress_);
-        if (!fitted) return fitted.diagnostics();
-        null = std::move(*fitted);
-    }
     if (onAll && steps_.empty()) null = *onAll;
-    if (onAll && !steps_.empty() && !progress_.stopRequested()) {
-        Outcome<Variant> all = withEffects(full_, null->variant.effects, null->variant.values);
-        if (!all) return all.diagnostics();
-        Outcome<NullModel> fitted = fitNull(*all, onAll->noise, NoiseLevel::Estimate, options_.fit, progress_);
+    if (!steps_.empty() && !progress_.stopRequested()) {
+        // the search was content with less: on every sample, and integrated as exactly as was asked for
+        Outcome<Variant> whole = null->variant;
+        if (onAll) whole = withEffects(full_, null->variant.effects, null->variant.values);
+        if (!whole) return whole.diagnostics();
+        Outcome<NullModel> fitted = fitNull(*whole, onAll ? onAll->noise : null->noise,
+                                            onAll ? NoiseLevel::Estimate : NoiseLevel::Keep, options_.fit, progress_);
         if (!fitted) return fitted.diagnostics();
         null = std::move(*fitted);
     }
@@ -1001,9 +1003,10 @@ Outcome<Finding> Search::run() {
         if (!after) return after.diagnostics();
         finding.final = std::move(*after);
     }
+    const Outcome<FlatModel> valued = flattened(null->variant.task, finding.final.modelText);
     for (std::size_t i = 0; i < steps_.size() && i < null->variant.effects.size(); ++i) {
         AddedEffect effect = describe(*null, null->variant.effects[i], steps_[i]);
-        appendDerived(*null, finding.final.modelText, effect);
+        if (valued) appendDerived(*valued, effect);
         // what the model is without this effect, and with it; the others are there in both
         effect.evidence.errorPercentBefore =
             steps_[i].errorWithout >= 0 ? steps_[i].errorWithout : errorPercentOf(finding.baseline, Role::Fit);
@@ -1053,7 +1056,8 @@ Outcome<Finding> Search::run() {
 Outcome<ModelState> fitModel(const EstimationTask& task, const FitOptions& options, const Progress& progress) {
     Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, options, progress);
     if (!null) return null.diagnostics();
-    return stateOf(null->variant, null->fit, options.simulation, progress);
+    // what a cancelled fit came to is simulated to its end: the best so far is a result, a part of a trace is none
+    return stateOf(null->variant, null->fit, options.simulation, progress.stopRequested() ? Progress() : progress);
 }
 
 Outcome<ModelState> simulateModel(const EstimationTask& task, const SimulationOptions& options,

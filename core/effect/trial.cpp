@@ -121,6 +121,13 @@ std::optional<Start> prepareStart(const NullModel& null, const Screened& screene
     return start;
 }
 
+/// The strength of the newest effect among the parameters of its problem.
+std::vector<FitParameter>::iterator strengthOf(Start& start) {
+    const std::string& name = start.variant.effects.back().freed.front().name;
+    std::vector<FitParameter>& parameters = start.prepared.problem.parameters;
+    return std::find_if(parameters.begin(), parameters.end(), [&](const FitParameter& p) { return p.name == name; });
+}
+
 Eigen::VectorXd startValues(const FitProblem& problem) {
     Eigen::VectorXd values(static_cast<Eigen::Index>(problem.parameters.size()));
     for (Eigen::Index j = 0; j < values.size(); ++j) values[j] = problem.parameters[static_cast<std::size_t>(j)].start;
@@ -130,10 +137,7 @@ Eigen::VectorXd startValues(const FitProblem& problem) {
 /// Where the strength comes from a slope at 0, the slope may promise far more than the model bears there (a magnet that
 /// warms until its field turns over). The strength is taken back until it is no worse than the model without.
 void takeBack(const NullModel& null, Start& start, const SimulationOptions& simulation, const Progress& progress) {
-    const std::string& name = start.variant.effects.back().freed.front().name;
-    std::vector<FitParameter>& parameters = start.prepared.problem.parameters;
-    const auto strength =
-        std::find_if(parameters.begin(), parameters.end(), [&](const FitParameter& p) { return p.name == name; });
+    const auto strength = strengthOf(start);
     const double first = strength->start;
     for (const double part : {1.0, 0.25, 0.0625, 0.015625}) {
         strength->start = std::clamp(first * part, strength->min, strength->max);
@@ -164,11 +168,7 @@ Trial refit(const NullModel& null, const Screened& screened, const FitOptions& o
             if (!at.ok || !at.jacobian.allFinite()) continue;
             start->promised = promisedCost(at);
             // where the effect is not felt at all (below a threshold) a search by slopes has nowhere to go
-            const std::string& strengthName = start->variant.effects.back().freed.front().name;
-            const auto& parameters = start->prepared.problem.parameters;
-            const auto strengthAt = std::find_if(parameters.begin(), parameters.end(),
-                                                 [&](const FitParameter& p) { return p.name == strengthName; });
-            const Eigen::Index strengthColumn = strengthAt - parameters.begin();
+            const Eigen::Index strengthColumn = strengthOf(*start) - start->prepared.problem.parameters.begin();
             if (at.jacobian.col(strengthColumn).norm() * std::abs(values[strengthColumn]) < 1e-6 * at.residuals.norm())
                 continue;
         }

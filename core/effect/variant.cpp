@@ -63,6 +63,11 @@ std::vector<int> recordingsOf(const EstimationTask& task, Role role) {
     return indices;
 }
 
+const Recording& fittedRecording(const EstimationTask& task, int experiment) {
+    return task
+        .recordings[static_cast<std::size_t>(recordingsOf(task, Role::Fit)[static_cast<std::size_t>(experiment)])];
+}
+
 Outcome<Variant> withEffect(const Variant& variant, const EffectClass& effect, const EffectPlace& place,
                             const std::map<std::string, double>& values) {
     const LibraryClass* model = modelOf(variant.task);

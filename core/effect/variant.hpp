@@ -39,6 +39,9 @@ struct Variant {
 /// Indices of the recordings with a role, in order.
 std::vector<int> recordingsOf(const EstimationTask& task, Role role);
 
+/// The recording of a fitted experiment, by its number among them.
+const Recording& fittedRecording(const EstimationTask& task, int experiment);
+
 /// The variant with one more effect; its parameters are not yet among the fitted ones.
 Outcome<Variant> withEffect(const Variant& variant, const EffectClass& effect, const EffectPlace& place,
                             const std::map<std::string, double>& values);

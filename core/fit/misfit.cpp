@@ -41,65 +41,53 @@ Misfit::Misfit(const FitProblem& problem, const FitOptions& options, const Progr
 }
 
 bool Misfit::maySumUp() const {
-    return isLong_ && !isIllConditioned_ && options_.loss == RobustLoss::None &&
-           options_.simulation.engine != Engine::Adaptive;
+    return isLong_ && options_.loss == RobustLoss::None && options_.simulation.engine != Engine::Adaptive;
 }
 
-void Misfit::fail(const std::string& failure) {
-    if (isCancelled()) return;
-    ++failedSimulations_;
-    failure_ = failure;
-}
-
-/// Steps that were fine where they were chosen may be too long for a stiffer model (a lag that grows short). Empty: the
-/// plans in force are what would be chosen here.
-std::vector<GridPlan> Misfit::finerPlansAt(const Eigen::VectorXd& values) const {
-    if (isCancelled() || options_.simulation.engine == Engine::Adaptive) return {};
-    std::vector<GridPlan> plans = plansFor(values, 1.0);
-    if (plans == plans_) plans.clear();
-    return plans;
-}
-
-/// False: the sums are not exact enough here.
-bool Misfit::summed(const Eigen::VectorXd& values, ReducedMisfit& reduced) {
-    MisfitSums sums = sumUp(problem_, values, true, plans_, options_.simulation, progress_, threads_);
-    if (!sums.ok) {
-        std::vector<GridPlan> finer = finerPlansAt(values);
-        if (!finer.empty()) {
-            sums = sumUp(problem_, values, true, finer, options_.simulation, progress_, threads_);
-            ++simulations_;
-            if (sums.ok) plans_ = std::move(finer);
-        }
-    }
-    if (!sums.ok) {
-        ++simulations_;
-        fail(sums.failure);
-        reduced = {};
-        return true;
-    }
-    std::optional<ReducedMisfit> found = reduce(sums.hessian, sums.gradient, sums.squares);
-    if (!found) {
-        isIllConditioned_ = true;
-        return false;
-    }
+/// One evaluation, counted. Steps that were fine where they were chosen may be too long for a stiffer model (a lag that
+/// grows short): where it fails it is tried with those that would be chosen here.
+template <class Evaluate>
+auto Misfit::attempt(const Eigen::VectorXd& values, const Evaluate& evaluate) {
+    auto result = evaluate(plans_);
     ++simulations_;
-    reduced = std::move(*found);
-    return true;
-}
-
-Linearisation Misfit::simulate(const Eigen::VectorXd& values, bool withJacobian) {
-    Linearisation result = linearise(problem_, values, withJacobian, plans_, options_.simulation, progress_);
-    ++simulations_;
-    if (!result.ok) {
-        std::vector<GridPlan> finer = finerPlansAt(values);
-        if (!finer.empty()) {
-            result = linearise(problem_, values, withJacobian, finer, options_.simulation, progress_);
+    if (!result.ok && !isCancelled() && options_.simulation.engine != Engine::Adaptive) {
+        std::vector<GridPlan> finer = plansFor(values, 1.0);
+        if (finer != plans_) {
+            result = evaluate(finer);
             ++simulations_;
             if (result.ok) plans_ = std::move(finer);
         }
     }
-    if (!result.ok) fail(result.failure);
+    if (!result.ok && !isCancelled()) {
+        ++failedSimulations_;
+        failure_ = result.failure;
+    }
     return result;
+}
+
+MisfitSums Misfit::sum(const Eigen::VectorXd& values, bool withJacobian) {
+    return attempt(values, [&](const std::vector<GridPlan>& plans) {
+        return sumUp(problem_, values, withJacobian, plans, options_.simulation, progress_, threads_);
+    });
+}
+
+Linearisation Misfit::simulate(const Eigen::VectorXd& values, bool withJacobian) {
+    return attempt(values, [&](const std::vector<GridPlan>& plans) {
+        return linearise(problem_, values, withJacobian, plans, options_.simulation, progress_);
+    });
+}
+
+/// False: the sums are not exact enough here.
+bool Misfit::summed(const Eigen::VectorXd& values, ReducedMisfit& reduced) {
+    const MisfitSums sums = sum(values, true);
+    if (!sums.ok) {
+        reduced = {};
+        return true;
+    }
+    std::optional<ReducedMisfit> found = reduce(sums.hessian, sums.gradient, sums.squares);
+    if (found) reduced = std::move(*found);
+    isIllConditioned_ = !found;
+    return found.has_value();
 }
 
 void Misfit::note(const Eigen::VectorXd& values, double cost, Linearisation line) {
@@ -134,7 +122,7 @@ const ReducedMisfit& Misfit::reduced(const Eigen::VectorXd& values) {
     Point& point = memory_[oldest_];
     oldest_ = (oldest_ + 1) % memory_.size();
     point.values = values;
-    if (maySumUp() && summed(values, point.reduced)) {
+    if (maySumUp() && !isIllConditioned_ && summed(values, point.reduced)) {
         if (!point.reduced.ok && isCancelled()) point.values.resize(0);
         if (point.reduced.ok) note(values, point.reduced.cost());
         return point.reduced;
@@ -153,13 +141,9 @@ const ReducedMisfit& Misfit::reduced(const Eigen::VectorXd& values) {
 }
 
 double Misfit::cost(const Eigen::VectorXd& values) {
-    if (isLong_ && options_.loss == RobustLoss::None && options_.simulation.engine != Engine::Adaptive) {
-        const MisfitSums sums = sumUp(problem_, values, false, plans_, options_.simulation, progress_, threads_);
-        ++simulations_;
-        if (!sums.ok) {
-            fail(sums.failure);
-            return std::numeric_limits<double>::infinity();
-        }
+    if (maySumUp()) {
+        const MisfitSums sums = sum(values, false);
+        if (!sums.ok) return std::numeric_limits<double>::infinity();
         note(values, 0.5 * sums.squares);
         return 0.5 * sums.squares;
     }

@@ -56,12 +56,13 @@ private:
     /// Without a robust loss and in records of some length, sums do where they are exact enough.
     bool maySumUp() const;
     bool summed(const Eigen::VectorXd& values, ReducedMisfit& reduced);
-    void fail(const std::string& failure);
+    template <class Evaluate>
+    auto attempt(const Eigen::VectorXd& values, const Evaluate& evaluate);
+    MisfitSums sum(const Eigen::VectorXd& values, bool withJacobian);
     void applyLoss(Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) const;
     void note(const Eigen::VectorXd& values, double cost, Linearisation line = {});
     std::vector<GridPlan> plansFor(const Eigen::VectorXd& values, double looseness) const;
     bool take(std::vector<GridPlan> plans);
-    std::vector<GridPlan> finerPlansAt(const Eigen::VectorXd& values) const;
 
     const FitProblem& problem_;
     const FitOptions& options_;

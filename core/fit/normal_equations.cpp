@@ -53,8 +53,9 @@ void addPlain(const double* rows, const double* residuals, int count, int lanes,
 NormalEquations::NormalEquations(const FitExperiment& experiment, std::vector<Eigen::Index> columns)
     : experiment_(experiment), columns_(std::move(columns)) {
     lanes_ = (static_cast<int>(columns_.size()) + 3) / 4 * 4;
+    slopes_.assign(static_cast<std::size_t>(lanes_), 0.0);
     for (Eigen::Index o = 0; o < experiment.measured.rows(); ++o)
-        if (o < experiment.weights.size() && experiment.weights[o] > 0.0) fitted_.push_back(static_cast<int>(o));
+        if (experiment.isFitted(o)) fitted_.push_back(static_cast<int>(o));
     restart();
 }
 
@@ -66,10 +67,9 @@ void NormalEquations::restart() {
 }
 
 void NormalEquations::take(int sample, const double* y, const double* dy) {
-    std::vector<double> slopes(static_cast<std::size_t>(lanes_));
     for (const int o : fitted_) {
-        if (dy) std::copy_n(dy + static_cast<std::ptrdiff_t>(o) * columns_.size(), columns_.size(), slopes.begin());
-        add(o, sample, 1, y + o, slopes.data(), 1, lanes_);
+        if (dy) std::copy_n(dy + static_cast<std::ptrdiff_t>(o) * columns_.size(), columns_.size(), slopes_.begin());
+        add(o, sample, 1, y + o, slopes_.data(), 1, lanes_);
     }
 }
 

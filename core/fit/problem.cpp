@@ -14,10 +14,6 @@ namespace analogon {
 
 namespace {
 
-bool isFitted(const FitExperiment& experiment, Eigen::Index output) {
-    return output < experiment.weights.size() && experiment.weights[output] > 0.0;
-}
-
 Eigen::Index measuredCount(const FitExperiment& experiment, Eigen::Index output) {
     const Eigen::Index stride = experiment.measured.rows(), samples = experiment.measured.cols();
     const double* at = experiment.measured.data() + output;
@@ -79,17 +75,6 @@ bool actsEverywhere(const FitProblem& problem, Eigen::Index parameter) {
     return true;
 }
 
-/// A trajectory as a sink would have seen it.
-void pour(const Trajectory& trajectory, int directions, SampleSink& sink) {
-    std::vector<double> dy;
-    for (Eigen::Index k = 0; k < trajectory.outputs.cols(); ++k) {
-        dy.clear();
-        for (const Eigen::MatrixXd& tangents : trajectory.tangents)
-            for (int i = 0; i < directions; ++i) dy.push_back(tangents(k, i));
-        sink.take(static_cast<int>(k), trajectory.outputs.col(k).data(), directions > 0 ? dy.data() : nullptr);
-    }
-}
-
 std::string describe(const SimulationFailure& failure, const std::string& experiment) {
     std::string text =
         fmt::format("experiment '{}' failed at t = {:.6g} s: {}", experiment, failure.time, failure.reason);
@@ -103,9 +88,10 @@ public:
     RowWriter(const FitExperiment& experiment, const std::vector<Eigen::Index>& columns, Eigen::Index firstRow,
               bool withJacobian, Linearisation& result)
         : experiment_(experiment), columns_(columns), withJacobian_(withJacobian), result_(result) {
-        outputs.resize(experiment.measured.rows(), experiment.measured.cols());
+        outputs.setConstant(experiment.measured.rows(), experiment.measured.cols(),
+                            std::numeric_limits<double>::quiet_NaN());
         for (Eigen::Index o = 0; o < experiment.measured.rows(); ++o) {
-            if (!isFitted(experiment, o)) continue;
+            if (!experiment.isFitted(o)) continue;
             Output output;
             output.index = o;
             output.firstRow = firstRow;
@@ -135,7 +121,7 @@ public:
     }
     void restart() override {}
 
-    Eigen::MatrixXd outputs;  // rows: outputs, columns: samples
+    Eigen::MatrixXd outputs;  // rows: outputs, columns: samples; NaN where it did not get to
 
 private:
     struct Output {
@@ -177,7 +163,7 @@ int FitProblem::residualCount() const {
     Eigen::Index count = 0;
     for (const FitExperiment& experiment : experiments) {
         for (Eigen::Index o = 0; o < experiment.measured.rows(); ++o) {
-            if (isFitted(experiment, o)) {
+            if (experiment.isFitted(o)) {
                 count += measuredCount(experiment, o);
             }
         }
@@ -217,17 +203,15 @@ Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values
             result.trajectories.push_back(simulateGrid(task, plan, options, progress, &writer));
         }
         Trajectory& trajectory = result.trajectories.back();
+        const bool isPoured = options.engine != Engine::Adaptive;
+        if (!isPoured && !trajectory.failure.failed) pour(trajectory, static_cast<int>(task.directions.cols()), writer);
+        if (isPoured || !trajectory.failure.failed) trajectory.outputs = std::move(writer.outputs);
         if (trajectory.failure.failed) {
             result.failure = describe(trajectory.failure, experiment.name);
             return result;
         }
-        if (options.engine == Engine::Adaptive) {
-            pour(trajectory, static_cast<int>(task.directions.cols()), writer);
-            trajectory.tangents.clear();
-        }
-        trajectory.outputs = std::move(writer.outputs);
         for (Eigen::Index o = 0; o < experiment.measured.rows(); ++o)
-            if (isFitted(experiment, o)) row += measuredCount(experiment, o);
+            if (experiment.isFitted(o)) row += measuredCount(experiment, o);
         if (!allFinite(trajectory.outputs.data(), trajectory.outputs.size())) {
             result.failure = fmt::format("experiment '{}': an output is not finite", experiment.name);
             return result;

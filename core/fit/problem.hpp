@@ -30,6 +30,8 @@ struct FitExperiment {
     Eigen::MatrixXd measured;        // rows: system outputs, columns: samples; NaN: not measured there
     Eigen::VectorXd weights;         // per output: 1/sigma (0: output is not fitted)
     std::vector<double> parameters;  // the system's parameters; fitted ones are overwritten
+
+    bool isFitted(Eigen::Index output) const { return output < weights.size() && weights[output] > 0.0; }
 };
 
 /// minimise 1/2 sum ((y - measured) * weight)^2 over all experiments, outputs and samples

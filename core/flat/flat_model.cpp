@@ -12,6 +12,15 @@ VariableId FlatModel::find(std::string_view variableName) const {
     return found == byName.end() ? VariableId{} : found->second;
 }
 
+std::string FlatModel::unitOf(const FlatVariable& variable) const {
+    if (!variable.unit.empty()) return variable.unit;
+    if (const ConnectionSet* set = connectionOf(variable.name))
+        for (const std::string& connector : set->connectors)
+            if (const VariableId other = find(connector); other.valid() && !(*this)[other].unit.empty())
+                return (*this)[other].unit;
+    return {};
+}
+
 const ConnectionSet* FlatModel::connectionOf(std::string_view connector) const {
     for (const ConnectionSet& set : connections)
         if (std::find(set.connectors.begin(), set.connectors.end(), connector) != set.connectors.end()) return &set;

@@ -83,6 +83,8 @@ struct FlatModel {
     VariableId find(std::string_view name) const;
     /// Value of a parameter or constant with all bindings followed; empty when it has none (or a cycle).
     std::optional<double> parameterValue(VariableId id) const;
+    /// Unit of a variable; of what it is connected to where it was declared without one.
+    std::string unitOf(const FlatVariable& variable) const;
     /// The connection set that holds the connector; null when it is unconnected.
     const ConnectionSet* connectionOf(std::string_view connector) const;
 

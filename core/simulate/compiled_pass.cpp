@@ -136,12 +136,7 @@ private:
 
     /// Ended from outside after sample k.
     bool stop(int k, const char* reason) {
-        const double nan = std::numeric_limits<double>::quiet_NaN();
-        const Eigen::Index rest = last_ - k;
-        if (!run_.sink) result_.outputs.rightCols(rest).setConstant(nan);
-        for (Eigen::MatrixXd& tangents : result_.tangents) tangents.bottomRows(rest).setConstant(nan);
-        if (run_.keepStates) result_.states.rightCols(rest).setConstant(nan);
-        if (result_.observed.size() > 0) result_.observed.rightCols(rest).setConstant(nan);
+        result_.leaveOpen(last_ - k);
         result_.failure = {true, time(k), {}, reason};
         return true;
     }

@@ -189,21 +189,6 @@ private:
     double time_{};
 };
 
-/// From the trajectory to the sink.
-void pour(const Dynamics& dynamics, Trajectory& result, SampleSink& sink) {
-    const auto K = static_cast<Eigen::Index>(dynamics.shape().directions);
-    std::vector<double> dy(static_cast<std::size_t>(result.outputs.rows() * K));
-    sink.restart();
-    for (Eigen::Index k = 0; k < result.outputs.cols(); ++k) {
-        double* to = dy.data();
-        for (const Eigen::MatrixXd& tangents : result.tangents)
-            for (Eigen::Index i = 0; i < K; ++i) *to++ = tangents(k, i);
-        sink.take(static_cast<int>(k), result.outputs.col(k).data(), K > 0 ? dy.data() : nullptr);
-    }
-    result.outputs.resize(0, 0);
-    result.tangents.clear();
-}
-
 }  // namespace
 
 Trajectory runGrid(Dynamics& dynamics, const SampledInputs& inputs, const GridRun& run,
@@ -222,7 +207,7 @@ Trajectory runGrid(Dynamics& dynamics, const SampledInputs& inputs, const GridRu
     GridRun general = run;
     if (run.plan.method == GridMethod::Exact) general.plan = {GridMethod::RungeKutta4, 8, run.plan.errorEstimate};
     GridPass(dynamics, inputs, general, options, progress, result).execute();
-    if (run.sink && !result.failure.failed) pour(dynamics, result, *run.sink);
+    if (run.sink && !result.failure.failed) pour(result, dynamics.shape().directions, *run.sink);
     return result;
 }
 

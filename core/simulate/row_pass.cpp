@@ -285,11 +285,7 @@ private:
     /// Ended from outside before sample k.
     bool stop(int k, const char* reason) {
         deliver();
-        const double nan = std::numeric_limits<double>::quiet_NaN();
-        const Eigen::Index rest = last_ - k + 1;
-        if (!run_.sink) result_.outputs.rightCols(rest).setConstant(nan);
-        for (Eigen::MatrixXd& tangents : result_.tangents) tangents.bottomRows(rest).setConstant(nan);
-        if (run_.keepStates) result_.states.rightCols(rest).setConstant(nan);
+        result_.leaveOpen(last_ - k + 1);
         result_.failure = {true, time(k), {}, reason};
         return true;
     }

@@ -152,13 +152,6 @@ bool SampleRecorder::record(int sample, const double* x, const double* dx) {
     return true;
 }
 
-void SampleRecorder::abandon(int sample) {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const Eigen::Index rest = last_ - sample + 1;
-    trajectory_.outputs.rightCols(rest).setConstant(nan);
-    for (Eigen::MatrixXd& tangents : trajectory_.tangents) tangents.bottomRows(rest).setConstant(nan);
-    if (keepStates_) trajectory_.states.rightCols(rest).setConstant(nan);
-    if (!observed_.empty()) trajectory_.observed.rightCols(rest).setConstant(nan);
-}
+void SampleRecorder::abandon(int sample) { trajectory_.leaveOpen(last_ - sample + 1); }
 
 }  // namespace analogon

@@ -68,6 +68,26 @@ void SampleSink::takeRows(int first, int count, const double* rows, const RowLay
     }
 }
 
+void pour(Trajectory& trajectory, int directions, SampleSink& sink) {
+    std::vector<double> dy(static_cast<std::size_t>(trajectory.outputs.rows() * directions));
+    sink.restart();
+    for (Eigen::Index k = 0; k < trajectory.outputs.cols(); ++k) {
+        double* to = dy.data();
+        for (const Eigen::MatrixXd& tangents : trajectory.tangents)
+            for (Eigen::Index i = 0; i < directions; ++i) *to++ = tangents(k, i);
+        sink.take(static_cast<int>(k), trajectory.outputs.col(k).data(), directions > 0 ? dy.data() : nullptr);
+    }
+    trajectory.outputs.resize(0, 0);
+    trajectory.tangents.clear();
+}
+
+void Trajectory::leaveOpen(Eigen::Index samples) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (Eigen::MatrixXd* values : {&outputs, &states, &observed})
+        if (values->size() > 0) values->rightCols(samples).setConstant(nan);
+    for (Eigen::MatrixXd& each : tangents) each.bottomRows(samples).setConstant(nan);
+}
+
 double GridPlan::work() const {
     constexpr double implicitCost = 12.0;
     if (!steps) return (method == GridMethod::Esdirk ? implicitCost : 1.0) * substeps;

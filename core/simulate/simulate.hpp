@@ -80,6 +80,9 @@ struct Trajectory {
     Engine engine{Engine::Grid};
     /// What a reader should know though nothing failed: where a switch holds the model between its two sides.
     std::vector<std::string> remarks;
+
+    /// Marks the last samples as not reached: NaN.
+    void leaveOpen(Eigen::Index samples);
 };
 
 /// What to simulate: one experiment of one system. The referenced objects must outlive the call.
@@ -105,6 +108,9 @@ public:
     /// All samples so far are void: they come again from the first one.
     virtual void restart() = 0;
 };
+
+/// Hands a trajectory on to a sink, from its first sample; outputs and tangents (K directions) are gone from it then.
+void pour(Trajectory& trajectory, int directions, SampleSink& sink);
 
 /// The plan an experiment needs at these parameters: explicit or implicit, and the number of substeps, from
 /// step doubling (chosen once, rechecked at the optimum). A plan in force is returned when it still holds.

@@ -50,24 +50,14 @@ struct ModelSignals {
     std::vector<std::string> inputNames, outputNames;    // in the order of the model
 };
 
-/// A signal that was declared without a unit has that of what it is connected to.
-std::string unitOf(const FlatModel& model, const FlatVariable& variable) {
-    if (!variable.unit.empty()) return variable.unit;
-    if (const ConnectionSet* set = model.connectionOf(variable.name))
-        for (const std::string& connector : set->connectors)
-            if (const VariableId other = model.find(connector); other.valid() && !model[other].unit.empty())
-                return model[other].unit;
-    return {};
-}
-
 ModelSignals signalsOf(const FlatModel& model) {
     ModelSignals signals;
     for (const FlatVariable& variable : model.variables) {
         if (variable.causality == FlatCausality::Input) {
-            signals.inputs[variable.name] = unitOf(model, variable);
+            signals.inputs[variable.name] = model.unitOf(variable);
             signals.inputNames.push_back(variable.name);
         } else if (variable.causality == FlatCausality::Output) {
-            signals.outputs[variable.name] = unitOf(model, variable);
+            signals.outputs[variable.name] = model.unitOf(variable);
             signals.outputNames.push_back(variable.name);
         }
     }

@@ -4,20 +4,6 @@
 
 namespace analogon::ui {
 
-namespace {
-
-/// A signal that was declared without a unit has that of what it is connected to.
-std::string unitOf(const FlatModel& model, const FlatVariable& variable) {
-    if (!variable.unit.empty()) return variable.unit;
-    if (const ConnectionSet* set = model.connectionOf(variable.name))
-        for (const std::string& connector : set->connectors)
-            if (const VariableId other = model.find(connector); other.valid() && !model[other].unit.empty())
-                return model[other].unit;
-    return {};
-}
-
-}  // namespace
-
 ModelFacts modelFacts(const Study& study) {
     ModelFacts facts;
     const Outcome<Library> library = studyLibrary(study);
@@ -28,8 +14,8 @@ ModelFacts modelFacts(const Study& study) {
     if (!flat) return facts;
     for (std::size_t i = 0; i < flat->variables.size(); ++i) {
         const FlatVariable& v = flat->variables[i];
-        if (v.causality == FlatCausality::Input) facts.inputs.push_back({v.name, unitOf(*flat, v), v.description});
-        if (v.causality == FlatCausality::Output) facts.outputs.push_back({v.name, unitOf(*flat, v), v.description});
+        if (v.causality == FlatCausality::Input) facts.inputs.push_back({v.name, flat->unitOf(v), v.description});
+        if (v.causality == FlatCausality::Output) facts.outputs.push_back({v.name, flat->unitOf(v), v.description});
         const bool isListed =
             v.variability == FlatVariability::Parameter && v.type == FlatType::Real && !v.isFinal && !v.isProtected;
         if (!isListed) continue;
