@@ -449,11 +449,16 @@ TEST_F(Compose, StaysFluidWithFiveHundredBlocks) {
     study.className = "Large";
     study.models[study.modelFile] = largeModel();
     ASSERT_TRUE(builtInLibrary());
-    QElapsedTimer clock;
-    clock.start();
+    // the time of this thread alone: other tests that run meanwhile are not what is measured
+    const auto now = [] {
+        timespec spent{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
+        return 1e3 * static_cast<double>(spent.tv_sec) + 1e-6 * static_cast<double>(spent.tv_nsec);
+    };
+    double begin = now();
     document().startWith(std::move(study));
     window.grab();
-    const qint64 opening = clock.elapsed();
+    const double opening = now() - begin;
     ASSERT_EQ(document().diagram().blocks.size(), 500u) << messages();
     ASSERT_EQ(document().diagram().wires.size(), 800u);
     QTest::qWait(50);
@@ -464,16 +469,16 @@ TEST_F(Compose, StaysFluidWithFiveHundredBlocks) {
     scene->setSelection(some);
     std::vector<double> times;
     for (int i = 1; i <= 21; ++i) {
-        clock.restart();
+        begin = now();
         scene->showMoved(10 * i, -10 * i);
         view->viewport()->repaint();
-        times.push_back(static_cast<double>(clock.nsecsElapsed()) / 1e6);
+        times.push_back(now() - begin);
     }
     scene->showMoved(0, 0);
     std::sort(times.begin(), times.end());
-    clock.restart();
+    begin = now();
     ASSERT_TRUE(composer().move(some.blocks, 10, 0));
-    const qint64 moving = clock.elapsed();
+    const double moving = now() - begin;
     std::cout << "opening " << opening << " ms, repaint while dragging 50 of 500 blocks " << times[10]
               << " ms, their move " << moving << " ms\n";
     EXPECT_LT(opening, 3000) << "[ms]; 1000 on a machine that does nothing else";

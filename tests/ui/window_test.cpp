@@ -12,6 +12,7 @@
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 #include <QToolBar>
@@ -104,7 +105,8 @@ void writeRecording(const fs::path& file, double radiation, double period, unsig
 }
 
 fs::path makeStudy(const std::string& name, double radiation, const std::string& model = heatedBody) {
-    const fs::path directory = fs::path(QDir::tempPath().toStdString()) / "analogon-ui-test" / name;
+    static const QTemporaryDir own;  // tests run side by side as processes of their own
+    const fs::path directory = fs::path(own.path().toStdString()) / name;
     fs::remove_all(directory);
     fs::create_directories(directory);
     std::ofstream(directory / "study.json") << studyJsonText;
@@ -136,7 +138,10 @@ protected:
     }
     void open(const fs::path& study) {
         window.open(QString::fromStdString(study.string()));
-        ASSERT_TRUE(waitUntil([&] { return document().isOpen() && !document().isReading(); }));
+        ASSERT_TRUE(waitUntil([&] { return !document().isReading(); }));
+        ASSERT_TRUE(document().isOpen()) << (document().messages().empty()
+                                                 ? ""
+                                                 : document().messages().front().diagnostic.message);
         ASSERT_TRUE(waitUntil([&] { return !document().facts().parameters.empty(); }));
     }
     /// Clicks a button of the toolbar, as a user does.
@@ -198,7 +203,7 @@ TEST_F(Window, ShowsWhyAStudyCannotBeRead) {
 }
 
 TEST_F(Window, DrawsTheDiagramAndListsParametersAndChannels) {
-    open(makeStudy("plain", 0));
+    ASSERT_NO_FATAL_FAILURE(open(makeStudy("plain", 0)));
     auto* scene = panel<DiagramScene>();
     for (const char* name : {"power", "T", "heater", "body", "mount", "ambient", "sensor"})
         EXPECT_TRUE(scene->block(name)) << name;
@@ -224,7 +229,7 @@ TEST_F(Window, DrawsTheDiagramAndListsParametersAndChannels) {
 }
 
 TEST_F(Window, FollowsTheBlockThatIsClicked) {
-    open(makeStudy("plain", 0));
+    ASSERT_NO_FATAL_FAILURE(open(makeStudy("plain", 0)));
     auto* scene = panel<DiagramScene>();
     auto* view = panel<DiagramView>();
     QTest::qWait(50);
@@ -240,7 +245,7 @@ TEST_F(Window, FollowsTheBlockThatIsClicked) {
 }
 
 TEST_F(Window, ZoomsAboutThePointerAndFitsAgainWithSpace) {
-    open(makeStudy("plain", 0));
+    ASSERT_NO_FATAL_FAILURE(open(makeStudy("plain", 0)));
     auto* view = panel<DiagramView>();
     QTest::qWait(50);
     const double fitted = view->zoom();
@@ -257,7 +262,7 @@ TEST_F(Window, ZoomsAboutThePointerAndFitsAgainWithSpace) {
 }
 
 TEST_F(Window, EditsOfParametersAreEditsOfTheTextAndCanBeUndone) {
-    open(makeStudy("plain", 0));
+    ASSERT_NO_FATAL_FAILURE(open(makeStudy("plain", 0)));
     const QString original = document().modelText();
     QTableView* table = panel<ParameterPanel>()->table();
     ParameterModel* parameters = panel<ParameterPanel>()->model();
@@ -292,7 +297,7 @@ TEST_F(Window, EditsOfParametersAreEditsOfTheTextAndCanBeUndone) {
 }
 
 TEST_F(Window, FitsFromTheToolbarAndShowsErrorsAndStandardErrors) {
-    open(makeStudy("plain", 0));
+    ASSERT_NO_FATAL_FAILURE(open(makeStudy("plain", 0)));
     ASSERT_TRUE(waitUntil([&] { return document().before() != nullptr; }));
     const double errorBefore = document().before()->experiments.front().errorPercent;
     run("fit");
@@ -312,7 +317,7 @@ TEST_F(Window, FitsFromTheToolbarAndShowsErrorsAndStandardErrors) {
 }
 
 TEST_F(Window, FindsTheMissingEffectAndShowsItOnTheDiagram) {
-    open(makeStudy("radiating", 3e-9));
+    ASSERT_NO_FATAL_FAILURE(open(makeStudy("radiating", 3e-9)));
     const QString original = document().modelText();
     run("discover");
     ASSERT_TRUE(document().finding()) << (document().messages().empty()
@@ -343,7 +348,7 @@ TEST_F(Window, FindsTheMissingEffectAndShowsItOnTheDiagram) {
 }
 
 TEST_F(Window, StaysAliveWhileItSearches) {
-    open(makeStudy("radiating", 3e-9));
+    ASSERT_NO_FATAL_FAILURE(open(makeStudy("radiating", 3e-9)));
     qint64 longest = 0;
     QElapsedTimer sinceLast;
     QTimer heartbeat;
@@ -358,7 +363,7 @@ TEST_F(Window, StaysAliveWhileItSearches) {
 }
 
 TEST_F(Window, CancelStopsTheSearchSoonAndKeepsTheStudy) {
-    open(makeStudy("radiating", 3e-9));
+    ASSERT_NO_FATAL_FAILURE(open(makeStudy("radiating", 3e-9)));
     const QString original = document().modelText();
     clickTool("discover");
     ASSERT_TRUE(window.controller().isRunning());
@@ -376,7 +381,7 @@ TEST_F(Window, CancelStopsTheSearchSoonAndKeepsTheStudy) {
 }
 
 TEST_F(Window, DropsTheResultOfAStudyThatWasChangedDuringTheRun) {
-    open(makeStudy("radiating", 3e-9));
+    ASSERT_NO_FATAL_FAILURE(open(makeStudy("radiating", 3e-9)));
     clickTool("discover");
     StudyParameter changed = document().study().parameters.at("mount.G");
     changed.max = 3;
@@ -402,7 +407,7 @@ TEST_F(Window, LeadsFromAMessageToItsPlaceInTheText) {
 
 TEST_F(Window, ShowsEverythingInTheDarkThemeToo) {
     style::apply(*qApp, style::Theme::Dark);
-    open(makeStudy("radiating", 3e-9));
+    ASSERT_NO_FATAL_FAILURE(open(makeStudy("radiating", 3e-9)));
     run("discover");
     adopt();
     grab("discovered-dark");
