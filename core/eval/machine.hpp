@@ -43,10 +43,13 @@ struct Registers {
     std::string failure;
     bool failedToSolve{};
 
-    bool isInterpreted{};                    // machine code is not wanted, or not to be had
-    int runs{};                              // before it was made
-    std::shared_ptr<const SystemCode> code;  // null: not made yet
-    std::array<LineVector, 3> scratch;       // of its functions: derivative, output, step
+    bool isInterpreted{};  // machine code is not wanted, or not to be had
+    struct Code {
+        int runs{};                              // before it was made
+        std::shared_ptr<const SystemCode> made;  // null: not yet
+        std::array<LineVector, 3> scratch;       // of its functions: derivative, output, step
+    };
+    std::array<Code, 2> code;  // by TangentMode
 
     std::shared_ptr<const RecurrenceCode> recurrence;  // with its matrices in the scratch memory
     LineVector recurrenceScratch;

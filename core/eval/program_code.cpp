@@ -176,7 +176,7 @@ void ProgramEmitter::instruction(const Instruction& i, const Program& program) {
     const Entity b = operands > 1 ? value(i.b) : none;
     const Entity c = operands > 2 ? value(i.c) : none;
     const Entity result = valueOf(i, program, a, b, c);
-    if (lanes_ > 0 && i.active[InputsConstant] != 0) tangentsOf(i, a, b, result);
+    if (lanes_ > 0 && i.active[mode_] != 0) tangentsOf(i, a, b, result);
     bind(i.dst, result);
 }
 
@@ -205,8 +205,8 @@ void ProgramEmitter::tangentsOf(const Instruction& i, Entity a, Entity b, Entity
             return code_.emit(Op::MultiplyAdd, width, second, tangent(i.b, c), part);
         });
     };
-    const unsigned active = i.active[InputsConstant];
-    switch (i.kernel[InputsConstant]) {
+    const unsigned active = i.active[mode_];
+    switch (i.kernel[mode_]) {
         case Kernel::Value:
             break;
         case Kernel::AddBoth:
@@ -285,10 +285,9 @@ void ProgramEmitter::settleReads(const Instruction& i, std::vector<Entity>& read
     };
     if (i.opcode == Opcode::SolveLinear) {
         const LinearBlock& linear = s_.tables.linear[i.a];
-        for (std::size_t k = 0; k < linear.matrix.size(); ++k)
-            read(linear.matrix[k], linear.activeOf[k][InputsConstant] != 0);
+        for (std::size_t k = 0; k < linear.matrix.size(); ++k) read(linear.matrix[k], linear.activeOf[k][mode_] != 0);
         for (std::size_t k = 0; k < linear.constant.size(); ++k)
-            read(linear.constant[k], linear.activeOf[linear.matrix.size() + k][InputsConstant] != 0);
+            read(linear.constant[k], linear.activeOf[linear.matrix.size() + k][mode_] != 0);
         return;
     }
     const NonlinearBlock& nonlinear = s_.tables.nonlinear[i.a];
@@ -301,15 +300,14 @@ void ProgramEmitter::settleReads(const Instruction& i, std::vector<Entity>& read
         for (int k = 0; k < registerOperands(inner.opcode); ++k)
             if (!isInner[operands[k]]) {
                 bool& isActive = outer[operands[k]];
-                isActive = isActive || (inner.active[InputsConstant] >> k & 1u) != 0;
+                isActive = isActive || (inner.active[mode_] >> k & 1u) != 0;
             }
     }
     for (const auto* group : {&nonlinear.starts, &nonlinear.residuals, &nonlinear.jacobian})
         for (const std::uint32_t reg : *group)
             if (!isInner[reg]) outer.try_emplace(reg, false);
     for (std::size_t k = 0; k < nonlinear.residuals.size(); ++k)
-        if (nonlinear.activeOf[k][InputsConstant] && !isInner[nonlinear.residuals[k]])
-            outer[nonlinear.residuals[k]] = true;
+        if (nonlinear.activeOf[k][mode_] && !isInner[nonlinear.residuals[k]]) outer[nonlinear.residuals[k]] = true;
     for (const auto& [reg, isActive] : outer) read(reg, isActive);
 }
 
@@ -318,12 +316,11 @@ void ProgramEmitter::block(const Instruction& i) {
     std::vector<Entity> reads;
     settleReads(i, reads);
     auto call = std::make_unique<CompiledProgram::Block>();
-    *call = {&s_.tables, i.a, isLinear, lanes_ > 0 ? static_cast<int>(InputsConstant) : -1};
+    *call = {&s_.tables, i.a, isLinear, lanes_ > 0 ? static_cast<int>(mode_) : -1};
     code_.block(runBlock, call.get(), std::move(reads));
     out_.blocks.push_back(std::move(call));
     const auto& unknowns = isLinear ? s_.tables.linear[i.a].unknowns : s_.tables.nonlinear[i.a].unknowns;
-    const bool isActive =
-        (isLinear ? s_.tables.linear[i.a].active : s_.tables.nonlinear[i.a].active)[InputsConstant] != 0;
+    const bool isActive = (isLinear ? s_.tables.linear[i.a].active : s_.tables.nonlinear[i.a].active)[mode_] != 0;
     // Taken away at once: the next stage of a step solves into the same places.
     for (const std::uint32_t reg : unknowns) {
         const Entity there = code_.add(VectorCode::Space::Values, reg, 1, true);
@@ -337,9 +334,9 @@ void ProgramEmitter::block(const Instruction& i) {
 
 namespace {
 
-bool compileProgram(const SystemPrograms& s, const Program& program, int lanes,
+bool compileProgram(const SystemPrograms& s, const Program& program, int lanes, TangentMode mode,
                     std::initializer_list<const std::vector<ResultRegister>*> results, CompiledProgram& out) {
-    ProgramEmitter emitter(s, lanes, out);
+    ProgramEmitter emitter(s, lanes, out, mode);
     emitter.run(program);
     for (const auto* group : results)
         for (const ResultRegister& result : *group) emitter.storeResult(result);
@@ -372,14 +369,14 @@ bool compileStep(const SystemPrograms& s, int lanes, CompiledProgram& out, StepA
 
 }  // namespace
 
-std::shared_ptr<const SystemCode> compileCode(const SystemPrograms& s, int lanes) {
+std::shared_ptr<const SystemCode> compileCode(const SystemPrograms& s, int lanes, TangentMode mode) {
     if (!VectorCode::isAvailable()) return nullptr;
     auto code = std::make_shared<SystemCode>();
-    if (!compileProgram(s, s.derivative, lanes, {&s.stateDerivatives}, code->derivative) ||
-        !compileProgram(s, s.output, lanes, {&s.outputResults, &s.tapResults}, code->output)) {
+    if (!compileProgram(s, s.derivative, lanes, mode, {&s.stateDerivatives}, code->derivative) ||
+        !compileProgram(s, s.output, lanes, mode, {&s.outputResults, &s.tapResults}, code->output)) {
         return nullptr;
     }
-    if (!compileStep(s, lanes, code->step, code->arguments)) return nullptr;
+    if (mode == InputsConstant && !compileStep(s, lanes, code->step, code->arguments)) return nullptr;
     return code;
 }
 

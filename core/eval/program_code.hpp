@@ -30,14 +30,15 @@ struct StepArguments {
     std::uint32_t slots[3]{};                                        // first of u there
 };
 
-/// The programs of a system as machine code, for one number of lanes (0: values alone) and inputs without tangents.
+/// The programs of a system as machine code, for one number of lanes (0: values alone).
 struct SystemCode {
     CompiledProgram derivative, output;  // as runTangents or runValues of the program, results in their registers
-    CompiledProgram step;                // the classic Runge-Kutta method, from and to the registers of the states
+    /// The classic Runge-Kutta method, from and to the registers of the states; for inputs without tangents alone.
+    CompiledProgram step;
     StepArguments arguments;
 };
 
 /// Null: no machine code here.
-std::shared_ptr<const SystemCode> compileCode(const SystemPrograms& programs, int lanes);
+std::shared_ptr<const SystemCode> compileCode(const SystemPrograms& programs, int lanes, TangentMode mode);
 
 }  // namespace analogon

@@ -14,8 +14,8 @@ public:
     using Op = VectorCode::Operation;
     static constexpr Entity none = VectorCode::none;
 
-    ProgramEmitter(const SystemPrograms& programs, int lanes, CompiledProgram& out)
-        : s_(programs), out_(out), lanes_(static_cast<std::uint32_t>(lanes)) {
+    ProgramEmitter(const SystemPrograms& programs, int lanes, CompiledProgram& out, TangentMode mode = InputsConstant)
+        : s_(programs), out_(out), lanes_(static_cast<std::uint32_t>(lanes)), mode_(mode) {
         const auto widest = static_cast<std::uint32_t>(VectorCode::vectorWidth());
         for (std::uint32_t at = 0; at < lanes_;) {
             const std::uint32_t width = lanes_ - at >= widest ? widest : 4;
@@ -83,7 +83,7 @@ public:
     }
     void storeResult(const ResultRegister& result) {
         code_.store(settle(result.place));
-        for (std::size_t c = 0; c < chunks_.size() && result.active[0]; ++c)
+        for (std::size_t c = 0; c < chunks_.size() && result.active[static_cast<std::size_t>(mode_)]; ++c)
             code_.store(settleTangent(result.place, c));
     }
 
@@ -145,6 +145,7 @@ private:
     const SystemPrograms& s_;
     CompiledProgram& out_;
     std::uint32_t lanes_{};
+    TangentMode mode_{};
     std::vector<Chunk> chunks_;
     VectorCode code_;
     std::vector<Entity> values_, tangents_, zeros_;

@@ -40,12 +40,12 @@ struct System::Impl {
     std::shared_ptr<const void> identity = std::make_shared<char>();
 
     mutable std::mutex codeMutex;
-    mutable std::map<int, std::shared_ptr<const SystemCode>> codes;  // by lanes; null: not to be had
+    mutable std::map<std::pair<int, TangentMode>, std::shared_ptr<const SystemCode>> codes;  // null: not to be had
 
-    std::shared_ptr<const SystemCode> codeFor(int lanes) const {
+    std::shared_ptr<const SystemCode> codeFor(int lanes, TangentMode mode) const {
         const std::lock_guard lock(codeMutex);
-        const auto [at, isNew] = codes.try_emplace(lanes);
-        if (isNew) at->second = compileCode(programs, lanes);
+        const auto [at, isNew] = codes.try_emplace({lanes, mode});
+        if (isNew) at->second = compileCode(programs, lanes, mode);
         return at->second;
     }
 
@@ -68,16 +68,17 @@ struct System::Impl {
     }
 
     /// Gives the registers machine code; false where there is none.
-    bool equip(Registers& r) const {
-        if (r.code) return true;
+    bool equip(Registers& r, TangentMode mode = InputsConstant) const {
+        Registers::Code& code = r.code[mode];
+        if (code.made) return true;
         if (r.isInterpreted) return false;
-        r.code = codeFor(r.lanes);
-        r.isInterpreted = !r.code;
-        if (!r.code) return false;
-        const CompiledProgram* const functions[] = {&r.code->derivative, &r.code->output, &r.code->step};
-        for (std::size_t f = 0; f < r.scratch.size(); ++f) {
-            r.scratch[f].assign(functions[f]->scratchSize, 0.0);
-            for (const auto& [offset, value] : functions[f]->constants) r.scratch[f][offset] = value;
+        code.made = codeFor(r.lanes, mode);
+        r.isInterpreted = !code.made;
+        if (!code.made) return false;
+        const CompiledProgram* const functions[] = {&code.made->derivative, &code.made->output, &code.made->step};
+        for (std::size_t f = 0; f < code.scratch.size(); ++f) {
+            code.scratch[f].assign(functions[f]->scratchSize, 0.0);
+            for (const auto& [offset, value] : functions[f]->constants) code.scratch[f][offset] = value;
         }
         return true;
     }
@@ -277,10 +278,12 @@ struct Evaluation {
     bool run(const Impl& impl, const Program& program, const CompiledProgram SystemCode::*function,
              std::size_t number) {
         constexpr int runsBefore = 100;
-        const bool fits = hasTangents ? mode == InputsConstant : r.directions == 0;
-        isByCode = fits && !r.isInterpreted && (r.code || (++r.runs > runsBefore && impl.equip(r)));
+        Registers::Code& code = r.code[mode];
+        const bool fits = hasTangents || r.directions == 0;
+        isByCode = fits && !r.isInterpreted && (code.made || (++code.runs > runsBefore && impl.equip(r, mode)));
         if (!isByCode) return run(program);
-        return (*((*r.code).*function).function)(r.values.data(), r.tangents.data(), r.scratch[number].data(), &r);
+        return (*((*code.made).*function).function)(r.values.data(), r.tangents.data(), code.scratch[number].data(),
+                                                    &r);
     }
     bool store(const Program& program, const std::vector<ResultRegister>& results,
                const std::vector<SignalInfo>& signals, std::span<double> values, std::span<double> tangents) {
@@ -373,8 +376,9 @@ bool System::step(Workspace& w, double t, double h, const double* uBegin, const 
                   const double* uEnd) const {
     const SystemPrograms& s = impl_->programs;
     Registers& r = w.data_->registers;
-    const StepArguments& to = r.code->arguments;
-    double* const scratch = r.scratch[2].data();
+    Registers::Code& code = r.code[InputsConstant];
+    const StepArguments& to = code.made->arguments;
+    double* const scratch = code.scratch[2].data();
     scratch[to.fullStep] = h;
     scratch[to.halfStep] = 0.5 * h;
     scratch[to.thirdStep] = h / 3;
@@ -385,7 +389,7 @@ bool System::step(Workspace& w, double t, double h, const double* uBegin, const 
         scratch[to.time[p]] = times[p];
         std::copy_n(slots[p], s.layout.slots, scratch + to.slots[p]);
     }
-    return (*r.code->step.function)(r.values.data(), r.tangents.data(), scratch, &r);
+    return (*code.made->step.function)(r.values.data(), r.tangents.data(), scratch, &r);
 }
 
 namespace {
@@ -542,7 +546,8 @@ bool System::outputsOfState(Workspace& w, double t, const double* u, double* y, 
     Registers& r = w.data_->registers;
     r.values[s.timeRegister] = t;
     std::copy_n(u, s.layout.slots, r.values.begin() + s.firstSlot);
-    if (!(*r.code->output.function)(r.values.data(), r.tangents.data(), r.scratch[1].data(), &r)) return false;
+    Registers::Code& code = r.code[InputsConstant];
+    if (!(*code.made->output.function)(r.values.data(), r.tangents.data(), code.scratch[1].data(), &r)) return false;
     const std::size_t count = s.outputResults.size();
     return storeValues(r, s.outputResults, {y, count}) &&
            (!dy ||

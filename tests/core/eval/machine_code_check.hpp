@@ -50,6 +50,7 @@ public:
         expectClose(byCode.dxdot, reference.dxdot, "tangent of a derivative");
         outputs();
         step();
+        inputsThatVary();
     }
 
 private:
@@ -62,6 +63,24 @@ private:
         Rates r{false, std::vector<double>(n_), std::vector<double>(n_ * K_)};
         r.ok = K_ > 0 ? s_.derivatives(w, t_, x, dx, u, {}, r.xdot, r.dxdot) : s_.derivatives(w, t_, x, u, r.xdot);
         return r;
+    }
+
+    /// Slots that depend on the parameters (a delay is fitted): code of its own, made once it pays.
+    void inputsThatVary() {
+        if (K_ == 0 || u_.empty()) return;
+        std::vector<double> du;
+        for (std::size_t i = 0; i < u_.size() * K_; ++i) du.push_back(std::sin(0.4 + 1.7 * static_cast<double>(i)));
+        const auto m = static_cast<std::size_t>(s_.outputCount());
+        const auto evaluate = [&](Workspace& w, Rates& r, std::vector<double>& y, std::vector<double>& dy) {
+            return s_.derivatives(w, t_, x_, dx_, u_, du, r.xdot, r.dxdot) && s_.outputs(w, t_, x_, dx_, u_, du, y, dy);
+        };
+        Rates byCode{false, std::vector<double>(n_), std::vector<double>(n_ * K_)}, reference = byCode;
+        std::vector<double> y(m), dy(m * K_), yCode(m), dyCode(m * K_);
+        ASSERT_TRUE(evaluate(interpreted_, reference, y, dy));
+        for (int i = 0; i < 200; ++i) ASSERT_TRUE(evaluate(code_, byCode, yCode, dyCode));
+        expectClose(byCode.dxdot, reference.dxdot, "tangent of a derivative, inputs varying");
+        expectClose(yCode, y, "output, inputs varying");
+        expectClose(dyCode, dy, "tangent of an output, inputs varying");
     }
 
     void outputs() {
