@@ -36,7 +36,7 @@ Esdirk::Esdirk(Dynamics& dynamics, InputSlots& slots, const SimulationOptions& o
     n_ = shape.states;
     K_ = shape.directions;
     // Far below the discretisation error: a misfit must be smooth in the parameters.
-    tolerance_ = std::min(1e-10, 1e-3 * options.relativeTolerance);
+    tolerance_ = std::clamp(1e-4 * options.relativeTolerance, 1e-13, 1e-8);
     factors_.resize(n_);
     const auto n = static_cast<std::size_t>(n_), K = static_cast<std::size_t>(K_);
     u_.resize(static_cast<std::size_t>(shape.slots));
@@ -99,8 +99,11 @@ bool Esdirk::attempt(int interval, double t, double h, const double* x, const do
             const double* slope = slopes_.data() + static_cast<std::size_t>(j) * n;
             for (std::size_t i = 0; i < n; ++i) base_[i] += factor * slope[i];
         }
-        const double* previous = slopes_.data() + static_cast<std::size_t>(s - 1) * n;
-        for (std::size_t i = 0; i < n; ++i) stage_[i] = base_[i] + hg * previous[i];
+        // from the line through the slopes of the last two stages
+        const double* last = slopes_.data() + static_cast<std::size_t>(s - 1) * n;
+        const double* before = s > 1 ? last - n : last;
+        const double reach = s > 1 ? (table.c[s] - table.c[s - 1]) / (table.c[s - 1] - table.c[s - 2]) : 0.0;
+        for (std::size_t i = 0; i < n; ++i) stage_[i] = base_[i] + hg * (last[i] + reach * (last[i] - before[i]));
         if (!solveStage(time, hg)) return false;
         double* slope = slopes_.data() + static_cast<std::size_t>(s) * n;
         for (std::size_t i = 0; i < n; ++i) slope[i] = (stage_[i] - base_[i]) / hg;
@@ -139,8 +142,8 @@ bool Esdirk::stageTangents(int stage, double t, double hg) {
 
 bool Esdirk::factorise(const double* jacobian, int stride, double hg) {
     double* m = factors_.matrix();
-    for (int i = 0; i < n_; ++i) {
-        for (int j = 0; j < n_; ++j) m[i * n_ + j] = (i == j ? 1.0 : 0.0) - hg * jacobian[i * stride + j];
+    for (int j = 0; j < n_; ++j) {
+        for (int i = 0; i < n_; ++i) m[j * n_ + i] = (i == j ? 1.0 : 0.0) - hg * jacobian[i * stride + j];
     }
     hasFactors_ = factors_.factorise();
     factorsFor_ = hg;
@@ -151,8 +154,9 @@ bool Esdirk::factorise(const double* jacobian, int stride, double hg) {
 double Esdirk::scaledNorm(const double* v) const {
     double norm = 0.0;
     for (std::size_t i = 0; i < scale_.size(); ++i) {
-        const double size = std::abs(v[i]) / std::max(scale_[i], std::abs(stage_[i]));
-        if (!(size <= norm)) norm = size;  // a NaN stays
+        const double size = std::abs(v[i]), whole = std::max(scale_[i], std::abs(stage_[i]));
+        if (!std::isfinite(size)) return size;
+        if (size > norm * whole) norm = size / whole;
     }
     return norm;
 }
