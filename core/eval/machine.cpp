@@ -136,7 +136,7 @@ template <int L>
                 if (i.opcode == Opcode::SolveLinear) {
                     if (!solveLinear(tables.linear[i.a], registers, mode)) return false;
                 } else if (i.opcode == Opcode::SolveNonlinear) {
-                    if (!solveNonlinear(tables.nonlinear[i.a], tables, registers, mode)) return false;
+                    if (!solveNonlinear(i.a, tables, registers, mode)) return false;
                 } else {
                     v[i.dst] = valueOf(i, v, tables, constants);
                 }
@@ -300,7 +300,7 @@ bool values(const std::vector<Instruction>& code, const std::vector<double>& con
         if (i.opcode == Opcode::SolveLinear) {
             if (!solveLinear(tables.linear[i.a], registers, -1)) return false;
         } else if (i.opcode == Opcode::SolveNonlinear) {
-            if (!solveNonlinear(tables.nonlinear[i.a], tables, registers, -1)) return false;
+            if (!solveNonlinear(i.a, tables, registers, -1)) return false;
         } else {
             v[i.dst] = valueOf(i, v, tables, constants.data());
         }

@@ -48,6 +48,10 @@ struct Registers {
         int runs{};                              // before it was made
         std::shared_ptr<const SystemCode> made;  // null: not yet
         std::array<LineVector, 3> scratch;       // of its functions: derivative, output, step
+        struct Body {
+            LineVector values, tangents;
+        };
+        std::vector<Body> bodies;  // scratch of the bodies of the nonlinear blocks
     };
     std::array<Code, 2> code;  // by TangentMode
 
@@ -72,7 +76,7 @@ void runBodyTangents(const std::vector<Instruction>& code, const ProgramTables& 
 
 // The blocks (solvers.cpp). With tangents when `mode` >= 0.
 bool solveLinear(const LinearBlock& block, Registers& registers, int mode);
-bool solveNonlinear(const NonlinearBlock& block, const ProgramTables& tables, Registers& registers, int mode);
+bool solveNonlinear(std::size_t number, const ProgramTables& tables, Registers& registers, int mode);
 
 /// LU factors with scaled partial pivoting, row-major in place (Golub & Van Loan, section 3.4). False when
 /// singular to working precision.

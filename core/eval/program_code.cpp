@@ -27,9 +27,8 @@ constexpr Entity none = VectorCode::none;
 
 bool runBlock(Registers* registers, const void* data) {
     const auto& block = *static_cast<const CompiledProgram::Block*>(data);
-    return block.isLinear
-               ? solveLinear(block.tables->linear[block.number], *registers, block.mode)
-               : solveNonlinear(block.tables->nonlinear[block.number], *block.tables, *registers, block.mode);
+    return block.isLinear ? solveLinear(block.tables->linear[block.number], *registers, block.mode)
+                          : solveNonlinear(block.number, *block.tables, *registers, block.mode);
 }
 
 // Values and slopes as the interpreter has them (machine.cpp).
@@ -343,6 +342,13 @@ bool compileProgram(const SystemPrograms& s, const Program& program, int lanes, 
     return emitter.finish();
 }
 
+bool compileBody(const SystemPrograms& s, const NonlinearBlock& block, int lanes, TangentMode mode,
+                 CompiledProgram& out) {
+    ProgramEmitter emitter(s, lanes, out, mode);
+    emitter.runBody(block);
+    return emitter.finish();
+}
+
 /// One step as a function of its own, the arguments in the scratch memory.
 bool compileStep(const SystemPrograms& s, int lanes, CompiledProgram& out, StepArguments& arguments) {
     ProgramEmitter emitter(s, lanes, out);
@@ -376,6 +382,12 @@ std::shared_ptr<const SystemCode> compileCode(const SystemPrograms& s, int lanes
         !compileProgram(s, s.output, lanes, mode, {&s.outputResults, &s.tapResults}, code->output)) {
         return nullptr;
     }
+    code->tables = &s.tables;
+    code->bodies.resize(s.tables.nonlinear.size());
+    for (std::size_t i = 0; i < code->bodies.size(); ++i)
+        if (!compileBody(s, s.tables.nonlinear[i], 0, mode, code->bodies[i].values) ||
+            !compileBody(s, s.tables.nonlinear[i], lanes, mode, code->bodies[i].tangents))
+            return nullptr;
     if (mode == InputsConstant && !compileStep(s, lanes, code->step, code->arguments)) return nullptr;
     return code;
 }

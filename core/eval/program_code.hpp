@@ -36,6 +36,13 @@ struct SystemCode {
     /// The classic Runge-Kutta method, from and to the registers of the states; for inputs without tangents alone.
     CompiledProgram step;
     StepArguments arguments;
+
+    /// What Newton's method evaluates in a nonlinear block, by its number in the tables of the programs.
+    struct Body {
+        CompiledProgram values, tangents;
+    };
+    std::vector<Body> bodies;
+    const ProgramTables* tables{};
 };
 
 /// Null: no machine code here.

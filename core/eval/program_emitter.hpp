@@ -106,6 +106,15 @@ public:
         }
     }
 
+    /// The body of a nonlinear block: everything it computes goes to its register.
+    void runBody(const NonlinearBlock& block) {
+        static const Program noConstants;
+        for (const Instruction& i : block.body) instruction(i, noConstants);
+        for (const Instruction& i : block.body) code_.store(settle(i.dst));
+        for (std::size_t i = 0; i < block.residuals.size(); ++i)
+            if (block.activeOf[i][mode_]) storeResult({block.residuals[i], {1, 1}});
+    }
+
     bool finish() {
         out_.scratchSize = code_.scratchSize() + 8;
         out_.function = MachineFunction::translate(code_);

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "core/eval/machine.hpp"
+#include "core/eval/program_code.hpp"
 
 namespace analogon {
 
@@ -88,16 +89,48 @@ double* tangentsAt(Registers& r, std::uint32_t reg) {
     return r.tangents.data() + static_cast<std::size_t>(reg) * static_cast<std::size_t>(r.lanes);
 }
 
+/// What a block computes from its unknowns: by machine code where the workspace has it.
+class Body {
+public:
+    Body(std::size_t number, const ProgramTables& tables, Registers& registers, int mode)
+        : block_(tables.nonlinear[number]), tables_(tables), r_(registers), mode_(static_cast<TangentMode>(mode)) {
+        Registers::Code& code = r_.code[mode < 0 ? InputsConstant : mode_];
+        if (!code.made || code.made->tables != &tables) return;
+        functions_ = &code.made->bodies[number];
+        scratch_ = &code.bodies[number];
+    }
+    void values() {
+        if (functions_)
+            (*functions_->values.function)(r_.values.data(), r_.tangents.data(), scratch_->values.data(), &r_);
+        else
+            runBodyValues(block_.body, tables_, r_);
+    }
+    void tangents() {
+        if (functions_)
+            (*functions_->tangents.function)(r_.values.data(), r_.tangents.data(), scratch_->tangents.data(), &r_);
+        else
+            runBodyTangents(block_.body, tables_, r_, mode_);
+    }
+
+private:
+    const NonlinearBlock& block_;
+    const ProgramTables& tables_;
+    Registers& r_;
+    TangentMode mode_;
+    const SystemCode::Body* functions_{};
+    Registers::Code::Body* scratch_{};
+};
+
 /// Newton's method for one block (Deuflhard 2004, section 3: damping by halving), with the row scaling of its
 /// first Jacobian.
 class NewtonIteration {
 public:
-    NewtonIteration(const NonlinearBlock& block, const ProgramTables& tables, Registers& registers)
-        : block_(block), tables_(tables), r_(registers), n_(block.unknowns.size()) {
+    NewtonIteration(const NonlinearBlock& block, Body& body, Registers& registers)
+        : block_(block), body_(body), r_(registers), n_(block.unknowns.size()) {
         reserveScratch(r_, n_);
     }
 
-    bool from(std::span<const double> start);
+    bool from(std::span<const double> start) { return n_ == 1 ? fromOne(start[0]) : fromMany(start); }
     /// A single unknown: looks for a change of sign around the start and closes in on it.
     bool byBracket(double start);
     /// Factors the Jacobian at the solution.
@@ -108,9 +141,11 @@ public:
     }
 
 private:
+    bool fromOne(double start);
+    bool fromMany(std::span<const double> start);
     double& unknown(std::size_t i) { return r_.values[block_.unknowns[i]]; }
     double residual(std::size_t i) const { return r_.values[block_.residuals[i]]; }
-    void evaluate() { runBodyValues(block_.body, tables_, r_); }
+    void evaluate() { body_.values(); }
     void loadJacobian() {
         for (std::size_t i = 0; i < n_ * n_; ++i) r_.matrix[i] = r_.values[block_.jacobian[i]];
     }
@@ -123,7 +158,7 @@ private:
     }
 
     const NonlinearBlock& block_;
-    const ProgramTables& tables_;
+    Body& body_;
     Registers& r_;
     std::size_t n_;
 };
@@ -146,14 +181,46 @@ double NewtonIteration::norm() const {
     return std::sqrt(sum);
 }
 
-bool NewtonIteration::from(std::span<const double> start) {
-    constexpr int mostSteps = 60, mostHalvings = 30;
-    constexpr double converged = 1e-11, good = 1e-7;
+constexpr int mostSteps = 60, mostHalvings = 30;
+constexpr double converged = 1e-11, good = 1e-7;
+
+/// Whether a full step reaches the solution: it is small, or the one before it was so much larger that the error it
+/// leaves, which falls quadratically, is.
+bool reaches(double step, double before) {
+    return step <= converged || (step <= 1e-3 * before && step * step * step <= 0.1 * converged * before * before);
+}
+
+/// One unknown: no matrix, and the residual is measured as it is.
+bool NewtonIteration::fromOne(double start) {
+    double z = start, value = valueAt(z), before = 0;
+    for (int step = 0; step < mostSteps; ++step) {
+        if (value == 0) return true;
+        const double change = value / r_.values[block_.jacobian[0]];
+        const double relative = std::fabs(change) / (std::fabs(z) + block_.nominal[0]);
+        if (!std::isfinite(relative)) return false;
+        double fraction = 1, reached = value;
+        for (int halving = 0; halving < mostHalvings; ++halving, fraction /= 2) {
+            reached = valueAt(z - fraction * change);
+            if (halving == 0 && reaches(relative, before) && std::isfinite(reached)) return true;
+            if (std::fabs(reached) < std::fabs(value)) break;
+        }
+        if (!(std::fabs(reached) < std::fabs(value))) {
+            valueAt(z);
+            return relative <= good;
+        }
+        z -= fraction * change;
+        value = reached;
+        before = fraction == 1 ? relative : 0;
+    }
+    return false;
+}
+
+bool NewtonIteration::fromMany(std::span<const double> start) {
     for (std::size_t i = 0; i < n_; ++i) unknown(i) = start[i];
     evaluate();
     loadJacobian();
     setRowScale();
-    double size = norm();
+    double size = norm(), before = 0;
     for (int step = 0; step < mostSteps; ++step) {
         if (size == 0) return true;
         if (!std::isfinite(size)) return false;
@@ -171,8 +238,8 @@ bool NewtonIteration::from(std::span<const double> start) {
             for (std::size_t i = 0; i < n_; ++i) unknown(i) = r_.trial[i] - fraction * r_.vector[i];
             evaluate();
             reached = norm();
-            // A step this small is decided by rounding: take it as it is.
-            if (relative <= converged && std::isfinite(reached)) return true;
+            // What it leaves is decided by rounding: take it as it is.
+            if (halving == 0 && reaches(relative, before) && std::isfinite(reached)) return true;
             if (reached < size) break;
         }
         if (!(reached < size)) {
@@ -180,6 +247,7 @@ bool NewtonIteration::from(std::span<const double> start) {
             return relative <= good;
         }
         size = reached;
+        before = fraction == 1 ? relative : 0;
         loadJacobian();
     }
     return false;
@@ -265,9 +333,11 @@ bool solveLinear(const LinearBlock& block, Registers& r, int mode) {
     return true;
 }
 
-bool solveNonlinear(const NonlinearBlock& block, const ProgramTables& tables, Registers& r, int mode) {
+bool solveNonlinear(std::size_t number, const ProgramTables& tables, Registers& r, int mode) {
+    const NonlinearBlock& block = tables.nonlinear[number];
     const auto n = block.unknowns.size();
-    NewtonIteration newton(block, tables, r);
+    Body body(number, tables, r, mode);
+    NewtonIteration newton(block, body, r);
     if (!iterate(block, newton, r)) {
         fail(r, block.names.front());
         return false;
@@ -280,7 +350,7 @@ bool solveNonlinear(const NonlinearBlock& block, const ProgramTables& tables, Re
 
     // Implicit function theorem: J dz = -(partial derivatives of the residuals along the directions).
     const bool isRegular = newton.factoriseHere();
-    runBodyTangents(block.body, tables, r, static_cast<TangentMode>(mode));
+    body.tangents();
     const auto m = static_cast<std::size_t>(mode);
     const auto lanes = static_cast<std::size_t>(r.lanes);
     bool anyMoves = false;

@@ -26,6 +26,16 @@ Workspace::Workspace(Workspace&&) noexcept = default;
 Workspace& Workspace::operator=(Workspace&&) noexcept = default;
 Workspace::~Workspace() = default;
 
+namespace {
+
+/// The scratch memory of a function as it expects it.
+void prepare(LineVector& scratch, const CompiledProgram& program) {
+    scratch.assign(program.scratchSize, 0.0);
+    for (const auto& [offset, value] : program.constants) scratch[offset] = value;
+}
+
+}  // namespace
+
 /// The programs of a system, and the observation program that is made when somebody asks for it.
 struct System::Impl {
     SystemPrograms programs;
@@ -76,9 +86,11 @@ struct System::Impl {
         r.isInterpreted = !code.made;
         if (!code.made) return false;
         const CompiledProgram* const functions[] = {&code.made->derivative, &code.made->output, &code.made->step};
-        for (std::size_t f = 0; f < code.scratch.size(); ++f) {
-            code.scratch[f].assign(functions[f]->scratchSize, 0.0);
-            for (const auto& [offset, value] : functions[f]->constants) code.scratch[f][offset] = value;
+        for (std::size_t f = 0; f < code.scratch.size(); ++f) prepare(code.scratch[f], *functions[f]);
+        code.bodies.resize(code.made->bodies.size());
+        for (std::size_t i = 0; i < code.bodies.size(); ++i) {
+            prepare(code.bodies[i].values, code.made->bodies[i].values);
+            prepare(code.bodies[i].tangents, code.made->bodies[i].tangents);
         }
         return true;
     }
@@ -441,12 +453,6 @@ bool probe(const System& system, Workspace& w, LinearRates& rates) {
 }  // namespace
 
 namespace {
-
-/// The scratch memory of a function as it expects it.
-void prepare(LineVector& scratch, const CompiledProgram& program) {
-    scratch.assign(program.scratchSize, 0.0);
-    for (const auto& [offset, value] : program.constants) scratch[offset] = value;
-}
 
 /// The matrices of exact steps at the parameters in force; nothing: the system is not of that kind.
 std::optional<LinearRecurrence> exactSteps(const System& system, Workspace& w, double h) {
