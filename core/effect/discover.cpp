@@ -27,6 +27,7 @@ constexpr double indistinctShare = 0.03;   // of a large residual
 constexpr double nearlyAsMuch = 0.6;       // of the fall in the sum of squares
 constexpr double falseAlarmQuantile = 0.99;
 constexpr double rivalShare = 0.3;  // of the winner's evidence, from which on a weaker candidate is looked at again
+constexpr double mostWork = 3e7;    // in steps of the trials, beyond which no other beginning is tried
 constexpr std::size_t mostRivals = 5, mostAlternatives = 6, otherPaths = 2;
 constexpr double integrationShare = 2e-3, coarsestTolerance = 3e-5;  // of the noise, and of a channel's range at most
 constexpr double structuredResidual = 1.1;                           // in units of the noise: something is left to find
@@ -103,6 +104,11 @@ double pValue(double explained, int dof, std::size_t tried) {
 
 bool isProposal(const Trial& trial) { return !trial.screened.candidate.effect.proposal.empty(); }
 
+bool hasProposal(const NullModel& null) {
+    return std::any_of(null.variant.effects.begin(), null.variant.effects.end(),
+                       [](const PlacedEffect& e) { return !e.effect.proposal.empty(); });
+}
+
 /// What a fit leaves, in units of the noise.
 double levelOf(const FitResult& fit) {
     return std::sqrt(fit.optimum.residuals.squaredNorm() / static_cast<double>(fit.optimum.residuals.size()));
@@ -144,7 +150,7 @@ bool isAtBound(const Trial& trial) {
 }
 
 /// Whether a new effect and an old one grow against each other: two that cancel explain what neither does.
-bool fightsAnother(const NullModel& null, const Trial& trial) {
+bool fightsAnother(const NullModel& null, const FitResult& with) {
     const auto valueOf = [](const FitResult& fit, const std::string& name) {
         for (const FitEstimate& e : fit.estimates)
             if (e.name == name) return std::abs(e.value);
@@ -152,7 +158,7 @@ bool fightsAnother(const NullModel& null, const Trial& trial) {
     };
     return std::any_of(null.variant.effects.begin(), null.variant.effects.end(), [&](const PlacedEffect& e) {
         const std::string& strength = e.freed.front().name;
-        return valueOf(trial.fit, strength) > mostGrowth * valueOf(null.fit, strength);
+        return valueOf(with, strength) > mostGrowth * valueOf(null.fit, strength);
     });
 }
 
@@ -172,6 +178,13 @@ bool beatsNames(const NullModel& null, const std::vector<Trial>& trials, std::si
     const double named = null.sumOfSquares() - leastLeft,
                  proposed = null.sumOfSquares() - trials[proposal].sumOfSquares();
     return levelOf(trials[proposal].fit) <= largeResidual || named < nearlyAsMuch * proposed;
+}
+
+/// What a fit took, in steps of the explicit method.
+double workOf(const FitResult& fit) {
+    double steps = 0;
+    for (const Trajectory& t : fit.optimum.trajectories) steps += t.plan.work() * static_cast<double>(t.outputs.cols());
+    return steps * fit.simulations;
 }
 
 double excess(const NullModel& null) {
@@ -285,6 +298,7 @@ private:
         double pValue{};
         std::vector<Alternative> alternatives;
         std::vector<Candidate> rivals;  // what else explained a good part of the same
+        int order{};                    // of all choices
         double errorWithout{-1};        // [%] of the fitted data when this effect alone is left out; -1: not known
     };
 
@@ -303,10 +317,16 @@ private:
         std::set<std::size_t> failsHeldOut;
         Acceptance acceptance;
     };
+    /// A named effect that was not needed any more beside a proposed equation.
+    struct Displaced {
+        PlacedEffect effect;
+        Step step;
+    };
     /// Effects added one after the other, and the model they lead to.
     struct Path {
         NullModel null;
         std::vector<Step> steps;
+        std::vector<Displaced> displaced;
         std::vector<CandidateResult> candidates;
         std::optional<ModelState> state;  // after the last effect: at hand when the search is interrupted
     };
@@ -314,7 +334,7 @@ private:
     Round tryAll(const NullModel& null);
     void decide(const NullModel& null, Round& round) const;
     void preferSimple(const NullModel& null, Round& round) const;
-    static Step stepOf(const Round& round);
+    Step stepOf(const Round& round);
     void noteAll(const Round& round);
     Outcome<Done> goOn(Path& path, Round first);
     std::vector<std::size_t> otherBeginnings(const NullModel& null, const Round& round) const;
@@ -325,6 +345,8 @@ private:
     std::optional<NullModel> refittedWith(const NullModel& null, const std::vector<PlacedEffect>& effects);
     bool reconsider(NullModel& null);
     std::vector<Remainder> takeOutProposals(NullModel& null);
+    void setAsideBehindProposal(NullModel& null);
+    void bringBackDisplaced(NullModel& null);
     bool replace(NullModel& null, std::size_t effect);
     void removeUnneeded(NullModel& null, std::size_t least);
     void treatAlike(NullModel& null);
@@ -345,8 +367,10 @@ private:
     std::vector<EffectClass> catalogue_;
     std::vector<CandidateResult> candidates_;
     std::vector<Step> steps_;
+    std::vector<Displaced> displaced_;
     std::optional<Change> change_;  // in mid run, that explains better than any effect
-    int round_{};
+    int round_{}, choices_{};
+    double work_{};  // of the trials so far
     double bestError_{-1};
 };
 
@@ -376,6 +400,7 @@ std::vector<Trial> Search::tryThese(const NullModel& null, const std::vector<con
             static_cast<double>(i) / static_cast<double>(chosen.size()));
         trials[static_cast<std::size_t>(i)] = refit(null, s, quick, starts, progress_);
     });
+    for (const Trial& t : trials) work_ += workOf(t.fit);
     return trials;
 }
 
@@ -500,7 +525,7 @@ void Search::decide(const NullModel& null, Round& round) const {
             if (ofProposal.accepted()) proposal = i;
             continue;
         }
-        if (isAtBound(trials[i]) || fightsAnother(null, trials[i])) continue;
+        if (isAtBound(trials[i]) || fightsAnother(null, trials[i].fit)) continue;
         round.acceptance = examine(null, trials[i].fit, trials[i].freed(), round.threshold);
         if (round.acceptance.accepted())
             round.chosen = i;
@@ -526,7 +551,8 @@ void Search::preferSimple(const NullModel& null, Round& round) const {
     round.members = equivalents(null, trials, *round.chosen);
     std::vector<std::size_t> simpler;
     for (std::size_t i = 0; i < trials.size(); ++i) {
-        if (!trials[i].ok || isProposal(trials[i]) || isAtBound(trials[i]) || fightsAnother(null, trials[i])) continue;
+        if (!trials[i].ok || isProposal(trials[i]) || isAtBound(trials[i]) || fightsAnother(null, trials[i].fit))
+            continue;
         const bool isSimpler = trials[i].freed() < best.freed();
         const bool isLikelier =
             leavesMuch && trials[i].freed() == best.freed() &&
@@ -559,6 +585,7 @@ Search::Step Search::stepOf(const Round& round) {
         return Alternative{c.effect.kind, c.place.at, -trials[i].evidence, isEquivalent};
     };
     Step s;
+    s.order = ++choices_;
     s.winner = trials[chosen];
     s.acceptance = round.acceptance;
     s.pValue = pValue(round.acceptance.explained, trials[chosen].freed(), round.screened.size());
@@ -612,6 +639,7 @@ void Search::noteAll(const Round& round) {
 /// Adds one effect a round until nothing passes its tests. The first round is given.
 Outcome<Done> Search::goOn(Path& path, Round first) {
     std::swap(steps_, path.steps);
+    std::swap(displaced_, path.displaced);
     std::swap(candidates_, path.candidates);
     Outcome<Done> done = Done{};
     for (round_ = 1; round_ <= options_.maxRounds && !progress_.stopRequested(); ++round_) {
@@ -641,6 +669,7 @@ Outcome<Done> Search::goOn(Path& path, Round first) {
         }
     }
     std::swap(steps_, path.steps);
+    std::swap(displaced_, path.displaced);
     std::swap(candidates_, path.candidates);
     return done;
 }
@@ -663,7 +692,7 @@ std::vector<std::size_t> Search::otherBeginnings(const NullModel& null, const Ro
 /// next: two effects that hide each other may not show in the order of their size.
 Outcome<Search::Path> Search::bestPath(const NullModel& base) {
     Round first = tryAll(base);
-    Path best{base, {}, {}, {}};
+    Path best{base, {}, {}, {}, {}};
     if (progress_.stopRequested()) return best;
     decide(base, first);
     std::vector<std::size_t> others;
@@ -675,11 +704,12 @@ Outcome<Search::Path> Search::bestPath(const NullModel& base) {
     };
     for (const std::size_t other : others) {
         if (progress_.stopRequested() || levelOf(best.null.fit) < structuredResidual) break;
+        if (work_ > mostWork) break;
         Round round = first;
         round.chosen = other;
         round.members = equivalents(base, round.trials, other);
         round.acceptance = examine(base, round.trials[other].fit, round.trials[other].freed(), round.threshold);
-        Path path{base, {}, {}, {}};
+        Path path{base, {}, {}, {}, {}};
         if (Outcome<Done> done = goOn(path, std::move(round)); !done) continue;
         const double weight = independentShare(path.null, path.null.fit);
         if (weight * (misfit(best) - misfit(path)) > equivalenceMargin) best = std::move(path);
@@ -761,6 +791,7 @@ bool Search::replace(NullModel& null, std::size_t effect) {
     if (!next) return false;
 
     Step step;
+    step.order = ++choices_;
     step.acceptance = examine(*rest, best.fit, best.freed(), 0);
     step.pValue = pValue(step.acceptance.explained, best.freed(), screened.size());
     step.alternatives.push_back(
@@ -778,6 +809,7 @@ bool Search::replace(NullModel& null, std::size_t effect) {
     step.winner = std::move(best);
     setVerdict(old.effect.kind, old.place.at, Verdict::Weaker);
     setVerdict(step.winner.screened.candidate.effect.kind, step.winner.screened.candidate.place.at, Verdict::Chosen);
+    if (hasProposal(*next) && old.effect.proposal.empty()) displaced_.push_back({old, steps_[effect]});
     null = std::move(*next);
     steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(effect));
     steps_.push_back(std::move(step));
@@ -827,7 +859,9 @@ void Search::removeUnneeded(NullModel& null, std::size_t least) {
             ++i;
             continue;
         }
-        setVerdict(null.variant.effects[i].effect.kind, null.variant.effects[i].place.at, Verdict::NotSignificant);
+        const PlacedEffect& unneeded = null.variant.effects[i];
+        setVerdict(unneeded.effect.kind, unneeded.place.at, Verdict::NotSignificant);
+        if (hasProposal(null) && unneeded.effect.proposal.empty()) displaced_.push_back({unneeded, steps_[i]});
         null = std::move(*refitted);
         steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
         i = 0;
@@ -904,6 +938,53 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
     return found;
 }
 
+/// What was chosen beside a proposal may only mend the proposal: it is taken out, to be looked at again without it.
+void Search::setAsideBehindProposal(NullModel& null) {
+    const std::vector<PlacedEffect>& all = null.variant.effects;
+    int first = choices_ + 1;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (!all[i].effect.proposal.empty()) first = std::min(first, steps_[i].order);
+    std::vector<PlacedEffect> kept;
+    std::vector<Step> steps;
+    std::vector<Displaced> aside;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (steps_[i].order <= first || !all[i].effect.proposal.empty()) {
+            kept.push_back(all[i]);
+            steps.push_back(steps_[i]);
+        } else {
+            aside.push_back({all[i], steps_[i]});
+            setVerdict(all[i].effect.kind, all[i].place.at, Verdict::NotSignificant);
+        }
+    }
+    if (aside.empty()) return;
+    std::optional<NullModel> rest = refittedWith(null, kept);
+    if (!rest) return;
+    null = std::move(*rest);
+    steps_ = std::move(steps);
+    displaced_.insert(displaced_.end(), std::make_move_iterator(aside.begin()), std::make_move_iterator(aside.end()));
+}
+
+/// Without the proposals, the named effects that they had made needless: each is kept if it is missed now.
+void Search::bringBackDisplaced(NullModel& null) {
+    for (Displaced& each : displaced_) {
+        if (progress_.stopRequested()) return;
+        say("reconsider", each.effect.effect.kind + " at " + each.effect.place.at, -1);
+        std::vector<PlacedEffect> effects = null.variant.effects;
+        effects.push_back(each.effect);
+        std::optional<NullModel> with = refittedWith(null, effects);
+        if (!with) continue;
+        const Acceptance missed = examine(null, with->fit, static_cast<int>(each.effect.freed.size()), 0);
+        if (!missed.isSignificant || !missed.isWorthwhile || !(missed.heldOut > 0) ||
+            !isDetermined(*with, effects.size() - 1) || fightsAnother(null, with->fit))
+            continue;
+        null = std::move(*with);
+        each.step.acceptance = missed;
+        setVerdict(each.effect.effect.kind, each.effect.place.at, Verdict::Chosen);
+        steps_.push_back(std::move(each.step));
+    }
+    displaced_.clear();
+}
+
 AddedEffect Search::describe(const NullModel& last, const PlacedEffect& placed, const Step& step) const {
     AddedEffect effect;
     effect.kind = placed.effect.kind;
@@ -970,6 +1051,7 @@ Outcome<Finding> Search::run() {
     if (!path) return path.diagnostics();
     null = std::move(path->null);
     steps_ = std::move(path->steps);
+    displaced_ = std::move(path->displaced);
     candidates_ = std::move(path->candidates);
 
     // A parameter that changed in mid run is imitated by many slow effects; none of them is it.
@@ -983,8 +1065,14 @@ Outcome<Finding> Search::run() {
     } else {
         change_.reset();
     }
+    // where a proposal explains all, what it made needless only imitated it
+    const bool leavesMuch = levelOf(null->fit) > largeResidual;
+    if (leavesMuch) setAsideBehindProposal(*null);
     std::vector<Remainder> proposed = takeOutProposals(*null);
-    if (!proposed.empty()) removeUnneeded(*null, 0);  // what was seen only beside a proposal is not kept without it
+    if (!proposed.empty()) {
+        if (leavesMuch) bringBackDisplaced(*null);
+        removeUnneeded(*null, 0);  // what was seen only beside a proposal is not kept without it
+    }
     if (onAll && steps_.empty()) null = *onAll;
     if (!steps_.empty() && !progress_.stopRequested()) {
         // the search was content with less: on every sample, and integrated as exactly as was asked for
