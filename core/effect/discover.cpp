@@ -11,6 +11,7 @@
 #include "core/base/parallel.hpp"
 #include "core/effect/change.hpp"
 #include "core/effect/model_state.hpp"
+#include "core/effect/next_experiment.hpp"
 #include "core/effect/remainder.hpp"
 #include "core/effect/thin.hpp"
 #include "core/effect/trial.hpp"
@@ -36,7 +37,9 @@ constexpr double mostGrowth = 5;  // of an effect's strength when another joins 
 constexpr double changeShare = 0.5, leastChange = 100;
 constexpr long mostSearchedSamples = 10'000;
 constexpr int mostSharpenings = 2;
-constexpr double leastSharpening = 8;  // fall in the sum of squares, in units of the noise
+constexpr double leastSharpening = 8;      // fall in the sum of squares, in units of the noise
+constexpr int mostExperiments = 2;         // proposed to tell effects apart
+constexpr double clearSeparation = 4.472;  // standard deviations: a squared distance of 20
 constexpr int startsPerTrial = 2;
 constexpr int trialIterations = 12;  // a trial must show what it is worth; the winner is refitted to convergence
 constexpr int glanceIterations = 5;  // of the whole catalogue, to see who deserves a trial
@@ -351,6 +354,7 @@ private:
     void removeUnneeded(NullModel& null, std::size_t least);
     void treatAlike(NullModel& null);
     void sharpen(NullModel& null);
+    std::string proposeExperiments(const NullModel& null);
     void setVerdict(const std::string& kind, const std::string& at, Verdict verdict);
     void note(const Screened& s, Verdict verdict, std::optional<double> deltaBic);
     AddedEffect describe(const NullModel& last, const PlacedEffect& placed, const Step& step) const;
@@ -985,6 +989,44 @@ void Search::bringBackDisplaced(NullModel& null) {
     displaced_.clear();
 }
 
+/// For effects of which the recordings leave open what they are: what to run next, and how far that would tell.
+std::string Search::proposeExperiments(const NullModel& null) {
+    std::string text;
+    int count = 0;
+    for (std::size_t i = 0; i < steps_.size() && count < mostExperiments && !progress_.stopRequested(); ++i) {
+        const PlacedEffect& own = null.variant.effects[i];
+        const auto open =
+            std::find_if(steps_[i].alternatives.begin(), steps_[i].alternatives.end(),
+                         [](const Alternative& a) { return a.equivalent && !a.kind.starts_with("proposal."); });
+        if (open == steps_[i].alternatives.end()) continue;
+        const std::string names =
+            fmt::format("{} at {} from {} at {}", own.effect.kind, own.place.at, open->kind, open->at);
+        say("next experiment", names, -1);
+        const std::optional<NullModel> rest = without(null, i);
+        if (!rest) continue;
+        const auto other = std::find_if(steps_[i].rivals.begin(), steps_[i].rivals.end(), [&](const Candidate& c) {
+            return c.effect.kind == open->kind && c.place.at == open->at;
+        });
+        if (other == steps_[i].rivals.end()) continue;
+        const Screened screened = screen(*rest, *other, search_.fit.simulation, progress_);
+        const std::vector<Trial> rival = tryThese(*rest, {&screened}, 2 * trialIterations, startsPerTrial);
+        if (!rival.front().ok) continue;
+        const std::optional<ProposedExperiment> next =
+            nextExperiment(null, rival.front(), search_.fit.simulation, progress_);
+        if (!next) continue;
+        ++count;
+        if (!text.empty()) text += ". ";
+        text += next->separation >= clearSeparation
+                    ? fmt::format("{}, the other inputs at their means, would tell {} by {:.0f} standard deviations",
+                                  next->programme, names, next->separation)
+                    : fmt::format(
+                          "no programme of the inputs within their range tells {} with these sensors (at most "
+                          "{:.1f} standard deviations): another quantity has to be measured",
+                          names, next->separation);
+    }
+    return text;
+}
+
 AddedEffect Search::describe(const NullModel& last, const PlacedEffect& placed, const Step& step) const {
     AddedEffect effect;
     effect.kind = placed.effect.kind;
@@ -1073,6 +1115,7 @@ Outcome<Finding> Search::run() {
         if (leavesMuch) bringBackDisplaced(*null);
         removeUnneeded(*null, 0);  // what was seen only beside a proposal is not kept without it
     }
+    finding.nextExperiment = proposeExperiments(*null);
     if (onAll && steps_.empty()) null = *onAll;
     if (!steps_.empty() && !progress_.stopRequested()) {
         // the search was content with less: on every sample, and integrated as exactly as was asked for

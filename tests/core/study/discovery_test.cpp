@@ -23,6 +23,7 @@ struct Shaft {
     double inertia{0.02};  // [kg.m2]
     std::function<double(double t, double w, double phi)> torque;
     double limit{1e9};  // [N.m] of the drive
+    double lag{};       // [s] of the tachometer
 };
 
 double excitation(double t) {
@@ -32,10 +33,10 @@ double excitation(double t) {
 
 std::vector<double> speedOf(const Shaft& shaft) {
     constexpr int inner = 40;
-    double w = 0, phi = 0;
+    double w = 0, phi = 0, shown = 0;
     std::vector<double> speed;
     for (int k = 0; k < samples; ++k) {
-        speed.push_back(w);
+        speed.push_back(shaft.lag > 0 ? shown : w);
         for (int i = 0; i < inner; ++i) {
             const double h = step / inner, t = k * step + i * h;
             // the program joins samples by straight lines
@@ -45,6 +46,7 @@ std::vector<double> speedOf(const Shaft& shaft) {
             const double half = w + 0.5 * h * (u - shaft.torque(t, w, phi)) / shaft.inertia;
             phi += h * half;
             w += h * (u - shaft.torque(t + 0.5 * h, half, phi)) / shaft.inertia;
+            if (shaft.lag > 0) shown += h * (half - shown) / shaft.lag;
         }
     }
     return speed;
@@ -129,6 +131,17 @@ TEST_F(Discovery, FindsTwoEffectsThatHideEachOther) {
         EXPECT_GT(e.evidence.heldOut, 0.5);
     }
     EXPECT_EQ(finding.kind, FindingKind::Effect);
+    EXPECT_NE(finding.nextExperiment.find("no programme"), std::string::npos)
+        << "an offset of the command and a load torque are one to every experiment: " << finding.nextExperiment;
+}
+
+TEST_F(Discovery, SaysWhatToRunWhereTheDataLeaveAChoice) {
+    const Finding finding = search({0.02, [](double, double w, double) { return 0.03 * w; }, 1e9, 0.006});
+    ASSERT_EQ(finding.effects.size(), 1u);
+    EXPECT_TRUE(finding.effects.front().kind == "sensor.lag" || finding.effects.front().kind == "sensor.delay");
+    for (const std::string& part :
+         {finding.effects.front().kind + " at output w from ", std::string("standard deviations")})
+        EXPECT_NE(finding.nextExperiment.find(part), std::string::npos) << finding.nextExperiment;
 }
 
 TEST_F(Discovery, ProposesAnEquationWhereNoNameFits) {
