@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/base/parallel.hpp"
+#include "core/effect/caution.hpp"
 #include "core/effect/change.hpp"
 #include "core/effect/model_state.hpp"
 #include "core/effect/next_experiment.hpp"
@@ -1174,6 +1175,8 @@ Outcome<Finding> Search::run() {
             if (finding.remainders.front().output.empty()) finding.remainders.erase(finding.remainders.begin());
         }
     }
+    for (const auto& sentences : {extrapolations(full_.task), driftBetweenRecordings(*null), boundHits(null->fit)})
+        finding.warnings.insert(finding.warnings.end(), sentences.begin(), sentences.end());
     // an interrupted search has not looked at what is left in detail, but must not call it noise
     const bool leavesStructure = !finding.remainders.empty() || (finding.interrupted && !isNoise(*null));
     finding.kind = !leavesStructure ? (finding.effects.empty() ? FindingKind::Adequate : FindingKind::Effect)

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/effect/screen.hpp"
+
+/// What an engineer should know before trusting a fitted model. One sentence each.
+namespace analogon {
+
+/// Channels on which a validation recording leaves the range of the fitted ones by more than a tenth of it.
+std::vector<std::string> extrapolations(const EstimationTask& task);
+
+/// Parameters that seem to have another value in one of several fitted recordings: where that explains, to first order,
+/// most of what is above the noise (Chow 1960, with recordings instead of moments).
+std::vector<std::string> driftBetweenRecordings(const NullModel& null);
+
+/// Parameters that the fit left at a bound.
+std::vector<std::string> boundHits(const FitResult& fit);
+
+}  // namespace analogon

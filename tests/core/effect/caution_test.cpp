@@ -1,0 +1,96 @@
+#include "core/effect/caution.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace analogon {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+Recording recording(const std::string& name, Role role, double from, double to) {
+    Recording r;
+    r.name = name;
+    r.role = role;
+    r.inputNames = {"v"};
+    r.outputNames = {"w"};
+    r.inputs.resize(1, 11);
+    r.outputs = Eigen::MatrixXd::Zero(1, 11);
+    for (int k = 0; k <= 10; ++k) {
+        r.time.push_back(k);
+        r.inputs(0, k) = from + (to - from) * k / 10;
+        r.outputs(0, k) = k % 2;
+    }
+    r.outputs(0, 3) = std::nan("");
+    return r;
+}
+
+TEST(Caution, SaysWhereAValidationIsExtrapolated) {
+    EstimationTask task;
+    task.recordings = {recording("one", Role::Fit, 0, 6), recording("two", Role::Fit, 2, 10),
+                       recording("within", Role::Validate, -0.5, 10.5), recording("beyond", Role::Validate, 1, 14)};
+    EXPECT_THAT(extrapolations(task), ElementsAre(HasSubstr("'beyond' leaves the range of the fitted recordings on "
+                                                            "input v by 40 %")));
+}
+
+/// Two recordings of y = p*x with p = 2 in the first; what p is in the second is the test's.
+NullModel proportional(double inSecond) {
+    NullModel null;
+    null.variant.task.recordings = {recording("cold", Role::Fit, 0, 1), recording("warm", Role::Fit, 0, 1)};
+    constexpr int rows = 200;
+    Eigen::MatrixXd jacobian(2 * rows, 1);
+    Eigen::VectorXd measured(2 * rows);
+    for (int i = 0; i < 2 * rows; ++i) {
+        jacobian(i, 0) = 10 * std::sin(0.05 * i);
+        measured[i] = (i < rows ? 2.0 : inSecond) * jacobian(i, 0) + (i % 2 ? 1.0 : -1.0);
+    }
+    const double p = jacobian.col(0).dot(measured) / jacobian.col(0).squaredNorm();
+    null.fit.optimum.jacobian = jacobian;
+    null.fit.optimum.residuals = p * jacobian.col(0) - measured;
+    FitEstimate estimate;
+    estimate.name = "motor.R";
+    estimate.value = p;
+    null.fit.estimates = {estimate};
+    for (int e = 0; e < 2; ++e) {
+        ResidualChannel channel;
+        channel.experiment = e;
+        channel.begin = e * rows;
+        channel.end = channel.begin + rows;
+        for (int k = 0; k < rows; ++k) channel.samples.push_back(k);
+        null.channels.push_back(channel);
+    }
+    return null;
+}
+
+TEST(Caution, NamesAParameterThatIsAnotherOneInOneRecording) {
+    EXPECT_THAT(driftBetweenRecordings(proportional(2.0)), IsEmpty());
+    const std::vector<std::string> said = driftBetweenRecordings(proportional(2.6));
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_THAT(said.front(), HasSubstr("motor.R seems to be another one in '"));
+    // two recordings: each is another one than the other
+    std::vector<double> values;
+    for (std::size_t at = said.front().find("about "); at != std::string::npos;
+         at = said.front().find("about ", at + 1))
+        values.push_back(std::stod(said.front().substr(at + 6)));
+    EXPECT_THAT(values,
+                ::testing::UnorderedElementsAre(::testing::DoubleNear(2.6, 0.01), ::testing::DoubleNear(2.0, 0.01)));
+}
+
+TEST(Caution, NamesWhatRestsAtABound) {
+    FitResult fit;
+    fit.estimates.resize(2);
+    fit.estimates[0].name = "motor.R";
+    fit.estimates[1] = {};
+    fit.estimates[1].name = "motor.k";
+    fit.estimates[1].value = 0.05;
+    fit.estimates[1].unit = "N.m/A";
+    fit.estimates[1].atBound = true;
+    EXPECT_THAT(boundHits(fit), ElementsAre(HasSubstr("motor.k rests at a bound (0.05 N.m/A)")));
+}
+
+}  // namespace
+}  // namespace analogon
