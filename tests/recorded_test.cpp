@@ -1,10 +1,13 @@
 // The whole loop on recordings that lie beside the project: studies with a known answer, and measurements.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "core/study/run.hpp"
 
@@ -87,6 +90,83 @@ TEST(TwoHeaters, ShowTheLagOfTheirThermistors) {
     EXPECT_EQ(finding.effects.front().at, "output T1");
     EXPECT_GT(validationKelvin(finding.baseline), 1.4);
     EXPECT_LT(validationKelvin(finding.final), 0.75);
+}
+
+/// Largest relative root mean square [%] of the channels that have the role.
+double relativeError(const ModelState& state, Role role) {
+    double largest = 0;
+    for (const ExperimentState& e : state.experiments)
+        if (e.role == role)
+            for (const OutputState& o : e.outputs) largest = std::max(largest, o.figures.relativeRmsPercent);
+    return largest;
+}
+
+const AddedEffect* effectOf(const Finding& finding, std::initializer_list<const char*> kinds) {
+    for (const AddedEffect& e : finding.effects)
+        for (const char* kind : kinds)
+            if (e.kind == kind) return &e;
+    return nullptr;
+}
+
+TEST(BrushedMotor, ShowsItsDryFriction) {
+    if (!fs::exists(shared / "data" / "dcmotor_fra233")) GTEST_SKIP() << "no measurements beside the project";
+    const Finding finding = discovered(root / "tests" / "studies" / "dcmotor");
+    const AddedEffect* friction = effectOf(finding, {"friction.coulomb"});
+    ASSERT_TRUE(friction);
+    EXPECT_NEAR(friction->parameters.front().value, 0.0085, 0.0015);
+    EXPECT_GT(relativeError(finding.baseline, Role::Fit), 8);
+    EXPECT_LT(relativeError(finding.final, Role::Fit), 4.8);
+    EXPECT_EQ(finding.kind, FindingKind::Partial) << "cogging and the driver's dead time are not all of it";
+}
+
+/// Speed [m/s] from positions, over ten samples either way where there are so many; every fifth of them, with the
+/// force.
+void writeSpeeds(const fs::path& from, const fs::path& to) {
+    std::ifstream in(from);
+    std::string line;
+    std::getline(in, line);
+    std::vector<std::string> names;
+    std::istringstream header(line);
+    for (std::string name; std::getline(header, name, ',');) names.push_back(name);
+    const auto column = [&](const char* name) {
+        return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+    };
+    const std::size_t time = column("time_s"), force = column("motor_force_N"), position = column("position_m");
+    std::vector<std::vector<double>> rows;
+    while (std::getline(in, line)) {
+        std::istringstream cells(line);
+        rows.emplace_back();
+        for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(std::stod(cell));
+    }
+    std::ofstream out(to);
+    out.precision(9);
+    out << "t [s],force [N.m],speed [rad/s]\n";
+    const std::size_t last = rows.size() - 1;
+    for (std::size_t i = 0; i <= last; i += 5) {
+        const std::size_t reach = std::max<std::size_t>(1, std::min({std::size_t{10}, i, last - i}));
+        const auto& before = rows[i > reach ? i - reach : 0];
+        const auto& after = rows[std::min(last, i + reach)];
+        out << rows[i][time] << ',' << rows[i][force] << ','
+            << (after[position] - before[position]) / (after[time] - before[time]) << '\n';
+    }
+}
+
+TEST(PositioningDrive, ShowsDryFrictionAndAConstantForce) {
+    const fs::path data = shared / "data" / "emps";
+    if (!fs::exists(data)) GTEST_SKIP() << "no measurements beside the project";
+    const fs::path study = fs::temp_directory_path() / ("analogon-emps-" + std::to_string(getpid()));
+    fs::copy(root / "tests" / "studies" / "emps", study, fs::copy_options::overwrite_existing);
+    writeSpeeds(data / "emps_train.csv", study / "positioning.csv");
+    writeSpeeds(data / "emps_test_pulses.csv", study / "pulses.csv");
+    const Finding finding = discovered(study);
+    fs::remove_all(study);
+    const AddedEffect* friction = effectOf(finding, {"friction.coulomb"});
+    ASSERT_TRUE(friction);
+    EXPECT_NEAR(friction->parameters.front().value, 20.4, 2) << "as published";
+    const AddedEffect* force = effectOf(finding, {"torque.constant", "actuator.offset"});
+    ASSERT_TRUE(force) << "one and the same to every measurement";
+    EXPECT_GT(relativeError(finding.baseline, Role::Validate), 15);
+    EXPECT_LT(relativeError(finding.final, Role::Validate), 6.8);
 }
 
 }  // namespace

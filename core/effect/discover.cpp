@@ -108,6 +108,11 @@ double pValue(double explained, int dof, std::size_t tried) {
 
 bool isProposal(const Trial& trial) { return !trial.screened.candidate.effect.proposal.empty(); }
 
+bool hasRole(const ModelState& state, Role role) {
+    return std::any_of(state.experiments.begin(), state.experiments.end(),
+                       [&](const ExperimentState& e) { return e.role == role; });
+}
+
 bool hasProposal(const NullModel& null) {
     return std::any_of(null.variant.effects.begin(), null.variant.effects.end(),
                        [](const PlacedEffect& e) { return !e.effect.proposal.empty(); });
@@ -918,6 +923,10 @@ void Search::treatAlike(NullModel& null) {
 /// Proposals explain while the search goes on and are offered, not added: the model ends without them.
 std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
     std::vector<Remainder> found;
+    std::optional<ModelState> with;
+    if (hasProposal(null))
+        if (Outcome<ModelState> state = stateOf(null.variant, null.fit, search_.fit.simulation, progress_))
+            with = std::move(*state);
     for (std::size_t i = steps_.size(); i-- > 0;) {
         const PlacedEffect& placed = null.variant.effects[i];
         if (placed.effect.proposal.empty()) continue;
@@ -925,6 +934,7 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
         r.node = placed.place.at;
         r.evidence = steps_[i].acceptance.evidence;
         r.proposedEquation = placed.effect.proposal;
+        r.proposedClass = placed.effect.className;
         std::string values;
         for (const FitParameter& p : placed.freed)
             for (const FitEstimate& e : null.fit.estimates)
@@ -933,6 +943,10 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
                                           p.name.substr(placed.instance.size() + 1), e.value, e.unit.empty() ? "" : " ",
                                           e.unit);
         if (!values.empty()) r.proposedEquation += " with " + values;
+        if (with) {
+            r.errorFitWith = errorPercentOf(*with, Role::Fit);
+            if (hasRole(*with, Role::Validate)) r.errorValidateWith = errorPercentOf(*with, Role::Validate);
+        }
         std::optional<NullModel> rest = without(null, i);
         if (!rest) continue;
         found.push_back(std::move(r));

@@ -115,10 +115,18 @@ Json remainderJson(const Remainder& remainder) {
     Json correlates = Json::array();
     for (const Correlate& correlate : remainder.movesWith)
         correlates.push_back({{"variable", correlate.variable}, {"correlation", number(correlate.correlation)}});
-    return {{"output", remainder.output},         {"node", remainder.node},
-            {"experiment", remainder.experiment}, {"evidence", number(remainder.evidence)},
-            {"from", number(remainder.from)},     {"to", number(remainder.to)},
-            {"moves_with", correlates},           {"proposed_equation", remainder.proposedEquation}};
+    return {{"output", remainder.output},
+            {"node", remainder.node},
+            {"experiment", remainder.experiment},
+            {"evidence", number(remainder.evidence)},
+            {"from", number(remainder.from)},
+            {"to", number(remainder.to)},
+            {"moves_with", correlates},
+            {"proposed_equation", remainder.proposedEquation},
+            {"proposed_class", remainder.proposedClass},
+            {"error_percent_with_proposal",
+             {{"fit", number(remainder.errorFitWith < 0 ? std::nan("") : remainder.errorFitWith)},
+              {"validate", number(remainder.errorValidateWith < 0 ? std::nan("") : remainder.errorValidateWith)}}}};
 }
 
 }  // namespace

@@ -106,6 +106,7 @@ std::string summaryText(const Finding& finding) {
     if (!finding.effects.empty()) text += "\nAdded\n" + effectLines(finding);
     for (const Remainder& remainder : finding.remainders) text += "\n" + remainderWords(remainder) + "\n";
     if (!finding.nextExperiment.empty()) text += "\nNext experiment: " + finding.nextExperiment + "\n";
+    for (const std::string& warning : finding.warnings) text += "\nNote: " + warning + "\n";
     const auto failures = [&](const ModelState& state) {
         for (const ExperimentState& experiment : state.experiments)
             if (experiment.failure.failed)
