@@ -1032,8 +1032,9 @@ std::string Search::proposeExperiments(const NullModel& null) {
         ++count;
         if (!text.empty()) text += ". ";
         text += next->separation >= clearSeparation
-                    ? fmt::format("{}, the other inputs at their means, would tell {} by {:.0f} standard deviations",
-                                  next->programme, names, next->separation)
+                    ? fmt::format("{}, the other inputs at their means, would tell {} by {} standard deviations",
+                                  next->programme, names,
+                                  next->separation > 100 ? "more than 100" : fmt::format("{:.0f}", next->separation))
                     : fmt::format(
                           "no programme of the inputs within their range tells {} with these sensors (at most "
                           "{:.1f} standard deviations): another quantity has to be measured",

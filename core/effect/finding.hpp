@@ -103,7 +103,7 @@ struct Remainder {
     std::string experiment;
     std::vector<Correlate> movesWith;
     std::string proposedEquation;
-    std::string proposedClass;                       // block of the library that has the equation; empty: none
+    std::string proposedClass{};                     // block of the library that has the equation; empty: none
     double errorFitWith{-1}, errorValidateWith{-1};  // [%] with all that is proposed; negative: not known
 };
 
