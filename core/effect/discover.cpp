@@ -36,7 +36,7 @@ constexpr double structuredResidual = 1.1;                           // in units
 constexpr double leastGain = 1;   // in evidence, for which an effect is exchanged: exact twins are not
 constexpr double mostGrowth = 5;  // of an effect's strength when another joins it
 constexpr double changeShare = 0.5, leastChange = 100;
-constexpr long mostSearchedSamples = 10'000;
+constexpr long mostSearchedSamples = 6000;
 constexpr int mostSharpenings = 2;
 constexpr double leastSharpening = 8;      // fall in the sum of squares, in units of the noise
 constexpr int mostExperiments = 2;         // proposed to tell effects apart
