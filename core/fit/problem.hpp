@@ -30,6 +30,7 @@ struct FitExperiment {
     Eigen::MatrixXd measured;        // rows: system outputs, columns: samples; NaN: not measured there
     Eigen::VectorXd weights;         // per output: 1/sigma (0: output is not fitted)
     std::vector<double> parameters;  // the system's parameters; fitted ones are overwritten
+    bool isInterpreted{};            // never run machine code
 
     bool isFitted(Eigen::Index output) const { return output < weights.size() && weights[output] > 0.0; }
 };

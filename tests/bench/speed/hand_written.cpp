@@ -82,14 +82,42 @@ struct Motor {
     }
 };
 
-template <class S, class See>
-void runMotor(const Record& record, const Motor<S>& motor, int substeps, See&& see) {
-    constexpr int n = 4;
+/// The motor on a chain of M masses; states: i, the M - 1 differences of the angles, the M speeds. Parameters: R, L, k,
+/// b, M inertias, M - 1 stiffnesses, M - 1 dampings.
+template <class S, int M>
+struct Chain {
+    S invL, RL, kL, rk, b, invJ[M], c[M], d[M];
+    explicit Chain(const S* p) : invL(1.0 / p[1]), RL(p[0] * invL), kL(5.0 * p[2] * invL), rk(5.0 * p[2]), b(p[3]) {
+        for (int j = 0; j < M; ++j) invJ[j] = 1.0 / p[4 + j];
+        for (int j = 0; j + 1 < M; ++j) {
+            c[j] = p[4 + M + j];
+            d[j] = p[3 + 2 * M + j];
+        }
+    }
+    [[gnu::always_inline]] void rates(const S* x, double v, S* out) const {
+        const S* const angle = x + 1;
+        const S* const w = x + M;
+        out[0] = v * invL - RL * x[0] - kL * w[0];
+        S left = rk * x[0];
+        for (int j = 0; j + 1 < M; ++j) {
+            const S slip = w[j] - w[j + 1];
+            const S tau = c[j] * angle[j] + d[j] * slip;
+            out[1 + j] = slip;
+            out[M + j] = (left - tau) * invJ[j];
+            left = tau;
+        }
+        out[2 * M - 1] = (left - b * w[M - 1]) * invJ[M - 1];
+    }
+};
+
+/// The classic Runge-Kutta method; `see` gets the first and the last state at every sample.
+template <class S, int n, class Rates, class See>
+void walk(const Record& record, const Rates& motor, int substeps, See&& see) {
     S x[n]{}, stage[n], k1[n], k2[n], k3[n], k4[n];
     const int samples = record.samples;
     const double* v = record.inputs;
     for (int k = 0;; ++k) {
-        see(k, x[0], x[3]);
+        see(k, x[0], x[n - 1]);
         if (k + 1 == samples) return;
         const double h = (record.time[k + 1] - record.time[k]) / substeps;
         const double dv = (v[k + 1] - v[k]) / substeps;
@@ -167,7 +195,7 @@ std::vector<double> motorOutputs(const Record& record, const double* p, int subs
     std::vector<double> y;
     std::array<double, 8> q;
     std::copy_n(p, 8, q.begin());
-    runMotor(record, Motor<double>(q), substeps, [&](int, double i, double w2) {
+    walk<double, 4>(record, Motor<double>(q), substeps, [&](int, double i, double w2) {
         y.push_back(i);
         y.push_back(w2);
     });
@@ -203,11 +231,62 @@ NormalEquations motorPass(const Record& record, const double* p) {
     for (int i = 0; i < 8; ++i) q[static_cast<std::size_t>(i)] = variable<8>(p[i], i);
     Sums<8> sums;
     const double wi = 1 / record.sigma[0], ww = 1 / record.sigma[1];
-    runMotor(record, Motor<S>(q), 1, [&](int k, const S& i, const S& w2) {
+    walk<S, 4>(record, Motor<S>(q), 1, [&](int k, const S& i, const S& w2) {
         sums.add(wi * (i.value - record.measured[2 * k]), wi * i.slope);
         sums.add(ww * (w2.value - record.measured[2 * k + 1]), ww * w2.slope);
     });
     return sums.result();
+}
+
+namespace {
+
+template <int M, int W>
+NormalEquations chainOf(const Record& record, const double* p, int count) {
+    using S = Tangent<W>;
+    S q[3 * M + 2];
+    for (int i = 0; i < 3 * M + 2; ++i) {
+        q[i] = S{p[i], {}};
+        if (i < count) q[i].slope[i] = 1;
+    }
+    Sums<W> sums;
+    const double wi = 1 / record.sigma[0], ww = 1 / record.sigma[1];
+    walk<S, 2 * M>(record, Chain<S, M>(q), 1, [&](int k, const S& i, const S& w) {
+        sums.add(wi * (i.value - record.measured[2 * k]), wi * i.slope);
+        sums.add(ww * (w.value - record.measured[2 * k + 1]), ww * w.slope);
+    });
+    return sums.result();
+}
+
+template <int M>
+std::vector<double> chainValues(const Record& record, const double* p, int substeps) {
+    std::vector<double> y;
+    walk<double, 2 * M>(record, Chain<double, M>(p), substeps, [&](int, double i, double w) {
+        y.push_back(i);
+        y.push_back(w);
+    });
+    return y;
+}
+
+}  // namespace
+
+NormalEquations chainPass(const Record& record, const double* p, int masses, int count) {
+    if (masses == 1) return chainOf<1, 8>(record, p, count);
+    if (masses == 2) return chainOf<2, 8>(record, p, count);
+    if (masses == 4) return chainOf<4, 16>(record, p, count);
+    if (masses == 10) return chainOf<10, 32>(record, p, count);
+    if (count <= 4) return chainOf<20, 4>(record, p, count);
+    if (count <= 8) return chainOf<20, 8>(record, p, count);
+    if (count <= 16) return chainOf<20, 16>(record, p, count);
+    if (count <= 32) return chainOf<20, 32>(record, p, count);
+    return chainOf<20, 64>(record, p, count);
+}
+
+std::vector<double> chainOutputs(const Record& record, const double* p, int masses, int substeps) {
+    if (masses == 1) return chainValues<1>(record, p, substeps);
+    if (masses == 2) return chainValues<2>(record, p, substeps);
+    if (masses == 4) return chainValues<4>(record, p, substeps);
+    if (masses == 10) return chainValues<10>(record, p, substeps);
+    return chainValues<20>(record, p, substeps);
 }
 
 }  // namespace analogon::speed

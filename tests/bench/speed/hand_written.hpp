@@ -33,4 +33,9 @@ std::vector<double> motorOutputs(const Record& record, const double* p, int subs
 NormalEquations heaterPass(const Record& record, const std::vector<double>& table, const double* p);
 NormalEquations motorPass(const Record& record, const double* p);
 
+/// A chain of 1, 2, 4, 10 or 20 masses, with tangents in the first `count` of its parameters.
+NormalEquations chainPass(const Record& record, const double* p, int masses, int count);
+/// samples x outputs, with so many steps per sample.
+std::vector<double> chainOutputs(const Record& record, const double* p, int masses, int substeps);
+
 }  // namespace analogon::speed

@@ -1,17 +1,20 @@
-// Times one pass with all tangents, and whole fits, against hand-written C++ of the same problem in the same run.
+// Times one pass with all tangents, and whole fits, against hand-written C++ of the same problem in the same run; then
+// how both grow with samples, parameters and experiments.
 //   speed [seconds per figure]
 #include <fmt/format.h>
+#include <malloc.h>
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
+#include <fstream>
 #include <functional>
 
 #include "core/fit/fit.hpp"
-#include "tests/bench/speed/hand_written.hpp"
-#include "tests/bench/speed/problems.hpp"
+#include "tests/bench/speed/hand_fit.hpp"
 
 namespace analogon::speed {
 namespace {
@@ -23,110 +26,187 @@ double now() {
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+/// Time on the wall [s], where threads are to show.
+double wall() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
 /// Least time of some repeats [s].
-double timed(double budget, const std::function<void()>& work) {
+double timed(double budget, const std::function<void()>& work, double (*clock)() = now) {
     double best = 1e300;
-    const double end = now() + budget;
-    for (int i = 0; i < 3 || now() < end; ++i) {
-        const double begin = now();
+    const double end = clock() + budget;
+    for (int i = 0; i < 3 || clock() < end; ++i) {
+        const double begin = clock();
         work();
-        best = std::min(best, now() - begin);
+        best = std::min(best, clock() - begin);
         if (best > budget) break;
     }
     return best;
 }
 
-using Pass = std::function<NormalEquations(const Eigen::VectorXd&)>;
+/// A line of /proc/self/status [MB]; 0 where there is none.
+double memory(const std::string& name) {
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with(name + ":")) return std::atof(line.c_str() + name.size() + 1) / 1024;
+    return 0;
+}
 
-struct HandFit {
-    Eigen::VectorXd values;
-    double cost{};
-    int passes{};
-};
+/// How far the work rises above the memory in use before it [MB].
+double peakMemory(const std::function<void()>& work) {
+    malloc_trim(0);
+    std::ofstream("/proc/self/clear_refs") << "5";  // the peak starts again
+    const double before = memory("VmRSS");
+    work();
+    return memory("VmHWM") - before;
+}
 
-/// Levenberg and Marquardt in logarithms of the parameters on the normal equations (Nielsen's damping).
-HandFit handFit(const SpeedProblem& problem, const Pass& pass) {
-    const auto K = static_cast<Eigen::Index>(problem.parameters.size());
-    Eigen::VectorXd p(K), lower(K), upper(K), largest = Eigen::VectorXd::Zero(K);
-    for (Eigen::Index i = 0; i < K; ++i) {
-        const FitParameter& q = problem.parameters[static_cast<std::size_t>(i)];
-        p[i] = q.start, lower[i] = q.min, upper[i] = q.max;
-    }
-    NormalEquations here = pass(p);
-    HandFit fit{p, here.cost, 1};
-    double damping = 1e-3, growth = 2;
-    for (int iteration = 0; iteration < 200; ++iteration) {
-        const Eigen::VectorXd gradient = Eigen::Map<const Eigen::VectorXd>(here.gradient.data(), K).cwiseProduct(p);
-        const Eigen::MatrixXd hessian =
-            p.asDiagonal() * Eigen::Map<const Eigen::MatrixXd>(here.hessian.data(), K, K) * p.asDiagonal();
-        largest = largest.cwiseMax(hessian.diagonal());
-        Eigen::MatrixXd damped = hessian;
-        damped.diagonal() += damping * largest;
-        const Eigen::VectorXd step = -damped.ldlt().solve(gradient);
-        const Eigen::VectorXd next =
-            (p.array() * step.array().max(-1.5).min(1.5).exp()).matrix().cwiseMax(lower).cwiseMin(upper);
-        const Eigen::VectorXd taken = (next.array() / p.array()).log();
-        const double predicted = -taken.dot(gradient) - 0.5 * taken.dot(hessian * taken);
-        NormalEquations there = pass(next);
-        ++fit.passes;
-        const double fall = here.cost - there.cost;
-        if (std::isfinite(there.cost) && fall > 0) {
-            const double quality = 2 * fall / predicted - 1;
-            damping *= std::max(1.0 / 9, 1 - quality * quality * quality);
-            growth = 2;
-            p = next;
-            here = std::move(there);
-            if (fall < 1e-9 * here.cost) break;
-        } else {
-            if (std::abs(predicted) < 1e-9 * here.cost) break;
-            damping *= growth;
-            growth *= 2;
-        }
-    }
-    fit.values = p;
-    fit.cost = here.cost;
-    return fit;
+Pass motorPassOf(const SpeedProblem& problem) {
+    return [&problem](const Eigen::VectorXd& p) { return motorPass(problem.record(), p.data()); };
+}
+
+Pass heaterPassOf(const SpeedProblem& problem) {
+    return [&problem, table = heaterTable(problem.record())](const Eigen::VectorXd& p) {
+        return heaterPass(problem.record(), table, p.data());
+    };
+}
+
+double deviation(const FitResult& result, const HandFit& byHand) {
+    return (result.values.array() / byHand.values.array() - 1).abs().maxCoeff();
 }
 
 void compare(const SpeedProblem& problem, const Pass& pass, double budget) {
     const FitProblem ours = fitProblem(problem);
+    FitProblem interpreted = ours;
+    interpreted.experiments.front().isInterpreted = true;
     const auto K = static_cast<Eigen::Index>(problem.parameters.size());
     const Eigen::VectorXd truth = Eigen::Map<const Eigen::VectorXd>(problem.truth.data(), K);
-    const std::size_t samples = problem.inputs.time.size();
-    fmt::print("{}: {} samples, {} parameters\n", problem.name, samples, K);
-
-    const double handPass = timed(budget, [&] { pass(truth); });
-    const double planning = timed(budget, [&] { planFor(ours, 0, truth); });
-    const std::vector<GridPlan> plans{planFor(ours, 0, truth)};
-    const double values = timed(budget, [&] { linearise(ours, truth, false, plans); });
-    const double tangents = timed(budget, [&] { linearise(ours, truth, true, plans); });
+    fmt::print("{}: {} samples, {} parameters\n", problem.name, problem.inputs.time.size(), K);
     const auto line = [&](const char* what, double seconds, double reference) {
         fmt::print("  {:<46} {:9.3f} ms {:8.2f}\n", what, 1e3 * seconds, seconds / reference);
     };
+    const std::vector<GridPlan> plans{planFor(ours, 0, truth)};
+    const double handPass = timed(budget, [&] { pass(truth); });
     line("pass with tangents, by hand", handPass, handPass);
-    line("choice of the method", planning, handPass);
-    line("pass with values", values, handPass);
-    line("pass with tangents", tangents, handPass);
+    line("choice of the method", timed(budget, [&] { planFor(ours, 0, truth); }), handPass);
+    line("pass with values", timed(budget, [&] { sumUp(ours, truth, false, plans); }), handPass);
+    line("pass with tangents", timed(budget, [&] { sumUp(ours, truth, true, plans); }), handPass);
+    line("  by the interpreter", timed(budget, [&] { sumUp(interpreted, truth, true, plans); }), handPass);
 
     HandFit byHand;
-    const double handTime = timed(budget, [&] { byHand = handFit(problem, pass); });
     FitResult result;
-    const double ourTime = timed(budget, [&] { result = fit(ours); });
+    const double handTime = timed(budget, [&] { byHand = handFit(problem, pass); });
     line("fit, by hand", handTime, handTime);
-    line("fit", ourTime, handTime);
-    const double reference = handFit(problem, pass).cost;
+    line("fit", timed(budget, [&] { result = fit(ours); }), handTime);
+    FitOptions lean;
+    lean.keepsOptimum = false;
+    line("  without residuals and Jacobian", timed(budget, [&] { fit(ours, lean); }), handTime);
+    line("  by the interpreter", timed(budget, [&] { fit(interpreted); }), handTime);
+    FitOptions ceres;
+    ceres.method = FitMethod::LeastSquaresByCeres;
+    line("  with Ceres in the loop", timed(budget, [&] { fit(ours, ceres); }), handTime);
     fmt::print(
         "  by hand {} passes, cost {:.6f}; here {} simulations, J/J* - 1 = {:.1e}, parameters within {:.1e}; {}\n\n",
-        byHand.passes, byHand.cost, result.simulations, pass(result.values).cost / reference - 1,
-        (result.values.array() / byHand.values.array() - 1).abs().maxCoeff(), result.message);
+        byHand.passes, byHand.cost, result.simulations, pass(result.values).cost / byHand.cost - 1,
+        deviation(result, byHand), result.message);
 }
 
-void scaling(double budget) {
-    fmt::print("Motor, fits of longer records\n");
-    for (const int samples : {10'001, 30'001, 100'001, 300'001, 1'000'001}) {
-        const FitProblem problem = fitProblem(motor(samples, false));
-        const double seconds = timed(budget, [&] { fit(problem); });
-        fmt::print("  {:>8} samples {:9.1f} ms {:8.3f} us a sample\n", samples, 1e3 * seconds, 1e6 * seconds / samples);
+void growSamples(const char* title, SpeedProblem (*make)(int samples), Pass (*passOf)(const SpeedProblem&),
+                 double budget) {
+    fmt::print("{}, fits of longer records; memory above that of the data\n", title);
+    double twentyThousand = 0;
+    for (const int samples : {10'001, 20'001, 30'001, 100'001, 300'001, 1'000'001}) {
+        const SpeedProblem problem = make(samples);
+        const Pass pass = passOf(problem);
+        const FitProblem ours = fitProblem(problem);
+        FitResult result;
+        HandFit byHand;
+        const double hand = timed(budget, [&] { byHand = handFit(problem, pass); });
+        const double seconds = timed(budget, [&] { result = fit(ours); });
+        if (samples == 20'001) twentyThousand = seconds;
+        FitOptions lean;
+        lean.keepsOptimum = false;
+        const double peak = peakMemory([&] { fit(ours); }), leanPeak = peakMemory([&] { fit(ours, lean); });
+        fmt::print(
+            "  {:>8} samples {:9.1f} ms by hand {:9.1f} ms {:6.2f}  {:6.3f} us a sample {:7.1f} MB, {:.1f} MB without "
+            "Jacobian; {} and {} passes, within {:.0e}\n",
+            samples, 1e3 * hand, 1e3 * seconds, seconds / hand, 1e6 * seconds / samples, peak, leanPeak, byHand.passes,
+            result.simulations, deviation(result, byHand));
+        if (samples == 1'000'001) fmt::print("  {:.0f} times the fit of 20 001 samples\n", seconds / twentyThousand);
+    }
+    fmt::print("\n");
+}
+
+void chainLine(const SpeedProblem& problem, int masses, double budget) {
+    const FitProblem ours = fitProblem(problem);
+    const auto K = static_cast<Eigen::Index>(problem.parameters.size());
+    const Eigen::VectorXd truth = Eigen::Map<const Eigen::VectorXd>(problem.truth.data(), K);
+    const std::vector<GridPlan> plans{planFor(ours, 0, truth)};
+    NormalEquations byHand;
+    MisfitSums sums;
+    const double hand =
+        timed(budget, [&] { byHand = chainPass(problem.record(), problem.truth.data(), masses, static_cast<int>(K)); });
+    const double seconds = timed(budget, [&] { sums = sumUp(ours, truth, true, plans); });
+    const double states = 2.0 * masses + 1;
+    fmt::print(
+        "  {:>3} masses {:>3} parameters {:9.2f} ms by hand {:9.2f} ms {:6.2f}  {:7.3f} us a parameter, {:.4f} a "
+        "state and parameter; costs within {:.0e}\n",
+        masses, K, 1e3 * hand, 1e3 * seconds, seconds / hand, 1e6 * seconds / static_cast<double>(K),
+        1e6 * seconds / (static_cast<double>(K) * states), std::abs(0.5 * sums.squares / byHand.cost - 1));
+}
+
+void growParameters(double budget) {
+    constexpr int samples = 5001;
+    fmt::print("Motor on a chain of masses, {} samples, one pass with tangents in all parameters\n", samples);
+    for (const int masses : {1, 2, 4, 10, 20}) chainLine(chain(samples, masses), masses, budget);
+    fmt::print("The chain of 20 masses, with tangents in some of its parameters\n");
+    for (const int fitted : {4, 8, 16, 32, 62}) chainLine(chain(samples, 20, fitted), 20, budget);
+    fmt::print("\n");
+}
+
+void growExperiments(double budget) {
+    constexpr int samples = 2001;
+    fmt::print("Motor, fits of several recordings of {} samples\n", samples);
+    for (const int count : {1, 2, 5, 10, 20, 50}) {
+        std::vector<SpeedProblem> recordings;
+        for (int e = 0; e < count; ++e)
+            recordings.push_back(motor(samples, false, 20260102u + static_cast<unsigned>(e)));
+        const FitProblem ours = fitProblem(recordings);
+        const Pass pass = [&](const Eigen::VectorXd& p) {
+            NormalEquations sums = motorPass(recordings.front().record(), p.data());
+            for (std::size_t e = 1; e < recordings.size(); ++e) {
+                const NormalEquations one = motorPass(recordings[e].record(), p.data());
+                sums.cost += one.cost;
+                std::transform(one.gradient.begin(), one.gradient.end(), sums.gradient.begin(), sums.gradient.begin(),
+                               std::plus<>());
+                std::transform(one.hessian.begin(), one.hessian.end(), sums.hessian.begin(), sums.hessian.begin(),
+                               std::plus<>());
+            }
+            return sums;
+        };
+        FitResult result;
+        HandFit byHand;
+        const double hand = timed(budget, [&] { byHand = handFit(recordings.front(), pass); });
+        const double seconds = timed(budget, [&] { result = fit(ours); });
+        fmt::print(
+            "  {:>3} experiments {:9.2f} ms by hand {:9.2f} ms {:6.2f}  {:7.3f} ms an experiment, {} and {} passes; "
+            "within {:.0e}\n",
+            count, 1e3 * hand, 1e3 * seconds, seconds / hand, 1e3 * seconds / count, byHand.passes, result.simulations,
+            deviation(result, byHand));
+    }
+    fmt::print("\n");
+}
+
+void growThreads() {
+    const FitProblem ours = fitProblem(motor(20'001, true));
+    fmt::print("Motor with a noisy input, eight starts, time on the wall\n");
+    double one = 0;
+    for (const int threads : {1, 2}) {
+        FitOptions options;
+        options.starts = 8;
+        options.threads = threads;
+        const double seconds = timed(
+            1.0, [&] { fit(ours, options); }, wall);
+        if (threads == 1) one = seconds;
+        fmt::print("  {} threads {:9.1f} ms {:6.2f} times as fast\n", threads, 1e3 * seconds, one / seconds);
     }
 }
 
@@ -138,15 +218,18 @@ int main(int count, char** arguments) {
     const double budget = count > 1 ? std::atof(arguments[1]) : 0.5;
     for (const bool isNoisy : {false, true}) {
         const SpeedProblem heater = lambdaHeater(30'001, isNoisy);
-        const std::vector<double> table = heaterTable(heater.record());
-        compare(
-            heater, [&](const Eigen::VectorXd& p) { return heaterPass(heater.record(), table, p.data()); }, budget);
+        compare(heater, heaterPassOf(heater), budget);
     }
     for (const bool isNoisy : {false, true}) {
         const SpeedProblem shaft = motor(20'001, isNoisy);
-        compare(
-            shaft, [&](const Eigen::VectorXd& p) { return motorPass(shaft.record(), p.data()); }, budget);
+        compare(shaft, motorPassOf(shaft), budget);
     }
-    if (count > 2) scaling(budget);
+    growSamples(
+        "Motor", [](int samples) { return motor(samples, false); }, motorPassOf, budget);
+    growSamples(
+        "Heater", [](int samples) { return lambdaHeater(samples, true); }, heaterPassOf, budget);
+    growParameters(budget);
+    growExperiments(budget);
+    growThreads();
     return 0;
 }
