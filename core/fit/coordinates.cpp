@@ -19,10 +19,12 @@ bool isLogarithmicScale(const FitParameter& p) {
 Coordinates::Coordinates(const std::vector<FitParameter>& parameters) : parameters_(parameters) {
     const auto count = static_cast<Eigen::Index>(parameters.size());
     origin_.resize(count);
+    originValues_.resize(count);
     scale_ = Eigen::VectorXd::Ones(count);
     for (const FitParameter& p : parameters_) isLogarithmic_.push_back(isLogarithmicScale(p));
     for (Eigen::Index i = 0; i < count; ++i) {
-        origin_[i] = toQ(static_cast<int>(i), parameters[static_cast<std::size_t>(i)].start);
+        originValues_[i] = parameters[static_cast<std::size_t>(i)].start;
+        origin_[i] = toQ(static_cast<int>(i), originValues_[i]);
     }
 }
 
@@ -45,6 +47,7 @@ void Coordinates::scaleBy(const Eigen::VectorXd& columnNorms) {
 }
 
 void Coordinates::moveOrigin(const Eigen::VectorXd& values) {
+    originValues_ = values;
     for (int i = 0; i < size(); ++i) origin_[i] = toQ(i, values[i]);
 }
 
@@ -58,6 +61,8 @@ Eigen::VectorXd Coordinates::values(const Eigen::VectorXd& z) const {
             result[i] = p.min;
         } else if (z[i] >= upper(i)) {
             result[i] = p.max;
+        } else if (z[i] == 0.0) {
+            result[i] = originValues_[i];  // exp(log(value)) is not quite the value
         } else {
             result[i] = std::clamp(isLogarithmic(i) ? std::exp(q) : q, p.min, p.max);
         }

@@ -39,6 +39,7 @@ private:
     std::vector<FitParameter> parameters_;
     std::vector<bool> isLogarithmic_;
     Eigen::VectorXd origin_;  // q at z = 0
+    Eigen::VectorXd originValues_;
     Eigen::VectorXd scale_;
 };
 

@@ -16,6 +16,8 @@ namespace analogon {
 
 namespace {
 
+constexpr int mostFailures = 20;  // in a row, at a point that could be simulated before
+
 /// One descent, from one start.
 struct Descent {
     Minimum minimum;
@@ -118,7 +120,10 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
     Eigen::VectorXd startSlopes;
     int iterations = 0;
     for (bool isFirst = true; isFirst || rounds.goOn(minimum); isFirst = false) {
-        const ReducedMisfit here = misfit.reduced(minimum.values);
+        ReducedMisfit here = misfit.reduced(minimum.values);
+        // Where the last round ended it could be simulated: a failure there may be over at once.
+        for (int tries = 0; !isFirst && !here.ok && tries < mostFailures && !misfit.isCancelled(); ++tries)
+            here = misfit.reduced(minimum.values);
         if (!here.ok) {
             minimum.status = misfit.isCancelled() ? FitStatus::Cancelled : FitStatus::Failed;
             minimum.message = misfit.isCancelled() ? "cancelled" : misfit.failure();
@@ -152,8 +157,11 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
     }
     descent.plans = misfit.plans();
     descent.optimum = misfit.takeBestLinearisation();
-    if (!options.keepsOptimum && minimum.values.size() > 0 && !misfit.isCancelled())
+    if (const ReducedMisfit* known = misfit.remembered(minimum.values)) {
+        descent.reduced = *known;
+    } else if (!options.keepsOptimum && !misfit.isCancelled()) {
         descent.reduced = misfit.reduced(minimum.values);
+    }
     descent.simulations = misfit.simulations();
     descent.failedSimulations = misfit.failedSimulations();
     descent.lossScale = misfit.lossScale();
@@ -217,10 +225,15 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
     result.iterations = best.minimum.iterations;
     result.plans = best.plans;
     result.optimum = std::move(best.optimum);
-    // Not cancellable: what was found so far is to be told.
-    const bool isReduced = !options.keepsOptimum && best.reduced.ok;
-    if (!result.optimum.ok && !isReduced)
-        result.optimum = linearise(problem, result.values, true, best.plans, options.simulation);
+    // What was found so far is told after a cancel, too: all of it where that is a matter of a moment.
+    const bool isCancelled = best.minimum.status == FitStatus::Cancelled;
+    const bool isAsked = options.keepsOptimum || !best.reduced.ok;
+    SimulationOptions simulation = options.simulation;
+    if (isCancelled) simulation.wallClockLimit = 0.03;
+    const int most = best.reduced.ok && !isCancelled ? mostFailures : 1;
+    for (int tries = 0; isAsked && !result.optimum.ok && tries < most; ++tries)
+        result.optimum = linearise(problem, result.values, true, best.plans, simulation);
+    const bool isReduced = best.reduced.ok && (isCancelled || !isAsked || !result.optimum.ok);
     // NaN when even the best point failed
     result.cost = isReduced ? best.reduced.cost() : 0.5 * result.optimum.residuals.squaredNorm();
 

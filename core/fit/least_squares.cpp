@@ -126,7 +126,19 @@ private:
     /// Each coordinate is let go twice at most: no endless round between two faces.
     bool wasReleased(std::size_t i) const { return std::count(released_.begin(), released_.end(), i) >= 2; }
 
+    /// Ceres shrinks its region ever faster while evaluations fail, until it gives up or takes the shortness of its
+    /// steps for convergence: then it begins again from where it got to.
     void solve(Minimum& minimum) {
+        constexpr int mostRestarts = 30;
+        for (int restarts = 0; restarts <= mostRestarts; ++restarts) {
+            const int failedBefore = misfit_.failedSimulations();
+            solveOnce(minimum);
+            if (misfit_.failedSimulations() == failedBefore || misfit_.isCancelled()) return;
+            radius_ = wide_;
+        }
+    }
+
+    void solveOnce(Minimum& minimum) {
         const int K = coordinates_.size();
         if (std::all_of(isHeld_.begin(), isHeld_.end(), [](bool held) { return held; })) {
             minimum.status = FitStatus::Converged;
@@ -187,7 +199,8 @@ private:
     Coordinates& coordinates_;
     const FitOptions& options_;
     int iterationsLeft_{}, iterations_{};
-    double radius_{1e4};
+    static constexpr double wide_ = 1e4;
+    double radius_{wide_};
     Eigen::VectorXd z_, lower_, upper_;
     std::vector<bool> isHeld_;
     std::vector<std::size_t> released_;

@@ -84,10 +84,12 @@ private:
         return false;
     }
 
-    /// Damps until a step lowers the cost.
+    /// Damps until a step lowers the cost. Simulations that fail one after the other say little about how far the
+    /// slopes hold: most of the damping they ask for is forgotten once one succeeds.
     bool descend(Minimum& minimum) {
-        constexpr int mostTries = 60;
-        const double cost = here_.cost();
+        constexpr int mostTries = 60, many = 3;
+        const double cost = here_.cost(), before = std::max(damping_, 1e-8);
+        int failures = 0;
         for (int tries = 0; tries < mostTries && damping_ < 1e20; ++tries) {
             const Eigen::VectorXd aimed = z_ + limited(step(damping_));
             const Eigen::VectorXd there = aimed.cwiseMax(lower_).cwiseMin(upper_);
@@ -97,17 +99,19 @@ private:
                 if (misfit_.isCancelled()) return true;
                 const double fall = found.ok ? cost - found.cost() : -1.0;
                 if (fall > 0.0) {
+                    if (failures >= many) damping_ = before * std::cbrt(damping_ / before);
                     const double quality = 2.0 * fall / predicted - 1.0;
                     damping_ = std::max(1e-12, damping_ * std::max(1.0 / 9.0, 1.0 - quality * quality * quality));
                     growth_ = 2.0;
-                    flatSteps_ = fall <= options_.costTolerance * cost ? flatSteps_ + 1 : 0;
+                    if (failures == 0) flatSteps_ = fall <= options_.costTolerance * cost ? flatSteps_ + 1 : 0;
                     z_ = there;
                     here_ = found;
                     return true;
                 }
+                failures += !found.ok;
             }
             damping_ = std::max(damping_, 1e-8) * growth_;
-            growth_ *= 2.0;
+            if (failures < many) growth_ *= 2.0;
         }
         // Rounding, or a kink, hides the last digits of the cost.
         const bool isDone = expected_ <= 1e-8 * cost || isWithin(full_, 1e-8);

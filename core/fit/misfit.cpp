@@ -115,29 +115,37 @@ void Misfit::applyLoss(Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) co
     if (jacobian) jacobian->array().colwise() *= slopes.array();
 }
 
-const ReducedMisfit& Misfit::reduced(const Eigen::VectorXd& values) {
+const ReducedMisfit* Misfit::remembered(const Eigen::VectorXd& values) const {
     for (const Point& point : memory_) {
-        if (point.values.size() == values.size() && point.values == values) return point.reduced;
+        if (point.values.size() == values.size() && point.values == values) return &point.reduced;
     }
+    return nullptr;
+}
+
+const ReducedMisfit& Misfit::reduced(const Eigen::VectorXd& values) {
+    if (const ReducedMisfit* known = remembered(values)) return *known;
     Point& point = memory_[oldest_];
-    oldest_ = (oldest_ + 1) % memory_.size();
-    point.values = values;
-    if (maySumUp() && !isIllConditioned_ && summed(values, point.reduced)) {
-        if (!point.reduced.ok && isCancelled()) point.values.resize(0);
-        if (point.reduced.ok) note(values, point.reduced.cost());
-        return point.reduced;
+    point.values.resize(0);  // what fails is not remembered
+    evaluate(values, point.reduced);
+    if (point.reduced.ok) {
+        point.values = values;
+        oldest_ = (oldest_ + 1) % memory_.size();
     }
-    Linearisation line = simulate(values, true);
-    if (!line.ok) {
-        point.reduced = {};
-        if (isCancelled()) point.values.resize(0);
-        return point.reduced;
-    }
-    applyLoss(line.residuals, &line.jacobian);
-    point.reduced = reduce(line.jacobian, line.residuals);
-    line.ok = options_.loss == RobustLoss::None;
-    if (point.reduced.ok) note(values, point.reduced.cost(), std::move(line));
     return point.reduced;
+}
+
+void Misfit::evaluate(const Eigen::VectorXd& values, ReducedMisfit& reduced) {
+    if (maySumUp() && !isIllConditioned_ && summed(values, reduced)) {
+        if (reduced.ok) note(values, reduced.cost());
+        return;
+    }
+    reduced = {};
+    Linearisation line = simulate(values, true);
+    if (!line.ok) return;
+    applyLoss(line.residuals, &line.jacobian);
+    reduced = reduce(line.jacobian, line.residuals);
+    line.ok = options_.loss == RobustLoss::None;
+    if (reduced.ok) note(values, reduced.cost(), std::move(line));
 }
 
 double Misfit::cost(const Eigen::VectorXd& values) {

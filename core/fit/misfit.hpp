@@ -20,6 +20,8 @@ public:
 
     /// Residuals and Jacobian (in own units) squeezed into a triangle; the last few points are remembered.
     const ReducedMisfit& reduced(const Eigen::VectorXd& values);
+    /// The same where it is remembered; null: it is not.
+    const ReducedMisfit* remembered(const Eigen::VectorXd& values) const;
     /// Cost alone; +inf when the simulation failed.
     double cost(const Eigen::VectorXd& values);
 
@@ -52,6 +54,7 @@ private:
         Eigen::VectorXd values;
         ReducedMisfit reduced;
     };
+    void evaluate(const Eigen::VectorXd& values, ReducedMisfit& reduced);
     Linearisation simulate(const Eigen::VectorXd& values, bool withJacobian);
     /// Without a robust loss and in records of some length, sums do where they are exact enough.
     bool maySumUp() const;

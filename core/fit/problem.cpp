@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <memory>
 
@@ -67,6 +68,21 @@ SimulationTask taskFor(const FitProblem& problem, int experiment, const Eigen::V
         task.directions(driven[static_cast<std::size_t>((*columns)[j])], static_cast<Eigen::Index>(j)) = 1.0;
     }
     return task;
+}
+
+/// One simulation with this plan, or one made here; what is thrown in it is a failure like any other.
+Trajectory simulated(const FitProblem& problem, SimulationTask task, const GridPlan* plan, SimulationOptions options,
+                     const Progress& progress, SampleSink& sink) {
+    try {
+        if (problem.beforeSimulation) problem.beforeSimulation(task, options);
+        if (options.engine == Engine::Adaptive) return simulateAdaptive(task, options, progress);
+        return simulateGrid(task, plan ? *plan : planGrid(task, options, progress), options, progress, &sink);
+    } catch (const std::exception& fault) {
+        Trajectory stopped;
+        stopped.engine = options.engine;
+        stopped.failure = {true, task.inputs->time.front(), {}, fault.what()};
+        return stopped;
+    }
 }
 
 /// Whether a parameter moves something in each experiment.
@@ -197,12 +213,8 @@ Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values
         std::vector<Eigen::Index> columns;  // column of the Jacobian of each direction
         const SimulationTask task = taskFor(problem, static_cast<int>(e), values, withJacobian ? &columns : nullptr);
         RowWriter writer(experiment, columns, row, withJacobian, result);
-        if (options.engine == Engine::Adaptive) {
-            result.trajectories.push_back(simulateAdaptive(task, options, progress));
-        } else {
-            const GridPlan plan = e < plans.size() ? plans[e] : planGrid(task, options, progress);
-            result.trajectories.push_back(simulateGrid(task, plan, options, progress, &writer));
-        }
+        const GridPlan* const plan = e < plans.size() ? &plans[e] : nullptr;
+        result.trajectories.push_back(simulated(problem, task, plan, options, progress, writer));
         Trajectory& trajectory = result.trajectories.back();
         const bool isPoured = options.engine != Engine::Adaptive;
         if (!isPoured && !trajectory.failure.failed) pour(trajectory, static_cast<int>(task.directions.cols()), writer);
@@ -241,8 +253,8 @@ MisfitSums sumUp(const FitProblem& problem, const Eigen::VectorXd& values, bool 
         std::vector<Eigen::Index> columns;
         const SimulationTask task = taskFor(problem, index, values, withJacobian ? &columns : nullptr);
         parts[e] = std::make_unique<NormalEquations>(problem.experiments[e], std::move(columns));
-        const GridPlan plan = e < plans.size() ? plans[e] : planGrid(task, options, progress);
-        const Trajectory trajectory = simulateGrid(task, plan, options, progress, parts[e].get());
+        const GridPlan* const plan = e < plans.size() ? &plans[e] : nullptr;
+        const Trajectory trajectory = simulated(problem, task, plan, options, progress, *parts[e]);
         if (trajectory.failure.failed) {
             failures[e] = describe(trajectory.failure, problem.experiments[e].name);
         } else if (!parts[e]->isFinite()) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,8 @@ struct FitProblem {
     /// The weights are 1 / (standard deviation of the noise). False: they only balance the channels, so the
     /// scatter is judged by the residuals themselves.
     bool weightsAreNoise{true};
+    /// Sees every simulation before it runs, from any thread: may change it, or refuse it by throwing.
+    std::function<void(SimulationTask&, SimulationOptions&)> beforeSimulation{};
 
     int residualCount() const;  // measured values that are not NaN, with weight > 0
 };

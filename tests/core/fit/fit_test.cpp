@@ -3,17 +3,23 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <ctime>
 #include <random>
 
-#include "tests/core/simulate/text_models.hpp"
+#include "tests/core/fit/motor_problem.hpp"
 
 namespace analogon {
 namespace {
 
 using test::compileText;
+using test::motorProblem;
 using test::ownParameters;
+using test::parameter;
+using test::simulated;
+using test::steps;
 using ::testing::HasSubstr;
 
 const char* const capacitorText = R"(
@@ -30,49 +36,6 @@ equation
   y = v;
 end Charging;
 )";
-
-SampledInputs steps(int count, double step, double level, double period) {
-    SampledInputs inputs;
-    inputs.values.resize(1, count);
-    for (int k = 0; k < count; ++k) {
-        inputs.time.push_back(k * step);
-        inputs.values(0, k) = std::fmod(k * step, period) < 0.5 * period ? level : 0.2 * level;
-    }
-    return inputs;
-}
-
-/// An experiment whose measurement is the system itself at `truth` (by name order of its parameters) and noise.
-FitExperiment simulated(const std::string& name, const SystemPtr& system, const SampledInputs& inputs,
-                        const std::vector<double>& truth, double sigma, unsigned seed) {
-    FitExperiment experiment;
-    experiment.name = name;
-    experiment.system = system;
-    experiment.inputs = inputs;
-    experiment.parameters = ownParameters(*system);
-    SimulationTask task;
-    task.system = system.get();
-    task.inputs = &inputs;
-    task.parameters = truth;
-    const Trajectory exact = simulate(task);
-    EXPECT_FALSE(exact.failure.failed);
-    std::mt19937 random(seed);
-    std::normal_distribution<double> normal(0.0, sigma > 0 ? sigma : 1.0);
-    experiment.measured = exact.outputs;
-    if (sigma > 0) {
-        experiment.measured = experiment.measured.unaryExpr([&](double value) { return value + normal(random); });
-    }
-    experiment.weights = Eigen::VectorXd::Constant(system->outputCount(), sigma > 0 ? 1.0 / sigma : 1.0);
-    return experiment;
-}
-
-FitParameter parameter(const std::string& name, double start, double min = -1e300, double max = 1e300) {
-    FitParameter p;
-    p.name = name;
-    p.start = start;
-    p.min = min;
-    p.max = max;
-    return p;
-}
 
 FitProblem charging(double sigma = 0.01) {
     const SystemPtr system = compileText(capacitorText, "Charging", {"R", "C"});
@@ -133,29 +96,8 @@ TEST(Fit, RecoversAKnownTimeConstantWithinItsStandardError) {
     EXPECT_EQ(undetermined.remarks[0], "R and C cannot be told apart from these data: fix one");
 }
 
-FitProblem motor(int count, double sigma) {
-    const SystemPtr system = compileText(test::motorText, "Motor", {"R", "L", "k", "J1", "J2", "c", "d", "b"});
-    FitProblem problem;
-    const std::vector<double> truth = ownParameters(*system);
-    FitExperiment experiment = simulated("steps", system, steps(count, 1e-3, 6.0, 0.5), truth, 0.0, 5);
-    std::mt19937 random(9);
-    std::normal_distribution<double> normal;
-    for (Eigen::Index o = 0; o < 2; ++o) {
-        const double level = sigma * (experiment.measured.row(o).maxCoeff() - experiment.measured.row(o).minCoeff());
-        for (double& value : experiment.measured.row(o)) value += level * normal(random);
-        experiment.weights[o] = 1.0 / level;
-    }
-    problem.experiments.push_back(experiment);
-    const double factors[] = {1.6, 0.6, 0.7, 1.5, 0.6, 1.8, 0.5, 2.0};
-    for (std::size_t i = 0; i < truth.size(); ++i) {
-        problem.parameters.push_back(
-            parameter(system->parameters()[i].name, truth[i] * factors[i], truth[i] * 1e-2, truth[i] * 1e2));
-    }
-    return problem;
-}
-
 TEST(Fit, RecoversEightMotorParametersFromFarStarts) {
-    const FitProblem problem = motor(4000, 0.005);
+    const FitProblem problem = motorProblem(4000, 0.005);
     const FitResult result = fit(problem);
     ASSERT_EQ(result.status, FitStatus::Converged) << result.message;
     const std::vector<double> truth = ownParameters(*problem.experiments[0].system);
@@ -168,18 +110,33 @@ TEST(Fit, RecoversEightMotorParametersFromFarStarts) {
     EXPECT_NEAR(result.correlation(0, 0), 1.0, 1e-12);
 }
 
+/// ANALOGON_REPEATS asks for more than a test of every day runs.
+int repeats() {
+    const char* const asked = std::getenv("ANALOGON_REPEATS");
+    return asked ? std::max(1, std::atoi(asked)) : 5;
+}
+
 TEST(Fit, IsReproducibleWhateverTheThreads) {
-    FitProblem problem = motor(300, 0.005);
+    FitProblem several = motorProblem(300, 0.005);
+    several.experiments.push_back(motorProblem(1200, 0.01).experiments.front());
     FitOptions options;
-    options.starts = 3;
-    options.seed = 7;
-    options.threads = 1;
-    const FitResult one = fit(problem, options);
-    options.threads = 2;
-    const FitResult two = fit(problem, options);
-    EXPECT_EQ(one.values, two.values);
-    EXPECT_EQ(one.simulations, two.simulations);
-    EXPECT_EQ(one.status, FitStatus::Converged);
+    for (const int starts : {6, 1}) {  // threads for the starts, and for the experiments
+        options.starts = starts;
+        options.seed = 7;
+        options.threads = 1;
+        const FitResult reference = fit(several, options);
+        EXPECT_EQ(reference.status, FitStatus::Converged) << reference.message;
+        for (const int threads : {1, 2, 4})
+            for (int repeat = 0; repeat < repeats(); ++repeat) {
+                options.threads = threads;
+                const FitResult result = fit(several, options);
+                // To the last bit: 1e-10 is what is promised.
+                EXPECT_EQ(result.values, reference.values) << threads;
+                EXPECT_EQ(result.cost, reference.cost) << threads;
+                EXPECT_EQ(result.covariance, reference.covariance) << threads;
+                EXPECT_EQ(result.simulations, reference.simulations) << threads;
+            }
+    }
 }
 
 TEST(Fit, ReachesABoundAndSaysSo) {
@@ -315,7 +272,7 @@ end Falling;
 }
 
 TEST(Fit, KeepsTheBestWhenCancelled) {
-    const FitProblem problem = motor(2000, 0.005);
+    const FitProblem problem = motorProblem(2000, 0.005);
     std::stop_source source;
     int reports = 0;
     const Progress progress(source.get_token(), [&](const Progress::Report&) {
@@ -329,7 +286,7 @@ TEST(Fit, KeepsTheBestWhenCancelled) {
 }
 
 TEST(Fit, TheIterationLimitIsNotConvergence) {
-    const FitProblem problem = motor(600, 0.005);
+    const FitProblem problem = motorProblem(600, 0.005);
     FitOptions options;
     options.maxIterations = 2;
     const FitResult result = fit(problem, options);
@@ -401,7 +358,7 @@ TEST(ErrorFigures, AreThoseComputedByHand) {
 }
 
 TEST(Fit, AFiveStateMotorWithTwentyThousandSamplesIsAMatterOfASecond) {
-    const FitProblem problem = motor(20000, 0.005);
+    const FitProblem problem = motorProblem(20000, 0.005);
     const std::clock_t started = std::clock();
     const FitResult result = fit(problem);
     const double spent = static_cast<double>(std::clock() - started) / CLOCKS_PER_SEC;

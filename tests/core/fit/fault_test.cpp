@@ -1,0 +1,118 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <stdexcept>
+#include <thread>
+
+#include "core/fit/fit.hpp"
+#include "tests/core/fit/motor_problem.hpp"
+
+// Simulations that fail, and fits that are stopped.
+namespace analogon {
+namespace {
+
+using test::motorProblem;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+/// Makes chosen simulations fail, each in another way.
+class Faults {
+public:
+    /// `isAt` is asked with the number of the simulation.
+    explicit Faults(std::function<bool(int)> isAt) : isAt_(std::move(isAt)) {}
+
+    void operator()(SimulationTask& task, SimulationOptions& options) {
+        if (!isAt_(simulations_++)) return;
+        switch (injected_++ % 3) {
+            case 0:
+                task.parameters.front() = std::nan("");
+                break;
+            case 1:
+                options.evaluationLimit = -1;
+                break;
+            default:
+                throw std::runtime_error("out of memory");
+        }
+    }
+    int injected() const { return injected_; }
+
+private:
+    std::function<bool(int)> isAt_;
+    int simulations_{}, injected_{};
+};
+
+/// Ten in a row soon after the start, then about four of five, until there were a hundred.
+bool isFaulty(int simulation) {
+    if (simulation < 2) return false;
+    if (simulation < 12) return true;
+    return (static_cast<unsigned>(simulation) * 2654435761u >> 16) % 5 != 0;
+}
+
+class AHundredFailures : public ::testing::TestWithParam<FitMethod> {};
+
+TEST_P(AHundredFailures, CostTimeButNotTheOptimum) {
+    FitProblem problem = motorProblem(1500, 0.005);
+    FitOptions options;
+    options.method = GetParam();
+    // Ceres counts its failed steps as iterations.
+    if (options.method == FitMethod::LeastSquaresByCeres) options.maxIterations = 500;
+    if (options.method == FitMethod::NelderMead) problem.parameters.resize(3);
+    const FitResult undisturbed = fit(problem, options);
+    ASSERT_EQ(undisturbed.status, FitStatus::Converged) << undisturbed.message;
+    EXPECT_EQ(undisturbed.failedSimulations, 0);
+
+    int allowed = 100;
+    Faults faults([&](int simulation) { return allowed > 0 && isFaulty(simulation) && allowed-- > 0; });
+    problem.beforeSimulation = std::ref(faults);
+    const FitResult disturbed = fit(problem, options);
+    EXPECT_EQ(disturbed.status, FitStatus::Converged) << disturbed.message;
+    EXPECT_EQ(faults.injected(), 100) << disturbed.message;
+    for (Eigen::Index i = 0; i < disturbed.values.size(); ++i)
+        EXPECT_NEAR(disturbed.values[i], undisturbed.values[i], 1e-4 * std::abs(undisturbed.values[i])) << i;
+    EXPECT_EQ(disturbed.failedSimulations, 100);
+    EXPECT_THAT(disturbed.remarks, Contains(HasSubstr("100 of")));
+    EXPECT_TRUE(disturbed.optimum.ok);
+}
+
+INSTANTIATE_TEST_SUITE_P(Fit, AHundredFailures,
+                         ::testing::Values(FitMethod::LeastSquares, FitMethod::LeastSquaresByCeres,
+                                           FitMethod::NelderMead));
+
+TEST(Fit, TellsWhatWasThrownInASimulation) {
+    FitProblem problem = motorProblem(300, 0.005);
+    problem.beforeSimulation = [](SimulationTask&, SimulationOptions&) { throw std::runtime_error("out of memory"); };
+    const FitResult result = fit(problem);
+    EXPECT_EQ(result.status, FitStatus::Failed);
+    EXPECT_THAT(result.message, HasSubstr("experiment 'steps' failed at t = 0 s: out of memory"));
+}
+
+TEST(Fit, StopsAtOnceWhenCancelledInALongRecord) {
+    const FitProblem problem = motorProblem(300'000, 0.005);
+    std::stop_source source;
+    std::clock_t asked{};  // processor time: the machine may be busy with other things
+    std::jthread user;
+    int reports = 0;
+    const Progress progress(source.get_token(), [&](const Progress::Report&) {
+        // In the middle of the simulations that follow.
+        if (++reports == 3)
+            user = std::jthread([&] {
+                std::this_thread::sleep_for(std::chrono::milliseconds(20));
+                asked = std::clock();
+                source.request_stop();
+            });
+    });
+    const FitResult result = fit(problem, {}, progress);
+    const double waited = static_cast<double>(std::clock() - asked) / CLOCKS_PER_SEC;
+    user.join();
+    EXPECT_EQ(result.status, FitStatus::Cancelled) << result.message;
+    ASSERT_EQ(result.values.size(), 8);
+    EXPECT_LT(result.cost, result.startCost);
+    RecordProperty("seconds_to_stop", std::to_string(waited));
+    EXPECT_LT(waited, 0.1);
+}
+
+}  // namespace
+}  // namespace analogon
