@@ -225,15 +225,13 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
     result.iterations = best.minimum.iterations;
     result.plans = best.plans;
     result.optimum = std::move(best.optimum);
-    // What was found so far is told after a cancel, too: all of it where that is a matter of a moment.
-    const bool isCancelled = best.minimum.status == FitStatus::Cancelled;
+    // Not cancellable: what was found so far is to be told.
     const bool isAsked = options.keepsOptimum || !best.reduced.ok;
-    SimulationOptions simulation = options.simulation;
-    if (isCancelled) simulation.wallClockLimit = 0.03;
-    const int most = best.reduced.ok && !isCancelled ? mostFailures : 1;
+    const int most = best.reduced.ok ? mostFailures : 1;
     for (int tries = 0; isAsked && !result.optimum.ok && tries < most; ++tries)
-        result.optimum = linearise(problem, result.values, true, best.plans, simulation);
-    const bool isReduced = best.reduced.ok && (isCancelled || !isAsked || !result.optimum.ok);
+        result.optimum = linearise(problem, result.values, true, best.plans, options.simulation);
+    // The search has looked at the optimum as closely as can be, unless a robust loss bends what it saw.
+    const bool isReduced = best.reduced.ok && (options.loss == RobustLoss::None || !result.optimum.ok);
     // NaN when even the best point failed
     result.cost = isReduced ? best.reduced.cost() : 0.5 * result.optimum.residuals.squaredNorm();
 
@@ -257,8 +255,16 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
         const ReducedMisfit reduced =
             isReduced ? best.reduced : reduce(result.optimum.jacobian, result.optimum.residuals);
         uncertainty = uncertaintyOf(reduced.jacobian, variance, names);
+        result.variance = variance;
     }
-    if (!options.keepsOptimum) result.optimum = {};
+    Eigen::VectorXd robustErrors = Eigen::VectorXd::Constant(K, nan);
+    if (options.findsRobustErrors && result.optimum.ok && K > 0)
+        robustErrors = robustErrorsOf(problem, result.optimum, uncertainty.covariance / result.variance);
+    if (!options.keepsOptimum) {
+        std::string failure = std::move(result.optimum.failure);
+        result.optimum = {};
+        result.optimum.failure = std::move(failure);
+    }
     result.covariance = uncertainty.covariance;
     result.correlation = uncertainty.correlation;
     for (std::size_t i = 0; i < problem.parameters.size(); ++i) {
@@ -271,6 +277,7 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
         estimate.standardError = uncertainty.standardErrors[index];
         estimate.atBound = i < best.minimum.atBound.size() && best.minimum.atBound[i];
         estimate.experiment = p.experiment;
+        estimate.robustError = robustErrors[index];
         result.estimates.push_back(std::move(estimate));
     }
     addRemarks(problem, best, uncertainty, result);
@@ -297,7 +304,7 @@ FitResult fit(const FitProblem& problem, const FitOptions& options, const Progre
         only.minimum.message = "no parameter is free";
         conclude(problem, options, only, result);
         result.startCost = result.cost;
-        if (!result.optimum.ok) {
+        if (!std::isfinite(result.cost)) {
             result.status = FitStatus::Failed;
             result.message = result.optimum.failure;
         }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,10 +26,20 @@ struct FitOptions {
     int threads{1};
     /// False: FitResult::optimum stays empty; the fit then needs no memory that grows with the record.
     bool keepsOptimum{true};
+    /// Fills FitEstimate::robustError (keepsOptimum must hold).
+    bool findsRobustErrors{};
     SimulationOptions simulation;
 };
 
 enum class FitStatus { Converged, IterationLimit, Cancelled, Failed };
+
+/// Where the profile of the likelihood crosses the 95 % threshold (core/fit/profile.hpp).
+struct ConfidenceInterval {
+    double lower{}, upper{};            // as far as was looked where the threshold is not crossed
+    bool isOpenBelow{}, isOpenAbove{};  // it is not crossed on that side
+    std::vector<double> values, rises;  // the profile: fall of twice the log-likelihood from the optimum
+    std::string remark;                 // what a reader should know: "these data set no upper limit …"
+};
 
 /// What one parameter came to.
 struct FitEstimate {
@@ -37,6 +49,8 @@ struct FitEstimate {
     double standardError{};  // NaN when the data do not determine it
     bool atBound{};
     int experiment{-1};
+    double robustError{std::numeric_limits<double>::quiet_NaN()};  // holds for residuals correlated in time, too
+    std::optional<ConfidenceInterval> interval{};                  // where it was asked for
 };
 
 struct FitResult {
@@ -46,7 +60,8 @@ struct FitResult {
     Eigen::VectorXd values;
     Eigen::MatrixXd covariance;  // of the values; NaN rows where not determined
     Eigen::MatrixXd correlation;
-    double cost{};  // 1/2 sum of squares
+    double cost{};       // 1/2 sum of squares
+    double variance{1};  // of a weighted residual, as the standard errors take it
     double startCost{};
     int iterations{};
     int simulations{};

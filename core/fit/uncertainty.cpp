@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -113,6 +114,96 @@ Uncertainty uncertaintyOf(const Eigen::MatrixXd& jacobian, double variance, cons
         }
     }
     return result;
+}
+
+namespace {
+
+/// Jᵀr of each sample of an experiment, of all outputs together: rows: samples, columns: parameters.
+Eigen::MatrixXd scoresOf(const FitExperiment& experiment, const Linearisation& optimum, Eigen::Index& row) {
+    Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(experiment.measured.cols(), optimum.jacobian.cols());
+    for (Eigen::Index o = 0; o < experiment.measured.rows(); ++o) {
+        if (!experiment.isFitted(o)) continue;
+        for (Eigen::Index k = 0; k < scores.rows(); ++k) {
+            if (std::isnan(experiment.measured(o, k))) continue;
+            scores.row(k) += optimum.residuals[row] * optimum.jacobian.row(row);
+            ++row;
+        }
+    }
+    return scores;
+}
+
+}  // namespace
+
+Eigen::MatrixXd longRunCovariance(const Eigen::MatrixXd& rows, Eigen::Index window) {
+    // Products of sums over sliding windows, rows beyond the ends taken as zero, add up to just that weighted sum
+    // (overlapping batch means: Meketon & Schmeiser 1984), whatever the window costs.
+    const Eigen::Index count = rows.rows(), K = rows.cols();
+    Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(K, K);
+    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(K);
+    for (Eigen::Index end = 0; end < count + window - 1; ++end) {
+        if (end < count) sum += rows.row(end);
+        if (end >= window) sum -= rows.row(end - window);
+        covariance.noalias() += sum.transpose() * sum;
+    }
+    return covariance / static_cast<double>(window);
+}
+
+double suitableWindow(const Eigen::MatrixXd& rows) {
+    const Eigen::Index count = rows.rows();
+    if (count < 3) return 1.0;
+    double above = 0.0, below = 0.0;
+    for (Eigen::Index i = 0; i < rows.cols(); ++i) {
+        const auto now = rows.col(i).tail(count - 1), before = rows.col(i).head(count - 1);
+        const double square = before.squaredNorm();
+        if (square == 0.0) continue;
+        const double rho = std::clamp(now.dot(before) / square, -0.99, 0.99);
+        // Each column weighs alike: its innovations are taken as 1.
+        above += 4.0 * rho * rho / (std::pow(1.0 - rho, 6) * std::pow(1.0 + rho, 2));
+        below += 1.0 / std::pow(1.0 - rho, 4);
+    }
+    if (below == 0.0) return 1.0;
+    return 1.1447 * std::cbrt(above / below * static_cast<double>(count));
+}
+
+Eigen::VectorXd robustErrorsOf(const FitProblem& problem, const Linearisation& optimum,
+                               const Eigen::MatrixXd& inverse) {
+    const Eigen::Index K = inverse.rows();
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(K, K);
+    Eigen::Index row = 0;
+    for (const FitExperiment& experiment : problem.experiments) {
+        const Eigen::MatrixXd scores = scoresOf(experiment, optimum, row);
+        const double most = std::max(1.0, static_cast<double>(scores.rows() / 4));
+        const double window = std::clamp(std::ceil(suitableWindow(scores)), 1.0, most);
+        sum += longRunCovariance(scores, static_cast<Eigen::Index>(window));
+    }
+    const Eigen::MatrixXd known = inverse.array().isNaN().select(0.0, inverse);
+    Eigen::VectorXd errors = (known * sum * known).diagonal().cwiseMax(0.0).cwiseSqrt();
+    for (Eigen::Index i = 0; i < K; ++i)
+        if (std::isnan(inverse(i, i))) errors[i] = std::numeric_limits<double>::quiet_NaN();
+    return errors;
+}
+
+std::vector<Eigen::MatrixXd> predictionBands(const FitProblem& problem, const FitResult& result,
+                                             const SimulationOptions& options, const Progress& progress) {
+    // Every output as it is: what was measured of it, and how it weighs, plays no part here.
+    FitProblem all = problem;
+    for (FitExperiment& experiment : all.experiments) {
+        experiment.measured.setZero();
+        experiment.weights.setOnes();
+    }
+    const Linearisation line = linearise(all, result.values, true, result.plans, options, progress);
+    std::vector<Eigen::MatrixXd> bands;
+    Eigen::Index row = 0;
+    for (const FitExperiment& experiment : all.experiments) {
+        Eigen::MatrixXd band(experiment.measured.rows(), experiment.measured.cols());
+        band.setConstant(std::numeric_limits<double>::quiet_NaN());
+        for (Eigen::Index o = 0; line.ok && o < band.rows(); ++o, row += band.cols()) {
+            const auto slopes = line.jacobian.middleRows(row, band.cols());
+            band.row(o) = (slopes * result.covariance).cwiseProduct(slopes).rowwise().sum().cwiseSqrt().transpose();
+        }
+        bands.push_back(std::move(band));
+    }
+    return bands;
 }
 
 }  // namespace analogon

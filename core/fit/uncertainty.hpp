@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/fit/fit.hpp"
+
 namespace analogon {
 
 /// What the data say about the parameters at the optimum.
@@ -18,5 +20,24 @@ struct Uncertainty {
 /// variance of a weighted residual: covariance = variance (JᵀJ)^-1 on the directions that the data determine;
 /// the others are named.
 Uncertainty uncertaintyOf(const Eigen::MatrixXd& jacobian, double variance, const std::vector<std::string>& names);
+
+/// Standard errors that hold for residuals correlated in time, too, from the "sandwich" (JᵀJ)^-1 S (JᵀJ)^-1 (White
+/// 1980) with the long-run covariance S of the scores Jᵀr of each sample. `inverse`: (JᵀJ)^-1, NaN where not
+/// determined.
+Eigen::VectorXd robustErrorsOf(const FitProblem& problem, const Linearisation& optimum, const Eigen::MatrixXd& inverse);
+
+/// Sum of the autocovariances of the rows (not centred: scores sum to zero) with Bartlett's weights 1 - lag / window
+/// (Newey & West, Econometrica 55, 1987). It cannot be negative.
+Eigen::MatrixXd longRunCovariance(const Eigen::MatrixXd& rows, Eigen::Index window);
+
+/// The window that suits rows as they follow one another: Andrews (Econometrica 59, 1991), eqs. 6.2 and 6.4, with a
+/// first-order autoregression in each column.
+double suitableWindow(const Eigen::MatrixXd& rows);
+
+/// How far each output is uncertain since the parameters are: standard deviations by the delta method, sqrt(y' C y'ᵀ)
+/// with the slopes y' and the covariance C of the fit. One matrix an experiment; rows: outputs, columns: samples.
+/// The noise of a measurement is not in it. NaN: the simulation failed, or a parameter is not determined.
+std::vector<Eigen::MatrixXd> predictionBands(const FitProblem& problem, const FitResult& result,
+                                             const SimulationOptions& options = {}, const Progress& progress = {});
 
 }  // namespace analogon
