@@ -57,6 +57,7 @@ RunOptions runOptions(const Options& options) {
     run.libraryPaths = options.libraries;
     run.discover.threads = options.threads;
     run.discover.kinds = options.kinds;
+    run.profiled = options.profiled;
     run.discover.fit.threads = options.threads;
     if (options.method == "nelder-mead") run.discover.fit.method = FitMethod::NelderMead;
     return run;
@@ -168,6 +169,10 @@ void describe(CLI::App& app, Options& options) {
     CLI::App* fit = command(Command::Fit, "Estimate the parameters");
     addRun(*fit, options);
     addFit(*fit, options);
+    fit->add_option("--profile", options.profiled,
+                    "Where the data limit these parameters (or all): 95 % intervals of the likelihood")
+        ->delimiter(',')
+        ->type_name("NAME,…");
     CLI::App* discover = command(Command::Discover, "Fit, find missing effects, add them, refit, report");
     addRun(*discover, options);
     addFit(*discover, options);

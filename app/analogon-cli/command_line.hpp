@@ -25,6 +25,7 @@ struct Options {
     std::vector<std::filesystem::path> libraries;
     int threads{0};                                        // 0: as many as the machine has
     std::string method{"least-squares"};                   // or nelder-mead
+    std::vector<std::string> profiled;                     // fit: parameters, or "all"
     std::vector<std::string> kinds;                        // of effects; empty: all
     std::vector<std::string> domains;                      // generate
     std::filesystem::path fmuFile, modelicaFile, csvFile;  // export

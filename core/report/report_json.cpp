@@ -14,6 +14,17 @@ using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+Json intervalJson(const ConfidenceInterval& interval) {
+    Json values = Json::array(), rises = Json::array();
+    for (const double value : interval.values) values.push_back(number(value));
+    for (const double rise : interval.rises) rises.push_back(number(rise));
+    return {{"level", 0.95},
+            {"lower", interval.isOpenBelow ? Json(nullptr) : number(interval.lower)},
+            {"upper", interval.isOpenAbove ? Json(nullptr) : number(interval.upper)},
+            {"remark", interval.remark},
+            {"profile", {{"values", values}, {"rises", rises}}}};
+}
+
 Json parametersJson(const ModelState& state) {
     Json parameters = Json::object();
     for (const FitEstimate& estimate : state.parameters) {
@@ -21,6 +32,8 @@ Json parametersJson(const ModelState& state) {
                   {"std", number(estimate.standardError)},
                   {"unit", estimate.unit},
                   {"at_bound", estimate.atBound}};
+        if (std::isfinite(estimate.robustError)) json["std_robust"] = estimate.robustError;
+        if (estimate.interval) json["interval"] = intervalJson(*estimate.interval);
         const std::string experiment = experimentOf(state, estimate);
         if (!experiment.empty()) json["experiment"] = experiment;
         // A start value has one estimate for each experiment.

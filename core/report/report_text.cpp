@@ -90,6 +90,22 @@ std::string parameterTable(const ModelState& state) {
     return state.parameters.empty() ? std::string() : '\n' + aligned(rows, 3);
 }
 
+/// Where the data limit each parameter, by its profile.
+std::string intervalTable(const ModelState& state) {
+    std::vector<std::vector<std::string>> rows{{"95 % interval", "from", "to"}};
+    std::string remarks;
+    for (const FitEstimate& estimate : state.parameters) {
+        if (!estimate.interval) continue;
+        const ConfidenceInterval& interval = *estimate.interval;
+        const std::string experiment = experimentOf(state, estimate);
+        rows.push_back({experiment.empty() ? estimate.name : fmt::format("{} ({})", estimate.name, experiment),
+                        interval.isOpenBelow ? "open" : numberText(interval.lower, 5),
+                        interval.isOpenAbove ? "open" : numberText(interval.upper, 5)});
+        if (!interval.remark.empty()) remarks += "  " + interval.remark + '\n';
+    }
+    return rows.size() == 1 ? std::string() : '\n' + aligned(rows, 3) + remarks;
+}
+
 /// Whether effects were looked for at all.
 bool isSearch(const Finding& finding) {
     return finding.kind != FindingKind::Adequate || !finding.candidates.empty() || !finding.effects.empty();
@@ -102,7 +118,9 @@ std::string summaryText(const Finding& finding) {
     if (isSearch(finding))
         text += fmt::format("Finding: {}. {}\n\n", name(finding.kind), summaryWords(finding, "discover"));
     text += errorTable(finding);
-    text += parameterTable(finding.final.experiments.empty() ? finding.baseline : finding.final);
+    const ModelState& last = finding.final.experiments.empty() ? finding.baseline : finding.final;
+    text += parameterTable(last);
+    text += intervalTable(last);
     if (!finding.effects.empty()) text += "\nAdded\n" + effectLines(finding);
     for (const Remainder& remainder : finding.remainders) text += "\n" + remainderWords(remainder) + "\n";
     if (!finding.nextExperiment.empty()) text += "\nNext experiment: " + finding.nextExperiment + "\n";

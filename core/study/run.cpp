@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "core/report/report.hpp"
+#include "core/study/confidence.hpp"
 
 namespace analogon {
 namespace {
@@ -76,9 +77,11 @@ Outcome<RunResult> runSimulate(const Study& study, const RunOptions& options, co
 Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const Progress& progress) {
     Outcome<EstimationTask> task = taskOf(study, options);
     if (!task) return task.diagnostics();
+    if (Diagnostics faults = checkProfiled(*task, options.profiled); !faults.empty()) return faults;
     Outcome<ModelState> state = fitModel(*task, options.discover.fit, progress);
     if (!state) return state.diagnostics();
     if (Diagnostics faults = failures(*state); !faults.empty()) return faults;
+    if (!progress.stopRequested()) addConfidence(*task, options.profiled, options.discover.fit, *state, progress);
     RunResult result = fitted(study, std::move(*state));
     result.finding.interrupted = progress.stopRequested();
     return {std::move(result), task.diagnostics()};

@@ -11,6 +11,7 @@ namespace analogon {
 struct RunOptions {
     DiscoverOptions discover;  // its `fit` serves simulate and fit as well
     std::vector<std::filesystem::path> libraryPaths;
+    std::vector<std::string> profiled;  // parameters of which a fit gives the profile; "all": every one
 };
 
 /// What a command leaves behind.

@@ -207,6 +207,26 @@ TEST_F(CommandLine, SimulatesAndFitsByNelderMeadWithoutProgress) {
     EXPECT_THAT(fitted.err, Not(HasSubstr("\r"))) << "no bar where there is no terminal";
 }
 
+TEST_F(CommandLine, GivesTheProfilesThatAreAskedFor) {
+    const std::string directory = study(lag).string();
+    const fs::path out = scratch / "out";
+    const Result fitted = run({"fit", directory, "--out", out.string(), "--profile", "T"});
+    ASSERT_EQ(fitted.status, done) << fitted.err;
+    EXPECT_THAT(fitted.out, HasSubstr("95 % interval"));
+    const auto parameters = nlohmann::json::parse(contentOf(out / "report.json"))["final"]["parameters"];
+    const auto& interval = parameters["T"]["interval"];
+    EXPECT_LT(interval["lower"], parameters["T"]["value"]);
+    EXPECT_GT(interval["upper"], parameters["T"]["value"]);
+    EXPECT_EQ(interval["profile"]["values"].size(), interval["profile"]["rises"].size());
+    EXPECT_GT(parameters["T"]["std_robust"], 0.0);
+    EXPECT_FALSE(parameters["k"].contains("interval"));
+
+    const Result unknown = run({"fit", directory, "--out", out.string(), "--profile", "TT"});
+    EXPECT_EQ(unknown.status, inputAtFault);
+    EXPECT_THAT(unknown.err, HasSubstr("TT is not fitted: it has no profile"));
+    EXPECT_THAT(unknown.err, HasSubstr("fitted: T, k"));
+}
+
 TEST_F(CommandLine, NamesTheFaultOfTheInputOnceAndWritesNothing) {
     const fs::path out = scratch / "out";
     const auto faulty = [&](const std::string& model, const std::string& data, const std::string& message) {

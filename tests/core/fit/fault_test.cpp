@@ -90,7 +90,7 @@ TEST(Fit, TellsWhatWasThrownInASimulation) {
 }
 
 TEST(Fit, StopsAtOnceWhenCancelledInALongRecord) {
-    const FitProblem problem = motorProblem(300'000, 0.005);
+    const FitProblem problem = motorProblem(100'000, 0.005);
     std::stop_source source;
     std::clock_t asked{};  // processor time: the machine may be busy with other things
     std::jthread user;
