@@ -306,7 +306,38 @@ std::vector<Instruction>& Lowering::target(const RegisterInfo& info) {
     return info.isOwn ? program_.code : prelude_.code;
 }
 
+const Instruction* Lowering::madeBy(std::uint32_t reg, Opcode opcode) const {
+    const auto at = made_.find(reg);
+    return at != made_.end() && at->second.opcode == opcode ? &at->second : nullptr;
+}
+
+std::optional<std::uint32_t> Lowering::shortened(Opcode opcode, std::uint32_t a, std::uint32_t b) {
+    if (isPreludeClosed_) return std::nullopt;
+    const auto isOfParameters = [&](std::uint32_t reg) { return registers_[reg].stage == RegisterInfo::Parameter; };
+    // n/(p x) with p of parameters alone: (n/p)/x, where n/p does not wait for x.
+    if (const Instruction* product = madeBy(b, Opcode::Multiply); opcode == Opcode::Divide && product) {
+        const auto [p, x] =
+            isOfParameters(product->a) ? std::pair(product->a, product->b) : std::pair(product->b, product->a);
+        if (isOfParameters(p) && !isOfParameters(x) && !isOfParameters(a))
+            return emit(Opcode::Divide, emit(Opcode::Divide, a, p), x);
+    }
+    // r (n/r)^2, the heat in a resistance at a voltage: n^2/r; likewise p x (m/x)^2.
+    for (const auto& [factor, power] : {std::pair(a, b), std::pair(b, a)}) {
+        const Instruction* const square = opcode == Opcode::Multiply ? madeBy(power, Opcode::Square) : nullptr;
+        const Instruction* const quotient = square ? madeBy(square->a, Opcode::Divide) : nullptr;
+        if (!quotient) continue;
+        const std::uint32_t numerator = quotient->a, divisor = quotient->b;
+        if (divisor == factor) return emit(Opcode::Divide, emit(Opcode::Square, numerator), divisor);
+        const Instruction* const product = madeBy(factor, Opcode::Multiply);
+        if (!product || (product->a != divisor && product->b != divisor)) continue;
+        const std::uint32_t rest = product->a == divisor ? product->b : product->a;
+        return emit(Opcode::Divide, emit(Opcode::Multiply, rest, emit(Opcode::Square, numerator)), divisor);
+    }
+    return std::nullopt;
+}
+
 std::uint32_t Lowering::emit(Opcode opcode, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    if (const std::optional<std::uint32_t> shorter = shortened(opcode, a, b)) return *shorter;
     // The reciprocal of what depends on parameters alone is found once, not at every step.
     if (opcode == Opcode::Divide && !isPreludeClosed_ && registers_[a].stage == RegisterInfo::Dynamic &&
         registers_[b].stage == RegisterInfo::Parameter) {
@@ -331,6 +362,7 @@ std::uint32_t Lowering::emit(Opcode opcode, std::uint32_t a, std::uint32_t b, st
     info.degree = degreeOf(instruction);
     info.isOwn = info.stage == RegisterInfo::Dynamic || isPreludeClosed_;
     instruction.dst = newRegister(info);
+    made_.emplace(instruction.dst, instruction);
     target(info).push_back(instruction);
     return instruction.dst;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <optional>
 #include <unordered_map>
 
 #include "core/eval/program.hpp"
@@ -100,6 +102,9 @@ private:
     bool isPure(ExpressionId expression);
     std::string nameOf(ExpressionId node) const;
     void relocate(Instruction& instruction) const;
+    /// A shorter way to the same value, if there is one: what follows one another in a step is what takes the time.
+    std::optional<std::uint32_t> shortened(Opcode opcode, std::uint32_t a, std::uint32_t b);
+    const Instruction* madeBy(std::uint32_t reg, Opcode opcode) const;
     std::vector<Instruction>& target(const RegisterInfo& info);
 
     const Structure& structure_;
@@ -108,6 +113,7 @@ private:
     const ExpressionPool& pool_;
     LeafCollector collect_;
     std::vector<RegisterInfo> registers_;
+    std::map<std::uint32_t, Instruction> made_;  // the instruction behind a register
     std::vector<std::uint32_t> shared_, local_;  // register by node: for all programs, for the one under way
     std::vector<std::uint32_t> localNodes_;      // nodes entered in local_
     std::vector<ExpressionId> scopedNodes_;      // those of the nonlinear block under way

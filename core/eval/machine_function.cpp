@@ -277,6 +277,17 @@ private:
 
     void scalar(const VectorCode::Step& s) {
         const int a = inRegister(s.a);
+        if (!isWide_) {
+            // All four alike: no slower than one that has to be spread out again. (Eight would be.)
+            const int b = s.operation == Operation::Divide ? inRegister(s.b) : a;
+            const int d = target(s.target, {s.a, s.b});
+            if (s.operation == Operation::Divide) {
+                out_.vdivpd(reg(d, 1), reg(a, 1), reg(b, 1));
+            } else {
+                out_.vsqrtpd(reg(d, 1), reg(a, 1));
+            }
+            return;
+        }
         if (s.operation == Operation::Divide) {
             const int b = inRegister(s.b);
             out_.vdivsd(x86::xmm0, low(a), low(b));

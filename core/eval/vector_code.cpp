@@ -1,5 +1,6 @@
 #include "core/eval/vector_code.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace analogon {
@@ -17,7 +18,19 @@ VectorCode::Entity VectorCode::fresh(int width) {
     return entity;
 }
 
+const VectorCode::Step* VectorCode::productOf(Entity entity) const {
+    const std::uint32_t made = entity < madeAt_.size() ? madeAt_[entity] : 0;
+    return made > 0 && steps_[made - 1].operation == Operation::Multiply ? &steps_[made - 1] : nullptr;
+}
+
 VectorCode::Entity VectorCode::emit(Operation operation, int width, Entity a, Entity b, Entity c) {
+    if (operation == Operation::Add && a != b) {
+        // Of two products the younger one: it is waited for.
+        const Entity younger = std::max(a, b), older = std::min(a, b);
+        for (const Entity factor : {younger, older})
+            if (const Step* product = productOf(factor))
+                return emit(Operation::MultiplyAdd, width, product->a, product->b, factor == a ? b : a);
+    }
     // What is moved may be a place that a block fills again.
     const bool isShared = operation != Operation::Move;
     const bool isSymmetric = operation == Operation::Add || operation == Operation::Multiply;
@@ -26,6 +39,8 @@ VectorCode::Entity VectorCode::emit(Operation operation, int width, Entity a, En
     if (const auto at = known_.find(key); isShared && at != known_.end()) return at->second;
     const Entity target = fresh(width);
     emitTo(target, operation, a, b, c);
+    madeAt_.resize(homes_.size());
+    madeAt_[target] = static_cast<std::uint32_t>(steps_.size());
     if (isShared) known_.emplace(key, target);
     return target;
 }

@@ -52,7 +52,7 @@ public:
     /// One with a home of its own in the scratch memory.
     Entity fresh(int width);
 
-    /// The same operation on the same operands is one entity.
+    /// The same operation on the same operands is one entity; a sum with a product is one operation.
     Entity emit(Operation operation, int width, Entity a, Entity b = none, Entity c = none);
     void emitTo(Entity target, Operation operation, Entity a, Entity b = none, Entity c = none);
     /// `function` is double (*)([const void* data,] double, ...), free of side effects.
@@ -100,6 +100,9 @@ private:
     std::vector<Step> steps_;
     std::vector<BlockCall> blocks_;
     std::uint32_t scratchSize_{};
+    const Step* productOf(Entity entity) const;
+
+    std::vector<std::uint32_t> madeAt_;  // step + 1 that made an entity; 0: none
     using Key = std::array<std::uint64_t, 6>;
     std::map<Key, Entity> known_;
     bool isLoop_{};

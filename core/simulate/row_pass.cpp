@@ -32,9 +32,11 @@ public:
 
     /// The steps of an interval.
     void add(int interval, int substeps) {
-        const double begin = time(interval), h = (time(interval + 1) - begin) / substeps;
+        const double begin = time(interval), length = time(interval + 1) - begin;
+        const double h = substeps == 1 ? length : length / substeps;
         const double* const left = sample(interval);
         const double* const right = left + layout_.slots;
+        if (substeps == 1) return put(next(), begin, h, left);
         for (int s = 0; s < substeps; ++s) {
             double* const to = next();
             to[RowLayout::time] = begin + s * h;
@@ -48,9 +50,7 @@ public:
     void close(int sampleAtEnd) {
         double* const to = next();
         --count_;
-        to[RowLayout::time] = time(sampleAtEnd);
-        to[RowLayout::step] = 0.0;
-        std::copy_n(sample(sampleAtEnd), layout_.slots, to + layout_.slot());
+        put(to, time(sampleAtEnd), 0.0, sample(sampleAtEnd));
         if (layout_.terms() == 0) return;
         if (kept_) {
             putTerms(kept_->begin.data() + used_ * static_cast<std::size_t>(layout_.terms()), layout_.terms(),
@@ -70,8 +70,8 @@ public:
         for (int j = 0; j < count_; ++j) {
             const double* const begin = row(j) + layout_.rateTerm(0);
             const double* const middle = row(j) + layout_.rateTerm(1);
-            to.begin.insert(to.begin.end(), begin, begin + layout_.terms());
-            to.middle.insert(to.middle.end(), middle, middle + layout_.rateTerms);
+            for (int i = 0; i < layout_.terms(); ++i) to.begin.push_back(begin[i]);
+            for (int i = 0; i < layout_.rateTerms; ++i) to.middle.push_back(middle[i]);
         }
     }
 
@@ -82,14 +82,21 @@ private:
     }
     double* next() { return rows_.data() + static_cast<std::ptrdiff_t>(count_++) * layout_.size(); }
 
+    void put(double* to, double time, double step, const double* slots) const {
+        to[RowLayout::time] = time;
+        to[RowLayout::step] = step;
+        for (int i = 0; i < layout_.slots; ++i) to[layout_.slot() + i] = slots[i];
+    }
+
     void tabulateBegins(int first, int count) {
+        double* slots = slots_.data();
         for (int j = 0; j < count; ++j)
-            std::copy_n(row(first + j) + layout_.slot(), layout_.slots,
-                        slots_.data() + static_cast<std::ptrdiff_t>(j) * layout_.slots);
+            for (int i = 0; i < layout_.slots; ++i) *slots++ = row(first + j)[layout_.slot() + i];
         dynamics_.tabulate(slots_.data(), terms_.data(), count);
-        for (int j = 0; j < count; ++j)
-            std::copy_n(terms_.data() + static_cast<std::ptrdiff_t>(j) * layout_.terms(), layout_.terms(),
-                        rows_.data() + static_cast<std::ptrdiff_t>(first + j) * layout_.size() + layout_.rateTerm(0));
+        const double* terms = terms_.data();
+        double* to = rows_.data() + static_cast<std::ptrdiff_t>(first) * layout_.size() + layout_.rateTerm(0);
+        for (int j = 0; j < count; ++j, to += layout_.size())
+            for (int i = 0; i < layout_.terms(); ++i) to[i] = *terms++;
     }
     void tabulateMiddles() {
         for (int j = 0; j < count_; ++j)
@@ -101,7 +108,8 @@ private:
     }
     void putTerms(const double* from, int stride, int place, int many) {
         double* to = rows_.data() + place;
-        for (int j = 0; j < count_; ++j, from += stride, to += layout_.size()) std::copy_n(from, many, to);
+        for (int j = 0; j < count_; ++j, from += stride, to += layout_.size())
+            for (int i = 0; i < many; ++i) to[i] = from[i];
     }
 
     const RowLayout& layout_;
