@@ -80,8 +80,8 @@ private:
         for (std::size_t i = 0; i < s_.states.size(); ++i) {
             const ResultRegister& slope = s_.stateDerivatives[i];
             const Entity k = emitter_.value(slope.place);
-            sum_[i].value = code_.emit(Op::MultiplyAdd, 1, weight, k, sum_[i].value);
-            if (stage < 3) next[i].value = code_.emit(Op::MultiplyAdd, 1, reach, k, begin_[i].value);
+            sum_[i].value = code_.emitAdvance(weight, k, sum_[i].value);
+            if (stage < 3) next[i].value = code_.emitAdvance(reach, k, begin_[i].value);
             for (std::size_t c = 0; c < chunkCount() && slope.active[InputsConstant]; ++c) {
                 const int width = emitter_.chunks()[c].width;
                 const Entity dk = emitter_.tangent(slope.place, c);

@@ -45,6 +45,17 @@ VectorCode::Entity VectorCode::emit(Operation operation, int width, Entity a, En
     return target;
 }
 
+VectorCode::Entity VectorCode::emitAdvance(Entity a, Entity b, Entity c) {
+    const auto isFromTheStart = [this](Entity e) { return e >= madeAt_.size() || madeAt_[e] == 0; };
+    if (const Step* product = productOf(b)) {
+        const auto [early, late] =
+            isFromTheStart(product->a) ? std::pair(product->a, product->b) : std::pair(product->b, product->a);
+        if (isFromTheStart(early))
+            return emit(Operation::MultiplyAdd, 1, emit(Operation::Multiply, 1, a, early), late, c);
+    }
+    return emit(Operation::MultiplyAdd, 1, a, b, c);
+}
+
 void VectorCode::emitTo(Entity target, Operation operation, Entity a, Entity b, Entity c) {
     Step step;
     step.operation = operation;

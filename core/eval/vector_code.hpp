@@ -54,6 +54,9 @@ public:
 
     /// The same operation on the same operands is one entity; a sum with a product is one operation.
     Entity emit(Operation operation, int width, Entity a, Entity b = none, Entity c = none);
+    /// a * b + c, in the order in which it is there earliest: where b is the product of something known from the start
+    /// and something late, a waits for the first alone.
+    Entity emitAdvance(Entity a, Entity b, Entity c);
     void emitTo(Entity target, Operation operation, Entity a, Entity b = none, Entity c = none);
     /// `function` is double (*)([const void* data,] double, ...), free of side effects.
     Entity call(const void* function, const void* data, Entity a, Entity b = none, Entity c = none);

@@ -67,7 +67,8 @@ public:
         if (isRough_) {
             misfit_.plan(minimum.values);
             plannedAt_ = minimum.values;
-        } else if (planRounds_ < 3 && (moved.any() || minimum.status == FitStatus::Failed)) {
+        } else if (planRounds_ < 3 &&
+                   ((moved.any() && !holdsAt(minimum.values)) || minimum.status == FitStatus::Failed)) {
             ++planRounds_;
             goesOn = misfit_.refinePlan(minimum.values) || goesOn;
             plannedAt_ = minimum.values;
@@ -77,6 +78,20 @@ public:
     }
 
 private:
+    /// Whether steps that were far finer than asked for where they were judged must be fine enough here: rates are
+    /// products of powers of the parameters, and the error grows with the fourth power of the rate.
+    bool holdsAt(const Eigen::VectorXd& values) const {
+        const Eigen::ArrayXd ratio = values.array() / plannedAt_.array();
+        if (!(ratio > 0.0).all()) return false;
+        const double growth = std::exp(4.0 * ratio.log().abs().sum());
+        const auto& plans = misfit_.plans();
+        return std::all_of(plans.begin(), plans.end(), [&](const GridPlan& plan) {
+            const bool isExplicit = plan.method == GridMethod::RungeKutta4 && !plan.steps && plan.errorEstimate > 0.0;
+            return plan.method == GridMethod::Exact ||
+                   (isExplicit && growth * plan.errorEstimate <= 10.0 * options_.simulation.relativeTolerance);
+        });
+    }
+
     Misfit& misfit_;
     const FitOptions& options_;
     bool isRough_{};
