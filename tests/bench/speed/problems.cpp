@@ -169,17 +169,17 @@ SampledInputs voltage(int samples, Random& random) {
     SampledInputs inputs;
     inputs.values.resize(1, samples);
     for (int k = 0; k < samples; ++k) inputs.time.push_back(k * 1e-3);
-    inputs.values(0, 0) = 0;
     double from = 0;
-    for (int begin = 0; begin < samples - 1;) {
+    for (int begin = 0; begin < samples;) {
         const int length = random.between(100, 501);
         const bool isStep = random.uniform() < 0.6;
         const double to = -24 + 48 * random.uniform();
-        for (int j = 1; j <= length && begin + j < samples; ++j)
+        for (int j = 0; j < length && begin + j < samples; ++j)
             inputs.values(0, begin + j) = isStep ? to : from + (to - from) * j / length;
         begin += length;
         from = to;
     }
+    inputs.values(0, 0) = 0;
     return inputs;
 }
 
