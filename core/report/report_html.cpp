@@ -352,6 +352,28 @@ private:
             "<p class=\"soft\"><small>± one standard error. The fit {}{}; {} simulations.</small></p>\n",
             statusWords(after_.status) == "converged" ? "converged" : "stopped: " + statusWords(after_.status),
             after_.message.empty() ? "" : " (" + escapeHtml(after_.message) + ")", after_.simulations);
+        profiles();
+    }
+
+    /// Where the data limit each parameter, as far as it was asked.
+    void profiles() {
+        std::string cards;
+        for (const FitEstimate& estimate : after_.parameters) {
+            if (!estimate.interval) continue;
+            const ConfidenceInterval& interval = *estimate.interval;
+            const auto end = [](bool isOpen, double value) { return isOpen ? "open" : numberText(value, 5); };
+            cards += fmt::format("<div>{} <span class=\"soft\">{} … {} {}</span>{}", code(estimate.name),
+                                 html(end(interval.isOpenBelow, interval.lower)),
+                                 html(end(interval.isOpenAbove, interval.upper)), escapeHtml(estimate.unit),
+                                 svgProfile("profile of " + estimate.name, interval.values, interval.rises));
+            if (!interval.remark.empty()) cards += "<small>" + escapeHtml(interval.remark) + "</small>";
+            cards += "</div>";
+        }
+        if (cards.empty()) return;
+        out_ +=
+            "<h3>95 % intervals</h3>\n<div class=\"card profiles\">" + cards +
+            "</div>\n<p class=\"soft\"><small>How far the likelihood falls when a parameter is held and all others are "
+            "fitted anew; the line is the 95 % threshold.</small></p>\n";
     }
 
     void residuals() {

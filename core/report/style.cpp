@@ -80,6 +80,8 @@ td .chip { margin-right: 4px; }
 .plot .before { stroke: var(--before); }
 .plot .after { stroke: var(--after); }
 .plot .residual .trace { stroke-width: 1; }
+.profiles { display: flex; flex-wrap: wrap; gap: 20px; }
+.profiles > div { width: 240px; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: 4px 20px; margin: 10px 0 0; }
 dt { color: var(--soft); }
 dd { margin: 0; font-variant-numeric: tabular-nums; }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/report/number_text.hpp"
+
 namespace analogon {
 
 namespace {
@@ -211,6 +213,26 @@ std::string svgPlot(const SignalPlot& plot) {
                        lower.yAt(0), lower.left + lower.width, lower.yAt(0));
     for (const PlotTrace& trace : plot.residuals) svg += line(lower, plot.time, trace, plot.columns);
     return svg + "</g></svg>";
+}
+
+std::string svgProfile(const std::string& title, const std::vector<double>& values, const std::vector<double>& rises) {
+    constexpr double width = 240, height = 110, base = 90, left = 8, threshold = 3.84, most = 1.3 * threshold;
+    Range range;
+    for (const double value : values) range.include(value);
+    if (range.isEmpty() || range.size() == 0) return {};
+    const auto x = [&](double value) { return left + (value - range.low) / range.size() * (width - 2 * left); };
+    const auto y = [&](double rise) { return base - std::clamp(rise, 0.0, most) / most * (base - 6); };
+    std::string svg = fmt::format(
+        "<svg class=\"plot profile\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">"
+        "<line class=\"zero\" x1=\"{}\" y1=\"{:.1f}\" x2=\"{}\" y2=\"{:.1f}\"/><polyline class=\"trace after\" "
+        "points=\"",
+        width, height, escapeHtml(title), left, y(threshold), width - left, y(threshold));
+    for (std::size_t i = 0; i < values.size() && i < rises.size(); ++i)
+        if (std::isfinite(values[i]) && std::isfinite(rises[i]))
+            svg += fmt::format("{:.1f},{:.1f} ", x(values[i]), y(rises[i]));
+    svg += fmt::format("\"/><text class=\"tick\" x=\"{}\" y=\"{}\">{}</text>", left, height - 5, numberText(range.low));
+    return svg + fmt::format("<text class=\"tick\" x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text></svg>", width - left,
+                             height - 5, numberText(range.high));
 }
 
 std::string escapeHtml(std::string_view text) {

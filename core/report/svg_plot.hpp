@@ -26,6 +26,9 @@ struct SignalPlot {
 
 std::string svgPlot(const SignalPlot& plot);
 
+/// A profile of the likelihood, small: how far it falls over the value of a parameter, with the 95 % threshold.
+std::string svgProfile(const std::string& title, const std::vector<double>& values, const std::vector<double>& rises);
+
 /// Indices of the samples to draw: first, lowest, highest and last of each of `columns` equal spans of time, in order.
 /// Everything when there are few samples.
 std::vector<std::size_t> thinned(const std::vector<double>& time, const Eigen::VectorXd& values, int columns);

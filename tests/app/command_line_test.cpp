@@ -220,6 +220,7 @@ TEST_F(CommandLine, GivesTheProfilesThatAreAskedFor) {
     EXPECT_EQ(interval["profile"]["values"].size(), interval["profile"]["rises"].size());
     EXPECT_GT(parameters["T"]["std_robust"], 0.0);
     EXPECT_FALSE(parameters["k"].contains("interval"));
+    EXPECT_THAT(contentOf(out / "report.html"), HasSubstr("profile of T"));
 
     const Result unknown = run({"fit", directory, "--out", out.string(), "--profile", "TT"});
     EXPECT_EQ(unknown.status, inputAtFault);

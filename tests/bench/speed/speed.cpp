@@ -85,13 +85,13 @@ void compare(const SpeedProblem& problem, const Pass& pass, double budget) {
     const auto line = [&](const char* what, double seconds, double reference) {
         fmt::print("  {:<46} {:9.3f} ms {:8.2f}\n", what, 1e3 * seconds, seconds / reference);
     };
-    const std::vector<GridPlan> plans{planFor(ours, 0, truth)};
+    const std::vector<GridPlan> plans{planFor(ours, 0, truth)}, itsPlans{planFor(interpreted, 0, truth)};
     const double handPass = timed(budget, [&] { pass(truth); });
     line("pass with tangents, by hand", handPass, handPass);
     line("choice of the method", timed(budget, [&] { planFor(ours, 0, truth); }), handPass);
     line("pass with values", timed(budget, [&] { sumUp(ours, truth, false, plans); }), handPass);
     line("pass with tangents", timed(budget, [&] { sumUp(ours, truth, true, plans); }), handPass);
-    line("  by the interpreter", timed(budget, [&] { sumUp(interpreted, truth, true, plans); }), handPass);
+    line("  by the interpreter", timed(budget, [&] { sumUp(interpreted, truth, true, itsPlans); }), handPass);
 
     HandFit byHand;
     FitResult result;

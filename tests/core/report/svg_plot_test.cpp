@@ -79,4 +79,13 @@ TEST(Plot, BreaksTheLineAtAGap) {
     EXPECT_EQ(std::count(path.begin(), path.end(), 'M'), 2);
 }
 
+TEST(ProfilePlot, DrawsEveryPointThatIsANumber) {
+    const std::string svg = svgProfile("R <1>", {1.0, 2.0, 3.0, 4.0}, {4.0, 0.0, std::nan(""), 4.2});
+    EXPECT_THAT(svg, ::testing::HasSubstr("R &lt;1&gt;"));
+    const std::string points = svg.substr(svg.find("points="));
+    EXPECT_EQ(std::count(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(points.find("/>")), ','), 3);
+    EXPECT_THAT(svg, Not(::testing::HasSubstr("nan")));
+    EXPECT_TRUE(svgProfile("R", {1.0}, {0.0}).empty());
+}
+
 TEST(Html, IsEscaped) { EXPECT_EQ(escapeHtml("a<b>&\"'\x01"), "a&lt;b&gt;&amp;&quot;&#39;"); }
