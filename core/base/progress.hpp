@@ -3,6 +3,7 @@
 #include <functional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 namespace analogon {
 
@@ -10,11 +11,17 @@ namespace analogon {
 /// The report function must be safe to call from any thread of the work.
 class Progress {
 public:
+    /// What a fit has for a parameter; `experiment` is empty where all experiments share it.
+    struct Value {
+        std::string name, experiment;
+        double value{};
+    };
     struct Report {
-        std::string stage;   // "fit", "screen", "trial" …
-        std::string detail;  // the candidate or experiment at hand
-        double fraction{};   // 0 … 1; negative: not known
-        double error{-1};    // best error_percent so far; negative: not known
+        std::string stage;          // "fit", "screen", "trial" …
+        std::string detail;         // the candidate or experiment at hand
+        double fraction{};          // 0 … 1; negative: not known
+        double error{-1};           // best error_percent so far; negative: not known
+        std::vector<Value> best{};  // so far, of the fit that reports
     };
     using Sink = std::function<void(const Report&)>;
 

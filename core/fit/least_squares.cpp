@@ -79,9 +79,8 @@ public:
 
     ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
         if (misfit_.isCancelled()) return ceres::SOLVER_ABORT;
-        misfit_.progress().report(
-            {"fit", fmt::format("iteration {}", iterations_ + summary.iteration),
-             std::min(1.0, (iterations_ + summary.iteration) / static_cast<double>(options_.maxIterations)), -1.0});
+        misfit_.report(fmt::format("iteration {}", iterations_ + summary.iteration),
+                       (iterations_ + summary.iteration) / static_cast<double>(options_.maxIterations));
         radius_ = summary.trust_region_radius;
         if (summary.iteration > 0 && ((z_.array() < lower_.array()) || (z_.array() > upper_.array())).any()) {
             leftBounds_ = true;

@@ -51,8 +51,8 @@ private:
         };
         if (misfit_.isCancelled()) return end(FitStatus::Cancelled, "cancelled; the best parameters so far are kept");
         if (!here_.ok) return end(FitStatus::Failed, misfit_.failure());
-        misfit_.progress().report({"fit", fmt::format("iteration {}", iterations_),
-                                   std::min(1.0, iterations_ / static_cast<double>(options_.maxIterations)), -1.0});
+        misfit_.report(fmt::format("iteration {}", iterations_),
+                       iterations_ / static_cast<double>(options_.maxIterations));
         slopes_ = here_.jacobian * coordinates_.slopes(coordinates_.values(z_)).asDiagonal();
         gradient_ = slopes_.transpose() * here_.residuals;
         scale_ = scale_.cwiseMax(slopes_.colwise().norm().transpose());

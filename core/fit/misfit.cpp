@@ -104,6 +104,17 @@ void Misfit::forgetBest() {
     for (Point& point : memory_) point = {};
 }
 
+void Misfit::report(std::string detail, double fraction) const {
+    std::vector<Progress::Value> best;
+    for (std::size_t i = 0; hasBest() && i < problem_.parameters.size(); ++i) {
+        const FitParameter& p = problem_.parameters[i];
+        const std::string experiment =
+            p.experiment < 0 ? std::string() : problem_.experiments[static_cast<std::size_t>(p.experiment)].name;
+        best.push_back({p.name, experiment, best_[static_cast<Eigen::Index>(i)]});
+    }
+    progress_.report({"fit", std::move(detail), std::min(1.0, fraction), -1.0, std::move(best)});
+}
+
 void Misfit::applyLoss(Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) const {
     if (options_.loss == RobustLoss::None) return;
     Eigen::VectorXd slopes(residuals.size());

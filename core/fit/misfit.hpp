@@ -47,7 +47,8 @@ public:
     const std::string& failure() const { return failure_; }  // of the last simulation that failed
     double lossScale() const { return lossScale_; }
     bool isCancelled() const { return progress_.stopRequested(); }
-    const Progress& progress() const { return progress_; }
+    /// How far a minimiser is, with the best values so far.
+    void report(std::string detail, double fraction) const;
 
 private:
     struct Point {

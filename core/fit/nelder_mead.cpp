@@ -25,9 +25,8 @@ struct Search {
             return kFailed;
         }
         if ((search.misfit.simulations() & 31) == 0) {
-            const double fraction = search.misfit.simulations() / static_cast<double>(search.options.maxSimulations);
-            search.misfit.progress().report(
-                {"fit", fmt::format("simulation {}", search.misfit.simulations()), std::min(1.0, fraction), -1.0});
+            search.misfit.report(fmt::format("simulation {}", search.misfit.simulations()),
+                                 search.misfit.simulations() / static_cast<double>(search.options.maxSimulations));
         }
         const double value = search.misfit.cost(
             search.coordinates.values(Eigen::Map<const Eigen::VectorXd>(z.data(), search.coordinates.size())));

@@ -15,12 +15,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* version = ANALOGON_VERSION;
 
-Outcome<EstimationTask> taskOf(const Study& study, const RunOptions& options) {
-    Study widened = study;
-    for (const fs::path& p : options.libraryPaths) widened.libraryPaths.push_back(fs::absolute(p).string());
-    return estimationTask(widened);
-}
-
 /// The study with fitted values in its model, effects wired in, and their parameters among the fitted ones.
 Study completedStudy(const Study& study, const Finding& finding) {
     Study completed = study;
@@ -64,6 +58,12 @@ Outcome<Done> writeFile(const fs::path& path, const std::string& content) {
 }
 
 }  // namespace
+
+Outcome<EstimationTask> taskOf(const Study& study, const RunOptions& options) {
+    Study widened = study;
+    for (const fs::path& p : options.libraryPaths) widened.libraryPaths.push_back(fs::absolute(p).string());
+    return estimationTask(widened);
+}
 
 Outcome<RunResult> runSimulate(const Study& study, const RunOptions& options, const Progress& progress) {
     Outcome<EstimationTask> task = taskOf(study, options);

@@ -20,6 +20,9 @@ struct RunResult {
     Study completed;  // the study with fitted values and effects wired in
 };
 
+/// What a run works on.
+Outcome<EstimationTask> taskOf(const Study& study, const RunOptions& options);
+
 Outcome<RunResult> runSimulate(const Study& study, const RunOptions& options, const Progress& progress = {});
 Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const Progress& progress = {});
 Outcome<RunResult> runDiscover(const Study& study, const RunOptions& options, const Progress& progress = {});

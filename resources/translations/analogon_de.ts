@@ -1377,6 +1377,10 @@ Relativer Standardfehler %1 %</translation>
 <context>
     <name>PlotPanel</name>
     <message>
+        <source>best so far</source>
+        <translation>bisher bester Stand</translation>
+    </message>
+    <message>
         <source>Experiments</source>
         <translation>Versuche</translation>
     </message>

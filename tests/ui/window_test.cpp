@@ -30,6 +30,7 @@
 #include "ui/canvas/diagram_view.hpp"
 #include "ui/document/document.hpp"
 #include "ui/effect/result_panel.hpp"
+#include "ui/fit/error_curve.hpp"
 #include "ui/fit/run_bar.hpp"
 #include "ui/fit/run_controller.hpp"
 #include "ui/inspector/parameter_model.hpp"
@@ -360,6 +361,41 @@ TEST_F(Window, StaysAliveWhileItSearches) {
     EXPECT_LT(longest, 400) << "[ms]; 50 on a machine that does nothing else";
     RecordProperty("longest_gap_ms", static_cast<int>(longest));
     std::cout << "longest gap: " << longest << " ms\n";
+}
+
+TEST_F(Window, ShowsTheBestTracesSoFarWhileAFitRuns) {
+    ASSERT_NO_FATAL_FAILURE(open(makeStudy("watched", 3e-9)));
+    FitOptions& options = window.controller().options().discover.fit;
+    options.method = FitMethod::NelderMead;
+    options.starts = 2000;  // longer than anyone waits
+    qint64 longest = 0;
+    QElapsedTimer sinceLast;
+    QTimer heartbeat;
+    QObject::connect(&heartbeat, &QTimer::timeout, [&] { longest = std::max(longest, sinceLast.restart()); });
+    sinceLast.start();
+    heartbeat.start(5);
+    clickTool("fit");
+    auto* plots = panel<PlotPanel>();
+    ASSERT_TRUE(waitUntil([&] { return document().liveTraces() != nullptr && !plots->plots().empty(); }, 20000));
+    heartbeat.stop();
+    const SimulatedTraces* live = document().liveTraces();
+    ASSERT_EQ(live->experiments.size(), 1u) << "what validates is not simulated for this";
+    const OutputPlot* plot = plots->plots().front();
+    EXPECT_EQ(plot->content().after, live->experiments.front().outputs.front().values);
+    EXPECT_TRUE(plot->legendText(TraceRole::After).startsWith("best so far"))
+        << plot->legendText(TraceRole::After).toStdString();
+    EXPECT_FALSE(panel<ErrorCurve>()->points().empty());
+    EXPECT_TRUE(window.controller().isRunning());
+    grab("live");
+
+    QTest::mouseClick(panel<RunBar>()->cancelButton(), Qt::LeftButton);
+    ASSERT_TRUE(waitUntil([&] { return !window.controller().isRunning(); }, 10000));
+    QTest::qWait(400);
+    EXPECT_EQ(document().liveTraces(), nullptr);
+    ASSERT_TRUE(document().finding()) << "the best so far is kept";
+    EXPECT_TRUE(plots->plots().front()->legendText(TraceRole::After).startsWith("after"));
+    std::cout << "longest gap while a fit is watched: " << longest << " ms\n";
+    EXPECT_LT(longest, 400) << "[ms]; 50 on a machine that does nothing else";
 }
 
 TEST_F(Window, CancelStopsTheSearchSoonAndKeepsTheStudy) {

@@ -139,6 +139,7 @@ void Document::adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory>
     path_ = path;
     undo_.clear();
     simulated_.reset();
+    live_.reset();
     result_.reset();
     history_.clear();
     resultStudy_.reset();
@@ -288,6 +289,12 @@ void Document::setSimulated(ModelState state) {
     Q_EMIT resultChanged();
 }
 
+void Document::setLiveTraces(std::optional<SimulatedTraces> traces) {
+    if (!traces && !live_) return;
+    live_ = std::move(traces);
+    Q_EMIT liveTracesChanged();
+}
+
 bool Document::canRun() const {
     return isOpen() && std::any_of(study_->experiments.begin(), study_->experiments.end(),
                                    [](const StudyExperiment& e) { return !e.outputs.empty(); });
@@ -306,6 +313,7 @@ void Document::restoreRun(const RunRecord& record) {
 
 void Document::setResult(RunKind kind, RunResult result, const Study& ranOn, double seconds) {
     beforeFit_ = simulated_;
+    live_.reset();
     result_ = std::make_shared<const RunResult>(std::move(result));
     constexpr std::size_t kept = 40;  // runs
     if (history_.size() >= kept) history_.erase(history_.begin());

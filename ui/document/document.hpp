@@ -12,6 +12,7 @@
 #include "core/diagram/diagram.hpp"
 #include "core/diagram/edit.hpp"
 #include "core/study/run.hpp"
+#include "core/study/trace_simulator.hpp"
 #include "ui/document/commands.hpp"
 #include "ui/document/model_facts.hpp"
 #include "ui/job/job.hpp"
@@ -107,6 +108,9 @@ public:
     /// Traces to show: as it stood before, and with what was found (null: there is none).
     const ModelState* before() const;
     const ModelState* after() const;
+    /// While a fit runs: the fitted experiments with the best values so far; null: none.
+    void setLiveTraces(std::optional<SimulatedTraces> traces);
+    const SimulatedTraces* liveTraces() const { return live_ ? &*live_ : nullptr; }
     /// Changes whenever the traces to show do.
     unsigned long tracesVersion() const { return 2 * tracesVersion_ + (isResultStale() ? 1 : 0); }
 
@@ -126,6 +130,7 @@ Q_SIGNALS:
     void saved(bool isDone);
     void modifiedChanged();
     void resultChanged();
+    void liveTracesChanged();
     void messagesChanged();
 
 private:
@@ -145,6 +150,7 @@ private:
     ModelFacts facts_;
     Diagnostics modelFaults_;  // found while reading the diagram
     std::optional<ModelState> simulated_;
+    std::optional<SimulatedTraces> live_;
     std::shared_ptr<const RunResult> result_;
     std::vector<RunRecord> history_;
     std::optional<Study> resultStudy_;  // the study the result was computed for

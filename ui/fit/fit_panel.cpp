@@ -130,13 +130,16 @@ FitPanel::FitPanel(Document& document, RunController& controller, QWidget* paren
         left_->setVisible(controller_.isRunning());
         left_->clear();
     });
-    connect(&controller, &RunController::progressed, this,
-            [this](const QString&, const QString&, double fraction, double error) {
-                const double seconds = static_cast<double>(clock_.elapsed()) / 1000;
-                if (error > 0) curve_->add(seconds, error);
-                if (fraction > 0.05 && seconds > 1)
-                    left_->setText(tr("about %1 s left").arg(seconds * (1 - fraction) / fraction, 0, 'f', 0));
-            });
+    connect(&controller, &RunController::progressed, this, [this](const Progress::Report& report) {
+        const double seconds = static_cast<double>(clock_.elapsed()) / 1000, fraction = report.fraction;
+        if (report.error > 0) curve_->add(seconds, report.error);
+        if (fraction > 0.05 && seconds > 1)
+            left_->setText(tr("about %1 s left").arg(seconds * (1 - fraction) / fraction, 0, 'f', 0));
+    });
+    connect(&document, &Document::liveTracesChanged, this, [this] {
+        if (const SimulatedTraces* live = document_.liveTraces())
+            curve_->add(static_cast<double>(clock_.elapsed()) / 1000, live->errorPercent);
+    });
     refresh();
 }
 

@@ -63,20 +63,19 @@ RunBar::RunBar(RunController& controller, QWidget* parent)
         cancel_->setVisible(isRunning);
         cancel_->setEnabled(true);
     });
-    connect(&controller, &RunController::progressed, this,
-            [this](const QString& stage, const QString& detail, double fraction, double error) {
-                if (controller_.job().isCancelling()) return;
-                // The fits of single candidates, side by side, say nothing of how far the search is.
-                isSearching_ = isSearching_ || (stage != "fit" && stage != "simulate");
-                if (isSearching_ && stage == "fit") return;
-                const QString step = stageText(stage);
-                QString text = detail.isEmpty() ? step : step + QStringLiteral(" · ") + detail;
-                if (error >= 0) text += QStringLiteral(" · ") + tr("error %1 %").arg(error, 0, 'g', 3);
-                text_->setText(text_->fontMetrics().elidedText(text, Qt::ElideMiddle, text_->width()));
-                text_->setToolTip(text);
-                bar_->setRange(0, fraction < 0 ? 0 : 1000);
-                if (fraction >= 0) bar_->setValue(static_cast<int>(fraction * 1000));
-            });
+    connect(&controller, &RunController::progressed, this, [this](const Progress::Report& report) {
+        if (controller_.job().isCancelling()) return;
+        // The fits of single candidates, side by side, say nothing of how far the search is.
+        isSearching_ = isSearching_ || (report.stage != "fit" && report.stage != "simulate");
+        if (isSearching_ && report.stage == "fit") return;
+        QString text = stageText(QString::fromStdString(report.stage));
+        if (!report.detail.empty()) text += QStringLiteral(" · ") + QString::fromStdString(report.detail);
+        if (report.error >= 0) text += QStringLiteral(" · ") + tr("error %1 %").arg(report.error, 0, 'g', 3);
+        text_->setText(text_->fontMetrics().elidedText(text, Qt::ElideMiddle, text_->width()));
+        text_->setToolTip(text);
+        bar_->setRange(0, report.fraction < 0 ? 0 : 1000);
+        if (report.fraction >= 0) bar_->setValue(static_cast<int>(report.fraction * 1000));
+    });
     bar_->hide();
     cancel_->hide();
 }

@@ -1,5 +1,7 @@
 #include "ui/fit/run_controller.hpp"
 
+#include <utility>
+
 namespace analogon::ui {
 
 namespace {
@@ -14,6 +16,14 @@ Outcome<RunResult> run(RunKind kind, const Study& study, const RunOptions& optio
             break;
     }
     return runDiscover(study, options, progress);
+}
+
+constexpr int livePause = 200;  // [ms] between two views of a fit that runs
+
+QElapsedTimer startedClock() {
+    QElapsedTimer clock;
+    clock.start();
+    return clock;
 }
 
 Diagnostics messagesOf(const RunResult& result) {
@@ -57,6 +67,10 @@ RunController::RunController(Document& document, QObject* parent) : QObject(pare
     connect(&run_, &JobRunner::started, this, &RunController::runningChanged);
     connect(&run_, &JobRunner::finished, this, &RunController::runningChanged);
     connect(&run_, &JobRunner::progressed, this, &RunController::progressed);
+    connect(&run_, &JobRunner::progressed, this, &RunController::watch);
+    connect(&run_, &JobRunner::finished, this, &RunController::stopWatching);
+    liveDelay_.setSingleShot(true);
+    connect(&liveDelay_, &QTimer::timeout, this, &RunController::simulateBest);
     previewDelay_.setSingleShot(true);
     previewDelay_.setInterval(150);
     connect(&previewDelay_, &QTimer::timeout, this, &RunController::preview);
@@ -77,15 +91,60 @@ void RunController::tryKind(const std::string& effectKind) {
 void RunController::start(RunKind kind, const RunOptions& options) {
     if (!document_.isOpen() || run_.isBusy()) return;
     document_.setRunMessages({});
-    preview_.drop();
+    if (document_.before()) preview_.drop();  // else its traces are what a fit is watched against
+    simulator_.reset();
     const Study study = document_.study();
-    const unsigned long revision = document_.revision();
+    const unsigned long revision = revision_ = document_.revision();
     clock_.start();
     run_.start<Outcome<RunResult>>(
         runName(kind), [kind, study, options](const Progress& progress) { return run(kind, study, options, progress); },
         [this, kind, study, revision](Outcome<RunResult> outcome) {
             conclude(kind, study, revision, std::move(outcome));
         });
+}
+
+void RunController::watch(const Progress::Report& report) {
+    if (report.best.empty() || run_.isCancelling()) return;
+    if (revision_ != document_.revision()) return stopWatching();
+    best_ = report.best;
+    if (!liveDelay_.isActive() && !live_.isBusy()) liveDelay_.start(livePause);
+}
+
+void RunController::simulateBest() {
+    if (!run_.isBusy() || best_.empty()) return;
+    struct Watched {
+        std::shared_ptr<const Outcome<TraceSimulator>> simulator;
+        std::optional<SimulatedTraces> traces;
+    };
+    live_.start<Watched>(
+        tr("Simulation"),
+        [study = document_.study(), options = options_, simulator = simulator_,
+         best = std::exchange(best_, {})](const Progress& progress) {
+            Watched watched{simulator, {}};
+            if (!watched.simulator)
+                watched.simulator =
+                    std::make_shared<const Outcome<TraceSimulator>>(TraceSimulator::make(study, options));
+            if (*watched.simulator) watched.traces = (*watched.simulator)->at(best, progress);
+            return watched;
+        },
+        [this, clock = startedClock()](Watched watched) {
+            if (!run_.isBusy()) return;
+            simulator_ = std::move(watched.simulator);
+            // Several starts report by turns: the best of them is what is shown.
+            const SimulatedTraces* shown = document_.liveTraces();
+            if (watched.traces && (!shown || watched.traces->errorPercent <= shown->errorPercent))
+                document_.setLiveTraces(std::move(watched.traces));
+            // At most half of the time: the fit is what the machine is wanted for.
+            if (!best_.empty()) liveDelay_.start(std::max<int>(livePause, static_cast<int>(clock.elapsed())));
+        });
+}
+
+void RunController::stopWatching() {
+    liveDelay_.stop();
+    live_.drop();
+    best_.clear();
+    simulator_.reset();
+    document_.setLiveTraces(std::nullopt);
 }
 
 void RunController::cancel() { run_.cancel(); }
@@ -114,7 +173,8 @@ void RunController::conclude(RunKind kind, const Study& ranOn, unsigned long rev
 }
 
 void RunController::preview() {
-    if (!document_.isOpen() || run_.isBusy() || document_.definition() == nullptr) return;
+    if (!document_.isOpen() || document_.definition() == nullptr) return;
+    if (run_.isBusy() && document_.before()) return;
     if (!document_.canRun()) return preview_.drop();
     if (document_.result() && !document_.isResultStale()) return;  // its traces are what is shown
     const Study study = document_.study();

@@ -27,13 +27,17 @@ public:
 
 Q_SIGNALS:
     void runningChanged();
-    void progressed(const QString& stage, const QString& detail, double fraction, double error);
+    void progressed(const analogon::Progress::Report& report);
     /// For the status line: "Fitted in 1.2 s".
     void concluded(const QString& sentence);
 
 private:
     void start(RunKind kind, const RunOptions& options);
     void preview();
+    /// Simulates the best values a fit has reported, a few times a second and beside it.
+    void watch(const Progress::Report& report);
+    void simulateBest();
+    void stopWatching();
     void conclude(RunKind kind, const Study& ranOn, unsigned long revision, Outcome<RunResult> outcome);
 
     Document& document_;
@@ -41,7 +45,12 @@ private:
     JobRunner run_;
     JobRunner preview_;  // simulates the model as it stands whenever it has changed
     QTimer previewDelay_;
-    QElapsedTimer clock_;  // of the run
+    QElapsedTimer clock_;       // of the run
+    unsigned long revision_{};  // of the study it runs on
+    JobRunner live_;            // simulates the best so far while a fit runs
+    QTimer liveDelay_;
+    std::vector<Progress::Value> best_;                         // as last reported and not simulated yet
+    std::shared_ptr<const Outcome<TraceSimulator>> simulator_;  // of the run; null: not compiled yet
 };
 
 QString runName(RunKind kind);

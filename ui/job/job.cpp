@@ -81,8 +81,7 @@ void JobRunner::showLatest() {
         report = mailbox_->latest;
         mailbox_->isPosted = false;
     }
-    Q_EMIT progressed(QString::fromStdString(report.stage), QString::fromStdString(report.detail), report.fraction,
-                      report.error);
+    Q_EMIT progressed(report);
 }
 
 void JobRunner::finish(unsigned long job, const Delivery& deliver) {

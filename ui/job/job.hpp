@@ -41,8 +41,8 @@ public:
 
 Q_SIGNALS:
     void started(const QString& what);
-    /// fraction < 0: not known; error < 0: not known. At most one call per turn of the event loop.
-    void progressed(const QString& stage, const QString& detail, double fraction, double error);
+    /// At most one call per turn of the event loop.
+    void progressed(const analogon::Progress::Report& report);
     void finished();
 
 private:

@@ -132,6 +132,17 @@ void OutputPlot::show(Content content) {
     residual_->setTraces(content_.time, std::move(residuals));
 }
 
+void OutputPlot::showAfter(const std::vector<double>& values, const QString& label) {
+    if (values.size() != content_.measured.size()) return;
+    content_.after = values;
+    content_.afterLabel = label;
+    setLegend(TraceRole::After, label);
+    std::vector<double> residual(values.size());
+    for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = content_.measured[i] - values[i];
+    values_->setTrace({TraceRole::After, values});
+    residual_->setTrace({TraceRole::After, std::move(residual)});
+}
+
 void OutputPlot::setTimeRange(double from, double to) {
     values_->setTimeRange(from, to);
     residual_->setTimeRange(from, to);

@@ -103,6 +103,7 @@ PlotPanel::PlotPanel(Document& document, QWidget* parent)
     connect(experiments_, &QTabBar::currentChanged, this, &PlotPanel::rebuild);
     connect(&document, &Document::opened, this, [this] { shown_.clear(); });
     connect(&document, &Document::resultChanged, this, &PlotPanel::refresh);
+    connect(&document, &Document::liveTracesChanged, this, &PlotPanel::showLive);
     connect(&document, &Document::experimentsChanged, this, [this] {
         if (names_.empty()) rebuild();
     });
@@ -217,9 +218,22 @@ void PlotPanel::rebuild() {
         to_ = last_;
     }
     setTimeRange(from_, to_);
+    if (document_.liveTraces()) showLive();
     const StudyExperiment* shown = shownExperiment();
     untrim_->setVisible(shown && shown->range);
     pages_->setCurrentWidget(area_);
+}
+
+void PlotPanel::showLive() {
+    const SimulatedTraces* live = document_.liveTraces();
+    if (!live) return rebuild();
+    for (const SimulatedExperiment& experiment : live->experiments) {
+        if (QString::fromStdString(experiment.name) != shown_) continue;
+        for (const SimulatedTrace& trace : experiment.outputs)
+            for (OutputPlot* plot : plots_)
+                if (plot->content().name == QString::fromStdString(trace.output))
+                    plot->showAfter(trace.values, tr("best so far") + " " + percent(trace.errorPercent));
+    }
 }
 
 void PlotPanel::setTimeRange(double from, double to) {

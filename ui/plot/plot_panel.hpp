@@ -48,6 +48,8 @@ Q_SIGNALS:
 private:
     void refresh();
     void rebuild();
+    /// The best so far of a fit that runs, a few times a second: only the trace that moves is drawn anew.
+    void showLive();
     void setTimeRange(double from, double to);
     void showAll();
     void pointAt(double time);
@@ -92,6 +94,8 @@ public:
         QString beforeLabel, afterLabel;    // with the error: "before 8.6 %"
     };
     void show(Content content);
+    /// Another simulated trace in place of the one after.
+    void showAfter(const std::vector<double>& values, const QString& label);
     void setTimeRange(double from, double to);
     void pointAt(std::optional<double> time);
     void setMarks(const std::vector<double>& times);

@@ -30,6 +30,16 @@ void setAxis(QValueAxis& axis, double low, double high, double step) {
     if (axis.tickInterval() != step) axis.setTickInterval(step);
 }
 
+std::pair<double, double> rangeOf(const std::vector<double>& values) {
+    double low = 1e300, high = -1e300;
+    for (const double v : values) {
+        if (!std::isfinite(v)) continue;
+        low = std::min(low, v);
+        high = std::max(high, v);
+    }
+    return {low, high};
+}
+
 }  // namespace
 
 QColor traceColour(TraceRole role, const QPalette& palette) {
@@ -56,7 +66,6 @@ struct TimePlot::Chart {
     QGraphicsSimpleTextItem* caption{};
     QGraphicsSimpleTextItem* unit{};  // of the time axis
     QRectF area;
-    int points{};
 };
 
 TimePlot::TimePlot(QWidget* parent) : QWidget(parent), chart_(std::make_unique<Chart>()) {
@@ -113,16 +122,39 @@ void TimePlot::setTraces(std::shared_ptr<const std::vector<double>> time, std::v
         delete c.series.back();
         c.series.pop_back();
     }
-    while (c.series.size() < traces_.size()) {
-        auto* series = new QLineSeries;
-        c.chart->addSeries(series);
-        series->attachAxis(c.time);
-        series->attachAxis(c.value);
-        c.series.push_back(series);
-    }
+    while (c.series.size() < traces_.size()) addSeries();
+    ranges_.clear();
+    for (const Trace& trace : traces_) ranges_.push_back(rangeOf(trace.values));
     colourTraces();
     fitValues();
     refresh();
+}
+
+void TimePlot::setTrace(Trace trace) {
+    const auto found =
+        std::find_if(traces_.begin(), traces_.end(), [&](const Trace& t) { return t.role == trace.role; });
+    const auto index = static_cast<std::size_t>(found - traces_.begin());
+    const auto range = rangeOf(trace.values);
+    if (found == traces_.end()) {
+        traces_.push_back(std::move(trace));
+        ranges_.push_back(range);
+        addSeries();
+        colourTraces();
+    } else {
+        *found = std::move(trace);
+        ranges_[index] = range;
+    }
+    fitValues();
+    draw(index);
+}
+
+void TimePlot::addSeries() {
+    Chart& c = *chart_;
+    auto* series = new QLineSeries;
+    c.chart->addSeries(series);
+    series->attachAxis(c.time);
+    series->attachAxis(c.value);
+    c.series.push_back(series);
 }
 
 void TimePlot::setVisible(TraceRole role, bool isVisible) {
@@ -188,19 +220,21 @@ void TimePlot::showMarks() {
     }
 }
 
-int TimePlot::paintedPoints() const { return chart_->points; }
+int TimePlot::paintedPoints() const {
+    qsizetype points = 0;
+    for (const QLineSeries* series : chart_->series)
+        if (series->isVisible()) points += series->count();
+    return static_cast<int>(points);
+}
 
 std::pair<double, double> TimePlot::valueRange() const { return {low_, high_}; }
 
 void TimePlot::fitValues() {
     double low = 1e300, high = -1e300;
-    for (const Trace& trace : traces_) {
-        if (std::find(hidden_.begin(), hidden_.end(), trace.role) != hidden_.end()) continue;
-        for (const double v : trace.values) {
-            if (!std::isfinite(v)) continue;
-            low = std::min(low, v);
-            high = std::max(high, v);
-        }
+    for (std::size_t i = 0; i < traces_.size(); ++i) {
+        if (isHidden(traces_[i].role)) continue;
+        low = std::min(low, ranges_[i].first);
+        high = std::max(high, ranges_[i].second);
     }
     if (low > high) low = 0, high = 1;
     if (isSymmetric_) {
@@ -220,19 +254,22 @@ void TimePlot::fitValues() {
 
 void TimePlot::refresh() {
     Chart& c = *chart_;
-    c.points = 0;
     if (!time_ || !(to_ > from_)) return;
     showMarks();
     setAxis(*c.time, from_, to_, niceStep(to_ - from_, std::max(2, width() / 110)));
+    for (std::size_t i = 0; i < traces_.size(); ++i) draw(i);
+}
+
+void TimePlot::draw(std::size_t trace) {
+    Chart& c = *chart_;
+    c.series[trace]->setVisible(!isHidden(traces_[trace].role));
+    if (!c.series[trace]->isVisible() || !time_ || !(to_ > from_)) return;
     const int pixels = std::max(1, static_cast<int>(c.chart->plotArea().width()));
-    for (std::size_t i = 0; i < traces_.size(); ++i) {
-        const bool isHidden = std::find(hidden_.begin(), hidden_.end(), traces_[i].role) != hidden_.end();
-        c.series[i]->setVisible(!isHidden);
-        if (isHidden) continue;
-        const QVector<QPointF> points = decimate(*time_, traces_[i].values, from_, to_, pixels);
-        c.points += static_cast<int>(points.size());
-        c.series[i]->replace(points);
-    }
+    c.series[trace]->replace(decimate(*time_, traces_[trace].values, from_, to_, pixels));
+}
+
+bool TimePlot::isHidden(TraceRole role) const {
+    return std::find(hidden_.begin(), hidden_.end(), role) != hidden_.end();
 }
 
 void TimePlot::recolour() {

@@ -28,6 +28,8 @@ public:
     ~TimePlot() override;
 
     void setTraces(std::shared_ptr<const std::vector<double>> time, std::vector<Trace> traces);
+    /// One of them anew, or one more; the others stay as they are drawn.
+    void setTrace(Trace trace);
     void setVisible(TraceRole role, bool isVisible);
     void setTimeRange(double from, double to);
     void setTimeLabels(bool isShown);
@@ -59,6 +61,9 @@ protected:
 
 private:
     void refresh();
+    void addSeries();
+    void draw(std::size_t trace);
+    bool isHidden(TraceRole role) const;
     void recolour();
     void colourTraces();
     void layOut();
@@ -71,6 +76,7 @@ private:
     std::unique_ptr<Chart> chart_;
     std::shared_ptr<const std::vector<double>> time_;
     std::vector<Trace> traces_;
+    std::vector<std::pair<double, double>> ranges_;  // of their values
     std::vector<TraceRole> hidden_;
     double from_{0}, to_{1};   // [s] shown
     double low_{0}, high_{1};  // values shown

@@ -1,0 +1,64 @@
+#include "core/study/trace_simulator.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace analogon {
+
+namespace {
+
+template <class Parts>
+double rootMeanSquare(const Parts& parts) {
+    double squares = 0;
+    for (const auto& part : parts) squares += part.errorPercent * part.errorPercent;
+    return parts.empty() ? 0 : std::sqrt(squares / static_cast<double>(parts.size()));
+}
+
+SimulatedExperiment tracesOf(const FitExperiment& experiment, const Trajectory& trajectory) {
+    SimulatedExperiment result{experiment.name, {}, 0};
+    for (Eigen::Index o = 0; o < experiment.measured.rows(); ++o) {
+        if (experiment.measured.row(o).array().isNaN().all()) continue;
+        const Eigen::RowVectorXd simulated = trajectory.outputs.row(o);
+        result.outputs.push_back({experiment.system->outputs()[static_cast<std::size_t>(o)].name,
+                                  {simulated.data(), simulated.data() + simulated.size()},
+                                  errorFigures(simulated, experiment.measured.row(o)).errorPercent});
+    }
+    result.errorPercent = rootMeanSquare(result.outputs);
+    return result;
+}
+
+}  // namespace
+
+Outcome<TraceSimulator> TraceSimulator::make(const Study& study, const RunOptions& options) {
+    Outcome<EstimationTask> task = taskOf(study, options);
+    if (!task) return task.diagnostics();
+    Outcome<PreparedTask> prepared = prepare(*task);
+    if (!prepared) return prepared.diagnostics();
+    return TraceSimulator(std::move(prepared->problem), options.discover.fit.simulation);
+}
+
+std::optional<SimulatedTraces> TraceSimulator::at(const std::vector<Progress::Value>& values,
+                                                  const Progress& progress) const {
+    const auto& parameters = problem_.parameters;
+    if (values.size() != parameters.size()) return std::nullopt;
+    Eigen::VectorXd point(static_cast<Eigen::Index>(parameters.size()));
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const int e = parameters[i].experiment;
+        const std::string experiment = e < 0 ? std::string() : problem_.experiments[static_cast<std::size_t>(e)].name;
+        const auto found = std::find_if(values.begin(), values.end(), [&](const Progress::Value& v) {
+            return v.name == parameters[i].name && v.experiment == experiment;
+        });
+        if (found == values.end()) return std::nullopt;
+        point[static_cast<Eigen::Index>(i)] = found->value;
+    }
+
+    const Linearisation line = linearise(problem_, point, false, {}, options_, progress);
+    if (!line.ok) return std::nullopt;
+    SimulatedTraces traces;
+    for (std::size_t e = 0; e < problem_.experiments.size(); ++e)
+        traces.experiments.push_back(tracesOf(problem_.experiments[e], line.trajectories[e]));
+    traces.errorPercent = rootMeanSquare(traces.experiments);
+    return traces;
+}
+
+}  // namespace analogon
