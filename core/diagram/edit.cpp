@@ -73,8 +73,10 @@ Replacement setAnnotation(const std::optional<syntax::Annotation>& annotation, s
 
 ModelEdit::ModelEdit(const ClassDefinition& definition, const Diagram* diagram, const Library* library)
     : definition_(&definition), diagram_(diagram), library_(library) {
+    std::vector<const Equation*> equations;
     for (const syntax::EquationSection& section : definition.equationSections)
-        collectConnections(section.equations, connectEquations_);
+        collectConnections(section.equations, equations);
+    for (const Equation* e : equations) connects_.push_back({e, endText(e->left), endText(e->right)});
 }
 
 ModelEdit::ComponentChange* ModelEdit::ownChange(std::string_view component) {
@@ -99,9 +101,9 @@ ModelEdit& ModelEdit::removeComponent(std::string_view name) {
     if (!ownChange(name) && refuseInherited(name, "removed")) return *this;
     if (ComponentChange* c = change(name)) {
         c->isRemoved = true;
-        for (const Equation* equation : connectEquations_)
-            if (firstPart(endText(equation->left)) == name || firstPart(endText(equation->right)) == name)
-                connections_[equation].isRemoved = true;
+        for (const Connect& connect : connects_)
+            if (firstPart(connect.left) == name || firstPart(connect.right) == name)
+                connections_[connect.equation].isRemoved = true;
     }
     return *this;
 }
@@ -168,10 +170,8 @@ ModelEdit& ModelEdit::addConnection(const std::string& from, const std::string& 
 
 std::vector<const Equation*> ModelEdit::connectionsBetween(std::string_view from, std::string_view to) {
     std::vector<const Equation*> result;
-    for (const Equation* equation : connectEquations_) {
-        const std::string left = endText(equation->left), right = endText(equation->right);
+    for (const auto& [equation, left, right] : connects_)
         if ((left == from && right == to) || (left == to && right == from)) result.push_back(equation);
-    }
     if (result.empty())
         faults_.push_back(
             error(fmt::format("model {} has no connection of \"{}\" with \"{}\"", definition_->name, from, to),
@@ -186,9 +186,9 @@ ModelEdit& ModelEdit::removeConnection(std::string_view from, std::string_view t
 
 ModelEdit& ModelEdit::replaceInConnections(std::string_view connector, const std::string& by) {
     bool found = false;
-    for (const Equation* equation : connectEquations_) {
-        if (endText(equation->left) == connector) connections_[equation].left = by, found = true;
-        if (endText(equation->right) == connector) connections_[equation].right = by, found = true;
+    for (const auto& [equation, left, right] : connects_) {
+        if (left == connector) connections_[equation].left = by, found = true;
+        if (right == connector) connections_[equation].right = by, found = true;
     }
     if (!found)
         faults_.push_back(error(fmt::format("no connection of model {} ends at \"{}\"", definition_->name, connector),
@@ -324,7 +324,8 @@ std::string ModelEdit::newComponentsText(const std::string& indent) const {
 
 void ModelEdit::writeConnections(Replacements& edits) const {
     const std::string& text = definition_->source->text();
-    for (const Equation* equation : connectEquations_) {
+    for (const Connect& connect : connects_) {
+        const Equation* equation = connect.equation;
         const auto found = connections_.find(equation);
         if (found == connections_.end()) continue;
         const ConnectionChange& change = found->second;

@@ -124,7 +124,11 @@ private:
     std::map<std::string, std::string, std::less<>> elements_;  // array elements that were set, by flat name
     std::map<std::size_t, InheritedChange> inherited_;          // by the number of the base
     std::map<const syntax::Equation*, ConnectionChange> connections_;
-    std::vector<const syntax::Equation*> connectEquations_;  // in the order of the text
+    struct Connect {
+        const syntax::Equation* equation;
+        std::string left, right;  // its ends without blanks
+    };
+    std::vector<Connect> connects_;  // in the order of the text
     std::vector<NewComponent> newComponents_;
     std::vector<NewConnection> newConnections_;
     std::map<std::string, std::string, std::less<>> renames_;

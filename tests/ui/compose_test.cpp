@@ -483,6 +483,7 @@ TEST_F(Compose, StaysFluidWithFiveHundredBlocks) {
               << " ms, their move " << moving << " ms\n";
     EXPECT_LT(opening, 3000) << "[ms]; 1000 on a machine that does nothing else";
     EXPECT_LT(times[10], 60) << "[ms]; 16 on a machine that does nothing else";
+    EXPECT_LT(moving, 150) << "[ms]; 50 on a machine that does nothing else";
     grab("large");
 }
 

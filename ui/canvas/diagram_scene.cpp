@@ -201,8 +201,13 @@ void DiagramScene::placeLabels() {
 void DiagramScene::mark(const std::vector<EffectMark>& effects) {
     std::map<std::string, QString> labels;
     for (const EffectMark& effect : effects) labels[effect.instance] = effect.label;
-    for (const auto& [name, item] : blocks_)
-        item->setEffect(labels.contains(name) ? labels[name] : QString(), hasRoomBelow(*item));
+    for (const auto& [name, item] : blocks_) {
+        const auto label = labels.find(name);
+        if (label == labels.end())
+            item->setEffect({});
+        else
+            item->setEffect(label->second, hasRoomBelow(*item));
+    }
     for (WireItem* item : wires_)
         item->setMarked(labels.contains(instanceOf(item->wire().from)) || labels.contains(instanceOf(item->wire().to)));
 }

@@ -49,6 +49,8 @@ TextView::TextView(Document& document, QWidget* parent)
 /// Takes the document's text over where it differs, so that cursor and view stay where they are.
 void TextView::refresh() {
     setReadOnly(!document_.isOpen());
+    isStale_ = !isVisible();
+    if (isStale_) return typing_.stop();  // laying out and colouring what nobody sees would be felt in large models
     const QString now = toPlainText(), wanted = document_.modelText();
     if (now == wanted) return;
     typing_.stop();
@@ -63,6 +65,11 @@ void TextView::refresh() {
     cursor.insertText(wanted.mid(front, wanted.size() - back - front));
     isRefreshing_ = false;
     setExtraSelections({});
+}
+
+void TextView::showEvent(QShowEvent* event) {
+    if (isStale_) refresh();
+    QPlainTextEdit::showEvent(event);
 }
 
 void TextView::recolour() {

@@ -22,6 +22,7 @@ protected:
     bool event(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     class LineNumbers;
@@ -35,7 +36,7 @@ private:
     Document& document_;
     LineNumbers* lineNumbers_;
     QTimer typing_;
-    bool isRefreshing_{};
+    bool isRefreshing_{}, isStale_{};
 };
 
 }  // namespace analogon::ui
