@@ -11,6 +11,22 @@
 <context>
     <name>ComposeActions</name>
     <message>
+        <source>Group into a model …</source>
+        <translation>Zu einem Modell zusammenfassen …</translation>
+    </message>
+    <message>
+        <source>Open its diagram</source>
+        <translation>Sein Diagramm öffnen</translation>
+    </message>
+    <message>
+        <source>Back to the model around it</source>
+        <translation>Zurück zum umgebenden Modell</translation>
+    </message>
+    <message>
+        <source>Name of the new model</source>
+        <translation>Name des neuen Modells</translation>
+    </message>
+    <message>
         <source>Insert block …</source>
         <translation>Block einsetzen …</translation>
     </message>
@@ -105,6 +121,18 @@
 </context>
 <context>
     <name>Composer</name>
+    <message>
+        <source>Select the blocks that are to become one; inputs and outputs stay outside.</source>
+        <translation>Wählen Sie die Blöcke, die zu einem werden sollen; Ein- und Ausgänge bleiben außerhalb.</translation>
+    </message>
+    <message>
+        <source>"%1" is no free name for a model.</source>
+        <translation>„%1“ ist kein freier Name für ein Modell.</translation>
+    </message>
+    <message>
+        <source>Group %1 blocks</source>
+        <translation>%1 Blöcke zusammenfassen</translation>
+    </message>
     <message>
         <source>a flange</source>
         <translation>ein Flansch</translation>
@@ -1952,5 +1980,19 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <source>Model text</source>
         <translation>Modelltext</translation>
     </message>
+</context>
+<context>
+    <name>Breadcrumb</name>
+    <message>
+        <source>Where the diagram lies in the model</source>
+        <translation>Wo das Diagramm im Modell liegt</translation>
+    </message>
+    <message>
+        <source>Back to this diagram</source>
+        <translation>Zurück zu diesem Diagramm</translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
 </context>
 </TS>

@@ -14,6 +14,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolBar>
+#include <QToolButton>
 #include <QTreeView>
 #include <QTreeWidget>
 #include <random>
@@ -36,6 +37,7 @@
 #include "ui/measurement/measurement_panel.hpp"
 #include "ui/measurement/table_model.hpp"
 #include "ui/text/text_view.hpp"
+#include "ui/window/breadcrumb.hpp"
 #include "ui/window/compose_actions.hpp"
 #include "ui/window/main_window.hpp"
 #include "ui/window/start_page.hpp"
@@ -356,6 +358,103 @@ TEST_F(Compose, MovesTurnsCopiesAndDeletesInStepsThatUndo) {
     EXPECT_EQ(document().modelText(), end);
 }
 
+/// The lambda sensor with its heater and element as one block: the same equations, so the same traces.
+TEST_F(Compose, GroupsASelectionIntoAModelThatSimulatesTheSame) {
+    window.open(ANALOGON_ROOT "/examples/lambda-sensor-heating");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen() && document().before(); }, 20000));
+    QTest::qWait(100);
+    const auto traces = [&] {
+        std::vector<Eigen::VectorXd> result;
+        for (const ExperimentState& e : document().before()->experiments)
+            for (const OutputState& o : e.outputs) result.push_back(o.simulated);
+        return result;
+    };
+    const std::vector<Eigen::VectorXd> plain = traces();
+    const QString start = document().modelText();
+    const auto fitted = document().study().parameters;
+    const int steps = document().undoStack().count();
+
+    auto* view = panel<DiagramView>();
+    dragOnDiagram(pixel({-90, 30}), pixel({40, -30}));
+    ASSERT_EQ(panel<DiagramScene>()->selection().blocks.size(), 2u);
+    view->setFocus();
+    QTest::keyClick(view, Qt::Key_G);
+    auto* name = window.compose().chooser()->findChild<QLineEdit*>();
+    ASSERT_TRUE(name && name->isVisible());
+    EXPECT_EQ(name->text(), "Group");
+    name->setText("Probe");
+    QTest::keyClick(name, Qt::Key_Return);
+    ASSERT_TRUE(document().diagram().find("probe")) << messages();
+    EXPECT_FALSE(document().diagram().find("heater"));
+    EXPECT_EQ(document().undoStack().count(), steps + 1) << "one step";
+    EXPECT_EQ(document().study().parameters.size(), fitted.size());
+    EXPECT_TRUE(document().study().parameters.contains("probe.heater.R")) << "what is fitted moves along";
+    EXPECT_EQ(panel<DiagramScene>()->selectedBlock(), "probe");
+
+    unsigned long version = document().tracesVersion();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().tracesVersion() != version; }, 20000)) << messages();
+    const std::vector<Eigen::VectorXd> grouped = traces();
+    ASSERT_EQ(grouped.size(), plain.size());
+    for (std::size_t i = 0; i < plain.size(); ++i) EXPECT_TRUE(grouped[i] == plain[i]) << "to the last digit";
+    grab("grouped");
+
+    // in by a double click, out by the breadcrumb
+    QTest::mouseDClick(view->viewport(), Qt::LeftButton, {}, pixel({-30, 0}));
+    ASSERT_EQ(document().levels(), std::vector<std::string>{"probe"});
+    EXPECT_TRUE(document().diagram().find("heater"));
+    EXPECT_EQ(panel<ParameterPanel>()->model()->rowOf("probe.heater.R") >= 0, true);
+    QTest::qWait(20);
+    grab("inside-a-group");
+    auto* way = window.findChild<Breadcrumb*>();
+    ASSERT_TRUE(way->isVisible());
+    EXPECT_GT(way->width(), 100) << "both names can be read";
+    // what is changed inside belongs to the class; settings of the study follow
+    panel<DiagramScene>()->select("heater");
+    QTest::keyClick(view, Qt::Key_F2);
+    name->setText("coil");
+    QTest::keyClick(name, Qt::Key_Return);
+    EXPECT_TRUE(document().study().parameters.contains("probe.coil.R"));
+    EXPECT_FALSE(composer().addBlock("Probe", {0, 0}).size()) << "a model cannot hold itself";
+    QTest::mouseClick(way->findChildren<QToolButton*>().constLast(), Qt::LeftButton);
+    EXPECT_TRUE(document().levels().empty());
+    EXPECT_FALSE(way->isVisible());
+    EXPECT_TRUE(document().diagram().find("probe"));
+    // the same with keys
+    panel<DiagramScene>()->select("probe");
+    QTest::keyClick(view, Qt::Key_Return);
+    EXPECT_EQ(document().levels().size(), 1u);
+    QTest::keyClick(view, Qt::Key_Up, Qt::ControlModifier);
+    EXPECT_TRUE(document().levels().empty());
+    EXPECT_EQ(panel<DiagramScene>()->selectedBlock(), "probe");
+
+    QTest::keyClick(view, Qt::Key_Down, Qt::ControlModifier);
+    EXPECT_EQ(document().levels().size(), 1u);
+    for (int i = 0; i < 2; ++i) key(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(document().modelText(), start);
+    EXPECT_TRUE(document().levels().empty()) << "the group is gone, and the way into it";
+    EXPECT_TRUE(document().diagram().find("heater"));
+    EXPECT_EQ(document().study().parameters.size(), fitted.size());
+    EXPECT_TRUE(document().study().parameters.contains("heater.R"));
+}
+
+TEST_F(Compose, TheOverviewLeadsTheView) {
+    window.open(ANALOGON_ROOT "/examples/lambda-sensor-heating");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen(); }, 20000));
+    QTest::qWait(100);
+    auto* view = panel<DiagramView>();
+    EXPECT_FALSE(view->overview()) << "all is seen";
+    for (int i = 0; i < 6; ++i) QTest::keyClick(view, Qt::Key_Plus);
+    ASSERT_TRUE(view->overview());
+    const QRect map = view->overview()->toRect();
+    QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, map.topLeft() + QPoint(8, 8));
+    const QPointF left = view->mapToScene(view->viewport()->rect().center());
+    dragOnDiagram(map.center(), map.bottomRight() - QPoint(8, 8));
+    const QPointF right = view->mapToScene(view->viewport()->rect().center());
+    EXPECT_GT(right.x() - left.x(), 100);
+    EXPECT_GT(right.y() - left.y(), 50);
+    EXPECT_TRUE(panel<DiagramScene>()->selection().isEmpty());
+}
+
 TEST_F(Compose, SaysWhyConnectorsDoNotFit) {
     startNew();
     drag("Analogon.Thermal.HeatCapacitor", {-40, 0});
@@ -509,7 +608,7 @@ TEST(RandomEditing, UndoesAndRedoesByteForByte) {
                 if (below(3) == 0) some.push_back(b.name);
             const double x = 10.0 * static_cast<double>(below(30)) - 150,
                          y = 10.0 * static_cast<double>(below(20)) - 100;
-            switch (below(11)) {
+            switch (below(12)) {
                 case 0:
                 case 1:
                 case 2:
@@ -535,6 +634,14 @@ TEST(RandomEditing, UndoesAndRedoesByteForByte) {
                     break;
                 case 9:
                     if (!some.empty()) composer.rename(some.front(), "renamed" + std::to_string(i));
+                    break;
+                case 10:
+                    if (document.levels().empty() && below(2) == 0)
+                        composer.group(some, composer.freeClassName());
+                    else if (!document.levels().empty())
+                        document.leaveTo(0);
+                    else if (!some.empty())
+                        document.enter(some.front());
                     break;
                 default: {
                     std::vector<std::string> ends;

@@ -60,7 +60,18 @@ private:
     QPoint last_;
 };
 
+class OverviewGesture : public Gesture {
+public:
+    OverviewGesture(DiagramView& view, QMouseEvent* press) : Gesture(view) { view.lookAtOverview(press->pos()); }
+    void move(QMouseEvent* event) override { view_.lookAtOverview(event->pos()); }
+    void release(QMouseEvent*) override {}
+};
+
 }  // namespace
+
+std::unique_ptr<Gesture> makeOverviewGesture(DiagramView& view, QMouseEvent* press) {
+    return std::make_unique<OverviewGesture>(view, press);
+}
 
 std::unique_ptr<Gesture> makeBandGesture(DiagramView& view, QMouseEvent* press) {
     return std::make_unique<BandGesture>(view, press);

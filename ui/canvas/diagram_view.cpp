@@ -160,6 +160,10 @@ void DiagramView::mousePressEvent(QMouseEvent* event) {
         return;
     }
     if (event->button() != Qt::LeftButton) return;
+    if (const auto map = overview(); map && map->contains(event->pos())) {
+        gesture_ = makeOverviewGesture(*this, event);
+        return;
+    }
     const double reach = std::max(2.5, 6 / zoom());
     const std::string connector = scene_.connectorAt(mapToScene(event->pos()), reach);
     if (!connector.empty()) {
@@ -188,6 +192,7 @@ void DiagramView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void DiagramView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (const auto map = overview(); map && map->contains(event->pos())) return lookAtOverview(event->pos());
     if (BlockItem* item = blockAt(event->pos())) Q_EMIT blockActivated(QString::fromStdString(item->block().name));
 }
 
@@ -249,24 +254,44 @@ void DiagramView::paintNote(QPainter& painter, QPointF at, const QString& text, 
     painter.restore();
 }
 
-/// Where one is in a diagram that does not fit into the window.
-void DiagramView::paintOverview(QPainter& painter) const {
+std::optional<DiagramView::Overview> DiagramView::overviewShown() const {
     const QRectF seen = mapToScene(viewport()->rect()).boundingRect();
     const QRectF all = scene_.contents();
-    if (scene_.isEmpty() || seen.contains(all)) return;
+    if (scene_.isEmpty() || seen.contains(all)) return std::nullopt;
+    Overview map;
+    map.world = all | seen.intersected(all.adjusted(-200, -200, 200, 200));
+    map.scale = std::min(150 / map.world.width(), 100 / map.world.height());
+    const QSizeF size = map.world.size() * map.scale;
+    map.frame = QRectF(viewport()->width() - size.width() - 18, viewport()->height() - size.height() - 18,
+                       size.width() + 10, size.height() + 10);
+    return map;
+}
+
+std::optional<QRectF> DiagramView::overview() const {
+    const auto map = overviewShown();
+    return map ? std::optional(map->frame) : std::nullopt;
+}
+
+void DiagramView::lookAtOverview(QPoint at) {
+    const auto map = overviewShown();
+    if (!map) return;
+    isFitted_ = false;
+    centerOn(map->world.topLeft() + (at - map->frame.topLeft() - QPointF(5, 5)) / map->scale);
+}
+
+/// Where one is in a diagram that does not fit into the window.
+void DiagramView::paintOverview(QPainter& painter) const {
+    const auto map = overviewShown();
+    if (!map) return;
+    const auto& [frame, world, scale] = *map;
     painter.save();
     painter.resetTransform();
-    const QRectF world = all | seen.intersected(all.adjusted(-200, -200, 200, 200));
-    const double scale = std::min(150 / world.width(), 100 / world.height());
-    const QRectF frame(viewport()->width() - world.width() * scale - 18,
-                       viewport()->height() - world.height() * scale - 18, world.width() * scale + 10,
-                       world.height() * scale + 10);
     QColor ground = palette().color(QPalette::Base);
     ground.setAlphaF(0.9f);
     painter.setPen(style::hairline(palette()));
     painter.setBrush(ground);
     painter.drawRect(frame);
-    const auto small = [&](const QRectF& r) {
+    const auto small = [&frame = frame, &world = world, &scale = scale](const QRectF& r) {
         return QRectF(frame.left() + 5 + (r.left() - world.left()) * scale,
                       frame.top() + 5 + (r.top() - world.top()) * scale, r.width() * scale, r.height() * scale);
     };
@@ -276,6 +301,7 @@ void DiagramView::paintOverview(QPainter& painter) const {
         if (const BlockItem* item = scene_.block(block.name)) painter.drawRect(small(item->body()));
     painter.setPen(QPen(style::accent(palette()), 1));
     painter.setBrush(Qt::NoBrush);
+    const QRectF seen = mapToScene(viewport()->rect()).boundingRect();
     painter.drawRect(small(seen).intersected(frame.adjusted(1, 1, -1, -1)));
     painter.restore();
 }

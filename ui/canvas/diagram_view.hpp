@@ -41,6 +41,10 @@ public:
     /// Device pixels per diagram unit.
     double zoom() const { return transform().m11(); }
     void panBy(QPoint pixels);
+    /// The small picture of the whole diagram, when it is shown.
+    std::optional<QRectF> overview() const;
+    /// Looks at the place that a point of the overview stands for.
+    void lookAtOverview(QPoint at);
 
     BlockItem* blockAt(QPoint at) const;
     /// Why two connectors cannot be connected; empty: they can. Set by the owner.
@@ -77,6 +81,11 @@ protected:
 private:
     void zoomBy(double factor, QPoint about);
     void selectNext(bool isForward);
+    struct Overview {
+        QRectF frame, world;  // [px], scene
+        double scale{};       // [px per diagram unit]
+    };
+    std::optional<Overview> overviewShown() const;
     void paintOverview(QPainter& painter) const;
 
     DiagramScene& scene_;

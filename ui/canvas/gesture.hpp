@@ -30,5 +30,7 @@ std::unique_ptr<Gesture> makeWireGesture(DiagramView& view, QMouseEvent* press, 
 /// Selects what lies in a rectangle.
 std::unique_ptr<Gesture> makeBandGesture(DiagramView& view, QMouseEvent* press);
 std::unique_ptr<Gesture> makePanGesture(DiagramView& view, QMouseEvent* press);
+/// Takes the view along on the overview.
+std::unique_ptr<Gesture> makeOverviewGesture(DiagramView& view, QMouseEvent* press);
 
 }  // namespace analogon::ui

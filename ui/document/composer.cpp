@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/diagram/group.hpp"
 #include "core/syntax/parser.hpp"
 #include "ui/document/document.hpp"
 #include "ui/route/route.hpp"
@@ -134,7 +135,7 @@ std::string baseName(const std::string& className) {
 
 bool Composer::isReady() {
     fault_.clear();
-    if (document_.definition() && document_.library().find(document_.study().className)) return true;
+    if (document_.definition()) return true;
     fault_ = tr("The model's text has a fault: mend it first, then the diagram can be changed.");
     return false;
 }
@@ -145,6 +146,52 @@ bool Composer::apply(const Outcome<syntax::TextEdit>& edit) {
         return false;
     }
     document_.applyEdit(*edit);
+    return true;
+}
+
+/// The shown class is this one, or is used somewhere in it.
+bool Composer::wouldHoldItself(const LibraryClass& cls, int depth) const {
+    constexpr int deepest = 20;
+    if (cls.qualifiedName == document_.shownClass() || depth > deepest) return true;
+    return std::any_of(cls.definition->components.begin(), cls.definition->components.end(), [&](const auto& c) {
+        const LibraryClass* type = document_.library().lookup(c.type, cls.qualifiedName);
+        const bool isOwn = type && type->definition->source == document_.definition()->source;
+        return isOwn && wouldHoldItself(*type, depth + 1);
+    });
+}
+
+/// An edit of the text together with the settings of the study that speak of what it moves: `rename` gives the name
+/// that a component's part has afterwards, within the class that is shown; empty: it is gone.
+bool Composer::applyWith(const Outcome<syntax::TextEdit>& edit, const std::function<std::string(std::string)>& rename) {
+    if (!edit) return apply(edit);
+    StudySettings settings = document_.settings();
+    bool touchesSettings = false;
+    const std::vector<std::string> prefixes = document_.prefixes();
+    const auto renamed = [&](const std::string& key) {
+        for (const std::string& prefix : prefixes) {
+            if (!key.starts_with(prefix)) continue;
+            const std::string inner = key.substr(prefix.size()), fresh = rename(inner);
+            if (fresh != inner) return fresh.empty() ? fresh : prefix + fresh;
+        }
+        return key;
+    };
+    const auto rekey = [&](auto& named) {
+        std::remove_reference_t<decltype(named)> fresh;
+        for (auto& [key, value] : named) {
+            const std::string now = renamed(key);
+            touchesSettings = touchesSettings || now != key;
+            if (!now.empty()) fresh[now] = value;
+        }
+        named = std::move(fresh);
+    };
+    rekey(settings.parameters);
+    for (StudyExperiment& experiment : settings.experiments) {
+        rekey(experiment.inputs);
+        rekey(experiment.outputs);
+        rekey(experiment.initial);
+    }
+    if (!touchesSettings) return apply(edit);
+    document_.applyBoth(*edit, std::move(settings));
     return true;
 }
 
@@ -159,7 +206,7 @@ std::string Composer::addBlock(const std::string& className, Point centre) {
         fault_ = tr("%1 is only a base for other classes and cannot be placed.").arg(qString(className));
         return {};
     }
-    if (className == document_.study().className) {
+    if (wouldHoldItself(*cls)) {
         fault_ = tr("A model cannot hold itself.");
         return {};
     }
@@ -212,31 +259,17 @@ bool Composer::addWire(const std::string& from, const std::string& to, const std
 bool Composer::remove(const DiagramSelection& selection) {
     if (!isReady() || selection.isEmpty()) return false;
     ModelEdit edit(*document_.definition(), &document_.diagram(), &document_.library());
-    StudySettings settings = document_.settings();
-    bool touchesSettings = false;
     const auto isGone = [&](const std::string& name) {
         return std::find(selection.blocks.begin(), selection.blocks.end(), instanceOf(name)) != selection.blocks.end();
     };
-    const auto drop = [&](auto& named) {
-        touchesSettings =
-            std::erase_if(named, [&](const auto& entry) { return isGone(entry.first); }) > 0 || touchesSettings;
-    };
     for (const std::string& block : selection.blocks) edit.removeComponent(block);
-    drop(settings.parameters);
-    for (StudyExperiment& experiment : settings.experiments) {
-        drop(experiment.inputs);
-        drop(experiment.outputs);
-        drop(experiment.initial);
-    }
     for (const WireEnds& wire : selection.wires)
         if (!isGone(wire.from) && !isGone(wire.to)) edit.removeConnection(wire.from, wire.to);
     const QString what = selection.blocks.size() == 1 ? tr("Delete %1").arg(qString(selection.blocks.front()))
                          : selection.blocks.empty()   ? tr("Delete wires")
                                                       : tr("Delete %1 blocks").arg(selection.blocks.size());
-    const Outcome<syntax::TextEdit> change = edit.finish(what.toStdString());
-    if (!change || !touchesSettings) return apply(change);
-    document_.applyBoth(*change, std::move(settings));
-    return true;
+    return applyWith(edit.finish(what.toStdString()),
+                     [&](const std::string& part) { return isGone(part) ? std::string() : part; });
 }
 
 Diagram Composer::moved(const Diagram& diagram, const std::vector<std::string>& blocks, double dx, double dy) {
@@ -370,33 +403,48 @@ bool Composer::rename(const std::string& block, const std::string& name) {
     }
     ModelEdit edit(*document_.definition(), &document_.diagram(), &document_.library());
     edit.renameComponent(block, name);
-    const Outcome<syntax::TextEdit> change =
-        edit.finish(tr("Rename %1 to %2").arg(qString(block), qString(name)).toStdString());
-    if (!change) return apply(change);
-    StudySettings settings = document_.settings();
-    bool touchesSettings = false;
-    const auto rekey = [&](auto& named) {
-        std::remove_reference_t<decltype(named)> fresh;
-        for (auto& [key, value] : named) {
-            const bool isIts = instanceOf(key) == block;
-            touchesSettings = touchesSettings || isIts;
-            fresh[isIts ? name + key.substr(block.size()) : key] = value;
-        }
-        named = std::move(fresh);
-    };
-    rekey(settings.parameters);
-    for (StudyExperiment& experiment : settings.experiments) {
-        rekey(experiment.inputs);
-        rekey(experiment.outputs);
-        rekey(experiment.initial);
+    return applyWith(
+        edit.finish(tr("Rename %1 to %2").arg(qString(block), qString(name)).toStdString()),
+        [&](const std::string& part) { return instanceOf(part) == block ? name + part.substr(block.size()) : part; });
+}
+
+std::string Composer::freeClassName() const {
+    const Library& library = document_.library();
+    for (int number = 1;; ++number) {
+        const std::string name = "Group" + (number > 1 ? std::to_string(number) : std::string());
+        if (!library.lookup(name, document_.shownClass())) return name;
     }
-    if (!touchesSettings) return apply(change);
-    document_.applyBoth(*change, std::move(settings));
-    return true;
+}
+
+std::string Composer::group(const std::vector<std::string>& blocks, const std::string& className) {
+    if (!isReady()) return {};
+    Group group;
+    for (const std::string& name : blocks)
+        if (const Block* block = document_.diagram().find(name); block && !block->isConnector)
+            group.components.push_back(name);
+    if (group.components.empty()) {
+        fault_ = tr("Select the blocks that are to become one; inputs and outputs stay outside.");
+        return {};
+    }
+    if (!isModelicaName(className) || document_.library().lookup(className, document_.shownClass())) {
+        fault_ = tr("\"%1\" is no free name for a model.").arg(qString(className));
+        return {};
+    }
+    group.className = className;
+    group.instance = freeName(*document_.definition(), baseName(className));
+    const QString what = tr("Group %1 blocks").arg(group.components.size());
+    const bool isDone = applyWith(
+        groupComponents(document_.library(), document_.diagram(), *document_.definition(), group, what.toStdString()),
+        [&](const std::string& part) {
+            const bool isInside =
+                std::find(group.components.begin(), group.components.end(), instanceOf(part)) != group.components.end();
+            return isInside ? group.instance + "." + part : part;
+        });
+    return isDone ? group.instance : std::string();
 }
 
 bool Composer::setClassName(const std::string& name) {
-    if (!isReady() || document_.study().className == name) return false;
+    if (!isReady() || document_.study().className == name || !document_.levels().empty()) return false;
     const syntax::ClassDefinition& definition = *document_.definition();
     if (!isModelicaName(name) || document_.study().className != definition.name) {
         fault_ = tr("\"%1\" is no name for a model.").arg(qString(name));

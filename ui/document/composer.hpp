@@ -2,6 +2,7 @@
 
 #include <QPointF>
 #include <QString>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,11 @@ public:
     /// Declares what a copied text holds, moved by (dx, dy), under free names; their names.
     std::vector<std::string> paste(const std::string& text, double dx, double dy);
     bool setClassName(const std::string& name);
+    /// Puts blocks into a new class of this name, with connectors for the wires that cross its border, and one block of
+    /// it in their place; that block's name, or empty.
+    std::string group(const std::vector<std::string>& blocks, const std::string& className);
+    /// A name for it that is not taken.
+    std::string freeClassName() const;
 
     /// Why two connectors cannot be connected; empty: they can.
     QString refusal(const std::string& from, const std::string& to) const;
@@ -48,6 +54,8 @@ public:
 private:
     bool isReady();
     bool apply(const Outcome<syntax::TextEdit>& edit);
+    bool applyWith(const Outcome<syntax::TextEdit>& edit, const std::function<std::string(std::string)>& rename);
+    bool wouldHoldItself(const LibraryClass& cls, int depth = 0) const;
     bool place(const std::vector<std::pair<std::string, Placement>>& placements, const QString& what);
 
     Document& document_;

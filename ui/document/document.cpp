@@ -137,6 +137,7 @@ void Document::adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory>
     study_ = std::move(study);
     files_ = std::move(files);
     path_ = path;
+    levels_.clear();
     undo_.clear();
     simulated_.reset();
     live_.reset();
@@ -185,7 +186,7 @@ QString Document::modelText() const {
 }
 
 const syntax::ClassDefinition* Document::definition() const {
-    const LibraryClass* cls = isOpen() ? library_.find(study_->className) : nullptr;
+    const LibraryClass* cls = isOpen() ? library_.find(shownClass_) : nullptr;
     return cls ? cls->definition.get() : nullptr;
 }
 
@@ -197,12 +198,74 @@ void Document::readModel() {
     library_ = {};
     if (library) {
         library_ = std::move(*library);
-        Outcome<Diagram> diagram = readDiagram(library_, study_->className);
-        for (const Diagnostic& d : diagram.diagnostics()) modelFaults_.push_back(d);
-        if (diagram) diagram_ = std::move(*diagram);
+        readDiagram();
     }
     setMessages(Message::Origin::Model, modelFaults_);
     if (library) analysisDelay_.start();
+}
+
+/// The class a component of this owner is of, when it stands in the same text.
+const LibraryClass* Document::ownClass(const LibraryClass& owner, const std::string& component) const {
+    using Restriction = syntax::ClassDefinition::Restriction;
+    for (const syntax::Component& c : owner.definition->components) {
+        if (c.name != component) continue;
+        const LibraryClass* cls = library_.lookup(c.type, owner.qualifiedName);
+        const bool isOwn = cls && cls->definition->source == owner.definition->source;
+        return isOwn && cls->definition->restriction == Restriction::Model ? cls : nullptr;
+    }
+    return nullptr;
+}
+
+/// Of the level one is at; what is gone (by undo, say) is left.
+void Document::readDiagram() {
+    shownClass_ = study_->className;
+    for (std::size_t i = 0; i < levels_.size(); ++i) {
+        const LibraryClass* owner = library_.find(shownClass_);
+        const LibraryClass* inner = owner ? ownClass(*owner, levels_[i]) : nullptr;
+        if (!inner) {
+            levels_.resize(i);
+            break;
+        }
+        shownClass_ = inner->qualifiedName;
+    }
+    Outcome<Diagram> diagram = analogon::readDiagram(library_, shownClass_);
+    for (const Diagnostic& d : diagram.diagnostics()) modelFaults_.push_back(d);
+    diagram_ = diagram ? std::move(*diagram) : Diagram{};
+}
+
+bool Document::canEnter(const std::string& block) const {
+    const LibraryClass* owner = isOpen() ? library_.find(shownClass_) : nullptr;
+    return owner && ownClass(*owner, block);
+}
+
+void Document::enter(const std::string& block) {
+    if (!canEnter(block)) return;
+    levels_.push_back(block);
+    readDiagram();
+    Q_EMIT levelsChanged();
+}
+
+void Document::leaveTo(std::size_t depth) {
+    if (depth >= levels_.size()) return;
+    levels_.resize(depth);
+    if (definition()) readDiagram();
+    Q_EMIT levelsChanged();
+}
+
+void Document::collectPrefixes(const LibraryClass& cls, const std::string& prefix,
+                               std::vector<std::string>& found) const {
+    constexpr auto deepest = 20;  // a class that holds itself has no end
+    if (cls.qualifiedName == shownClass_) found.push_back(prefix);
+    if (std::count(prefix.begin(), prefix.end(), '.') > deepest) return;
+    for (const syntax::Component& c : cls.definition->components)
+        if (const LibraryClass* inner = ownClass(cls, c.name)) collectPrefixes(*inner, prefix + c.name + ".", found);
+}
+
+std::vector<std::string> Document::prefixes() const {
+    std::vector<std::string> found;
+    if (const LibraryClass* model = isOpen() ? library_.find(study_->className) : nullptr)
+        collectPrefixes(*model, {}, found);
+    return found;
 }
 
 void Document::modelTextChanged() {
@@ -250,8 +313,9 @@ void Document::setParameterValue(const std::string& name, double value) {
         changed.value = value;
         return setStudyParameter(name, changed, what);
     }
-    if (!definition()) return;
-    ModelEdit edit(*definition(), nullptr, &library());
+    const LibraryClass* model = library_.find(study_->className);
+    if (!model) return;
+    ModelEdit edit(*model->definition, nullptr, &library());
     edit.setParameter(name, syntax::printNumber(value));
     Outcome<syntax::TextEdit> text = edit.finish(what.toStdString());
     if (text)

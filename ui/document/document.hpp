@@ -72,7 +72,18 @@ public:
     const Library& library() const { return library_; }
     const Diagram& diagram() const { return diagram_; }
     const ModelFacts& facts() const { return facts_; }
-    /// Definition of the composed model; null when its text does not parse.
+    /// The class whose diagram is shown: the study's model, or that of a component one has gone into.
+    const std::string& shownClass() const { return shownClass_; }
+    /// Names of the components one has gone into, from the study's model inward; empty: its own diagram is shown.
+    const std::vector<std::string>& levels() const { return levels_; }
+    /// A component of the diagram whose class is part of this text, with a diagram of its own.
+    bool canEnter(const std::string& block) const;
+    void enter(const std::string& block);
+    void leaveTo(std::size_t depth);
+    /// What stands before the names of the shown class's components in the whole model, once for each place where the
+    /// class is used: "" for the study's model, "drive." for the class of its component "drive".
+    std::vector<std::string> prefixes() const;
+    /// Definition of the class that is shown; null when the text does not parse.
     const syntax::ClassDefinition* definition() const;
     QUndoStack& undoStack() { return undo_; }
     /// Counts every change of the study; results of an older revision are stale.
@@ -122,8 +133,9 @@ public:
 
 Q_SIGNALS:
     void readingChanged();
-    void opened();        // another study; everything below has changed
-    void modelChanged();  // text and diagram
+    void opened();         // another study; everything below has changed
+    void modelChanged();   // text and diagram
+    void levelsChanged();  // another diagram of the same model
     void factsChanged();
     void parametersChanged();  // the study's own settings of parameters
     void experimentsChanged();
@@ -141,12 +153,17 @@ private:
     void adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory> files, const QString& path);
     void settingsChanged() { ++revision_; }
     void readModel();  // library and diagram from the texts
+    void readDiagram();
+    const LibraryClass* ownClass(const LibraryClass& owner, const std::string& component) const;
+    void collectPrefixes(const LibraryClass& cls, const std::string& prefix, std::vector<std::string>& found) const;
     void modelTextChanged();
     void setMessages(Message::Origin origin, const Diagnostics& diagnostics);
 
     std::optional<Study> study_;
     Library library_;
     Diagram diagram_;
+    std::string shownClass_;
+    std::vector<std::string> levels_;
     ModelFacts facts_;
     Diagnostics modelFaults_;  // found while reading the diagram
     std::optional<ModelState> simulated_;

@@ -48,6 +48,10 @@ ComposeActions::ComposeActions(Document& document, DiagramScene& scene, DiagramV
     rename_ = make(tr("Rename …"), {Qt::Key_F2}, &ComposeActions::rename);
     renameModel_ = make(tr("Rename model …"), {Qt::SHIFT | Qt::Key_F2}, &ComposeActions::renameModel);
     selectAll_ = make(tr("Select all"), {QKeySequence::SelectAll}, &ComposeActions::selectAll);
+    group_ = make(tr("Group into a model …"), {Qt::Key_G}, &ComposeActions::group);
+    group_->setObjectName("group");
+    enter_ = make(tr("Open its diagram"), {Qt::CTRL | Qt::Key_Down}, &ComposeActions::enter);
+    leave_ = make(tr("Back to the model around it"), {Qt::CTRL | Qt::Key_Up}, &ComposeActions::leave);
     const std::pair<QString, Edge> edges[] = {
         {tr("Align left"), Edge::Left},       {tr("Align right"), Edge::Right},
         {tr("Align top"), Edge::Top},         {tr("Align bottom"), Edge::Bottom},
@@ -81,7 +85,12 @@ void ComposeActions::connectGestures() {
     });
     connect(&view_, &DiagramView::refused, this, &ComposeActions::told);
     connect(&view_, &DiagramView::typed, this, &ComposeActions::chooseBlock);
-    connect(&view_, &DiagramView::blockActivated, this, &ComposeActions::inspectWanted);
+    connect(&view_, &DiagramView::blockActivated, this, [this](const QString& block) {
+        if (document_.canEnter(block.toStdString()))
+            document_.enter(block.toStdString());
+        else
+            Q_EMIT inspectWanted(block);
+    });
     connect(&view_, &DiagramView::menuWanted, this, [this](QPoint at) {
         auto* menu = new QMenu(&view_);
         menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -90,6 +99,8 @@ void ComposeActions::connectGestures() {
     });
     connect(&scene_, &DiagramScene::selectionEdited, this, &ComposeActions::update);
     connect(&document_, &Document::modelChanged, this, &ComposeActions::update);
+    connect(&document_, &Document::levelsChanged, this, &ComposeActions::update);
+    connect(&document_, &Document::levelsChanged, chooser_, &QWidget::hide);
     connect(&document_, &Document::opened, chooser_, &QWidget::hide);
     connect(&library_, &LibraryPanel::placeWanted, this, &ComposeActions::placeAnywhere);
     connect(&library_, &LibraryPanel::dragged, this, [this](const QString& name, QPoint global) {
@@ -115,8 +126,11 @@ std::vector<std::string> ComposeActions::blocks() const { return scene_.selectio
 void ComposeActions::update() {
     const DiagramSelection selected = scene_.selection();
     const bool isOpen = document_.isOpen(), hasBlocks = !selected.blocks.empty();
-    for (QAction* a : {insert_, paste_, selectAll_, renameModel_}) a->setEnabled(isOpen);
-    for (QAction* a : {cut_, copy_, duplicate_, rotate_, flipH_, flipV_}) a->setEnabled(hasBlocks);
+    for (QAction* a : {insert_, paste_, selectAll_}) a->setEnabled(isOpen);
+    renameModel_->setEnabled(isOpen && document_.levels().empty());
+    for (QAction* a : {cut_, copy_, duplicate_, rotate_, flipH_, flipV_, group_}) a->setEnabled(hasBlocks);
+    enter_->setEnabled(selected.blocks.size() == 1 && document_.canEnter(selected.blocks.front()));
+    leave_->setEnabled(!document_.levels().empty());
     remove_->setEnabled(!selected.isEmpty());
     rename_->setEnabled(selected.blocks.size() == 1);
     wire_->setEnabled(hasBlocks);
@@ -129,6 +143,8 @@ void ComposeActions::fill(QMenu& menu) const {
     menu.addActions({cut_, copy_, paste_, duplicate_, remove_, selectAll_});
     menu.addSeparator();
     menu.addActions({rename_, renameModel_});
+    menu.addSeparator();
+    menu.addActions({group_, enter_, leave_});
     menu.addSeparator();
     menu.addActions({rotate_, flipH_, flipV_});
     QMenu* align = menu.addMenu(tr("Align"));
@@ -266,6 +282,25 @@ void ComposeActions::renameModel() {
     const QString name = qString(document_.study().className);
     chooser_->ask(tr("New name of the model"), name,
                   [this](const QString& text) { report(composer_->setClassName(text.toStdString())); });
+}
+
+void ComposeActions::group() {
+    const std::vector<std::string> chosen = blocks();
+    chooser_->ask(tr("Name of the new model"), qString(composer_->freeClassName()),
+                  [this, chosen](const QString& name) {
+                      const std::string block = composer_->group(chosen, name.toStdString());
+                      report(!block.empty());
+                      if (!block.empty()) scene_.select(block);
+                  });
+}
+
+void ComposeActions::enter() { document_.enter(scene_.selectedBlock().toStdString()); }
+
+void ComposeActions::leave() {
+    if (document_.levels().empty()) return;
+    const std::string left = document_.levels().back();
+    document_.leaveTo(document_.levels().size() - 1);
+    scene_.select(left);
 }
 
 void ComposeActions::selectAll() {

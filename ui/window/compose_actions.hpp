@@ -61,6 +61,9 @@ private:
     void rename();
     void renameModel();
     void selectAll();
+    void group();
+    void enter();
+    void leave();
     void pasteText(const std::string& text, double dx, double dy);
 
     Document& document_;
@@ -70,7 +73,7 @@ private:
     std::unique_ptr<Composer> composer_;
     Chooser* chooser_;
     QAction *insert_{}, *wire_{}, *cut_{}, *copy_{}, *paste_{}, *duplicate_{}, *remove_{}, *rotate_{}, *flipH_{},
-        *flipV_{}, *rename_{}, *renameModel_{}, *selectAll_{};
+        *flipV_{}, *rename_{}, *renameModel_{}, *selectAll_{}, *group_{}, *enter_{}, *leave_{};
     std::vector<QAction*> align_;
     std::string pastedText_;
     int pasteCount_{};  // of the same text: each copy lies a step further

@@ -30,6 +30,7 @@
 #include "ui/plot/plot_panel.hpp"
 #include "ui/style/style.hpp"
 #include "ui/text/text_view.hpp"
+#include "ui/window/breadcrumb.hpp"
 #include "ui/window/compose_actions.hpp"
 #include "ui/window/generate_page.hpp"
 #include "ui/window/guide_page.hpp"
@@ -98,6 +99,7 @@ MainWindow::~MainWindow() = default;
 void MainWindow::createPanels() {
     scene_ = new DiagramScene(this);
     view_ = new DiagramView(*scene_);
+    new Breadcrumb(*document_, *view_);
     text_ = new TextView(*document_);
     centre_ = new QTabWidget;
     centre_->setObjectName("centre");
@@ -299,6 +301,12 @@ void MainWindow::createToolBar() {
 void MainWindow::connectPanels() {
     connect(document_, &Document::opened, this, &MainWindow::showStudy);
     connect(document_, &Document::modelChanged, this, &MainWindow::showModel);
+    connect(document_, &Document::levelsChanged, this, [this] {
+        scene_->clearSelection();
+        showModel();
+        view_->fitView();
+        view_->setFocus();
+    });
     connect(document_, &Document::resultChanged, this, [this] {
         showEffects();
         view_->refitIfHidden();
@@ -337,7 +345,7 @@ void MainWindow::connectPanels() {
     connect(plots_, &PlotPanel::told, this, [this](const QString& s) { statusBar()->showMessage(s, 8000); });
     connect(compose_, &ComposeActions::told, this, [this](const QString& s) { statusBar()->showMessage(s, 8000); });
     connect(compose_, &ComposeActions::inspectWanted, this, [this](const QString& block) {
-        parameters_->showComponent(block);
+        parameters_->showComponent(wholeName(block));
         parameterDock_->show();
         parameterDock_->raise();
         parameters_->table()->setFocus();
@@ -354,10 +362,12 @@ void MainWindow::connectPanels() {
     connect(controller_, &RunController::concluded, statusBar(),
             [this](const QString& s) { statusBar()->showMessage(s); });
     connect(measurements_, &MeasurementPanel::experimentChosen, plots_, &PlotPanel::showExperiment);
-    connect(scene_, &DiagramScene::blockSelected, parameters_, &ParameterPanel::showComponent);
+    connect(scene_, &DiagramScene::blockSelected, this,
+            [this](const QString& block) { parameters_->showComponent(wholeName(block)); });
     connect(parameters_, &ParameterPanel::componentCleared, scene_, &QGraphicsScene::clearSelection);
     connect(results_, &ResultPanel::effectChosen, this, [this](const QString& instance) {
         centre_->setCurrentWidget(view_);
+        document_->leaveTo(0);
         scene_->select(instance.toStdString());
         scene_->pointOut(scene_->block(instance.toStdString()) ? std::string() : instance.toStdString());
     });
@@ -516,9 +526,18 @@ void MainWindow::showModel() {
     showEffects();
 }
 
+/// The name a block of the diagram shown has in the whole model; within a component, that component while none is
+/// named.
+QString MainWindow::wholeName(const QString& block) const {
+    QStringList parts;
+    for (const std::string& level : document_->levels()) parts << QString::fromStdString(level);
+    if (!block.isEmpty()) parts << block;
+    return parts.join('.');
+}
+
 void MainWindow::showEffects() {
     std::vector<EffectMark> marks;
-    if (const Finding* finding = document_->finding())
+    if (const Finding* finding = document_->finding(); finding && document_->levels().empty())
         for (const AddedEffect& effect : finding->effects) {
             const Block* block = document_->diagram().find(effect.instance);
             // Taken back by undo, a component may still be there, but with its old class.

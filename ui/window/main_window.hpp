@@ -78,6 +78,7 @@ private:
     void showStudy();
     void showModel();
     void showEffects();
+    QString wholeName(const QString& block) const;
     void showPlace(const Place& place);
     void askForStudy(bool isDirectory);
     void save();

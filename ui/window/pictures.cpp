@@ -19,6 +19,7 @@
 
 #include "ui/canvas/diagram_scene.hpp"
 #include "ui/canvas/diagram_view.hpp"
+#include "ui/document/composer.hpp"
 #include "ui/document/document.hpp"
 #include "ui/fit/fit_panel.hpp"
 #include "ui/fit/run_controller.hpp"
@@ -28,6 +29,7 @@
 #include "ui/style/style.hpp"
 #include "ui/style/translator.hpp"
 #include "ui/text/text_view.hpp"
+#include "ui/window/compose_actions.hpp"
 #include "ui/window/generate_page.hpp"
 #include "ui/window/main_window.hpp"
 #include "ui/window/start_page.hpp"
@@ -130,10 +132,22 @@ public:
             if (action->shortcut() == QKeySequence(QKeySequence::HelpContents)) action->trigger();
         settle(300);
         take(window, "14-guide");
-        return isWhole_;
+        return takeGroup(examples.front().path) && isWhole_;
     }
 
 private:
+    bool takeGroup(const QString& example) {
+        MainWindow window;
+        window.resize(1440, 900);
+        window.show();
+        window.open(example);
+        Document& document = window.document();
+        if (!waitFor([&] { return document.isOpen() && document.before(); })) return false;
+        document.enter(window.compose().composer().group({"heater", "element"}, "Probe"));
+        settle(1000);
+        take(window, "15-inside-a-group");
+        return !document.levels().empty();
+    }
     void take(MainWindow& window, const QString& name) {
         window.statusBar()->clearMessage();  // it tells how fast this machine is: no part of the picture
         const QString file = directory_.filePath(name + suffix_ + ".png");
