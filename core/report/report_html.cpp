@@ -348,10 +348,14 @@ private:
             out_ += "</td></tr>\n";
         }
         closeTable();
-        out_ += fmt::format(
-            "<p class=\"soft\"><small>± one standard error. The fit {}{}; {} simulations.</small></p>\n",
-            statusWords(after_.status) == "converged" ? "converged" : "stopped: " + statusWords(after_.status),
-            after_.message.empty() ? "" : " (" + escapeHtml(after_.message) + ")", after_.simulations);
+        const std::string status = statusWords(after_.status), message = escapeHtml(after_.message);
+        std::string end = status == "converged" ? status : "stopped: " + status;
+        if (message.starts_with(end))
+            end = message;  // "converged after 7 iterations"
+        else if (!message.empty())
+            end += " (" + message + ")";
+        out_ += fmt::format("<p class=\"soft\"><small>± one standard error. The fit {}; {} simulation{}.</small></p>\n",
+                            end, after_.simulations, after_.simulations == 1 ? "" : "s");
         profiles();
     }
 

@@ -39,7 +39,7 @@ small, .soft { color: var(--soft); }
 .chip.warn { background: var(--warn-back); color: var(--warn); }
 .chip.bad { background: var(--bad-back); color: var(--bad); }
 .chip.plain { background: var(--grid); color: var(--soft); }
-.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(210px, 1fr)); gap: 14px; }
+.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(250px, 1fr)); gap: 14px; }
 .figure { background: var(--card); border: 1px solid var(--edge); border-radius: 10px; padding: 14px 18px; }
 .figure .name { color: var(--soft); font-size: 13px; }
 .figure .value { font-size: 23px; font-weight: 600; font-variant-numeric: tabular-nums; white-space: nowrap; }
