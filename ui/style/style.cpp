@@ -166,7 +166,7 @@ public:
             case PE_IndicatorCheckBox:
                 return drawCheck(*option, *painter);
             case PE_PanelButtonCommand:
-                return drawButton(*static_cast<const QStyleOptionButton*>(option), *painter);
+                return drawButton(*option, *painter);
             case PE_FrameTabBarBase:
                 return underline(*painter, option->rect, hairline(p), 1);
             case PE_PanelScrollAreaCorner:
@@ -253,10 +253,11 @@ private:
             painter.fillRect(QRect(tab.rect.left(), tab.rect.top(), tab.rect.width(), 1), accent(p));
     }
 
-    static void drawButton(const QStyleOptionButton& button, QPainter& painter) {
+    static void drawButton(const QStyleOption& button, QPainter& painter) {
         const QPalette& p = button.palette;
+        const auto* push = qstyleoption_cast<const QStyleOptionButton*>(&button);  // null: the frame of a tool button
         const bool isEnabled = button.state & State_Enabled,
-                   isDefault = button.features & QStyleOptionButton::DefaultButton;
+                   isDefault = push && (push->features & QStyleOptionButton::DefaultButton);
         const bool isDown = button.state & (State_Sunken | State_On), isOver = button.state & State_MouseOver;
         QColor fill = p.color(QPalette::Button),
                frame = mix(p.color(QPalette::Window), p.color(QPalette::WindowText), 0.25);

@@ -5,20 +5,44 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QImage>
+#include <QImageReader>
 #include <QPushButton>
 #include <QResizeEvent>
 #include <QScrollBar>
 #include <QTextBrowser>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <map>
+#include <utility>
 
+#include "ui/job/job.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {
 
 namespace {
 
-/// A text whose pictures are as wide as its column at most.
+using Pictures = std::map<QString, QImage>;  // by file
+
+/// A picture's size in device pixels when it is no wider than that.
+QSize fitted(QSize size, int widest) {
+    return size.width() > widest ? QSize(widest, size.height() * widest / size.width()) : size;
+}
+
+Pictures readPictures(const QStringList& files, int widest, const Progress& progress) {
+    Pictures pictures;
+    for (const QString& file : files) {
+        if (progress.stopRequested()) break;
+        const QImage picture(file);
+        pictures[file] =
+            picture.scaled(fitted(picture.size(), widest), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    }
+    return pictures;
+}
+
+/// A text whose pictures are as wide as its column at most. They are read in the background; until then there is room
+/// for them.
 class Browser : public QTextBrowser {
 public:
     using QTextBrowser::QTextBrowser;
@@ -30,12 +54,19 @@ public:
 protected:
     QVariant loadResource(int type, const QUrl& name) override {
         if (type != QTextDocument::ImageResource) return QTextBrowser::loadResource(type, name);
-        QImage picture(QFileInfo(guideFile()).dir().filePath(name.path()));
-        const double ratio = devicePixelRatioF();
-        const int widest = std::min(760, viewport()->width() - 16 * style::unit);  // [px]
-        if (picture.width() > widest * ratio)
-            picture = picture.scaledToWidth(static_cast<int>(widest * ratio), Qt::SmoothTransformation);
-        picture.setDevicePixelRatio(ratio);
+        const QString file = QFileInfo(guideFile()).dir().filePath(name.path());
+        const QSize size = fitted(QImageReader(file).size(), widest());
+        if (size.isEmpty()) return {};
+        QImage picture;
+        if (const auto found = pictures_.find(file); found != pictures_.end() && found->second.size() == size) {
+            picture = found->second;
+        } else {
+            if (wanted_.isEmpty()) QTimer::singleShot(0, this, &Browser::read);
+            if (!wanted_.contains(file)) wanted_ << file;
+            picture = QImage(size, QImage::Format_ARGB32_Premultiplied);
+            picture.fill(Qt::transparent);
+        }
+        picture.setDevicePixelRatio(devicePixelRatioF());
         return picture;
     }
     void resizeEvent(QResizeEvent* event) override {
@@ -45,6 +76,21 @@ protected:
     }
 
 private:
+    int widest() const {  // [device px]
+        const int column = std::max(40, std::min(760, viewport()->width() - 16 * style::unit));
+        return static_cast<int>(column * devicePixelRatioF());
+    }
+    void read() {
+        reader_.start<Pictures>(
+            QString(),
+            [files = std::exchange(wanted_, {}), width = widest()](const Progress& progress) {
+                return readPictures(files, width, progress);
+            },
+            [this](Pictures read) {
+                for (auto& [file, picture] : read) pictures_[file] = std::move(picture);
+                layOut();
+            });
+    }
     void layOut() {
         laidOutFor_ = viewport()->width();
         const QScrollBar& bar = *verticalScrollBar();
@@ -53,6 +99,9 @@ private:
         verticalScrollBar()->setValue(static_cast<int>(part * verticalScrollBar()->maximum()));
     }
     QString text_;
+    Pictures pictures_;
+    QStringList wanted_;  // files that are still to be read
+    JobRunner reader_;
     int laidOutFor_{};  // [px]
 };
 
