@@ -1366,6 +1366,10 @@ Relativer Standardfehler %1 %</translation>
 <context>
     <name>ParameterPanel</name>
     <message>
+        <source>Place a block: its parameters appear here.</source>
+        <translation>Einen Block einsetzen: Seine Parameter erscheinen hier.</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>keine</translation>
     </message>

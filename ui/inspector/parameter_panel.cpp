@@ -136,6 +136,7 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
     table_->horizontalHeader()->setHighlightSections(false);
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->horizontalHeader()->setStretchLastSection(false);
+    table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);  // names give way, figures never
     table_->horizontalHeader()->setMinimumSectionSize(9 * style::unit);
     table_->setAccessibleName(tr("Parameters"));
 
@@ -181,6 +182,8 @@ void ParameterPanel::updateState() {
     if (model_->rowCount() > 0) return pages_->setCurrentWidget(table_);
     if (!document_.isOpen())
         empty_->setText(tr("The parameters of the open study appear here."));
+    else if (document_.definition() && document_.diagram().blocks.empty())
+        empty_->setText(tr("Place a block: its parameters appear here."));
     else if (!component_.isEmpty())
         empty_->setText(tr("%1 has no parameters.").arg(component_));
     else if (!search_->text().isEmpty() || onlyFitted_->isChecked())

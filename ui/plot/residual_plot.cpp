@@ -172,8 +172,10 @@ private:
         const auto& x = plot_.against_[static_cast<std::size_t>(chosen)].values;
         const auto& r = plot_.residual_;
         const auto xs = rangeOf(x), ys = rangeOf(r);
-        paintFrame(painter, area, ResidualPlot::tr("Residual against %1").arg(plot_.variable_->currentText()),
-                   plot_.variable_->currentText(), xs, ys, true);
+        const QString title = ResidualPlot::tr("Residual against %1").arg(plot_.variable_->currentText());
+        const bool fits = fontMetrics().horizontalAdvance(title) <= area.width();  // else the axis says against what
+        paintFrame(painter, area, fits ? title : ResidualPlot::tr("Residual"), plot_.variable_->currentText(), xs, ys,
+                   true);
         const std::size_t n = std::min(x.size(), r.size());
         const std::size_t stride = std::max<std::size_t>(1, n / mostPoints);
         QPolygonF points;

@@ -130,7 +130,7 @@ public:
         take(window, "13-messages");
         for (QAction* action : window.findChildren<QAction*>())
             if (action->shortcut() == QKeySequence(QKeySequence::HelpContents)) action->trigger();
-        settle(300);
+        settle(2500);  // its pictures come a moment later
         take(window, "14-guide");
         return takeGroup(examples.front().path) && isWhole_;
     }
