@@ -14,7 +14,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <map>
-#include <utility>
 
 #include "ui/job/job.hpp"
 #include "ui/style/style.hpp"
@@ -30,19 +29,8 @@ QSize fitted(QSize size, int widest) {
     return size.width() > widest ? QSize(widest, size.height() * widest / size.width()) : size;
 }
 
-Pictures readPictures(const QStringList& files, int widest, const Progress& progress) {
-    Pictures pictures;
-    for (const QString& file : files) {
-        if (progress.stopRequested()) break;
-        const QImage picture(file);
-        pictures[file] =
-            picture.scaled(fitted(picture.size(), widest), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
-    }
-    return pictures;
-}
-
-/// A text whose pictures are as wide as its column at most. They are read in the background; until then there is room
-/// for them.
+/// A text whose pictures are as wide as its column at most. They are read in the background, one after the other; until
+/// then there is room for them.
 class Browser : public QTextBrowser {
 public:
     using QTextBrowser::QTextBrowser;
@@ -54,20 +42,15 @@ public:
 protected:
     QVariant loadResource(int type, const QUrl& name) override {
         if (type != QTextDocument::ImageResource) return QTextBrowser::loadResource(type, name);
-        const QString file = QFileInfo(guideFile()).dir().filePath(name.path());
-        const QSize size = fitted(QImageReader(file).size(), widest());
+        const QSize size = fitted(QImageReader(fileOf(name)).size(), widest());
         if (size.isEmpty()) return {};
-        QImage picture;
-        if (const auto found = pictures_.find(file); found != pictures_.end() && found->second.size() == size) {
-            picture = found->second;
-        } else {
-            if (wanted_.isEmpty()) QTimer::singleShot(0, this, &Browser::read);
-            if (!wanted_.contains(file)) wanted_ << file;
-            picture = QImage(size, QImage::Format_ARGB32_Premultiplied);
-            picture.fill(Qt::transparent);
-        }
-        picture.setDevicePixelRatio(devicePixelRatioF());
-        return picture;
+        const auto found = pictures_.find(fileOf(name));
+        if (found != pictures_.end() && found->second.size() == size) return shown(found->second);
+        if (wanted_.isEmpty() && !reader_.isBusy()) QTimer::singleShot(0, this, &Browser::readNext);
+        if (!wanted_.contains(name)) wanted_ << name;
+        QImage room(size, QImage::Format_ARGB32_Premultiplied);
+        room.fill(Qt::transparent);
+        return shown(room);
     }
     void resizeEvent(QResizeEvent* event) override {
         QTextBrowser::resizeEvent(event);
@@ -80,15 +63,25 @@ private:
         const int column = std::max(40, std::min(760, viewport()->width() - 16 * style::unit));
         return static_cast<int>(column * devicePixelRatioF());
     }
-    void read() {
-        reader_.start<Pictures>(
+    static QString fileOf(const QUrl& name) { return QFileInfo(guideFile()).dir().filePath(name.path()); }
+    QImage shown(QImage picture) const {
+        picture.setDevicePixelRatio(devicePixelRatioF());
+        return picture;
+    }
+    void readNext() {
+        if (wanted_.isEmpty() || reader_.isBusy()) return;
+        const QUrl name = wanted_.takeFirst();
+        reader_.start<QImage>(
             QString(),
-            [files = std::exchange(wanted_, {}), width = widest()](const Progress& progress) {
-                return readPictures(files, width, progress);
+            [file = fileOf(name), width = widest()](const Progress&) {
+                const QImage picture(file);
+                return picture.scaled(fitted(picture.size(), width), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
             },
-            [this](Pictures read) {
-                for (auto& [file, picture] : read) pictures_[file] = std::move(picture);
-                layOut();
+            [this, name](const QImage& picture) {
+                pictures_[fileOf(name)] = picture;
+                document()->addResource(QTextDocument::ImageResource, name, shown(picture));
+                viewport()->update();
+                QTimer::singleShot(0, this, &Browser::readNext);
             });
     }
     void layOut() {
@@ -100,7 +93,7 @@ private:
     }
     QString text_;
     Pictures pictures_;
-    QStringList wanted_;  // files that are still to be read
+    QList<QUrl> wanted_;  // still to be read
     JobRunner reader_;
     int laidOutFor_{};  // [px]
 };
