@@ -99,11 +99,8 @@ bool Esdirk::attempt(int interval, double t, double h, const double* x, const do
             const double* slope = slopes_.data() + static_cast<std::size_t>(j) * n;
             for (std::size_t i = 0; i < n; ++i) base_[i] += factor * slope[i];
         }
-        // from the line through the slopes of the last two stages
-        const double* last = slopes_.data() + static_cast<std::size_t>(s - 1) * n;
-        const double* before = s > 1 ? last - n : last;
-        const double reach = s > 1 ? (table.c[s] - table.c[s - 1]) / (table.c[s - 1] - table.c[s - 2]) : 0.0;
-        for (std::size_t i = 0; i < n; ++i) stage_[i] = base_[i] + hg * (last[i] + reach * (last[i] - before[i]));
+        const double* previous = slopes_.data() + static_cast<std::size_t>(s - 1) * n;
+        for (std::size_t i = 0; i < n; ++i) stage_[i] = base_[i] + hg * previous[i];
         if (!solveStage(time, hg)) return false;
         double* slope = slopes_.data() + static_cast<std::size_t>(s) * n;
         for (std::size_t i = 0; i < n; ++i) slope[i] = (stage_[i] - base_[i]) / hg;

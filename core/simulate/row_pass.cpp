@@ -240,6 +240,8 @@ private:
         dynamics_.storeState(x_.data(), dx_.data());
         for (const int first = k; k < last_ && k - first < kMostRows; ++k) {
             if (run_.plan.methodIn(k) != GridMethod::Esdirk) break;
+            // steps that do not converge are halved many times: the limit must not wait for the end of the stretch
+            if (dynamics_.evaluations() > options_.evaluationLimit || progress_.stopRequested()) return true;
             if (!look(k)) return false;
             const int substeps = run_.plan.substepsIn(k);
             const double h = (time(k + 1) - time(k)) / substeps;
