@@ -9,6 +9,7 @@
 
 #include "core/diagram/annotation.hpp"
 #include "core/diagram/edit_text.hpp"
+#include "core/diagram/references.hpp"
 
 namespace analogon {
 
@@ -417,86 +418,23 @@ std::string ModelEdit::newConnectionsText(const std::string& indent) const {
     return lines;
 }
 
-namespace {
-
-/// Places where a component's name is used as the first part of a reference.
-class References {
-public:
-    References(std::string_view name, std::string text) : name_(name), text_(std::move(text)) {}
-
-    void visit(const Expression& e) {
-        if (e.kind == Expression::Kind::Reference && !e.name.absolute && !e.name.parts.empty() &&
-            e.name.parts.front().identifier == name_)
-            add(e.name.parts.front().span.begin);
-        for (const syntax::NamePart& part : e.name.parts)
-            for (const Expression& subscript : part.subscripts) visit(subscript);
-        const bool isShadowed = std::any_of(e.iterators.begin(), e.iterators.end(),
-                                            [&](const auto& iterator) { return iterator.first == name_; });
-        for (const auto& iterator : e.iterators)
-            for (const Expression& range : iterator.second) visit(range);
-        if (isShadowed) return;
-        for (const Expression& operand : e.operands) visit(operand);
-        for (const syntax::NamedArgument& argument : e.named) visit(argument.value);
-    }
-
-    void visit(const Modification& m) {
-        if (m.value) visit(*m.value);
-        for (const Modification& a : m.arguments) visit(a);
-        if (m.redeclaredComponent) visit(*m.redeclaredComponent);
-    }
-
-    void visit(const Component& c) {
-        for (const Expression& dimension : c.dimensions) visit(dimension);
-        for (const Modification& m : c.modifications) visit(m);
-        if (c.binding) visit(*c.binding);
-        if (c.condition) visit(*c.condition);
-    }
-
-    void visit(const Equation& e) {
-        visit(e.left);
-        visit(e.right);
-        bool isShadowed = false;
-        for (const Equation::Iterator& iterator : e.iterators) {
-            visit(iterator.range);
-            isShadowed = isShadowed || iterator.name == name_;
-        }
-        if (isShadowed) return;
-        for (const Equation::Branch& branch : e.branches) {
-            if (branch.condition) visit(*branch.condition);
-            for (const Equation& inner : branch.body) visit(inner);
-        }
-        for (const Equation& inner : e.body) visit(inner);
-    }
-
-    void add(std::uint32_t begin) {
-        if (seen_.insert(begin).second)
-            found_.push_back({begin, begin + static_cast<std::uint32_t>(name_.size()), text_});
-    }
-
-    const std::vector<Replacement>& found() const { return found_; }
-
-private:
-    std::string_view name_;
-    std::string text_;
-    std::set<std::uint32_t> seen_;
-    std::vector<Replacement> found_;
-};
-
-}  // namespace
-
 void ModelEdit::writeRenames(Replacements& edits) const {
     const std::size_t written = edits.size();
     for (const auto& [from, to] : renames_) {
-        References references(from, to);
+        FirstNames names;
+        std::set<std::uint32_t> places;  // one text may be part of two trees
         for (const Component& c : definition_->components) {
-            if (c.name == from) references.add(c.nameSpan.begin);
-            references.visit(c);
+            if (c.name == from) places.insert(c.nameSpan.begin);
+            names.visit(c);
         }
         for (const syntax::Extends& base : definition_->bases)
-            for (const Modification& m : base.modifications) references.visit(m);
+            for (const Modification& m : base.modifications) names.visit(m);
         for (const syntax::EquationSection& section : definition_->equationSections)
-            for (const Equation& equation : section.equations) references.visit(equation);
-        for (const Replacement& r : references.found()) {
+            for (const Equation& equation : section.equations) names.visit(equation);
+        for (const syntax::Name* name : names.found)
+            if (name->parts.front().identifier == from) places.insert(name->parts.front().span.begin);
+        for (const std::uint32_t begin : places) {
+            const Replacement r{begin, begin + static_cast<std::uint32_t>(from.size()), to};
             // A text that another change rewrites as a whole is taken from there.
             const bool isRewritten =
                 std::any_of(edits.begin(), edits.begin() + static_cast<std::ptrdiff_t>(written),

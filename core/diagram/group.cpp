@@ -9,6 +9,7 @@
 
 #include "core/diagram/edit.hpp"
 #include "core/diagram/edit_text.hpp"
+#include "core/diagram/references.hpp"
 #include "core/syntax/parser.hpp"
 
 namespace analogon {
@@ -21,55 +22,6 @@ using syntax::Modification;
 using syntax::Replacement;
 
 namespace {
-
-/// First parts of all references, without those that an iterator gives its meaning.
-class FirstNames {
-public:
-    void visit(const Expression& e) {
-        if (e.kind == Expression::Kind::Reference && !e.name.absolute && !e.name.parts.empty() &&
-            !shadowed_.contains(e.name.parts.front().identifier))
-            found.push_back(&e.name);
-        for (const syntax::NamePart& part : e.name.parts)
-            for (const Expression& subscript : part.subscripts) visit(subscript);
-        for (const auto& [name, range] : e.iterators) {
-            for (const Expression& r : range) visit(r);
-            shadowed_.insert(name);
-        }
-        for (const Expression& operand : e.operands) visit(operand);
-        for (const syntax::NamedArgument& argument : e.named) visit(argument.value);
-        for (const auto& iterator : e.iterators) shadowed_.erase(shadowed_.find(iterator.first));
-    }
-    void visit(const Modification& m) {
-        if (m.value) visit(*m.value);
-        for (const Modification& a : m.arguments) visit(a);
-        if (m.redeclaredComponent) visit(*m.redeclaredComponent);
-    }
-    void visit(const Component& c) {
-        for (const Expression& dimension : c.dimensions) visit(dimension);
-        for (const Modification& m : c.modifications) visit(m);
-        if (c.binding) visit(*c.binding);
-        if (c.condition) visit(*c.condition);
-    }
-    void visit(const Equation& e) {
-        visit(e.left);
-        visit(e.right);
-        for (const Equation::Iterator& iterator : e.iterators) {
-            visit(iterator.range);
-            shadowed_.insert(iterator.name);
-        }
-        for (const Equation::Branch& branch : e.branches) {
-            if (branch.condition) visit(*branch.condition);
-            for (const Equation& inner : branch.body) visit(inner);
-        }
-        for (const Equation& inner : e.body) visit(inner);
-        for (const Equation::Iterator& iterator : e.iterators) shadowed_.erase(shadowed_.find(iterator.name));
-    }
-
-    std::vector<const syntax::Name*> found;
-
-private:
-    std::multiset<std::string> shadowed_;
-};
 
 bool holdsConnection(const Equation& e) {
     if (e.kind == Equation::Kind::Connect) return true;
