@@ -187,8 +187,7 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
 /// start is the problem's own. Each depends on the seed and its index alone.
 std::vector<Eigen::VectorXd> startsOf(const FitProblem& problem, const FitOptions& options) {
     const auto K = static_cast<Eigen::Index>(problem.parameters.size());
-    Eigen::VectorXd own(K);
-    for (Eigen::Index i = 0; i < K; ++i) own[i] = problem.parameters[static_cast<std::size_t>(i)].start;
+    const Eigen::VectorXd own = problem.startValues();
     std::vector<Eigen::VectorXd> starts{own};
     const int further = options.starts - 1;
     if (further <= 0) return starts;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -88,5 +90,16 @@ struct ErrorFigures {
 };
 ErrorFigures errorFigures(const Eigen::Ref<const Eigen::RowVectorXd>& simulated,
                           const Eigen::Ref<const Eigen::RowVectorXd>& measured);
+
+/// Error of several outputs or experiments (contract, section 6): the root of their mean square; 0 of none.
+template <class Parts, class ErrorOf>
+double meanError(const Parts& parts, ErrorOf errorOf) {
+    double squares = 0;
+    for (const auto& part : parts) {
+        const double each = std::invoke(errorOf, part);
+        squares += each * each;
+    }
+    return std::empty(parts) ? 0 : std::sqrt(squares / static_cast<double>(std::size(parts)));
+}
 
 }  // namespace analogon

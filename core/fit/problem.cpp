@@ -188,6 +188,12 @@ int FitProblem::residualCount() const {
     return static_cast<int>(count);
 }
 
+Eigen::VectorXd FitProblem::startValues() const {
+    Eigen::VectorXd values(static_cast<Eigen::Index>(parameters.size()));
+    for (Eigen::Index k = 0; k < values.size(); ++k) values[k] = parameters[static_cast<std::size_t>(k)].start;
+    return values;
+}
+
 GridPlan planFor(const FitProblem& problem, int experiment, const Eigen::VectorXd& values,
                  const SimulationOptions& options, const Progress& progress, const GridPlan* inForce) {
     return planGrid(taskFor(problem, experiment, values, nullptr), options, progress, inForce);
@@ -216,9 +222,8 @@ Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values
         const GridPlan* const plan = e < plans.size() ? &plans[e] : nullptr;
         result.trajectories.push_back(simulated(problem, task, plan, options, progress, writer));
         Trajectory& trajectory = result.trajectories.back();
-        const bool isPoured = options.engine != Engine::Adaptive;
-        if (!isPoured && !trajectory.failure.failed) pour(trajectory, static_cast<int>(task.directions.cols()), writer);
-        if (isPoured || !trajectory.failure.failed) trajectory.outputs = std::move(writer.outputs);
+        if (options.engine == Engine::Adaptive) pour(trajectory, static_cast<int>(task.directions.cols()), writer);
+        trajectory.outputs = std::move(writer.outputs);  // also of what failed: NaN where it did not get to
         if (trajectory.failure.failed) {
             result.failure = describe(trajectory.failure, experiment.name);
             return result;

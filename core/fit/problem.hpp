@@ -47,7 +47,8 @@ struct FitProblem {
     /// Sees every simulation before it runs, from any thread: may change it, or refuse it by throwing.
     std::function<void(SimulationTask&, SimulationOptions&)> beforeSimulation{};
 
-    int residualCount() const;  // measured values that are not NaN, with weight > 0
+    int residualCount() const;            // measured values that are not NaN, with weight > 0
+    Eigen::VectorXd startValues() const;  // of the parameters
 };
 
 /// All residuals and, when asked, their Jacobian with respect to the parameters in their own units (not

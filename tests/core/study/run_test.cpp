@@ -39,12 +39,16 @@ end Heater;
 TEST_F(Run, ASimulationThatIsStoppedLeavesNoFigures) {
     std::stop_source source;
     source.request_stop();
-    const Outcome<RunResult> result = runSimulate(read(), {}, Progress(source.get_token(), {}));
-    ASSERT_TRUE(result) << format(result.diagnostics());
-    const ExperimentState& e = result->finding.final.experiments.at(0);
-    EXPECT_EQ(e.failure.reason, "cancelled");
-    EXPECT_TRUE(std::isnan(e.errorPercent));
-    EXPECT_EQ(e.outputs.at(0).simulated.size(), 400);
+    for (const Engine engine : {Engine::Grid, Engine::Adaptive}) {
+        RunOptions options;
+        options.discover.fit.simulation.engine = engine;
+        const Outcome<RunResult> result = runSimulate(read(), options, Progress(source.get_token(), {}));
+        ASSERT_TRUE(result) << format(result.diagnostics());
+        const ExperimentState& e = result->finding.final.experiments.at(0);
+        EXPECT_EQ(e.failure.reason, "cancelled");
+        EXPECT_TRUE(std::isnan(e.errorPercent));
+        EXPECT_EQ(e.outputs.at(0).simulated.size(), 400);
+    }
 }
 
 TEST_F(Run, ACancelledFitKeepsTheBestWithItsFigures) {
