@@ -4,31 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "core/base/range.hpp"
 
 namespace analogon {
 namespace {
 
 constexpr double worthSaying = 0.1;                  // of the fitted range
 constexpr double mostOfExcess = 0.5, least = 100.0;  // of what is above the noise; in units of the noise, squared
-constexpr double visible = 3e-3;                     // |g_perp| / |g|
 
-struct Range {
-    double low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-    void take(double x) {
-        if (std::isnan(x)) return;
-        low = std::min(low, x);
-        high = std::max(high, x);
-    }
-};
-
-Range rangeOf(const Recording& recording, const std::vector<std::string>& names, const Eigen::MatrixXd& values,
+Range rangeIn(const Recording& recording, const std::vector<std::string>& names, const Eigen::MatrixXd& values,
               const std::string& name) {
-    Range range;
     const auto at = std::find(names.begin(), names.end(), name);
-    if (at != names.end() && values.cols() == static_cast<Eigen::Index>(recording.time.size()))
-        for (const double x : values.row(at - names.begin())) range.take(x);
-    return range;
+    if (at == names.end() || values.cols() != static_cast<Eigen::Index>(recording.time.size())) return {};
+    return rangeOf(values.row(at - names.begin()));
 }
 
 /// Rows of one experiment of a column; the rest 0.
@@ -46,18 +35,15 @@ std::vector<std::string> extrapolations(const EstimationTask& task) {
     std::vector<std::string> said;
     for (const Recording& checked : task.recordings) {
         if (checked.role != Role::Validate) continue;
-        const auto look = [&](const char* side, const std::string& name, const auto& rangeIn) {
+        const auto look = [&](const char* side, const std::string& name, const auto& rangeOfIts) {
             Range fitted;
             for (const Recording& r : task.recordings) {
                 if (r.role != Role::Fit) continue;
-                const Range own = rangeIn(r, name);
-                fitted.take(own.low < own.high ? own.low : std::nan(""));
-                fitted.take(own.low < own.high ? own.high : std::nan(""));
+                if (const Range own = rangeOfIts(r, name); own.width() > 0) fitted.take(own);
             }
-            const Range own = rangeIn(checked, name);
-            const double width = fitted.high - fitted.low;
-            if (!(width > 0) || !(own.low <= own.high)) return;
-            const double beyond = std::max(own.high - fitted.high, fitted.low - own.low) / width;
+            const Range own = rangeOfIts(checked, name);
+            if (!(fitted.width() > 0) || own.isEmpty()) return;
+            const double beyond = std::max(own.high - fitted.high, fitted.low - own.low) / fitted.width();
             if (beyond > worthSaying)
                 said.push_back(
                     fmt::format("'{}' leaves the range of the fitted recordings on {} {} by {:.0f} % of that range: "
@@ -66,10 +52,10 @@ std::vector<std::string> extrapolations(const EstimationTask& task) {
         };
         for (const std::string& name : checked.inputNames)
             look("input", name,
-                 [](const Recording& r, const std::string& n) { return rangeOf(r, r.inputNames, r.inputs, n); });
+                 [](const Recording& r, const std::string& n) { return rangeIn(r, r.inputNames, r.inputs, n); });
         for (const std::string& name : checked.outputNames)
             look("output", name,
-                 [](const Recording& r, const std::string& n) { return rangeOf(r, r.outputNames, r.outputs, n); });
+                 [](const Recording& r, const std::string& n) { return rangeIn(r, r.outputNames, r.outputs, n); });
     }
     return said;
 }
@@ -90,13 +76,11 @@ std::vector<std::string> driftBetweenRecordings(const NullModel& null) {
             const FitEstimate& estimate = null.fit.estimates[static_cast<std::size_t>(j)];
             if (estimate.experiment >= 0) continue;  // a start value
             const Eigen::VectorXd column = within(null, static_cast<int>(e), jacobian.col(j));
-            const Eigen::VectorXd rest = complement(Eigen::MatrixXd(column)).col(0);
-            if (!(rest.norm() > visible * column.norm())) continue;
-            const double along = rest.dot(residual), explained = along * along / rest.squaredNorm();
-            if (!(explained > best.explained)) continue;
-            const double step = -along / rest.squaredNorm();
+            const ColumnScore score = scoreColumns(complement, residual, column, false);
+            if (!(score.visible > leastVisible) || !(score.explained > best.explained)) continue;
+            const double step = score.strengths[0];
             const double elsewhere = estimate.value - step * complement.coefficients(column)[j];
-            best = {explained, elsewhere, elsewhere + step, estimate.name,
+            best = {score.explained, elsewhere, elsewhere + step, estimate.name,
                     null.variant.task.recordings[static_cast<std::size_t>(recordings[e])].name};
         }
     if (!(best.explained > least) || !(best.explained > mostOfExcess * excess)) return {};

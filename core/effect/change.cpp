@@ -10,7 +10,6 @@ namespace {
 
 constexpr int coarse = 40;           // moments that are tried over a recording, then again around the best
 constexpr double margin = 0.04;      // of the recording at either end, where a break is no break
-constexpr double visible = 3e-3;     // |g_perp| / |g|
 constexpr double leastLikely = 0.3;  // of what the likeliest explains
 constexpr std::size_t mostFitted = 4;
 
@@ -46,14 +45,10 @@ std::vector<Change> likelyChanges(const NullModel& null) {
             Change best;
             const auto take = [&](double moment) {
                 const Eigen::VectorXd column = from(null, time, experiment, moment, jacobian.col(j));
-                const Eigen::VectorXd rest = complement(Eigen::MatrixXd(column)).col(0);
-                const double squared = rest.squaredNorm();
-                if (!(rest.norm() > visible * column.norm())) return;
-                const double along = rest.dot(residual);
-                const double explained = along * along / squared;
-                if (explained > best.explained)
-                    best = {estimate.name, experiment, moment, estimate.value, estimate.value - along / squared,
-                            explained,     {}};
+                const ColumnScore score = scoreColumns(complement, residual, column, false);
+                if (score.visible > leastVisible && score.explained > best.explained)
+                    best = {estimate.name,   experiment, moment, estimate.value, estimate.value + score.strengths[0],
+                            score.explained, {}};
             };
             for (int k = 0; k <= coarse; ++k)
                 take(begin + span * (margin + (1 - 2 * margin) * k / static_cast<double>(coarse)));

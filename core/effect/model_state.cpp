@@ -19,16 +19,12 @@ ExperimentState experimentState(const FitExperiment& experiment, Role role, cons
     state.role = role;
     state.time = experiment.inputs.time;
     state.failure = trajectory.failure;
-    double squares = 0;
-    int count = 0;
     for (Eigen::Index o = 0; o < experiment.measured.rows(); ++o) {
         if (experiment.measured.row(o).array().isNaN().all()) continue;
         state.outputs.push_back(outputState(experiment.system->outputs()[static_cast<std::size_t>(o)],
                                             trajectory.outputs.row(o), experiment.measured.row(o)));
-        squares += state.outputs.back().figures.errorPercent * state.outputs.back().figures.errorPercent;
-        ++count;
     }
-    state.errorPercent = count > 0 ? std::sqrt(squares / count) : 0;
+    state.errorPercent = meanError(state.outputs, [](const OutputState& o) { return o.figures.errorPercent; });
     return state;
 }
 
@@ -90,9 +86,7 @@ Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const 
         if (!prepared) return prepared.diagnostics();
         FitProblem& problem = prepared->problem;
         if (problem.experiments.empty()) continue;
-        Eigen::VectorXd values(static_cast<Eigen::Index>(problem.parameters.size()));
-        for (Eigen::Index i = 0; i < values.size(); ++i)
-            values[i] = problem.parameters[static_cast<std::size_t>(i)].start;
+        const Eigen::VectorXd values = problem.startValues();
         const Linearisation l = linearise(problem, values, false, {}, simulation, progress);
         for (std::size_t e = 0; e < problem.experiments.size(); ++e)
             if (e < l.trajectories.size())
@@ -107,14 +101,10 @@ Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const 
 }
 
 double errorPercentOf(const ModelState& state, Role role) {
-    double squares = 0;
-    int count = 0;
+    std::vector<const ExperimentState*> experiments;
     for (const ExperimentState& e : state.experiments)
-        if (e.role == role) {
-            squares += e.errorPercent * e.errorPercent;
-            ++count;
-        }
-    return count > 0 ? std::sqrt(squares / count) : 0;
+        if (e.role == role) experiments.push_back(&e);
+    return meanError(experiments, [](const ExperimentState* e) { return e->errorPercent; });
 }
 
 }  // namespace analogon

@@ -8,6 +8,8 @@
 #include <functional>
 #include <numbers>
 
+#include "core/base/range.hpp"
+
 namespace analogon {
 namespace {
 
@@ -42,23 +44,22 @@ const std::vector<Shape>& shapes() {
 }
 
 /// What an input did in the fitted recordings.
-struct InputRange {
-    double low{}, high{}, mean{};
-    bool moves() const { return high - low > 1e-6 * std::max(std::abs(low), std::abs(high)); }
+struct InputRange : Range {
+    double mean{};
+    bool moves() const { return width() > 1e-6 * std::max(std::abs(low), std::abs(high)); }
 };
 
 std::vector<InputRange> inputRanges(const EstimationTask& task, const Recording& first) {
     std::vector<InputRange> ranges;
     for (const std::string& name : first.inputNames) {
-        InputRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), 0};
+        InputRange range;
         double sum = 0;
         long count = 0;
         for (const Recording& r : task.recordings) {
             const auto at = std::find(r.inputNames.begin(), r.inputNames.end(), name);
             if (r.role != Role::Fit || at == r.inputNames.end()) continue;
             for (const double u : r.inputs.row(at - r.inputNames.begin())) {
-                range.low = std::min(range.low, u);
-                range.high = std::max(range.high, u);
+                range.take(u);
                 sum += u;
                 ++count;
             }
@@ -77,10 +78,9 @@ Outcome<PreparedTask> onProgramme(const Variant& model, const Recording& program
     return prepareAt(variant, {noise});
 }
 
-Eigen::VectorXd startsOf(const FitProblem& problem) {
-    Eigen::VectorXd values(static_cast<Eigen::Index>(problem.parameters.size()));
-    for (Eigen::Index i = 0; i < values.size(); ++i) values[i] = problem.parameters[static_cast<std::size_t>(i)].start;
-    return values;
+/// Gives an input of a model on a programme other values.
+void play(PreparedTask& prepared, const std::string& input, const Eigen::RowVectorXd& values) {
+    prepared.problem.experiments.front().inputs.values.row(prepared.system->inputIndex(input)) = values;
 }
 
 /// Least of |r + J d|^2 + |J_0 d|^2 over changes d of the rival's parameters: r and J on the programme, J_0 on the
@@ -132,29 +132,31 @@ std::optional<ProposedExperiment> nextExperiment(const NullModel& chosen, const 
     for (SpareChannel& s : programme.spares)
         s.values.assign(programme.time.size(), s.values.empty() ? 0.0 : s.values.front());
 
+    programme.inputs.resize(static_cast<Eigen::Index>(ranges.size()), samples);
+    for (std::size_t j = 0; j < ranges.size(); ++j)
+        programme.inputs.row(static_cast<Eigen::Index>(j)).setConstant(ranges[j].mean);
+    programme.outputs = Eigen::MatrixXd::Zero(first.outputs.rows(), samples);
+    Outcome<PreparedTask> truth = onProgramme(chosen.variant, programme, noise);
+    Outcome<PreparedTask> other = onProgramme(rival.variant, programme, noise);
+    if (!truth || !other) return std::nullopt;
+
     std::optional<ProposedExperiment> best;
     for (std::size_t i = 0; i < ranges.size(); ++i) {
         if (!ranges[i].moves()) continue;
         for (const Shape& shape : shapes()) {
             if (progress.stopRequested()) return best;
-            programme.inputs.resize(static_cast<Eigen::Index>(ranges.size()), samples);
-            for (std::size_t j = 0; j < ranges.size(); ++j)
-                programme.inputs.row(static_cast<Eigen::Index>(j)).setConstant(ranges[j].mean);
+            Eigen::RowVectorXd values(samples);
             for (Eigen::Index k = 0; k < samples; ++k)
-                programme.inputs(static_cast<Eigen::Index>(i), k) =
-                    ranges[i].low + (ranges[i].high - ranges[i].low) * shape.at(static_cast<double>(k) / (samples - 1));
-            programme.outputs = Eigen::MatrixXd::Zero(first.outputs.rows(), samples);
-
-            Outcome<PreparedTask> truth = onProgramme(chosen.variant, programme, noise);
-            Outcome<PreparedTask> other = onProgramme(rival.variant, programme, noise);
-            if (!truth || !other) return best;
+                values[k] = ranges[i].low + ranges[i].width() * shape.at(static_cast<double>(k) / (samples - 1));
+            play(*truth, first.inputNames[i], values);
+            play(*other, first.inputNames[i], values);
             const Linearisation seen =
-                linearise(truth->problem, startsOf(truth->problem), false, {}, simulation, progress);
+                linearise(truth->problem, truth->problem.startValues(), false, {}, simulation, progress);
             if (!seen.ok) continue;
             // both systems have the outputs of the model in its order
             other->problem.experiments.front().measured = seen.trajectories.front().outputs;
             const Linearisation misfit =
-                linearise(other->problem, startsOf(other->problem), true, {}, simulation, progress);
+                linearise(other->problem, other->problem.startValues(), true, {}, simulation, progress);
             if (!misfit.ok) continue;
             const double separation = std::sqrt(perSample * leastMisfit(misfit, other->problem, rival.fit));
             if (best && separation <= best->separation) continue;
@@ -164,6 +166,9 @@ std::optional<ProposedExperiment> nextExperiment(const NullModel& chosen, const 
                 fmt::format("input {} as {}, over {:.3g} s", input.name, inWords(shape, ranges[i], input.unit), span),
                 separation};
         }
+        const Eigen::RowVectorXd atRest = Eigen::RowVectorXd::Constant(samples, ranges[i].mean);
+        play(*truth, first.inputNames[i], atRest);
+        play(*other, first.inputNames[i], atRest);
     }
     return best;
 }

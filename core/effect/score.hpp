@@ -49,9 +49,11 @@ private:
     Eigen::MatrixXd jacobian_;
 };
 
+constexpr double leastVisible = 3e-3;
+
 /// What one or more columns (the first: the strength) explain of a residual.
 struct ColumnScore {
-    double visible{};            // |g_perp| / |g| of the strength: under 3e-3 the parameters imitate it
+    double visible{};            // |g_perp| / |g| of the strength: under leastVisible the parameters imitate it
     double explained{};          // fall in the sum of squares when the columns are fitted
     bool wrongSign{};            // the best strength is negative though the effect is one-sided
     Eigen::VectorXd strengths;   // best coefficients

@@ -4,16 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <set>
-#include <unsupported/Eigen/FFT>
 
 #include "core/effect/shape_value.hpp"
 
 namespace analogon {
 namespace {
 
-constexpr double visibleThreshold = 3e-3;
 constexpr long evaluationsPerSample = 600;  // a candidate that needs more is no model of this recording
 
 /// Series of variables over the fitted experiments, simulated with the effect off.
@@ -276,7 +273,7 @@ private:
     PreparedTask held_;
 };
 
-double scoreOf(const ColumnScore& s) { return s.wrongSign || s.visible < visibleThreshold ? 0 : s.explained; }
+double scoreOf(const ColumnScore& s) { return s.wrongSign || s.visible < leastVisible ? 0 : s.explained; }
 
 }  // namespace
 
@@ -297,37 +294,12 @@ double Screened::whitenedScore() const {
 
 bool Screened::isAbsorbed() const {
     return !probes.empty() &&
-           std::all_of(probes.begin(), probes.end(), [](const Probe& p) { return p.plain.visible < visibleThreshold; });
+           std::all_of(probes.begin(), probes.end(), [](const Probe& p) { return p.plain.visible < leastVisible; });
 }
 
 bool Screened::isWrongSign() const {
     return !probes.empty() &&
            std::all_of(probes.begin(), probes.end(), [](const Probe& p) { return p.plain.wrongSign; });
-}
-
-double dominantPeriod(const NullModel& null) {
-    const Eigen::VectorXd white = null.whitener(null.fit.optimum.residuals);
-    std::vector<const Recording*> fitted;
-    for (const Recording& r : null.variant.task.recordings)
-        if (r.role == Role::Fit) fitted.push_back(&r);
-    double largest = 0, period = 0;
-    Eigen::FFT<double> transform;
-    for (const ResidualChannel& c : null.channels) {
-        const std::vector<double>& time = fitted[static_cast<std::size_t>(c.experiment)]->time;
-        const int count = c.end - c.begin;
-        if (count < 16) continue;
-        const std::vector<double> x(white.data() + c.begin, white.data() + c.end);
-        std::vector<std::complex<double>> spectrum;
-        transform.fwd(spectrum, x);
-        const double span =
-            time[static_cast<std::size_t>(c.samples.back())] - time[static_cast<std::size_t>(c.samples.front())];
-        for (std::size_t k = 2; k < spectrum.size() / 2 && k < static_cast<std::size_t>(count) / 2; ++k)
-            if (std::norm(spectrum[k]) / count > largest) {
-                largest = std::norm(spectrum[k]) / count;
-                period = span * count / (count - 1.0) / static_cast<double>(k);
-            }
-    }
-    return period;
 }
 
 Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std::vector<EffectClass>& catalogue) {

@@ -4,23 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/effect/score.hpp"
-#include "core/effect/variant.hpp"
+#include "core/effect/null_model.hpp"
 
 namespace analogon {
-
-/// A fitted model against which candidates are held: its residual, Jacobian and noise.
-struct NullModel {
-    Variant variant;
-    FitResult fit;
-    std::vector<Eigen::VectorXd> noise;  // standard deviation per recording and output of the system
-    std::vector<ResidualChannel> channels;
-    Whitener whitener;  // from the residual of this model
-    double period{};    // [s] at which the residual repeats most strongly
-
-    double sumOfSquares() const { return fit.optimum.residuals.squaredNorm(); }
-    int parameterCount() const { return static_cast<int>(fit.estimates.size()); }
-};
 
 /// An effect at a place.
 struct Candidate {
@@ -53,10 +39,6 @@ struct Screened {
     bool isWrongSign() const;
     std::vector<std::string> absorbedBy;  // parameters that imitate it
 };
-
-/// The period at which a residual repeats most strongly (peak of the periodogram of the innovations), at least twice
-/// in a recording. [s]
-double dominantPeriod(const NullModel& null);
 
 /// Every effect of the catalogue at every place where it fits.
 Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std::vector<EffectClass>& catalogue);

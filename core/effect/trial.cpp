@@ -128,12 +128,6 @@ std::vector<FitParameter>::iterator strengthOf(Start& start) {
     return std::find_if(parameters.begin(), parameters.end(), [&](const FitParameter& p) { return p.name == name; });
 }
 
-Eigen::VectorXd startValues(const FitProblem& problem) {
-    Eigen::VectorXd values(static_cast<Eigen::Index>(problem.parameters.size()));
-    for (Eigen::Index j = 0; j < values.size(); ++j) values[j] = problem.parameters[static_cast<std::size_t>(j)].start;
-    return values;
-}
-
 /// Where the strength comes from a slope at 0, the slope may promise far more than the model bears there (a magnet that
 /// warms until its field turns over). The strength is taken back until it is no worse than the model without.
 void takeBack(const NullModel& null, Start& start, const SimulationOptions& simulation, const Progress& progress) {
@@ -142,7 +136,7 @@ void takeBack(const NullModel& null, Start& start, const SimulationOptions& simu
     for (const double part : {1.0, 0.25, 0.0625, 0.015625}) {
         strength->start = std::clamp(first * part, strength->min, strength->max);
         const Linearisation at =
-            linearise(start.prepared.problem, startValues(start.prepared.problem), false, {}, simulation, progress);
+            linearise(start.prepared.problem, start.prepared.problem.startValues(), false, {}, simulation, progress);
         if (at.ok && at.residuals.squaredNorm() < null.sumOfSquares()) return;
     }
     strength->start = std::clamp(first, strength->min, strength->max);  // no way down: as promised
@@ -163,7 +157,7 @@ Trial refit(const NullModel& null, const Screened& screened, const FitOptions& o
         if (!start) continue;
         if (probe->secant == 0) takeBack(null, *start, options.simulation, progress);
         if (offered.size() > static_cast<std::size_t>(starts)) {
-            const Eigen::VectorXd values = startValues(start->prepared.problem);
+            const Eigen::VectorXd values = start->prepared.problem.startValues();
             const Linearisation at = linearise(start->prepared.problem, values, true, {}, options.simulation, progress);
             if (!at.ok || !at.jacobian.allFinite()) continue;
             start->promised = promisedCost(at);

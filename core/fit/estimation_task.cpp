@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/range.hpp"
 #include "core/flat/parameter_change.hpp"
 
 namespace analogon {
@@ -110,15 +111,10 @@ Eigen::MatrixXd inOrder(const std::vector<SignalInfo>& signals, const std::vecto
 /// 1 / noise where the noise is known, else 1 / range of the channel.
 double weightOf(const Eigen::Ref<const Eigen::RowVectorXd>& measured, double noise) {
     if (noise > 0.0 && std::isfinite(noise)) return 1.0 / noise;
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const double value : measured) {
-        if (std::isnan(value)) continue;
-        low = std::min(low, value);
-        high = std::max(high, value);
-    }
-    if (!(low <= high)) return 0.0;  // nothing measured
-    if (high > low) return 1.0 / (high - low);
-    return high != 0.0 ? 1.0 / std::abs(high) : 1.0;
+    const Range range = rangeOf(measured);
+    if (range.isEmpty()) return 0.0;  // nothing measured
+    if (range.width() > 0) return 1.0 / range.width();
+    return range.high != 0.0 ? 1.0 / std::abs(range.high) : 1.0;
 }
 
 class Preparation {

@@ -78,14 +78,18 @@ std::string effectLines(const Finding& finding) {
     return text;
 }
 
+/// A parameter, and the experiment where it is the parameter of one alone.
+std::string labelOf(const ModelState& state, const FitEstimate& estimate) {
+    const std::string experiment = experimentOf(state, estimate);
+    return experiment.empty() ? estimate.name : fmt::format("{} ({})", estimate.name, experiment);
+}
+
 std::string parameterTable(const ModelState& state) {
     std::vector<std::vector<std::string>> rows{{"parameter", "value", "unit"}};
     for (const FitEstimate& estimate : state.parameters) {
-        const std::string experiment = experimentOf(state, estimate);
         std::string unit = estimate.unit;
         if (estimate.atBound) unit += unit.empty() ? "at its bound" : "  at its bound";
-        rows.push_back({experiment.empty() ? estimate.name : fmt::format("{} ({})", estimate.name, experiment),
-                        valueText(estimate.value, estimate.standardError), unit});
+        rows.push_back({labelOf(state, estimate), valueText(estimate.value, estimate.standardError), unit});
     }
     return state.parameters.empty() ? std::string() : '\n' + aligned(rows, 3);
 }
@@ -97,9 +101,7 @@ std::string intervalTable(const ModelState& state) {
     for (const FitEstimate& estimate : state.parameters) {
         if (!estimate.interval) continue;
         const ConfidenceInterval& interval = *estimate.interval;
-        const std::string experiment = experimentOf(state, estimate);
-        rows.push_back({experiment.empty() ? estimate.name : fmt::format("{} ({})", estimate.name, experiment),
-                        interval.isOpenBelow ? "open" : numberText(interval.lower, 5),
+        rows.push_back({labelOf(state, estimate), interval.isOpenBelow ? "open" : numberText(interval.lower, 5),
                         interval.isOpenAbove ? "open" : numberText(interval.upper, 5)});
         if (!interval.remark.empty()) remarks += "  " + interval.remark + '\n';
     }

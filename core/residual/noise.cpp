@@ -4,6 +4,9 @@
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 
+#include "core/base/range.hpp"
+#include "core/residual/quantisation.hpp"
+
 namespace analogon {
 
 namespace {
@@ -250,6 +253,11 @@ ResidualSummary summarise(const Eigen::Ref<const Eigen::VectorXd>& residual) {
     const bool exceeds = summary.standardDeviation > (1.05 + 4.0 / std::sqrt(n)) * summary.noiseStd;
     summary.white = probability > 0.01 && !hasOffset && !exceeds;
     return summary;
+}
+
+double channelNoise(const Eigen::Ref<const Eigen::VectorXd>& residual,
+                    const Eigen::Ref<const Eigen::VectorXd>& measured) {
+    return std::max({noiseFromDifferences(residual), quantisationNoise(measured), 1e-6 * rangeOf(measured).width()});
 }
 
 }  // namespace analogon

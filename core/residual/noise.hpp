@@ -10,6 +10,12 @@ namespace analogon {
 /// nearly so; NaN samples are left out. Steps of the signal are outliers to the median.
 double noiseFromDifferences(const Eigen::Ref<const Eigen::VectorXd>& signal);
 
+/// Standard deviation of a channel's noise from what a model leaves of it and from the rounding of its values; at least
+/// a millionth of its range, since a recording that was simulated has none to speak of. `residual` and `measured`: the
+/// same samples.
+double channelNoise(const Eigen::Ref<const Eigen::VectorXd>& residual,
+                    const Eigen::Ref<const Eigen::VectorXd>& measured);
+
 /// An autoregressive model e_k = sum a_i e_{k-i} + w_k, order by BIC (Burg's method).
 struct AutoregressiveModel {
     std::vector<double> coefficients;  // a_1 … a_order

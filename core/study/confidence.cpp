@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/fit/profile.hpp"
-#include "core/residual/quantisation.hpp"
+#include "core/residual/noise.hpp"
 
 namespace analogon {
 namespace {
@@ -37,8 +37,7 @@ std::vector<Eigen::VectorXd> noiseOf(const EstimationTask& task, const System& s
         if (found == state.experiments.end()) continue;
         for (const OutputState& output : found->outputs) {
             const int index = system.outputIndex(output.name);
-            const double fromResidual = noiseFromDifferences(output.simulated - output.measured);
-            if (index >= 0) noise[r][index] = std::max(fromResidual, quantisationNoise(output.measured));
+            if (index >= 0) noise[r][index] = channelNoise(output.simulated - output.measured, output.measured);
         }
     }
     return noise;

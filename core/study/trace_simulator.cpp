@@ -1,18 +1,10 @@
 #include "core/study/trace_simulator.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace analogon {
 
 namespace {
-
-template <class Parts>
-double rootMeanSquare(const Parts& parts) {
-    double squares = 0;
-    for (const auto& part : parts) squares += part.errorPercent * part.errorPercent;
-    return parts.empty() ? 0 : std::sqrt(squares / static_cast<double>(parts.size()));
-}
 
 SimulatedExperiment tracesOf(const FitExperiment& experiment, const Trajectory& trajectory) {
     SimulatedExperiment result{experiment.name, {}, 0};
@@ -23,7 +15,7 @@ SimulatedExperiment tracesOf(const FitExperiment& experiment, const Trajectory& 
                                   {simulated.data(), simulated.data() + simulated.size()},
                                   errorFigures(simulated, experiment.measured.row(o)).errorPercent});
     }
-    result.errorPercent = rootMeanSquare(result.outputs);
+    result.errorPercent = meanError(result.outputs, &SimulatedTrace::errorPercent);
     return result;
 }
 
@@ -57,7 +49,7 @@ std::optional<SimulatedTraces> TraceSimulator::at(const std::vector<Progress::Va
     SimulatedTraces traces;
     for (std::size_t e = 0; e < problem_.experiments.size(); ++e)
         traces.experiments.push_back(tracesOf(problem_.experiments[e], line.trajectories[e]));
-    traces.errorPercent = rootMeanSquare(traces.experiments);
+    traces.errorPercent = meanError(traces.experiments, &SimulatedExperiment::errorPercent);
     return traces;
 }
 

@@ -1,0 +1,60 @@
+#include "core/effect/judgement.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+
+namespace analogon {
+namespace {
+
+constexpr double mostGrowth = 5;  // of an effect's strength when another joins it
+
+}  // namespace
+
+double pValue(double explained, int dof, std::size_t tried) {
+    if (!(explained > 0) || dof < 1) return 1;
+    const double p = boost::math::cdf(boost::math::complement(boost::math::chi_squared(dof), explained));
+    return -std::expm1(static_cast<double>(tried) * std::log1p(-p));
+}
+
+bool isProposal(const Trial& trial) { return !trial.screened.candidate.effect.proposal.empty(); }
+
+int plausibility(const EffectClass& effect) { return effect.signalSide == "input" ? 1 : 0; }
+
+bool isMissed(const Acceptance& a) { return a.isSignificant && a.isWorthwhile && a.heldOut > 0; }
+
+bool isAtBound(const Trial& trial) {
+    const std::string& strength = trial.variant.effects.back().freed.front().name;
+    return std::any_of(trial.fit.estimates.begin(), trial.fit.estimates.end(),
+                       [&](const FitEstimate& e) { return e.name == strength && e.atBound; });
+}
+
+bool fightsAnother(const NullModel& null, const FitResult& with) {
+    const auto valueOf = [](const FitResult& fit, const std::string& name) {
+        for (const FitEstimate& e : fit.estimates)
+            if (e.name == name) return std::abs(e.value);
+        return 0.0;
+    };
+    return std::any_of(null.variant.effects.begin(), null.variant.effects.end(), [&](const PlacedEffect& e) {
+        const std::string& strength = e.freed.front().name;
+        return valueOf(with, strength) > mostGrowth * valueOf(null.fit, strength);
+    });
+}
+
+bool beatsNames(const NullModel& null, const std::vector<Trial>& trials, std::size_t proposal,
+                std::optional<std::size_t> chosen) {
+    if (!chosen) return trials[proposal].evidence > 2 * equivalenceMargin;
+    const double weight = independentShare(null, trials[proposal].fit);
+    double best = -1e300, leastLeft = 1e300;
+    for (const Trial& t : trials) {
+        if (!t.ok || isProposal(t)) continue;
+        best = std::max(best, t.evidence);
+        leastLeft = std::min(leastLeft, t.sumOfSquares());
+    }
+    if (!(weight * (trials[proposal].evidence - best) > equivalenceMargin)) return false;
+    const double named = null.sumOfSquares() - leastLeft,
+                 proposed = null.sumOfSquares() - trials[proposal].sumOfSquares();
+    return levelOf(trials[proposal].fit) <= largeResidual || named < nearlyAsMuch * proposed;
+}
+
+}  // namespace analogon

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+
+#include "core/effect/trial.hpp"
+
+/// By what trials are held against each other and kept or refused, once they are fitted.
+namespace analogon {
+
+constexpr double nearlyAsMuch = 0.6;  // of the fall in the sum of squares
+
+/// Probability of so much in noise, with as many candidates tried (Sidak 1967).
+double pValue(double explained, int dof, std::size_t tried);
+
+/// Whether what was tried is an equation without a name.
+bool isProposal(const Trial& trial);
+
+/// Between kinds that the data cannot tell apart while much is left: a command is followed at once more often than a
+/// sensor is fast.
+int plausibility(const EffectClass& effect);
+
+/// Whether an effect, by what the model loses without it, has to stay.
+bool isMissed(const Acceptance& a);
+
+/// Whether the strength rests at a bound: the effect then stands for something else.
+bool isAtBound(const Trial& trial);
+
+/// Whether a new effect and an old one grow against each other: two that cancel explain what neither does.
+bool fightsAnother(const NullModel& null, const FitResult& with);
+
+/// Whether a proposed equation explains more than every named effect: clearly, and not just as one flexible form more
+/// while much is left anyway.
+bool beatsNames(const NullModel& null, const std::vector<Trial>& trials, std::size_t proposal,
+                std::optional<std::size_t> chosen);
+
+}  // namespace analogon

@@ -1,0 +1,144 @@
+#include "core/effect/null_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <unsupported/Eigen/FFT>
+
+#include "core/base/range.hpp"
+#include "core/residual/noise.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr double indistinctShare = 0.03;  // of a large residual
+
+/// Noise of every output from what the model leaves, in the units of the output.
+std::vector<Eigen::VectorXd> noiseOf(const EstimationTask& task, const PreparedTask& prepared, const FitResult& fit) {
+    std::vector<Eigen::VectorXd> noise(task.recordings.size());
+    for (std::size_t e = 0; e < prepared.problem.experiments.size(); ++e) {
+        const FitExperiment& experiment = prepared.problem.experiments[e];
+        Eigen::VectorXd& n = noise[static_cast<std::size_t>(prepared.fitRecordings[e])];
+        n = Eigen::VectorXd::Zero(experiment.measured.rows());
+        for (Eigen::Index o = 0; o < n.size(); ++o) {
+            if (experiment.weights[o] <= 0) continue;
+            const Eigen::VectorXd r =
+                (fit.optimum.trajectories[e].outputs.row(o) - experiment.measured.row(o)).transpose();
+            const Eigen::VectorXd m = experiment.measured.row(o).transpose();
+            n[o] = std::max(channelNoise(r, m), 1e-300);
+        }
+    }
+    return noise;
+}
+
+}  // namespace
+
+Outcome<NullModel> fitNull(const Variant& start, const std::vector<Eigen::VectorXd>& noise, NoiseLevel level,
+                           const FitOptions& options, const Progress& progress) {
+    NullModel null;
+    null.variant = start;
+    null.noise = noise;
+    // without any noise level the first fit weighs by range, and its residual is that of a poorer optimum
+    const int passes = level == NoiseLevel::Keep ? 1 : noise.empty() ? 3 : 2;
+    for (int pass = 0; pass < passes; ++pass) {
+        Outcome<PreparedTask> prepared = prepareAt(null.variant, null.noise);
+        if (!prepared) return prepared.diagnostics();
+        if (prepared->problem.experiments.empty())
+            return error("the study has no experiment with the role \"fit\"", {},
+                         "give at least one experiment that role");
+        null.fit = fit(prepared->problem, options, progress);
+        if (!null.fit.optimum.ok)
+            return numericalError(null.fit.message, "give other start values, or narrower bounds");
+        null.variant.values = valuesOf(null.fit);
+        null.channels = residualChannels(prepared->problem);
+        if (pass + 1 < passes) null.noise = noiseOf(null.variant.task, *prepared, null.fit);
+    }
+    null.whitener = Whitener(null.channels, null.fit.optimum.residuals);
+    null.period = dominantPeriod(null);
+    return null;
+}
+
+double levelOf(const FitResult& fit) {
+    return std::sqrt(fit.optimum.residuals.squaredNorm() / static_cast<double>(fit.optimum.residuals.size()));
+}
+
+bool isNoise(const NullModel& null) {
+    return std::all_of(null.channels.begin(), null.channels.end(), [&](const ResidualChannel& c) {
+        return summarise(null.fit.optimum.residuals.segment(c.begin, c.end - c.begin)).whiteProbability > 1e-4;
+    });
+}
+
+double independentShare(const NullModel& null, const FitResult& fit) {
+    const Eigen::VectorXd& r = fit.optimum.residuals;
+    const double rows = static_cast<double>(r.size());
+    const double share = effectiveCount(null.channels, r) / rows;
+    return levelOf(fit) > largeResidual ? std::min(share, equivalenceMargin / (indistinctShare * rows)) : share;
+}
+
+double excess(const NullModel& null) {
+    return null.sumOfSquares() - static_cast<double>(null.fit.optimum.residuals.size());
+}
+
+double sumInUnitsOf(const NullModel& units, const NullModel& model) {
+    const std::vector<int> recordings = recordingsOf(model.variant.task, Role::Fit);
+    double sum = 0;
+    for (const ResidualChannel& c : model.channels) {
+        const auto r = static_cast<std::size_t>(recordings[static_cast<std::size_t>(c.experiment)]);
+        const double ratio = model.noise[r][c.output] / units.noise[r][c.output];
+        sum += ratio * ratio * model.fit.optimum.residuals.segment(c.begin, c.end - c.begin).squaredNorm();
+    }
+    return sum;
+}
+
+double quietest(const NullModel& null) {
+    double least = 1;
+    std::size_t e = 0;
+    for (const Recording& r : null.variant.task.recordings) {
+        const std::size_t index = e++;
+        if (r.role != Role::Fit || index >= null.noise.size()) continue;
+        for (Eigen::Index o = 0; o < std::min(r.outputs.rows(), null.noise[index].size()); ++o) {
+            const double width = rangeOf(r.outputs.row(o)).width();
+            if (width > 0) least = std::min(least, null.noise[index][o] / width);
+        }
+    }
+    return least;
+}
+
+bool isDetermined(const NullModel& null, std::size_t effect) {
+    const std::string& strength = null.variant.effects[effect].freed.front().name;
+    return std::any_of(null.fit.estimates.begin(), null.fit.estimates.end(), [&](const FitEstimate& e) {
+        return e.name == strength && std::isfinite(e.standardError) && e.standardError < std::abs(e.value);
+    });
+}
+
+bool hasProposal(const NullModel& null) {
+    return std::any_of(null.variant.effects.begin(), null.variant.effects.end(),
+                       [](const PlacedEffect& e) { return !e.effect.proposal.empty(); });
+}
+
+double dominantPeriod(const NullModel& null) {
+    const Eigen::VectorXd white = null.whitener(null.fit.optimum.residuals);
+    std::vector<const Recording*> fitted;
+    for (const Recording& r : null.variant.task.recordings)
+        if (r.role == Role::Fit) fitted.push_back(&r);
+    double largest = 0, period = 0;
+    Eigen::FFT<double> transform;
+    for (const ResidualChannel& c : null.channels) {
+        const std::vector<double>& time = fitted[static_cast<std::size_t>(c.experiment)]->time;
+        const int count = c.end - c.begin;
+        if (count < 16) continue;
+        const std::vector<double> x(white.data() + c.begin, white.data() + c.end);
+        std::vector<std::complex<double>> spectrum;
+        transform.fwd(spectrum, x);
+        const double span =
+            time[static_cast<std::size_t>(c.samples.back())] - time[static_cast<std::size_t>(c.samples.front())];
+        for (std::size_t k = 2; k < spectrum.size() / 2 && k < static_cast<std::size_t>(count) / 2; ++k)
+            if (std::norm(spectrum[k]) / count > largest) {
+                largest = std::norm(spectrum[k]) / count;
+                period = span * count / (count - 1.0) / static_cast<double>(k);
+            }
+    }
+    return period;
+}
+
+}  // namespace analogon

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "core/base/progress.hpp"
+#include "core/effect/score.hpp"
+#include "core/effect/variant.hpp"
+
+namespace analogon {
+
+/// A fitted model against which candidates are held: its residual, Jacobian and noise.
+struct NullModel {
+    Variant variant;
+    FitResult fit;
+    std::vector<Eigen::VectorXd> noise;  // standard deviation per recording and output of the system
+    std::vector<ResidualChannel> channels;
+    Whitener whitener;  // from the residual of this model
+    double period{};    // [s] at which the residual repeats most strongly, see dominantPeriod
+
+    double sumOfSquares() const { return fit.optimum.residuals.squaredNorm(); }
+    int parameterCount() const { return static_cast<int>(fit.estimates.size()); }
+};
+
+/// The period at which a residual repeats most strongly (peak of the periodogram of the innovations), at least twice
+/// in a recording. [s]
+double dominantPeriod(const NullModel& null);
+
+constexpr double equivalenceMargin = 10;  // evidence within which two candidates cannot be told apart
+constexpr double largeResidual = 1.2;     // in units of the noise: above it, first-order scores may mislead
+
+/// Whether a fit keeps the noise level it is given, or finds it anew from what it leaves.
+enum class NoiseLevel { Keep, Estimate };
+
+/// Fits a variant from its values. `noise`: standard deviations as in NullModel; empty: not known yet.
+Outcome<NullModel> fitNull(const Variant& start, const std::vector<Eigen::VectorXd>& noise, NoiseLevel level,
+                           const FitOptions& options, const Progress& progress);
+
+/// What a fit leaves, in units of the noise.
+double levelOf(const FitResult& fit);
+
+/// Whether every channel of the residual passes for white.
+bool isNoise(const NullModel& null);
+
+/// Of the samples, those that speak for themselves: neighbours in a slow residual say the same, and beside much that
+/// nothing explains a small part of it tells nothing apart (it is the model that is wrong there, not the noise).
+double independentShare(const NullModel& null, const FitResult& fit);
+
+/// What a model leaves above the noise, as a sum of squares.
+double excess(const NullModel& null);
+
+/// Sum of squares that a model leaves, in units of the noise that another one stands beside.
+double sumInUnitsOf(const NullModel& units, const NullModel& model);
+
+/// Smallest noise of a fitted channel over the range of its measurement.
+double quietest(const NullModel& null);
+
+/// Whether the data fix the strength of an effect: a standard error, and one smaller than the value.
+bool isDetermined(const NullModel& null, std::size_t effect);
+
+/// Whether an equation without a name is among the effects of the model.
+bool hasProposal(const NullModel& null);
+
+}  // namespace analogon

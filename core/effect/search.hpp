@@ -1,0 +1,107 @@
+#pragma once
+
+#include <optional>
+#include <set>
+
+#include "core/effect/change.hpp"
+#include "core/effect/discover.hpp"
+#include "core/effect/judgement.hpp"
+
+namespace analogon {
+
+/// One search, from the model as given to the model that leaves noise.
+class Search {
+public:
+    Search(const EstimationTask& task, const DiscoverOptions& options, const Progress& progress);
+
+    Outcome<Finding> run();
+
+private:
+    static constexpr double rivalShare = 0.3;  // of the winner's evidence, for a weaker candidate to be tried again
+    static constexpr int startsPerTrial = 2;
+    static constexpr int trialIterations = 12;  // a trial shows what it is worth; the winner is fitted to convergence
+
+    struct Step {
+        Trial winner;
+        Acceptance acceptance;
+        double pValue{};
+        std::vector<Alternative> alternatives;
+        std::vector<Candidate> rivals;  // what else explained a good part of the same
+        int order{};                    // of all choices
+        double errorWithout{-1};        // [%] of the fitted data when this effect alone is left out; -1: not known
+    };
+
+    std::vector<Screened> screenAll(const NullModel& null);
+    std::vector<Trial> tryBest(const NullModel& null, std::vector<Screened>& screened);
+    std::vector<Trial> tryThese(const NullModel& null, const std::vector<const Screened*>& chosen, int iterations,
+                                int starts);
+    void continueBest(const NullModel& null, std::vector<Trial>& trials);
+    /// What was tried beside one model, and what was decided.
+    struct Round {
+        std::vector<Screened> screened;
+        std::vector<Trial> trials;  // best first
+        double threshold{};
+        std::optional<std::size_t> chosen;  // of the trials
+        std::vector<std::size_t> members;   // of its class
+        std::set<std::size_t> failsHeldOut;
+        Acceptance acceptance;
+    };
+    /// A named effect that was not needed any more beside a proposed equation.
+    struct Displaced {
+        PlacedEffect effect;
+        Step step;
+    };
+    /// Effects added one after the other, and the model they lead to.
+    struct Path {
+        NullModel null;
+        std::vector<Step> steps;
+        std::vector<Displaced> displaced;
+        std::vector<CandidateResult> candidates;
+        std::optional<ModelState> state;  // after the last effect: at hand when the search is interrupted
+    };
+
+    Round tryAll(const NullModel& null);
+    void decide(const NullModel& null, Round& round) const;
+    void preferSimple(const NullModel& null, Round& round) const;
+    Step stepOf(const Round& round);
+    void noteAll(const Round& round);
+    Outcome<Done> goOn(Path& path, Round first);
+    std::vector<std::size_t> otherBeginnings(const NullModel& null, const Round& round) const;
+    Outcome<Path> bestPath(const NullModel& base);
+    std::vector<std::size_t> equivalents(const NullModel& null, const std::vector<Trial>& trials,
+                                         std::size_t best) const;
+    std::optional<NullModel> without(const NullModel& null, std::size_t effect);
+    std::optional<NullModel> refittedWith(const NullModel& null, const std::vector<PlacedEffect>& effects);
+    bool reconsider(NullModel& null);
+    std::vector<Remainder> takeOutProposals(NullModel& null);
+    void setAsideBehindProposal(NullModel& null);
+    void bringBackDisplaced(NullModel& null);
+    bool replace(NullModel& null, std::size_t effect);
+    void removeUnneeded(NullModel& null, std::size_t least);
+    void treatAlike(NullModel& null);
+    void sharpen(NullModel& null);
+    std::string proposeExperiments(const NullModel& null);
+    void setVerdict(const std::string& kind, const std::string& at, Verdict verdict);
+    void note(const Screened& s, Verdict verdict, std::optional<double> deltaBic);
+    AddedEffect describe(const NullModel& last, const PlacedEffect& placed, const Step& step) const;
+    void say(std::string stage, std::string detail, double fraction) const {
+        progress_.report({std::move(stage), std::move(detail), fraction, bestError_});
+    }
+
+    Variant full_;  // on every sample
+    int thinning_;
+    Variant base_;  // on what the search works with
+    const DiscoverOptions& options_;
+    DiscoverOptions search_;  // integration as exact as the noise asks for
+    const Progress& progress_;
+    std::vector<EffectClass> catalogue_;
+    std::vector<CandidateResult> candidates_;
+    std::vector<Step> steps_;
+    std::vector<Displaced> displaced_;
+    std::optional<Change> change_;  // in mid run, that explains better than any effect
+    int round_{}, choices_{};
+    double work_{};  // of the trials so far
+    double bestError_{-1};
+};
+
+}  // namespace analogon

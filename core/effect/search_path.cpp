@@ -1,0 +1,298 @@
+/// Effects added one after the other: what is missed stays, what came second is tried again beside the others.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel.hpp"
+#include "core/effect/model_state.hpp"
+#include "core/effect/search.hpp"
+#include "core/effect/twin.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr double mostWork = 3e7;  // in steps of the trials, beyond which no other beginning is tried
+constexpr std::size_t otherPaths = 2;
+constexpr double structuredResidual = 1.1;  // in units of the noise: something is left to find
+constexpr double leastGain = 1;             // in evidence, for which an effect is exchanged: exact twins are not
+constexpr int mostSharpenings = 2;
+constexpr double leastSharpening = 8;  // fall in the sum of squares, in units of the noise
+
+}  // namespace
+
+/// Adds one effect a round until nothing passes its tests. The first round is given.
+Outcome<Done> Search::goOn(Path& path, Round first) {
+    std::swap(steps_, path.steps);
+    std::swap(displaced_, path.displaced);
+    std::swap(candidates_, path.candidates);
+    Outcome<Done> done = Done{};
+    for (round_ = 1; round_ <= options_.maxRounds && !progress_.stopRequested(); ++round_) {
+        Round round = round_ == 1 ? std::move(first) : tryAll(path.null);
+        if (progress_.stopRequested()) break;
+        if (round_ > 1) decide(path.null, round);
+        noteAll(round);
+        if (!round.chosen) break;
+        Step step = stepOf(round);
+        Variant wider = step.winner.variant;
+        steps_.push_back(std::move(step));
+        // the noise shows better with every effect that is explained
+        Outcome<NullModel> next = fitNull(wider, path.null.noise, NoiseLevel::Estimate, search_.fit, progress_);
+        if (!next) {
+            done = next.diagnostics();
+            break;
+        }
+        path.null = std::move(*next);
+        sharpen(path.null);
+        reconsider(path.null);
+        removeUnneeded(path.null, 1);  // a single one has just passed its tests
+        treatAlike(path.null);
+        if (Outcome<ModelState> after = stateOf(path.null.variant, path.null.fit, search_.fit.simulation, progress_);
+            after && !progress_.stopRequested()) {
+            bestError_ = std::min(bestError_, errorPercentOf(*after, Role::Fit));
+            path.state = std::move(*after);
+        }
+    }
+    std::swap(steps_, path.steps);
+    std::swap(displaced_, path.displaced);
+    std::swap(candidates_, path.candidates);
+    return done;
+}
+
+/// The other effects with which the search may begin: they pass the same tests alone.
+std::vector<std::size_t> Search::otherBeginnings(const NullModel& null, const Round& round) const {
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < round.trials.size() && others.size() < otherPaths; ++i) {
+        const Trial& t = round.trials[i];
+        if (!t.ok || isProposal(t) || isAtBound(t) || t.evidence < rivalShare * round.trials[*round.chosen].evidence)
+            continue;
+        if (i == *round.chosen || std::find(round.members.begin(), round.members.end(), i) != round.members.end())
+            continue;
+        if (examine(null, t.fit, t.freed(), round.threshold).accepted()) others.push_back(i);
+    }
+    return others;
+}
+
+/// What the best path ends with. Where the first choices leave structure, the search begins again with what came
+/// next: two effects that hide each other may not show in the order of their size.
+Outcome<Search::Path> Search::bestPath(const NullModel& base) {
+    Round first = tryAll(base);
+    Path best{base, {}, {}, {}, {}};
+    if (progress_.stopRequested()) return best;
+    decide(base, first);
+    std::vector<std::size_t> others;
+    if (first.chosen) others = otherBeginnings(base, first);
+    if (Outcome<Done> done = goOn(best, first); !done) return done.diagnostics();
+    const auto misfit = [&](const Path& p) {
+        const double rows = static_cast<double>(p.null.fit.optimum.residuals.size());
+        return p.null.sumOfSquares() + p.null.parameterCount() * std::log(rows);
+    };
+    for (const std::size_t other : others) {
+        if (progress_.stopRequested() || levelOf(best.null.fit) < structuredResidual) break;
+        if (work_ > mostWork) break;
+        Round round = first;
+        round.chosen = other;
+        round.members = equivalents(base, round.trials, other);
+        round.acceptance = examine(base, round.trials[other].fit, round.trials[other].freed(), round.threshold);
+        Path path{base, {}, {}, {}, {}};
+        if (Outcome<Done> done = goOn(path, std::move(round)); !done) continue;
+        const double weight = independentShare(path.null, path.null.fit);
+        if (weight * (misfit(best) - misfit(path)) > equivalenceMargin) best = std::move(path);
+    }
+    return best;
+}
+
+/// The model refitted with one effect taken out.
+std::optional<NullModel> Search::without(const NullModel& null, std::size_t effect) {
+    std::vector<PlacedEffect> others;
+    for (std::size_t k = 0; k < null.variant.effects.size(); ++k)
+        if (k != effect) others.push_back(null.variant.effects[k]);
+    return refittedWith(null, others);
+}
+
+/// The model with these effects instead, refitted beside the same noise.
+std::optional<NullModel> Search::refittedWith(const NullModel& null, const std::vector<PlacedEffect>& effects) {
+    Outcome<Variant> variant = withEffects(base_, effects, null.variant.values);
+    if (!variant) return std::nullopt;
+    Outcome<NullModel> refitted = fitNull(*variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
+    if (!refitted) return std::nullopt;
+    return std::move(*refitted);
+}
+
+/// Tries the rivals of one effect again, now that others have joined it: what came second alone may be the better
+/// half of a pair. True when one of them took its place (at the end of the list).
+bool Search::replace(NullModel& null, std::size_t effect) {
+    const PlacedEffect old = null.variant.effects[effect];
+    std::optional<NullModel> rest = without(null, effect);
+    if (!rest) return false;
+    Outcome<std::vector<Candidate>> places = candidatesFor(rest->variant, catalogue_);
+    if (!places) return false;
+    std::vector<Candidate> rivals;
+    for (const Candidate& rival : steps_[effect].rivals)
+        for (const Candidate& place : *places)
+            if (place.effect.className == rival.effect.className && place.place == rival.place) rivals.push_back(place);
+    std::vector<Screened> screened(rivals.size());
+    parallelFor(static_cast<int>(rivals.size()), options_.threads, [&](int i) {
+        say("reconsider",
+            rivals[static_cast<std::size_t>(i)].effect.kind + " at " + rivals[static_cast<std::size_t>(i)].place.at +
+                " for " + old.effect.kind,
+            -1);
+        screened[static_cast<std::size_t>(i)] =
+            screen(*rest, rivals[static_cast<std::size_t>(i)], search_.fit.simulation, progress_);
+    });
+    std::vector<const Screened*> chosen;
+    for (const Screened& s : screened)
+        if (s.failure.empty() && s.score() > 0) chosen.push_back(&s);
+    std::vector<Trial> trials = tryThese(*rest, chosen, 2 * trialIterations, startsPerTrial);
+    rank(*rest, trials);
+    if (trials.empty() || !trials.front().ok || progress_.stopRequested()) return false;
+    Trial& best = trials.front();
+    const double rows = static_cast<double>(null.fit.optimum.residuals.size());
+    const double least = std::min(best.sumOfSquares(), null.sumOfSquares());
+    const double variance = least / std::max(1.0, rows - null.parameterCount());
+    const double gain = (null.sumOfSquares() - best.sumOfSquares()) / variance -
+                        (best.freed() - static_cast<int>(old.freed.size())) *
+                            std::log(effectiveCount(null.channels, null.fit.optimum.residuals));
+    // alternatives are judged beside the other effects of today
+    std::vector<Alternative>& alternatives = steps_[effect].alternatives;
+    const double own = best.evidence - gain;
+    const double weight = independentShare(null, best.fit);
+    for (const Trial& t : trials) {
+        const EffectPlace& place = t.screened.candidate.place;
+        const std::string& kind = t.screened.candidate.effect.kind;
+        std::erase_if(alternatives, [&](const Alternative& a) { return a.kind == kind && a.at == place.at; });
+        if (t.ok)
+            alternatives.push_back({kind, place.at, -t.evidence, weight * (own - t.evidence) < equivalenceMargin});
+    }
+    // what the data hardly tell apart is not exchanged for the less likely
+    const bool isLessLikely = plausibility(best.screened.candidate.effect) > plausibility(old.effect);
+    if (!(gain > leastGain) || (isLessLikely && weight * gain < equivalenceMargin)) return false;
+    const double fall = rest->sumOfSquares() - null.sumOfSquares(),
+                 bestFall = rest->sumOfSquares() - best.sumOfSquares();
+    if (levelOf(best.fit) > largeResidual && best.freed() > static_cast<int>(old.freed.size()) &&
+        fall > nearlyAsMuch * bestFall)
+        return false;
+    Outcome<NullModel> next = fitNull(best.variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
+    if (!next) return false;
+
+    Step step;
+    step.order = ++choices_;
+    step.acceptance = examine(*rest, best.fit, best.freed(), 0);
+    step.pValue = pValue(step.acceptance.explained, best.freed(), screened.size());
+    step.alternatives.push_back(
+        {old.effect.kind, old.place.at, -(best.evidence - gain), weight * gain < equivalenceMargin});
+    for (std::size_t i = 1; i < trials.size(); ++i)
+        if (trials[i].ok)
+            step.alternatives.push_back({trials[i].screened.candidate.effect.kind,
+                                         trials[i].screened.candidate.place.at, -trials[i].evidence,
+                                         weight * (best.evidence - trials[i].evidence) < equivalenceMargin});
+    for (const Candidate& c : steps_[effect].rivals)
+        if (c.effect.className != best.screened.candidate.effect.className ||
+            c.place.at != best.screened.candidate.place.at)
+            step.rivals.push_back(c);
+    step.rivals.push_back({old.effect, old.place});
+    step.winner = std::move(best);
+    setVerdict(old.effect.kind, old.place.at, Verdict::Weaker);
+    setVerdict(step.winner.screened.candidate.effect.kind, step.winner.screened.candidate.place.at, Verdict::Chosen);
+    if (hasProposal(*next) && old.effect.proposal.empty()) displaced_.push_back({old, steps_[effect]});
+    null = std::move(*next);
+    steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(effect));
+    steps_.push_back(std::move(step));
+    return true;
+}
+
+/// Gives the rivals of every effect but the newest another chance. Bounded: each change lowers the misfit.
+bool Search::reconsider(NullModel& null) {
+    bool changed = false;
+    for (int pass = 0; pass < 2; ++pass) {
+        bool changedNow = false;
+        for (std::size_t i = 0; i + 1 < steps_.size() && !progress_.stopRequested();)
+            if (!steps_[i].rivals.empty() && replace(null, i))
+                changedNow = true;
+            else
+                ++i;
+        changed = changed || changedNow;
+        if (!changedNow) break;
+    }
+    return changed;
+}
+
+void Search::setVerdict(const std::string& kind, const std::string& at, Verdict verdict) {
+    for (auto c = candidates_.rbegin(); c != candidates_.rend(); ++c)
+        if (c->kind == kind && c->at == at) {
+            c->verdict = verdict;
+            return;
+        }
+}
+
+/// Takes each effect out again and keeps only those that are missed.
+void Search::removeUnneeded(NullModel& null, std::size_t least) {
+    for (std::size_t i = 0; i < steps_.size() && steps_.size() > least && !progress_.stopRequested();) {
+        say("remove", null.variant.effects[i].effect.kind + " at " + null.variant.effects[i].place.at, -1);
+        std::optional<NullModel> refitted = without(null, i);
+        if (!refitted) {
+            ++i;
+            continue;
+        }
+        const int freed = static_cast<int>(null.variant.effects[i].freed.size());
+        const Acceptance missed = examine(*refitted, null.fit, freed, 0);
+        if (isMissed(missed) && isDetermined(null, i)) {
+            steps_[i].acceptance = missed;
+            if (Outcome<ModelState> state =
+                    stateOf(refitted->variant, refitted->fit, search_.fit.simulation, progress_))
+                steps_[i].errorWithout = errorPercentOf(*state, Role::Fit);
+            ++i;
+            continue;
+        }
+        const PlacedEffect& unneeded = null.variant.effects[i];
+        setVerdict(unneeded.effect.kind, unneeded.place.at, Verdict::NotSignificant);
+        if (hasProposal(null) && unneeded.effect.proposal.empty()) displaced_.push_back({unneeded, steps_[i]});
+        null = std::move(*refitted);
+        steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
+        i = 0;
+    }
+}
+
+/// What the newest effect rounds off for the sake of the integration (the change of sign of a friction, the corner of a
+/// limit) is drawn sharper as long as the data ask for it: the rest would pass for an effect of its own.
+void Search::sharpen(NullModel& null) {
+    for (int pass = 0; pass < mostSharpenings && !progress_.stopRequested(); ++pass) {
+        std::vector<PlacedEffect> effects = null.variant.effects;
+        PlacedEffect& newest = effects.back();
+        bool changes = false;
+        for (const auto& [name, factor] : newest.effect.sharper)
+            if (const auto value = newest.values.find(name); value != newest.values.end()) {
+                value->second *= factor;
+                changes = true;
+            }
+        if (!changes) return;
+        std::optional<NullModel> sharper = refittedWith(null, effects);
+        if (!sharper || !(null.sumOfSquares() - sharper->sumOfSquares() > leastSharpening)) return;
+        null = std::move(*sharper);
+    }
+}
+
+/// Where much is left that nothing explains, a channel that shows an effect of its sensor clearly and one of the same
+/// kind that does not are more likely two equal sensors than two different ones: the effect is put in front of both,
+/// with the same parameters, unless the data speak against it.
+void Search::treatAlike(NullModel& null) {
+    for (std::size_t i = 0; i < null.variant.effects.size() && !progress_.stopRequested(); ++i) {
+        if (!(levelOf(null.fit) > largeResidual)) return;
+        const PlacedEffect& placed = null.variant.effects[i];
+        if (placed.effect.signalSide != "output" || !placed.effect.proposal.empty() || !placed.twins.empty()) continue;
+        const std::vector<EffectPlace> like = likePlaces(null.variant, placed, catalogue_);
+        if (like.empty()) continue;
+        say("reconsider", fmt::format("{} at every sensor like {}", placed.effect.kind, placed.place.at), -1);
+        std::vector<PlacedEffect> effects = null.variant.effects;
+        effects[i].twins = like;
+        std::optional<NullModel> tied = refittedWith(null, effects);
+        if (!tied) continue;
+        const double rows = static_cast<double>(null.fit.optimum.residuals.size());
+        const double least = std::min(null.sumOfSquares(), tied->sumOfSquares());
+        const double worse = (tied->sumOfSquares() - null.sumOfSquares()) / least * (rows - null.parameterCount()) *
+                             independentShare(null, null.fit);
+        if (worse < equivalenceMargin) null = std::move(*tied);
+    }
+}
+
+}  // namespace analogon

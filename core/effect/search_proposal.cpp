@@ -1,0 +1,144 @@
+/// Equations without a name, that are offered and not added; and experiments that would tell effects apart.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/effect/model_state.hpp"
+#include "core/effect/next_experiment.hpp"
+#include "core/effect/search.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr int mostExperiments = 2;      // proposed to tell effects apart
+constexpr double clearSeparation = 20;  // squared, in standard deviations
+
+bool hasRole(const ModelState& state, Role role) {
+    return std::any_of(state.experiments.begin(), state.experiments.end(),
+                       [&](const ExperimentState& e) { return e.role == role; });
+}
+
+}  // namespace
+
+/// Proposals explain while the search goes on and are offered, not added: the model ends without them.
+std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
+    std::vector<Remainder> found;
+    std::optional<ModelState> with;
+    if (hasProposal(null))
+        if (Outcome<ModelState> state = stateOf(null.variant, null.fit, search_.fit.simulation, progress_))
+            with = std::move(*state);
+    for (std::size_t i = steps_.size(); i-- > 0;) {
+        const PlacedEffect& placed = null.variant.effects[i];
+        if (placed.effect.proposal.empty()) continue;
+        Remainder r;
+        r.node = placed.place.at;
+        r.evidence = steps_[i].acceptance.evidence;
+        r.proposedEquation = placed.effect.proposal;
+        r.proposedClass = placed.effect.className;
+        std::string values;
+        for (const FitParameter& p : placed.freed)
+            for (const FitEstimate& e : null.fit.estimates)
+                if (e.name == p.name)
+                    values += fmt::format("{}{} = {:.4g}{}{}", values.empty() ? "" : ", ",
+                                          p.name.substr(placed.instance.size() + 1), e.value, e.unit.empty() ? "" : " ",
+                                          e.unit);
+        if (!values.empty()) r.proposedEquation += " with " + values;
+        if (with) {
+            r.errorFitWith = errorPercentOf(*with, Role::Fit);
+            if (hasRole(*with, Role::Validate)) r.errorValidateWith = errorPercentOf(*with, Role::Validate);
+        }
+        std::optional<NullModel> rest = without(null, i);
+        if (!rest) continue;
+        found.push_back(std::move(r));
+        null = std::move(*rest);
+        steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    std::reverse(found.begin(), found.end());
+    return found;
+}
+
+/// What was chosen beside a proposal may only mend the proposal: it is taken out, to be looked at again without it.
+void Search::setAsideBehindProposal(NullModel& null) {
+    const std::vector<PlacedEffect>& all = null.variant.effects;
+    int first = choices_ + 1;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (!all[i].effect.proposal.empty()) first = std::min(first, steps_[i].order);
+    std::vector<PlacedEffect> kept;
+    std::vector<Step> steps;
+    std::vector<Displaced> aside;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (steps_[i].order <= first || !all[i].effect.proposal.empty()) {
+            kept.push_back(all[i]);
+            steps.push_back(steps_[i]);
+        } else {
+            aside.push_back({all[i], steps_[i]});
+            setVerdict(all[i].effect.kind, all[i].place.at, Verdict::NotSignificant);
+        }
+    }
+    if (aside.empty()) return;
+    std::optional<NullModel> rest = refittedWith(null, kept);
+    if (!rest) return;
+    null = std::move(*rest);
+    steps_ = std::move(steps);
+    displaced_.insert(displaced_.end(), std::make_move_iterator(aside.begin()), std::make_move_iterator(aside.end()));
+}
+
+/// Without the proposals, the named effects that they had made needless: each is kept if it is missed now.
+void Search::bringBackDisplaced(NullModel& null) {
+    for (Displaced& each : displaced_) {
+        if (progress_.stopRequested()) return;
+        say("reconsider", each.effect.effect.kind + " at " + each.effect.place.at, -1);
+        std::vector<PlacedEffect> effects = null.variant.effects;
+        effects.push_back(each.effect);
+        std::optional<NullModel> with = refittedWith(null, effects);
+        if (!with) continue;
+        const Acceptance missed = examine(null, with->fit, static_cast<int>(each.effect.freed.size()), 0);
+        if (!isMissed(missed) || !isDetermined(*with, effects.size() - 1) || fightsAnother(null, with->fit)) continue;
+        null = std::move(*with);
+        each.step.acceptance = missed;
+        setVerdict(each.effect.effect.kind, each.effect.place.at, Verdict::Chosen);
+        steps_.push_back(std::move(each.step));
+    }
+    displaced_.clear();
+}
+
+/// For effects of which the recordings leave open what they are: what to run next, and how far that would tell.
+std::string Search::proposeExperiments(const NullModel& null) {
+    std::string text;
+    int count = 0;
+    for (std::size_t i = 0; i < steps_.size() && count < mostExperiments && !progress_.stopRequested(); ++i) {
+        const PlacedEffect& own = null.variant.effects[i];
+        const auto open =
+            std::find_if(steps_[i].alternatives.begin(), steps_[i].alternatives.end(),
+                         [](const Alternative& a) { return a.equivalent && !a.kind.starts_with("proposal."); });
+        if (open == steps_[i].alternatives.end()) continue;
+        const std::string names =
+            fmt::format("{} at {} from {} at {}", own.effect.kind, own.place.at, open->kind, open->at);
+        say("next experiment", names, -1);
+        const std::optional<NullModel> rest = without(null, i);
+        if (!rest) continue;
+        const auto other = std::find_if(steps_[i].rivals.begin(), steps_[i].rivals.end(), [&](const Candidate& c) {
+            return c.effect.kind == open->kind && c.place.at == open->at;
+        });
+        if (other == steps_[i].rivals.end()) continue;
+        const Screened screened = screen(*rest, *other, search_.fit.simulation, progress_);
+        const std::vector<Trial> rival = tryThese(*rest, {&screened}, 2 * trialIterations, startsPerTrial);
+        if (!rival.front().ok) continue;
+        const std::optional<ProposedExperiment> next =
+            nextExperiment(null, rival.front(), search_.fit.simulation, progress_);
+        if (!next) continue;
+        ++count;
+        if (!text.empty()) text += ". ";
+        text += next->separation * next->separation >= clearSeparation
+                    ? fmt::format("{}, the other inputs at their means, would tell {} by {} standard deviations",
+                                  next->programme, names,
+                                  next->separation > 100 ? "more than 100" : fmt::format("{:.0f}", next->separation))
+                    : fmt::format(
+                          "no programme of the inputs within their range tells {} with these sensors (at most "
+                          "{:.1f} standard deviations): another quantity has to be measured",
+                          names, next->separation);
+    }
+    return text;
+}
+
+}  // namespace analogon

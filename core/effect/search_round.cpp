@@ -1,0 +1,288 @@
+/// One round of the search: screen every candidate, refit those that promise most, decide.
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel.hpp"
+#include "core/effect/search.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr double twinCorrelation = 0.999;  // projected traces more alike than this are twins
+constexpr double falseAlarmQuantile = 0.99;
+constexpr std::size_t mostRivals = 5, mostAlternatives = 6;
+constexpr int glanceIterations = 5;  // of the whole catalogue, to see who deserves a trial
+constexpr double trialTolerance = 1e-6;
+
+/// What a fit took, in steps of the explicit method.
+double workOf(const FitResult& fit) {
+    double steps = 0;
+    for (const Trajectory& t : fit.optimum.trajectories) steps += t.plan.work() * static_cast<double>(t.outputs.cols());
+    return steps * fit.simulations;
+}
+
+}  // namespace
+
+std::vector<Screened> Search::screenAll(const NullModel& null) {
+    Outcome<std::vector<Candidate>> candidates = candidatesFor(null.variant, catalogue_);
+    if (!candidates) return {};
+    std::vector<Screened> screened(candidates->size());
+    parallelFor(static_cast<int>(screened.size()), options_.threads, [&](int i) {
+        const Candidate& c = (*candidates)[static_cast<std::size_t>(i)];
+        say("screen", c.effect.kind + " at " + c.place.at,
+            static_cast<double>(i) / static_cast<double>(screened.size()));
+        screened[static_cast<std::size_t>(i)] = screen(null, c, search_.fit.simulation, progress_);
+    });
+    return screened;
+}
+
+std::vector<Trial> Search::tryThese(const NullModel& null, const std::vector<const Screened*>& chosen, int iterations,
+                                    int starts) {
+    FitOptions quick = search_.fit;
+    quick.maxIterations = iterations;
+    quick.costTolerance = trialTolerance;
+    quick.simulation = limited(null, quick.simulation);
+    std::vector<Trial> trials(chosen.size());
+    parallelFor(static_cast<int>(chosen.size()), options_.threads, [&](int i) {
+        const Screened& s = *chosen[static_cast<std::size_t>(i)];
+        say("trial", s.candidate.effect.kind + " at " + s.candidate.place.at,
+            static_cast<double>(i) / static_cast<double>(chosen.size()));
+        trials[static_cast<std::size_t>(i)] = refit(null, s, quick, starts, progress_);
+    });
+    for (const Trial& t : trials) work_ += workOf(t.fit);
+    return trials;
+}
+
+/// Refits the candidates that promise most by either score; where the residual is large against the noise, all.
+std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>& screened) {
+    std::vector<const Screened*> order;
+    for (const Screened& s : screened)
+        if (s.failure.empty() && s.score() > 0) order.push_back(&s);
+    std::stable_sort(order.begin(), order.end(),
+                     [](const Screened* a, const Screened* b) { return a->score() > b->score(); });
+    std::vector<const Screened*> byWhitened = order;
+    std::stable_sort(byWhitened.begin(), byWhitened.end(),
+                     [](const Screened* a, const Screened* b) { return a->whitenedScore() > b->whitenedScore(); });
+    std::vector<const Screened*> chosen;
+    const auto choose = [&](const std::vector<const Screened*>& from, int count) {
+        for (const Screened* s : from) {
+            if (count == 0) break;
+            if (std::find(chosen.begin(), chosen.end(), s) != chosen.end()) continue;
+            chosen.push_back(s);
+            --count;
+        }
+    };
+    // proposals compete, but do not take the place of a named effect
+    const auto isProposal = [](const Screened* s) { return !s->candidate.effect.proposal.empty(); };
+    std::vector<const Screened*> proposals;
+    std::copy_if(order.begin(), order.end(), std::back_inserter(proposals), isProposal);
+    std::erase_if(order, isProposal);
+    std::erase_if(byWhitened, isProposal);
+    choose(order, options_.refitted);
+    choose(byWhitened, options_.refitted / 2);
+    choose(proposals, options_.refitted / 3);
+    std::vector<Trial> trials = tryThese(null, chosen, trialIterations, startsPerTrial);
+
+    double least = null.sumOfSquares();
+    for (const Trial& t : trials)
+        if (t.ok) least = std::min(least, t.sumOfSquares());
+    const double level = std::sqrt(least / static_cast<double>(null.fit.optimum.residuals.size()));
+    if (level > largeResidual && !progress_.stopRequested()) {
+        const std::size_t before = chosen.size();
+        choose(order, static_cast<int>(order.size()));
+        std::vector<Trial> others =
+            tryThese(null, {chosen.begin() + static_cast<std::ptrdiff_t>(before), chosen.end()}, glanceIterations, 1);
+        trials.insert(trials.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
+        continueBest(null, trials);
+    }
+    return trials;
+}
+
+/// Takes the trials that a short fit brought to the front further.
+void Search::continueBest(const NullModel& null, std::vector<Trial>& trials) {
+    rank(null, trials);
+    FitOptions options = search_.fit;
+    options.maxIterations = 2 * trialIterations;
+    options.costTolerance = trialTolerance;
+    options.simulation = limited(null, options.simulation);
+    const int count = std::min<int>(options_.refitted, static_cast<int>(trials.size()));
+    parallelFor(count, options_.threads, [&](int i) {
+        Trial& t = trials[static_cast<std::size_t>(i)];
+        if (t.ok && t.fit.status == FitStatus::IterationLimit) proceed(null, t, options, progress_);
+    });
+}
+
+std::vector<std::size_t> Search::equivalents(const NullModel& null, const std::vector<Trial>& trials,
+                                             std::size_t best) const {
+    std::vector<std::size_t> members{best};
+    const Complement complement(null.fit.optimum.jacobian);
+    const auto direction = [&](const Trial& t) {
+        const Eigen::MatrixXd rest = complement(Eigen::MatrixXd(t.screened.probes.front().column));
+        return Eigen::VectorXd(rest.col(0).normalized());
+    };
+    const Eigen::VectorXd own = direction(trials[best]);
+    const double weight = independentShare(null, trials[best].fit);
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        if (i == best || !trials[i].ok || isProposal(trials[i])) continue;
+        const double gap = weight * std::abs(trials[best].evidence - trials[i].evidence);
+        if (gap < equivalenceMargin ||
+            (gap < 3 * equivalenceMargin && std::abs(own.dot(direction(trials[i]))) > twinCorrelation))
+            members.push_back(i);
+    }
+    return members;
+}
+
+void Search::note(const Screened& s, Verdict verdict, std::optional<double> deltaBic) {
+    CandidateResult c;
+    c.kind = s.candidate.effect.kind;
+    c.at = s.candidate.place.at;
+    c.className = s.candidate.effect.className;
+    c.score = s.score();
+    c.strength = s.probes.empty() ? 0 : s.probes.front().strength();
+    c.deltaBic = deltaBic;
+    c.verdict = verdict;
+    c.absorbedBy = s.absorbedBy;
+    c.round = round_;
+    candidates_.push_back(std::move(c));
+}
+
+/// Screens every candidate and refits those that promise most.
+Search::Round Search::tryAll(const NullModel& null) {
+    Round round;
+    round.screened = screenAll(null);
+    if (progress_.stopRequested()) return round;
+    std::vector<Eigen::MatrixXd> directions;
+    for (const Screened& s : round.screened)
+        if (!s.probes.empty() && !s.isAbsorbed()) directions.push_back(s.probes.front().plain.directions);
+    const double logRows = std::log(static_cast<double>(null.fit.optimum.residuals.size()));
+    round.threshold = noiseThreshold(directions, logRows, falseAlarmQuantile, 1);
+    round.trials = tryBest(null, round.screened);
+    rank(null, round.trials);
+    return round;
+}
+
+/// The best that passes its tests; what lies close to it is its class, of which the simplest is taken.
+void Search::decide(const NullModel& null, Round& round) const {
+    const std::vector<Trial>& trials = round.trials;
+    std::optional<std::size_t> proposal;
+    Acceptance ofProposal;
+    for (std::size_t i = 0; i < trials.size() && !round.chosen; ++i) {
+        if (!trials[i].ok || trials[i].evidence < equivalenceMargin) break;
+        if (isProposal(trials[i])) {
+            if (proposal || isAtBound(trials[i])) continue;
+            ofProposal = examine(null, trials[i].fit, trials[i].freed(), round.threshold);
+            if (ofProposal.accepted()) proposal = i;
+            continue;
+        }
+        if (isAtBound(trials[i]) || fightsAnother(null, trials[i].fit)) continue;
+        round.acceptance = examine(null, trials[i].fit, trials[i].freed(), round.threshold);
+        if (round.acceptance.accepted())
+            round.chosen = i;
+        else if (round.acceptance.isSignificant)
+            round.failsHeldOut.insert(i);
+    }
+    if (round.chosen) preferSimple(null, round);
+    // Where an equation without a name explains clearly more than any name, none of the names fits.
+    if (proposal && beatsNames(null, trials, *proposal, round.chosen)) {
+        round.chosen = proposal;
+        round.acceptance = ofProposal;
+        round.members = {*proposal};
+    }
+}
+
+/// While much is left whatever is taken, one step explains with its flexible parameters what belongs to others: the
+/// simplest that explains nearly as much goes first.
+void Search::preferSimple(const NullModel& null, Round& round) const {
+    const std::vector<Trial>& trials = round.trials;
+    const Trial& best = trials[*round.chosen];
+    const double fall = null.sumOfSquares() - best.sumOfSquares();
+    const bool leavesMuch = levelOf(best.fit) > largeResidual;
+    round.members = equivalents(null, trials, *round.chosen);
+    std::vector<std::size_t> simpler;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        if (!trials[i].ok || isProposal(trials[i]) || isAtBound(trials[i]) || fightsAnother(null, trials[i].fit))
+            continue;
+        const bool isSimpler = trials[i].freed() < best.freed();
+        const bool isLikelier =
+            leavesMuch && trials[i].freed() == best.freed() &&
+            plausibility(trials[i].screened.candidate.effect) < plausibility(best.screened.candidate.effect);
+        const bool isMember = std::find(round.members.begin(), round.members.end(), i) != round.members.end();
+        const bool isNearly = leavesMuch && null.sumOfSquares() - trials[i].sumOfSquares() > nearlyAsMuch * fall;
+        if ((isMember && (isSimpler || isLikelier)) || (isNearly && isSimpler)) simpler.push_back(i);
+    }
+    std::stable_sort(simpler.begin(), simpler.end(),
+                     [&](std::size_t a, std::size_t b) { return trials[a].freed() < trials[b].freed(); });
+    for (const std::size_t i : simpler) {
+        const Acceptance a = examine(null, trials[i].fit, trials[i].freed(), round.threshold);
+        if (!a.accepted()) continue;
+        round.chosen = i;
+        round.acceptance = a;
+        round.members = equivalents(null, trials, i);
+        break;
+    }
+}
+
+/// The step that the round has decided on, with what came near it.
+Search::Step Search::stepOf(const Round& round) {
+    const std::vector<Trial>& trials = round.trials;
+    const std::size_t chosen = *round.chosen;
+    const auto isMember = [&](std::size_t i) {
+        return std::find(round.members.begin(), round.members.end(), i) != round.members.end();
+    };
+    const auto alternative = [&](std::size_t i, bool isEquivalent) {
+        const Candidate& c = trials[i].screened.candidate;
+        return Alternative{c.effect.kind, c.place.at, -trials[i].evidence, isEquivalent};
+    };
+    Step s;
+    s.order = ++choices_;
+    s.winner = trials[chosen];
+    s.acceptance = round.acceptance;
+    s.pValue = pValue(round.acceptance.explained, trials[chosen].freed(), round.screened.size());
+    for (const std::size_t m : round.members) {
+        if (m == chosen) continue;
+        s.alternatives.push_back(alternative(m, true));
+        s.rivals.push_back(trials[m].screened.candidate);
+    }
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        if (!trials[i].ok || isMember(i) || i == chosen) continue;
+        if (s.rivals.size() < mostRivals && trials[i].evidence > rivalShare * trials[chosen].evidence)
+            s.rivals.push_back(trials[i].screened.candidate);
+        if (s.alternatives.size() < mostAlternatives) s.alternatives.push_back(alternative(i, false));
+    }
+    return s;
+}
+
+/// The round's line for every candidate of the table.
+void Search::noteAll(const Round& round) {
+    const auto key = [](const Candidate& c) {
+        return c.effect.className + "@" + c.place.at + "@" + c.place.spare + "@" + c.place.node;
+    };
+    std::set<std::string> refitted;
+    for (std::size_t i = 0; i < round.trials.size(); ++i) {
+        const Trial& t = round.trials[i];
+        refitted.insert(key(t.screened.candidate));
+        Verdict verdict = Verdict::NotSignificant;
+        if (!t.ok)
+            verdict = Verdict::Failed;
+        else if (round.chosen && i == *round.chosen)
+            verdict = Verdict::Chosen;
+        else if (std::find(round.members.begin(), round.members.end(), i) != round.members.end())
+            verdict = Verdict::Equivalent;
+        else if (round.failsHeldOut.contains(i))
+            verdict = Verdict::FailsHeldOut;
+        else if (round.chosen && t.evidence > equivalenceMargin)
+            verdict = Verdict::Weaker;
+        note(t.screened, verdict, t.ok ? std::optional<double>(-t.evidence) : std::nullopt);
+    }
+    for (const Screened& s : round.screened) {
+        if (refitted.contains(key(s.candidate))) continue;
+        const Verdict verdict = !s.failure.empty()                                  ? Verdict::Failed
+                                : s.isAbsorbed()                                    ? Verdict::Absorbed
+                                : s.isWrongSign()                                   ? Verdict::WrongSign
+                                : round.chosen && s.score() > 2 * equivalenceMargin ? Verdict::Weaker
+                                                                                    : Verdict::NotSignificant;
+        note(s, verdict, std::nullopt);
+    }
+}
+
+}  // namespace analogon
