@@ -54,6 +54,7 @@ struct EffectClass {
     std::string node;                          // connector joined to an existing node; empty: none
     std::string base;                          // specialise: qualified name of the class it extends
     std::map<std::string, std::string> units;  // of its parameters
+    std::map<std::string, std::string> bound;  // inputs -> variable of the model (a law found for one model alone)
 };
 
 /// All effects of a library, in library order. A malformed annotation is a warning that names class and place.

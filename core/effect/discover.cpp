@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/effect/caution.hpp"
+#include "core/effect/missing_flow.hpp"
 #include "core/effect/model_state.hpp"
 #include "core/effect/remainder.hpp"
 #include "core/effect/search.hpp"
@@ -164,6 +165,7 @@ Outcome<Finding> Search::run() {
     } else {
         change_.reset();
     }
+    if (!change_ && !isNoise(*null) && !progress_.stopRequested() && addLaw(*null)) removeUnneeded(*null, 0);
     // where a proposal explains all, what it made needless only imitated it
     const bool leavesMuch = levelOf(null->fit) > largeResidual;
     if (leavesMuch) setAsideBehindProposal(*null);
@@ -215,6 +217,10 @@ Outcome<Finding> Search::run() {
     finding.interrupted = progress_.stopRequested();
     if (!finding.interrupted) {
         finding.remainders = remainders(*null, options_.fit.simulation);
+        if (!finding.remainders.empty() && proposed.empty() && !change_)
+            for (const std::string place = likeliestPlace(*null, options_.fit.simulation, progress_);
+                 Remainder & r : finding.remainders)
+                r.node = place;
         offer(std::move(proposed), finding.remainders);
         if (change_) {
             Remainder r;

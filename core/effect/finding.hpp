@@ -103,7 +103,8 @@ struct Remainder {
     std::string experiment;
     std::vector<Correlate> movesWith;
     std::string proposedEquation;
-    std::string proposedClass{};                     // block of the library that has the equation; empty: none
+    std::string proposedClass{};                     // block that has the equation; empty: none
+    std::string proposedBlock{};                     // its text, where it is not of the library
     double errorFitWith{-1}, errorValidateWith{-1};  // [%] with all that is proposed; negative: not known
 };
 

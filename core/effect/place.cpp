@@ -133,7 +133,8 @@ ModelNodes::ModelNodes(const Library& library, const Diagram& diagram, const Str
                     {signature, {}, potential.name, potential.isConstant || aliases.isInput(potential.name)});
             }
             const Representative flow = aliases.of(connector + "." + flowOf(signature));
-            nodes_[it->second].members.push_back({connector, !(flow.isConstant && flow.value == 0), b.isEffect});
+            nodes_[it->second].members.push_back(
+                {connector, p.className, !(flow.isConstant && flow.value == 0), b.isEffect});
         }
     }
     for (const VariableId id : structure.inputs)
@@ -161,6 +162,20 @@ std::vector<EffectPlace> ModelNodes::attachPlaces(const std::string& signature) 
         places.push_back({member->connector, member->connector, {}});
     }
     return places;
+}
+
+std::vector<ModelNodes::FlowNode> ModelNodes::flowNodes() const {
+    std::vector<FlowNode> found;
+    std::set<std::string> signatures;
+    for (const Node& n : nodes_) {
+        if (!signatures.insert(n.signature).second) continue;
+        for (EffectPlace& place : attachPlaces(n.signature))
+            for (const Node& of : nodes_)
+                for (const Member& m : of.members)
+                    if (m.connector == place.connector)
+                        found.push_back({place, m.className, potentialOf(n.signature), flowOf(n.signature)});
+    }
+    return found;
 }
 
 std::vector<EffectPlace> ModelNodes::insertPlaces(const std::string& signature) const {

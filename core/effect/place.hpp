@@ -24,6 +24,15 @@ class ModelNodes {
 public:
     ModelNodes(const Library& library, const Diagram& diagram, const Structure& structure);
 
+    /// A node of the model whose balance of flows may lack something.
+    struct FlowNode {
+        EffectPlace place;
+        std::string connectorClass;   // of place.connector
+        std::string potential, flow;  // its variables: "phi", "tau"
+    };
+    /// All of them but those whose potential is imposed, one each.
+    std::vector<FlowNode> flowNodes() const;
+
     /// All places at which an effect can go. Connectors on one rigid shaft, or on heat ports of equal temperature, are
     /// one place (named by its first connector); nodes whose potential is imposed take no attached effect.
     std::vector<EffectPlace> placesFor(const EffectClass& effect, const std::vector<std::string>& spares) const;
@@ -31,6 +40,7 @@ public:
 private:
     struct Member {
         std::string connector;  // "rotor.flange_a"
+        std::string className;  // of the connector
         bool takesFlow{};       // false: an ideal sensor
         bool isEffect{};
     };

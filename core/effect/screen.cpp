@@ -302,16 +302,23 @@ bool Screened::isWrongSign() const {
            std::all_of(probes.begin(), probes.end(), [](const Probe& p) { return p.plain.wrongSign; });
 }
 
-Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std::vector<EffectClass>& catalogue) {
+Outcome<ModelNodes> nodesOf(const Variant& variant, Diagram& diagram) {
     Outcome<FlatModel> flat = flatten(variant.task.library, variant.task.className);
     if (!flat) return flat.diagnostics();
     StructureOptions options;
     for (const ParameterValue& v : variant.values) options.keep.push_back(v.name);
     Outcome<Structure> structure = analyse(std::make_shared<FlatModel>(std::move(*flat)), options);
     if (!structure) return structure.diagnostics();
-    Outcome<Diagram> diagram = readDiagram(variant.task.library, variant.task.className);
-    if (!diagram) return diagram.diagnostics();
-    const ModelNodes nodes(variant.task.library, *diagram, *structure);
+    Outcome<Diagram> read = readDiagram(variant.task.library, variant.task.className);
+    if (!read) return read.diagnostics();
+    diagram = std::move(*read);
+    return ModelNodes(variant.task.library, diagram, *structure);
+}
+
+Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std::vector<EffectClass>& catalogue) {
+    Diagram diagram;
+    Outcome<ModelNodes> nodes = nodesOf(variant, diagram);
+    if (!nodes) return nodes.diagnostics();
 
     std::vector<std::string> spares;
     for (const Recording& r : variant.task.recordings)
@@ -319,7 +326,7 @@ Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std:
             for (const SpareChannel& s : r.spares) spares.push_back(s.name);
     std::vector<Candidate> candidates;
     for (const EffectClass& e : catalogue)
-        for (const EffectPlace& p : nodes.placesFor(e, spares)) {
+        for (const EffectPlace& p : nodes->placesFor(e, spares)) {
             const bool isThere =
                 std::any_of(variant.effects.begin(), variant.effects.end(), [&](const PlacedEffect& x) {
                     return x.effect.className == e.className &&

@@ -40,6 +40,9 @@ struct Screened {
     std::vector<std::string> absorbedBy;  // parameters that imitate it
 };
 
+/// The nodes of a variant. `diagram` receives its drawing, which they refer to.
+Outcome<ModelNodes> nodesOf(const Variant& variant, Diagram& diagram);
+
 /// Every effect of the catalogue at every place where it fits.
 Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std::vector<EffectClass>& catalogue);
 

@@ -60,7 +60,8 @@ private:
         std::optional<ModelState> state;  // after the last effect: at hand when the search is interrupted
     };
 
-    Round tryAll(const NullModel& null);
+    Round tryAll(NullModel& null);
+    void joinLaws(NullModel& null, Round& round);
     void decide(const NullModel& null, Round& round) const;
     void preferSimple(const NullModel& null, Round& round) const;
     Step stepOf(const Round& round);
@@ -75,6 +76,8 @@ private:
     bool reconsider(NullModel& null);
     std::vector<Remainder> takeOutProposals(NullModel& null);
     void setAsideBehindProposal(NullModel& null);
+    bool addLaw(NullModel& null);
+    std::vector<Trial> tryLaws(NullModel& null);
     void bringBackDisplaced(NullModel& null);
     bool replace(NullModel& null, std::size_t effect);
     void removeUnneeded(NullModel& null, std::size_t least);
@@ -98,7 +101,9 @@ private:
     std::vector<CandidateResult> candidates_;
     std::vector<Step> steps_;
     std::vector<Displaced> displaced_;
-    std::optional<Change> change_;  // in mid run, that explains better than any effect
+    std::map<std::string, std::string> laws_;  // texts of the classes that were written for this model, by name
+    std::optional<Change> change_;             // in mid run, that explains better than any effect
+    bool writesLaws_{};                        // for what no class has, in every round
     int round_{}, choices_{};
     double work_{};  // of the trials so far
     double bestError_{-1};

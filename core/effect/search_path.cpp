@@ -76,8 +76,8 @@ std::vector<std::size_t> Search::otherBeginnings(const NullModel& null, const Ro
 /// What the best path ends with. Where the first choices leave structure, the search begins again with what came
 /// next: two effects that hide each other may not show in the order of their size.
 Outcome<Search::Path> Search::bestPath(const NullModel& base) {
-    Round first = tryAll(base);
     Path best{base, {}, {}, {}, {}};
+    Round first = tryAll(best.null);
     if (progress_.stopRequested()) return best;
     decide(base, first);
     std::vector<std::size_t> others;
@@ -86,6 +86,9 @@ Outcome<Search::Path> Search::bestPath(const NullModel& base) {
     const auto misfit = [&](const Path& p) {
         const double rows = static_cast<double>(p.null.fit.optimum.residuals.size());
         return p.null.sumOfSquares() + p.null.parameterCount() * std::log(rows);
+    };
+    const auto isBetter = [&](const Path& p) {
+        return independentShare(p.null, p.null.fit) * (misfit(best) - misfit(p)) > equivalenceMargin;
     };
     for (const std::size_t other : others) {
         if (progress_.stopRequested() || levelOf(best.null.fit) < structuredResidual) break;
@@ -96,9 +99,21 @@ Outcome<Search::Path> Search::bestPath(const NullModel& base) {
         round.acceptance = examine(base, round.trials[other].fit, round.trials[other].freed(), round.threshold);
         Path path{base, {}, {}, {}, {}};
         if (Outcome<Done> done = goOn(path, std::move(round)); !done) continue;
-        const double weight = independentShare(path.null, path.null.fit);
-        if (weight * (misfit(best) - misfit(path)) > equivalenceMargin) best = std::move(path);
+        if (isBetter(path)) best = std::move(path);
     }
+    if (progress_.stopRequested() || isNoise(best.null) || levelOf(best.null.fit) < structuredResidual) return best;
+    if (work_ > mostWork) return best;
+    // several effects may only imitate what has no name
+    writesLaws_ = true;
+    Path path{base, {}, {}, {}, {}};
+    Round round = std::move(first);
+    round.chosen.reset();
+    round.members.clear();
+    joinLaws(path.null, round);
+    decide(path.null, round);
+    const bool isOther = round.chosen.has_value();
+    if (isOther && goOn(path, std::move(round)) && isBetter(path)) best = std::move(path);
+    writesLaws_ = false;
     return best;
 }
 

@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
+#include "core/effect/missing_flow.hpp"
 #include "core/effect/model_state.hpp"
 #include "core/effect/next_experiment.hpp"
 #include "core/effect/search.hpp"
@@ -20,6 +23,52 @@ bool hasRole(const ModelState& state, Role role) {
 
 }  // namespace
 
+/// Fits the likeliest laws of a flow that the model lacks; their classes join the libraries.
+std::vector<Trial> Search::tryLaws(NullModel& null) {
+    say("propose", "a law for what is left", -1);
+    const std::vector<FlowLaw> laws =
+        likelyFlowLaws(null, static_cast<int>(laws_.size()), search_.fit.simulation, progress_);
+    for (const FlowLaw& law : laws) {
+        const std::string& name = law.candidate.effect.className;
+        const auto source = std::make_shared<Source>(name + ".mo", law.text);
+        for (Library* library : {&null.variant.task.library, &base_.task.library, &full_.task.library}) {
+            Outcome<Library> wider = library->withSource(source);
+            if (!wider) return {};
+            *library = std::move(*wider);
+        }
+        laws_[name] = law.text;
+    }
+    std::vector<Screened> screened;
+    for (const FlowLaw& law : laws) screened.push_back(screen(null, law.candidate, search_.fit.simulation, progress_));
+    std::vector<const Screened*> chosen;
+    for (const Screened& s : screened)
+        if (s.failure.empty()) chosen.push_back(&s);
+    return tryThese(null, chosen, 2 * trialIterations, startsPerTrial);
+}
+
+/// Adds the law that passes the tests of an effect, where one does.
+bool Search::addLaw(NullModel& null) {
+    std::vector<Trial> trials = tryLaws(null);
+    rank(null, trials);
+    const std::size_t tried = trials.size();
+    for (Trial& trial : trials) {
+        if (!trial.ok || progress_.stopRequested()) continue;
+        const Acceptance acceptance = examine(null, trial.fit, trial.freed(), 2 * equivalenceMargin);
+        if (!acceptance.accepted()) continue;
+        Outcome<NullModel> next = fitNull(trial.variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
+        if (!next) continue;
+        Step step;
+        step.order = ++choices_;
+        step.acceptance = acceptance;
+        step.pValue = pValue(acceptance.explained, trial.freed(), tried);
+        step.winner = std::move(trial);
+        steps_.push_back(std::move(step));
+        null = std::move(*next);
+        return true;
+    }
+    return false;
+}
+
 /// Proposals explain while the search goes on and are offered, not added: the model ends without them.
 std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
     std::vector<Remainder> found;
@@ -35,6 +84,7 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
         r.evidence = steps_[i].acceptance.evidence;
         r.proposedEquation = placed.effect.proposal;
         r.proposedClass = placed.effect.className;
+        if (const auto law = laws_.find(placed.effect.className); law != laws_.end()) r.proposedBlock = law->second;
         std::string values;
         for (const FitParameter& p : placed.freed)
             for (const FitEstimate& e : null.fit.estimates)

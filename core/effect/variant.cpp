@@ -40,7 +40,7 @@ void connectSpare(EstimationTask& task, const std::string& spare, const std::str
 /// Wires the newest effect in at one more place, with the parameters it has at its first.
 Outcome<Done> addTwin(Variant& variant, const EffectPlace& place) {
     PlacedEffect& placed = variant.effects.back();
-    std::map<std::string, std::string> same;
+    std::map<std::string, std::string> same = placed.effect.bound;
     for (const FitParameter& p : placed.freed) same[p.name.substr(placed.instance.size() + 1)] = p.name;
     for (const auto& [name, value] : placed.values) same[name] = placed.instance + "." + name;
     Outcome<WiredEffect> wired =
@@ -72,7 +72,7 @@ Outcome<Variant> withEffect(const Variant& variant, const EffectClass& effect, c
                             const std::map<std::string, double>& values) {
     const LibraryClass* model = modelOf(variant.task);
     if (model == nullptr) return error(fmt::format("unknown class '{}'", variant.task.className));
-    Outcome<WiredEffect> wired = wireIn(variant.task.library, *model->definition, effect, place, values);
+    Outcome<WiredEffect> wired = wireIn(variant.task.library, *model->definition, effect, place, values, effect.bound);
     if (!wired) return wired.diagnostics();
     Outcome<EstimationTask> task = withText(variant.task, syntax::apply(variant.task.model->text(), wired->edit).text);
     if (!task) return task.diagnostics();

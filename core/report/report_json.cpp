@@ -137,6 +137,7 @@ Json remainderJson(const Remainder& remainder) {
             {"moves_with", correlates},
             {"proposed_equation", remainder.proposedEquation},
             {"proposed_class", remainder.proposedClass},
+            {"proposed_block", remainder.proposedBlock},
             {"error_percent_with_proposal",
              {{"fit", number(remainder.errorFitWith < 0 ? std::nan("") : remainder.errorFitWith)},
               {"validate", number(remainder.errorValidateWith < 0 ? std::nan("") : remainder.errorValidateWith)}}}};

@@ -142,7 +142,9 @@ std::string remainderWords(const Remainder& remainder) {
     if (!variables.empty()) text += "; it moves with " + listed(variables);
     text += '.';
     if (!remainder.proposedEquation.empty()) text += " Proposed: " + remainder.proposedEquation;
-    if (!remainder.proposedClass.empty()) text += " (block " + remainder.proposedClass + ")";
+    if (!remainder.proposedClass.empty())
+        text += fmt::format(" (block {}{})", remainder.proposedClass,
+                            remainder.proposedBlock.empty() ? "" : ", written to proposed.mo");
     if (remainder.errorFitWith >= 0) {
         text += fmt::format("; with it the error would be {} on the fitted data", percentText(remainder.errorFitWith));
         if (remainder.errorValidateWith >= 0)

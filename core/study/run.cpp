@@ -14,6 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* version = ANALOGON_VERSION;
+constexpr const char* proposalFile = "proposed.mo";
 
 /// The study with fitted values in its model, effects wired in, and their parameters among the fitted ones.
 Study completedStudy(const Study& study, const Finding& finding) {
@@ -55,6 +56,14 @@ Outcome<Done> writeFile(const fs::path& path, const std::string& content) {
     file.flush();
     if (!file) return fileError("cannot write the file", path.string(), 0, 0, "is there space and the right to write?");
     return Done{};
+}
+
+/// Blocks that were written for what the library has no name for; empty: none.
+std::string proposedBlocks(const Finding& finding) {
+    std::string text;
+    for (const Remainder& r : finding.remainders)
+        if (!r.proposedBlock.empty()) text += (text.empty() ? "" : "\n") + r.proposedBlock;
+    return text;
 }
 
 }  // namespace
@@ -112,14 +121,16 @@ Outcome<Done> writeResults(const RunResult& result, const std::string& command, 
     const ReportContext context{result.completed.name, command, version};
     const std::pair<const char*, std::string> files[] = {{"report.json", reportJson(result.finding, context)},
                                                          {"report.html", reportHtml(result.finding, context)},
-                                                         {"traces.csv", tracesCsv(result.finding)}};
+                                                         {"traces.csv", tracesCsv(result.finding)},
+                                                         {proposalFile, proposedBlocks(result.finding)}};
     Outcome<Done> written = Done{};
     for (const auto& [name, content] : files)
-        if (written) written = writeFile(fresh / name, content);
+        if (written && !content.empty()) written = writeFile(fresh / name, content);
     if (written) written = writeStudy(result.completed, fresh / "study");
     if (written) {
-        for (const char* name : {"report.json", "report.html", "traces.csv", "study"}) {
+        for (const char* name : {"report.json", "report.html", "traces.csv", proposalFile, "study"}) {
             fs::remove_all(directory / name, failed);
+            if (!fs::exists(fresh / name)) continue;  // nothing is proposed
             fs::rename(fresh / name, directory / name, failed);
             if (failed) {
                 written = fileError(fmt::format("cannot replace the results: {}", failed.message()),

@@ -91,6 +91,7 @@ TEST(ReportJson, NamesTheRemainder) {
     EXPECT_EQ(json["remainder"]["moves_with"][0]["variable"], "T_air");
     EXPECT_DOUBLE_EQ(json["remainder"]["to"], 8);
     EXPECT_EQ(json["remainder"]["proposed_equation"], "0.1*T_air");
+    EXPECT_EQ(json["remainder"]["proposed_block"], "");
 }
 
 TEST(ReportJson, KeepsStartValuesOfExperimentsApart) {

@@ -155,6 +155,29 @@ TEST_F(Discovery, ProposesAnEquationWhereNoNameFits) {
     EXPECT_FALSE(finding.remainders.front().node.empty());
 }
 
+TEST_F(Discovery, WritesALawThatNoBlockHas) {
+    const Finding stiffening =
+        search({0.02, [](double, double w, double phi) { return 0.03 * w + 0.004 * phi * phi * phi; }});
+    EXPECT_TRUE(stiffening.effects.empty());
+    EXPECT_EQ(stiffening.kind, FindingKind::Unexplained);
+    ASSERT_FALSE(stiffening.remainders.empty());
+    EXPECT_NE(stiffening.remainders.front().proposedEquation.find("tau = a1*phi^3 with a1 = 0.004"), std::string::npos)
+        << stiffening.remainders.front().proposedEquation;
+    EXPECT_LT(stiffening.remainders.front().errorFitWith, 0.3 * stiffening.baseline.experiments.front().errorPercent);
+}
+
+TEST_F(Discovery, WritesALawWithWhatItMovesWith) {
+    const Finding finding = search(
+        {0.02, [](double t, double w, double) { return 0.03 * w + 0.15 * signOf(w) * std::abs(excitation(t)); }});
+    EXPECT_TRUE(finding.effects.empty());
+    ASSERT_FALSE(finding.remainders.empty());
+    const Remainder& r = finding.remainders.front();
+    EXPECT_NE(r.proposedEquation.find("sign(w)*abs(tau)"), std::string::npos) << r.proposedEquation;
+    // the block is a model of its own, for the user's library
+    EXPECT_NE(r.proposedBlock.find("model " + r.proposedClass), std::string::npos) << r.proposedBlock;
+    EXPECT_NE(r.proposedBlock.find("input Real x1"), std::string::npos) << r.proposedBlock;
+}
+
 TEST_F(Discovery, TellsAPeriodicTorqueFromTheShaftsOwn) {
     const Finding finding = search(
         {0.02, [](double t, double w, double) { return 0.03 * w + 0.02 * std::sin(2 * 3.14159265358979 * t / 2.3); }});

@@ -77,5 +77,20 @@ end Heater;
     EXPECT_THAT(format(result.diagnostics()), HasSubstr("\"warm-up\" stopped at t = "));
 }
 
+TEST_F(Run, WritesTheBlockOfALawBesideTheReport) {
+    RunResult result;
+    result.completed = read();
+    Remainder law;
+    law.proposedClass = "MissingTorque1";
+    law.proposedBlock = "model MissingTorque1\nend MissingTorque1;\n";
+    result.finding.remainders = {law};
+    ASSERT_TRUE(writeResults(result, "discover", directory_ / "out"));
+    EXPECT_EQ(get(directory_ / "out" / "proposed.mo"), law.proposedBlock);
+    // what an earlier run proposed is not left beside a report that proposes nothing
+    result.finding.remainders.clear();
+    ASSERT_TRUE(writeResults(result, "discover", directory_ / "out"));
+    EXPECT_FALSE(std::filesystem::exists(directory_ / "out" / "proposed.mo"));
+}
+
 }  // namespace
 }  // namespace analogon
