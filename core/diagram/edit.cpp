@@ -165,7 +165,7 @@ ModelEdit& ModelEdit::setPlacement(std::string_view component, const Placement& 
 
 ModelEdit& ModelEdit::addConnection(const std::string& from, const std::string& to, const std::vector<Point>& points,
                                     const Colour& colour) {
-    newConnections_.push_back({from, to, points, colour});
+    newConnections_.push_back({{}, from, to, points, colour});
     return *this;
 }
 
@@ -197,6 +197,26 @@ ModelEdit& ModelEdit::replaceInConnections(std::string_view connector, const std
                                 definition_->bases.empty() && !definition_->isShort
                                     ? ""
                                     : "an inherited connection can only be changed in the class that holds it"));
+    return *this;
+}
+
+bool ModelEdit::isConnected(std::string_view connector) const {
+    return std::any_of(connects_.begin(), connects_.end(),
+                       [&](const Connect& c) { return c.left == connector || c.right == connector; });
+}
+
+ModelEdit& ModelEdit::replaceReferences(std::string_view variable, const std::string& by) {
+    replaced_[std::string(variable)] = by;
+    for (const Component& c : definition_->components)
+        if (c.name == variable && c.binding) {
+            addEquation(by + " = " + std::string(c.binding->span.text()));
+            setBinding(variable, "");
+        }
+    return *this;
+}
+
+ModelEdit& ModelEdit::addEquation(const std::string& text) {
+    newConnections_.push_back({text, {}, {}, {}, {}});
     return *this;
 }
 
@@ -405,6 +425,10 @@ std::string ModelEdit::newConnectionsText(const std::string& indent) const {
     if (diagram_) diagram = diagramWithNewBlocks();
     std::string lines;
     for (const NewConnection& connection : newConnections_) {
+        if (!connection.equation.empty()) {
+            lines += newline + indent + connection.equation + ";";
+            continue;
+        }
         std::vector<Point> points = connection.points;
         if (points.size() < 2 && diagram) {
             const auto from = diagram->anchor(connection.from), to = diagram->anchor(connection.to);
@@ -418,30 +442,51 @@ std::string ModelEdit::newConnectionsText(const std::string& indent) const {
     return lines;
 }
 
+/// Where the text of the class uses a variable as the first part of a reference (one text may be part of two trees).
+std::set<std::uint32_t> ModelEdit::placesOf(std::string_view variable, bool alsoInConnections) const {
+    FirstNames names;
+    for (const Component& c : definition_->components) names.visit(c);
+    for (const syntax::Extends& base : definition_->bases)
+        for (const Modification& m : base.modifications) names.visit(m);
+    for (const syntax::EquationSection& section : definition_->equationSections)
+        for (const Equation& equation : section.equations)
+            if (alsoInConnections || equation.kind != Equation::Kind::Connect) names.visit(equation);
+    std::set<std::uint32_t> places;
+    for (const syntax::Name* name : names.found)
+        if (name->parts.front().identifier == variable) places.insert(name->parts.front().span.begin);
+    return places;
+}
+
+namespace {
+
+/// Adds replacements of one name, but where another change rewrites the text as a whole: it is taken from there.
+template <class Replacements>
+void replaceAt(const std::set<std::uint32_t>& places, std::string_view name, const std::string& by, std::size_t written,
+               Replacements& edits) {
+    for (const std::uint32_t begin : places) {
+        const Replacement r{begin, begin + static_cast<std::uint32_t>(name.size()), by};
+        const bool isRewritten =
+            std::any_of(edits.begin(), edits.begin() + static_cast<std::ptrdiff_t>(written),
+                        [&](const Replacement& other) { return other.begin < r.end && r.begin < other.end; });
+        if (!isRewritten) edits.push_back(r);
+    }
+}
+
+}  // namespace
+
 void ModelEdit::writeRenames(Replacements& edits) const {
     const std::size_t written = edits.size();
     for (const auto& [from, to] : renames_) {
-        FirstNames names;
-        std::set<std::uint32_t> places;  // one text may be part of two trees
-        for (const Component& c : definition_->components) {
+        std::set<std::uint32_t> places = placesOf(from, true);
+        for (const Component& c : definition_->components)
             if (c.name == from) places.insert(c.nameSpan.begin);
-            names.visit(c);
-        }
-        for (const syntax::Extends& base : definition_->bases)
-            for (const Modification& m : base.modifications) names.visit(m);
-        for (const syntax::EquationSection& section : definition_->equationSections)
-            for (const Equation& equation : section.equations) names.visit(equation);
-        for (const syntax::Name* name : names.found)
-            if (name->parts.front().identifier == from) places.insert(name->parts.front().span.begin);
-        for (const std::uint32_t begin : places) {
-            const Replacement r{begin, begin + static_cast<std::uint32_t>(from.size()), to};
-            // A text that another change rewrites as a whole is taken from there.
-            const bool isRewritten =
-                std::any_of(edits.begin(), edits.begin() + static_cast<std::ptrdiff_t>(written),
-                            [&](const Replacement& other) { return other.begin < r.end && r.begin < other.end; });
-            if (!isRewritten) edits.push_back(r);
-        }
+        replaceAt(places, from, to, written, edits);
     }
+}
+
+void ModelEdit::writeReplaced(Replacements& edits) const {
+    const std::size_t written = edits.size();
+    for (const auto& [variable, by] : replaced_) replaceAt(placesOf(variable, false), variable, by, written, edits);
 }
 
 Outcome<syntax::TextEdit> ModelEdit::finish(std::string what) const {
@@ -458,6 +503,7 @@ Outcome<syntax::TextEdit> ModelEdit::finish(std::string what) const {
     writeNewComponents(edit.replacements);
     writeConnections(edit.replacements);
     writeNewConnections(edit.replacements);
+    writeReplaced(edit.replacements);
     writeRenames(edit.replacements);
     edit.normalise();
     return edit;

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,11 @@ public:
     /// In every connect equation of the given class that mentions `connector` as one end: replaces that end by
     /// `by`. Connections added by addConnection are not touched.
     ModelEdit& replaceInConnections(std::string_view connector, const std::string& by);
+    bool isConnected(std::string_view connector) const;  // by a connect equation of the given class
+    /// Replaces a variable of the class by another wherever equations (connect equations apart) and components use it;
+    /// what its declaration bound it to becomes an equation of the other.
+    ModelEdit& replaceReferences(std::string_view variable, const std::string& by);
+    ModelEdit& addEquation(const std::string& text);  // behind the last equation, without semicolon
     ModelEdit& setLine(std::string_view from, std::string_view to, const std::vector<Point>& points);
 
     /// First fault met (unknown component or connection); the edit is then empty.
@@ -74,6 +80,7 @@ private:
         std::optional<std::vector<Point>> points;
     };
     struct NewConnection {
+        std::string equation;  // as it stands; empty: from and to are joined
         std::string from, to;
         std::vector<Point> points;
         Colour colour;
@@ -114,6 +121,8 @@ private:
     std::string newComponentsText(const std::string& indent) const;
     std::string newConnectionsText(const std::string& indent) const;
     void writeRenames(Replacements& edits) const;
+    void writeReplaced(Replacements& edits) const;
+    std::set<std::uint32_t> placesOf(std::string_view variable, bool alsoInConnections) const;
     Replacements inside(const syntax::Component& component, const ComponentChange& change) const;
 
     const syntax::ClassDefinition* definition_;
@@ -131,7 +140,7 @@ private:
     std::vector<Connect> connects_;  // in the order of the text
     std::vector<NewComponent> newComponents_;
     std::vector<NewConnection> newConnections_;
-    std::map<std::string, std::string, std::less<>> renames_;
+    std::map<std::string, std::string, std::less<>> renames_, replaced_;
     Diagnostics faults_;
 };
 

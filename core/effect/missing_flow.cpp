@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/base/range.hpp"
 #include "core/base/unit.hpp"
@@ -13,9 +14,11 @@
 namespace analogon {
 namespace {
 
-constexpr std::size_t mostTerms = 3, mostQuantities = 6, mostNodes = 2;
+constexpr std::size_t mostQuantities = 6, mostSingles = 4, mostLaws = 8;
 constexpr double leastTermEvidence = 10;
-constexpr double leastTermShare = 0.02;  // of what the terms before it explain: more is decoration
+constexpr double nearlyAll = 0.9;        // by which a term must explain more for each step of complexity
+constexpr double sameTrace = 0.99;       // correlation of traces that are one to a search
+constexpr double leastTermShare = 0.02;  // of what the first explains: less is decoration
 constexpr int pieces = 40;               // of an unknown flow, over a recording
 constexpr double clearlyMore = 1.1;      // what a sensor alone must explain, in what the best node does
 constexpr double roundedSpeed = 0.01;    // of the largest: where the sign of a speed turns over
@@ -32,6 +35,7 @@ struct Quantity {
 struct Term {
     std::string text, shown;
     std::optional<Dimension> dimension;
+    int complexity{};  // 1: of the node's own quantities; 2, 3: with others
 };
 
 std::optional<Dimension> power(const std::optional<Dimension>& d, int exponent) {
@@ -53,24 +57,38 @@ std::string signText(const Quantity& q) {
     return fmt::format("{0}/sqrt({0}^2 + {1}^2)", q.name, syntax::printNumber(roundedSpeed * q.largest));
 }
 
-void addPowers(const Quantity& q, bool withSign, std::vector<Term>& terms) {
-    terms.push_back({q.name, q.shown, q.dimension});
-    terms.push_back({fmt::format("{0}*abs({0})", q.name), fmt::format("{0}*abs({0})", q.shown), power(q.dimension, 2)});
-    terms.push_back({q.name + "^2", q.shown + "^2", power(q.dimension, 2)});
-    terms.push_back({q.name + "^3", q.shown + "^3", power(q.dimension, 3)});
-    terms.push_back({fmt::format("abs({})", q.name), fmt::format("abs({})", q.shown), q.dimension});
-    if (withSign) terms.push_back({signText(q), fmt::format("sign({})", q.shown), Dimension{}});
+void addPowers(const Quantity& q, bool withSign, int complexity, std::vector<Term>& terms) {
+    terms.push_back({q.name, q.shown, q.dimension, complexity});
+    terms.push_back(
+        {fmt::format("{0}*abs({0})", q.name), fmt::format("{0}*abs({0})", q.shown), power(q.dimension, 2), complexity});
+    terms.push_back({q.name + "^2", q.shown + "^2", power(q.dimension, 2), complexity});
+    terms.push_back({q.name + "^3", q.shown + "^3", power(q.dimension, 3), complexity});
+    terms.push_back({fmt::format("abs({})", q.name), fmt::format("abs({})", q.shown), q.dimension, complexity});
+    if (withSign) terms.push_back({signText(q), fmt::format("sign({})", q.shown), Dimension{}, complexity});
 }
 
-void addProducts(const Quantity& a, const Quantity& b, bool withSign, std::vector<Term>& terms) {
+void addProducts(const Quantity& a, const Quantity& b, bool withSign, int complexity, std::vector<Term>& terms) {
     const std::optional<Dimension> both = product(a.dimension, b.dimension);
-    terms.push_back({a.name + "*" + b.name, a.shown + "*" + b.shown, both});
-    terms.push_back({fmt::format("{}*abs({})", a.name, b.name), fmt::format("{}*abs({})", a.shown, b.shown), both});
+    terms.push_back({a.name + "*" + b.name, a.shown + "*" + b.shown, both, complexity});
     terms.push_back(
-        {fmt::format("{}*{}^2", a.name, b.name), fmt::format("{}*{}^2", a.shown, b.shown), product(both, b.dimension)});
+        {fmt::format("{}*abs({})", a.name, b.name), fmt::format("{}*abs({})", a.shown, b.shown), both, complexity});
+    terms.push_back({fmt::format("{}*{}^2", a.name, b.name), fmt::format("{}*{}^2", a.shown, b.shown),
+                     product(both, b.dimension), complexity});
     if (withSign)
         terms.push_back({fmt::format("({})*abs({})", signText(a), b.name),
-                         fmt::format("sign({})*abs({})", a.shown, b.shown), b.dimension});
+                         fmt::format("sign({})*abs({})", a.shown, b.shown), b.dimension, complexity});
+}
+
+/// What sets in above or below a value: an overflow, a stop, a valve.
+void addHinges(const Quantity& q, const Range& range, std::vector<Term>& terms) {
+    for (const double part : {0.3, 0.5, 0.65, 0.8, 0.9}) {
+        const std::string high = fmt::format("{:.4g}", range.low + part * range.width()),
+                          low = fmt::format("{:.4g}", range.high - part * range.width());
+        terms.push_back({fmt::format("max(0, {} - ({}))", q.name, high),
+                         fmt::format("max(0, {} - ({}))", q.shown, high), q.dimension, 2});
+        terms.push_back({fmt::format("min(0, {} - ({}))", q.name, low), fmt::format("min(0, {} - ({}))", q.shown, low),
+                         q.dimension, 2});
+    }
 }
 
 /// Values of variables of a variant over the fitted experiments; a variable that never moves is left out.
@@ -145,14 +163,21 @@ public:
                 local.insert(local.begin(), quantity("w", "", "w", "rad/s", speeds, 0));
             }
         }
-        for (const Quantity& q : local) addPowers(q, q.name == "w", terms_);
-        if (local.size() == 2) addProducts(local[0], local[1], true, terms_);
+        for (const Quantity& q : local) addPowers(q, q.name == "w", 1, terms_);
+        if (potential != values.end()) {
+            Range range;
+            for (const Eigen::VectorXd& v : potential->second) range.take(rangeOf(v));
+            const auto origin = origins_.find("p");
+            const double zero = origin == origins_.end() ? 0 : origin->second;
+            addHinges(local.back(), {range.low - zero, range.high - zero}, terms_);
+        }
+        if (local.size() == 2) addProducts(local[0], local[1], true, 1, terms_);
         for (std::size_t j = 0; j < foreign.size(); ++j) {
-            addPowers(foreign[j], false, terms_);
-            for (const Quantity& q : local) addProducts(q, foreign[j], q.name == "w", terms_);
+            addPowers(foreign[j], false, 2, terms_);
+            for (const Quantity& q : local) addProducts(q, foreign[j], q.name == "w", 2, terms_);
             for (std::size_t k = j + 1; k < foreign.size(); ++k)
                 terms_.push_back({foreign[j].name + "*" + foreign[k].name, foreign[j].shown + "*" + foreign[k].shown,
-                                  product(foreign[j].dimension, foreign[k].dimension)});
+                                  product(foreign[j].dimension, foreign[k].dimension), 3});
         }
         foreign_ = std::move(foreign);
     }
@@ -164,7 +189,8 @@ public:
             terms_.push_back({fmt::format("noEvent(max(0, 1 - abs(time - {})/{}))",
                                           syntax::printNumber(begin + k * width), syntax::printNumber(width)),
                               {},
-                              {}});
+                              {},
+                              1});
     }
 
     /// Traces of all terms at coefficients 0, in units of the noise. `perExperiment`: each has coefficients of its own.
@@ -198,7 +224,7 @@ public:
         return std::move(l.jacobian);
     }
 
-    std::size_t termCount() const { return terms_.size(); }
+    const std::vector<Term>& terms() const { return terms_; }
 
     FlowLaw law(const std::vector<std::size_t>& chosen, int number) const {
         const std::string name = className(number);
@@ -322,42 +348,79 @@ private:
     std::vector<Term> terms_;
 };
 
-/// Terms chosen one after the other, each the one that explains most beside those before it; and how much all do.
-std::pair<std::vector<std::size_t>, double> chooseTerms(const NullModel& null, Eigen::MatrixXd columns) {
-    const Eigen::VectorXd& all = null.fit.optimum.residuals;
-    const double rows = static_cast<double>(all.size());
-    const Complement complement(null.fit.optimum.jacobian);
-    Eigen::VectorXd residual = all;
-    Eigen::VectorXd lengths = columns.colwise().norm().transpose();
-    columns = complement(columns);
-    std::vector<std::size_t> chosen;
-    double explained = 0;
-    while (chosen.size() < mostTerms) {
-        Eigen::Index best = -1;
-        double most = 0;
+/// Terms that a law may consist of, and how much they explain to first order.
+struct TermSet {
+    std::vector<std::size_t> terms;
+    double explained{};
+};
+
+/// The terms of one node against the residual: traces without what the parameters can imitate.
+class TermChoice {
+public:
+    TermChoice(const NullModel& null, const std::vector<Term>& terms, const Eigen::MatrixXd& columns)
+        : terms_(terms), residual_(null.fit.optimum.residuals), lengths_(columns.colwise().norm().transpose()) {
+        columns_ = Complement(null.fit.optimum.jacobian)(columns);
+    }
+
+    /// Single terms that explain most, no two of them alike, and the best with the one that adds most to it.
+    std::vector<TermSet> likeliest() const {
+        std::vector<TermSet> sets;
+        std::vector<Eigen::VectorXd> directions;
+        const std::vector<double> gains = gainsOver(residual_, columns_);
+        for (const std::size_t j : bestFirst(gains)) {
+            if (sets.size() == mostSingles || !isMoreThanChance(gains[j], residual_)) break;
+            const Eigen::VectorXd direction = columns_.col(static_cast<Eigen::Index>(j)).normalized();
+            const bool isKnown = std::any_of(directions.begin(), directions.end(), [&](const Eigen::VectorXd& d) {
+                return std::abs(d.dot(direction)) > sameTrace;
+            });
+            if (isKnown) continue;
+            directions.push_back(direction);
+            sets.push_back({{j}, gains[j]});
+        }
+        if (sets.empty()) return sets;
+        const Eigen::VectorXd& first = directions.front();
+        const Eigen::VectorXd left = residual_ - first * first.dot(residual_);
+        const std::vector<double> further = gainsOver(left, columns_ - first * (first.transpose() * columns_));
+        const std::size_t second = bestFirst(further).front();
+        if (isMoreThanChance(further[second], left) && further[second] > leastTermShare * sets.front().explained)
+            sets.push_back({{sets.front().terms.front(), second}, sets.front().explained + further[second]});
+        return sets;
+    }
+
+private:
+    std::vector<double> gainsOver(const Eigen::VectorXd& residual, const Eigen::MatrixXd& columns) const {
+        std::vector<double> gains(static_cast<std::size_t>(columns.cols()));
         for (Eigen::Index j = 0; j < columns.cols(); ++j) {
             const double norm = columns.col(j).norm();
-            if (!std::isfinite(norm) || !(norm > leastVisible * lengths[j])) continue;
-            const double along = columns.col(j).dot(residual) / norm, gain = along * along;
-            if (gain > most * (1 + 1e-6)) {
-                most = gain;
-                best = j;
-            }
+            if (!std::isfinite(norm) || !(norm > leastVisible * lengths_[j])) continue;
+            const double along = columns.col(j).dot(residual) / norm;
+            gains[static_cast<std::size_t>(j)] = along * along;
         }
-        if (best < 0) break;
-        const Eigen::VectorXd direction = columns.col(best).normalized();
-        const Eigen::VectorXd left = residual - direction * direction.dot(residual);
-        const double variance = left.squaredNorm() / rows, count = effectiveCount(null.channels, left);
-        const double evidence =
-            most / variance * count / rows - std::log(count) - 2 * std::log(static_cast<double>(columns.cols()));
-        if (!(evidence > leastTermEvidence) || most < leastTermShare * explained) break;
-        chosen.push_back(static_cast<std::size_t>(best));
-        explained += most;
-        residual = left;
-        columns -= direction * (direction.transpose() * columns);
+        return gains;
     }
-    return {chosen, explained};
-}
+
+    /// By what they explain; of those that explain nearly the same, the simpler first.
+    std::vector<std::size_t> bestFirst(const std::vector<double>& gains) const {
+        std::vector<std::size_t> order(gains.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        const auto worth = [&](std::size_t j) { return gains[j] * std::pow(nearlyAll, terms_[j].complexity); };
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return worth(a) > worth(b); });
+        return order;
+    }
+
+    /// Whether a term stands is decided when it is fitted; this keeps out what chance brings among so many.
+    bool isMoreThanChance(double gain, const Eigen::VectorXd& residual) const {
+        const double rows = static_cast<double>(residual.size());
+        const double evidence = gain / ((residual.squaredNorm() - gain) / rows) - std::log(rows) -
+                                2 * std::log(static_cast<double>(terms_.size()));
+        return evidence > leastTermEvidence;
+    }
+
+    const std::vector<Term>& terms_;
+    const Eigen::VectorXd& residual_;
+    Eigen::VectorXd lengths_;
+    Eigen::MatrixXd columns_;
+};
 
 /// Inputs, states and outputs of the model: what a law may contain beside the node's own quantities.
 std::vector<std::pair<std::string, std::string>> quantitiesOf(const System& system) {
@@ -382,27 +445,22 @@ std::vector<FlowLaw> likelyFlowLaws(const NullModel& null, int before, const Sim
     const Outcome<ModelNodes> nodes = nodesOf(null.variant, diagram);
     const Outcome<PreparedTask> held = prepareHeld(null.variant, {}, null.noise);
     if (!nodes || !held) return laws;
-    struct Likely {
-        FlowProbe probe;
-        std::vector<std::size_t> terms;
-        double explained{};
-    };
-    std::vector<Likely> likely;
+    std::vector<FlowProbe> probes;
+    std::vector<std::pair<std::size_t, TermSet>> likely;  // of which probe
     for (ModelNodes::FlowNode& node : nodes->flowNodes()) {
         if (progress.stopRequested()) break;
         FlowProbe probe(null, std::move(node));
         probe.collect(quantitiesOf(*held->system), simulation);
-        std::optional<Eigen::MatrixXd> columns = probe.traces(false, simulation, progress);
+        const std::optional<Eigen::MatrixXd> columns = probe.traces(false, simulation, progress);
         if (!columns) continue;
-        const auto [chosen, explained] = chooseTerms(null, std::move(*columns));
-        if (!chosen.empty()) likely.push_back({std::move(probe), chosen, explained});
+        for (TermSet& set : TermChoice(null, probe.terms(), *columns).likeliest())
+            likely.emplace_back(probes.size(), std::move(set));
+        probes.push_back(std::move(probe));
     }
     std::stable_sort(likely.begin(), likely.end(),
-                     [](const auto& a, const auto& b) { return a.explained > b.explained; });
-    if (likely.size() > mostNodes) likely.erase(likely.begin() + mostNodes, likely.end());
-    for (const auto& [probe, terms, explained] : likely)
-        for (std::size_t count = 1; count <= terms.size(); ++count)
-            laws.push_back(probe.law({terms.begin(), terms.begin() + static_cast<std::ptrdiff_t>(count)}, ++before));
+                     [](const auto& a, const auto& b) { return a.second.explained > b.second.explained; });
+    if (likely.size() > mostLaws) likely.erase(likely.begin() + mostLaws, likely.end());
+    for (const auto& [probe, set] : likely) laws.push_back(probes[probe].law(set.terms, ++before));
     return laws;
 }
 

@@ -12,11 +12,10 @@ struct FlowLaw {
     std::string text;  // of the class
 };
 
-/// For each node the short law that explains most of the residual: sums of up to three terms, chosen one after the
-/// other (orthogonal least squares, Chen, Billings and Luo 1989) from powers and products of the node's own quantities
-/// and of the inputs, states and outputs of the model. The coefficients carry the unit that makes a term a flow. A
-/// further term must be worth more than chance among all that were there to choose from. The best nodes first, each
-/// with its law of one term, of two, of three. The classes are numbered on from `before`, the laws written already.
+/// Short laws that explain much of the residual to first order: single terms and the best pair of each node (orthogonal
+/// least squares, Chen, Billings and Luo 1989) from powers, thresholds and products of the node's own quantities and of
+/// the inputs, states and outputs of the model. The coefficients carry the unit that makes a term a flow. What they are
+/// worth shows when they are fitted. Best first; the classes are numbered on from `before`, the laws written already.
 std::vector<FlowLaw> likelyFlowLaws(const NullModel& null, int before, const SimulationOptions& simulation,
                                     const Progress& progress);
 

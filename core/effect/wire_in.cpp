@@ -83,16 +83,20 @@ public:
 
     /// The connector keeps the near side; all that it was joined to moves to the far side.
     void insert() {
-        const bool isInput = effect_.signalSide == "input";
         const bool isOutput = effect_.signalSide == "output";
-        const std::string& nearPort = isOutput ? effect_.ports[1] : effect_.ports[0];
-        const std::string& farPort = isOutput ? effect_.ports[0] : effect_.ports[1];
+        const std::string near = component_.name + "." + effect_.ports[isOutput ? 1 : 0],
+                          far = component_.name + "." + effect_.ports[isOutput ? 0 : 1];
         edit_.addComponent(component_);
-        edit_.replaceInConnections(place_.connector, component_.name + "." + farPort);
-        if (isInput || !isOutput)
-            join(place_.connector, component_.name + "." + nearPort, port(library_, component_, nearPort));
+        if (effect_.signalSide.empty() || edit_.isConnected(place_.connector))
+            edit_.replaceInConnections(place_.connector, far);
+        if (!effect_.signalSide.empty()) edit_.replaceReferences(place_.connector, far);
+        const Point nearAt = port(library_, component_, effect_.ports[isOutput ? 1 : 0]);
+        if (!effect_.signalSide.empty() && !isConnector(place_.connector))
+            edit_.addEquation(isOutput ? place_.connector + " = " + near : near + " = " + place_.connector);
+        else if (isOutput)
+            join(near, nearAt, place_.connector);
         else
-            join(component_.name + "." + nearPort, port(library_, component_, nearPort), place_.connector);
+            join(place_.connector, near, nearAt);
     }
 
     void specialise(const std::map<std::string, double>& values) {
@@ -112,6 +116,12 @@ public:
     }
 
 private:
+    /// A signal may be a plain `output Real` as well, which no wire can end at.
+    bool isConnector(const std::string& signal) const {
+        const Block* block = diagram_.find(signal);
+        return block != nullptr && block->isConnector;
+    }
+
     void join(const std::string& from, Point fromAt, const std::string& to) {
         edit_.addConnection(from, to, route(fromAt, diagram_.anchor(to).value_or(fromAt)), colour_);
     }

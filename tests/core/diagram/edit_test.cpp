@@ -445,6 +445,22 @@ TEST(FreeName, AvoidsInheritedNamesToo) {
     EXPECT_EQ(freeName(text.library(), *text.library().find("M")->definition, "motor"), "motor1");
 }
 
+TEST(ModelEdit, PutsAnotherVariableWhereOneIsUsed) {
+    const Edited text(
+        "model M\n  input Real u;\n  output Real y = 2*x + u;\n  Real x;\n  Part part(k = u);\nequation\n"
+        "  der(x) = y*u;\n  connect(u, part.u);\nend M;\n");
+    auto input = text.edit();
+    input.replaceReferences("u", "lag.y").addEquation("lag.u = u");
+    EXPECT_EQ(text(input),
+              "model M\n  input Real u;\n  output Real y = 2*x + lag.y;\n  Real x;\n  Part part(k = lag.y);\n"
+              "equation\n  der(x) = y*lag.y;\n  connect(u, part.u);\n  lag.u = u;\nend M;\n");
+    auto output = text.edit();
+    output.replaceReferences("y", "filter.u").addEquation("y = filter.y");
+    EXPECT_EQ(text(output),
+              "model M\n  input Real u;\n  output Real y;\n  Real x;\n  Part part(k = u);\nequation\n"
+              "  der(x) = filter.u*u;\n  connect(u, part.u);\n  filter.u = 2*x + u;\n  y = filter.y;\nend M;\n");
+}
+
 TEST(ModelEdit, SetsOneElementOfAnArrayByWritingAll) {
     const Edited text(
         model("  parameter Real G[2] = {1, 2};\n  Mass mass[3](each C = 2, each final T = 1);\n"

@@ -1,0 +1,73 @@
+#include "core/effect/wire_in.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/effect/screen.hpp"
+
+namespace analogon {
+namespace {
+
+using ::testing::HasSubstr;
+
+EstimationTask taskOf(const std::string& text, const std::string& className) {
+    EstimationTask task;
+    task.model = std::make_shared<Source>("model.mo", text);
+    task.className = className;
+    Outcome<Library> library = builtInLibrary()->withSource(task.model);
+    EXPECT_TRUE(library) << format(library.diagnostics());
+    if (library) task.library = std::move(*library);
+    return task;
+}
+
+EffectClass effectOf(const Library& library, const std::string& kind) {
+    const Outcome<std::vector<EffectClass>> catalogue = effectCatalogue(library);
+    for (const EffectClass& e : *catalogue)
+        if (e.kind == kind) return e;
+    ADD_FAILURE() << "no " << kind;
+    return {};
+}
+
+/// Inputs and outputs need not be connectors: many write them as variables of the model.
+const char* const heater = R"(model Heater
+  input Real u(unit="V");
+  output Real i(unit="A") = u/R;
+  output Real T(unit="K");
+  parameter Real R = 2;
+  Real E(start=0, fixed=true);
+equation
+  der(E) = u*i - 0.1*E;
+  T = 293.15 + E;
+end Heater;
+)";
+
+TEST(WireIn, PutsASensorsEffectBehindAPlainOutput) {
+    const Variant variant{taskOf(heater, "Heater"), {}, {}};
+    const EffectClass lag = effectOf(variant.task.library, "sensor.lag");
+    const Outcome<Variant> current = withEffect(variant, lag, {"output i", "i", {}}, {{"T", 0.5}});
+    ASSERT_TRUE(current) << format(current.diagnostics());
+    // the model goes on with what the sensor sees, not with what it shows
+    EXPECT_THAT(current->task.model->text(), HasSubstr("der(E) = u*lag.u - 0.1*E"));
+    EXPECT_THAT(current->task.model->text(), HasSubstr("lag.u = u/R"));
+    EXPECT_THAT(current->task.model->text(), HasSubstr("i = lag.y"));
+    const Outcome<Variant> both = withEffect(*current, lag, {"output T", "T", {}}, {{"T", 2}});
+    ASSERT_TRUE(both) << format(both.diagnostics());
+    const Outcome<FlatModel> flat = flatten(both->task.library, "Heater");
+    ASSERT_TRUE(flat) << format(flat.diagnostics());
+    EXPECT_TRUE(analyse(std::make_shared<FlatModel>(*flat), {}));
+}
+
+TEST(WireIn, PutsAnActuatorsEffectBeforeAPlainInput) {
+    const Variant variant{taskOf(heater, "Heater"), {}, {}};
+    const EffectClass offset = effectOf(variant.task.library, "actuator.offset");
+    const Outcome<Variant> with = withEffect(variant, offset, {"input u", "u", {}}, {});
+    ASSERT_TRUE(with) << format(with.diagnostics());
+    EXPECT_THAT(with->task.model->text(), HasSubstr("offset.u = u"));
+    EXPECT_THAT(with->task.model->text(), HasSubstr("der(E) = offset.y*i - 0.1*E"));
+    const Outcome<FlatModel> flat = flatten(with->task.library, "Heater");
+    ASSERT_TRUE(flat) << format(flat.diagnostics());
+    EXPECT_TRUE(analyse(std::make_shared<FlatModel>(*flat), {}));
+}
+
+}  // namespace
+}  // namespace analogon
