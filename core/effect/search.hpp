@@ -60,8 +60,7 @@ private:
         std::optional<ModelState> state;  // after the last effect: at hand when the search is interrupted
     };
 
-    Round tryAll(NullModel& null);
-    void joinLaws(NullModel& null, Round& round);
+    Round tryAll(const NullModel& null);
     void decide(const NullModel& null, Round& round) const;
     void preferSimple(const NullModel& null, Round& round) const;
     Step stepOf(const Round& round);
@@ -69,6 +68,8 @@ private:
     Outcome<Done> goOn(Path& path, Round first);
     std::vector<std::size_t> otherBeginnings(const NullModel& null, const Round& round) const;
     Outcome<Path> bestPath(const NullModel& base);
+    std::optional<Path> withLaw(Path begin);
+    void exchange(Path& path);
     std::vector<std::size_t> equivalents(const NullModel& null, const std::vector<Trial>& trials,
                                          std::size_t best) const;
     std::optional<NullModel> without(const NullModel& null, std::size_t effect);
@@ -101,6 +102,7 @@ private:
     std::vector<CandidateResult> candidates_;
     std::vector<Step> steps_;
     std::vector<Displaced> displaced_;
+    std::optional<Path> opening_;              // where the first choice of all led
     std::map<std::string, std::string> laws_;  // texts of the classes that were written for this model, by name
     std::optional<Change> change_;             // in mid run, that explains better than any effect
     bool writesLaws_{};                        // for what no class has, in every round

@@ -21,11 +21,16 @@ constexpr double leastSharpening = 8;  // fall in the sum of squares, in units o
 
 }  // namespace
 
-/// Adds one effect a round until nothing passes its tests. The first round is given.
-Outcome<Done> Search::goOn(Path& path, Round first) {
+/// Walks on a path instead of the present one, or back.
+void Search::exchange(Path& path) {
     std::swap(steps_, path.steps);
     std::swap(displaced_, path.displaced);
     std::swap(candidates_, path.candidates);
+}
+
+/// Adds one effect a round until nothing passes its tests. The first round is given.
+Outcome<Done> Search::goOn(Path& path, Round first) {
+    exchange(path);
     Outcome<Done> done = Done{};
     for (round_ = 1; round_ <= options_.maxRounds && !progress_.stopRequested(); ++round_) {
         Round round = round_ == 1 ? std::move(first) : tryAll(path.null);
@@ -52,10 +57,9 @@ Outcome<Done> Search::goOn(Path& path, Round first) {
             bestError_ = std::min(bestError_, errorPercentOf(*after, Role::Fit));
             path.state = std::move(*after);
         }
+        if (!opening_) opening_ = Path{path.null, steps_, displaced_, candidates_, path.state};
     }
-    std::swap(steps_, path.steps);
-    std::swap(displaced_, path.displaced);
-    std::swap(candidates_, path.candidates);
+    exchange(path);
     return done;
 }
 
@@ -77,7 +81,7 @@ std::vector<std::size_t> Search::otherBeginnings(const NullModel& null, const Ro
 /// next: two effects that hide each other may not show in the order of their size.
 Outcome<Search::Path> Search::bestPath(const NullModel& base) {
     Path best{base, {}, {}, {}, {}};
-    Round first = tryAll(best.null);
+    Round first = tryAll(base);
     if (progress_.stopRequested()) return best;
     decide(base, first);
     std::vector<std::size_t> others;
@@ -103,18 +107,34 @@ Outcome<Search::Path> Search::bestPath(const NullModel& base) {
     }
     if (progress_.stopRequested() || isNoise(best.null) || levelOf(best.null.fit) < structuredResidual) return best;
     if (work_ > mostWork) return best;
-    // several effects may only imitate what has no name
-    writesLaws_ = true;
-    Path path{base, {}, {}, {}, {}};
-    Round round = std::move(first);
-    round.chosen.reset();
-    round.members.clear();
-    joinLaws(path.null, round);
-    decide(path.null, round);
-    const bool isOther = round.chosen.has_value();
-    if (isOther && goOn(path, std::move(round)) && isBetter(path)) best = std::move(path);
-    writesLaws_ = false;
+    // several effects may only imitate what has no name: a law that leaves next to nothing is the better account
+    Path bare{base, {}, {}, {}, {}};
+    first.chosen.reset();
+    first.members.clear();
+    exchange(bare);
+    noteAll(first);
+    exchange(bare);
+    std::vector<Path> begins{std::move(bare)};
+    if (opening_) begins.push_back(std::move(*opening_));
+    for (Path& begin : begins) {
+        if (progress_.stopRequested()) break;
+        std::optional<Path> path = withLaw(std::move(begin));
+        if (path && isBetter(*path)) best = std::move(*path);
+    }
     return best;
+}
+
+/// The path that goes on from this one with a law that leaves next to nothing; none where no law does.
+std::optional<Search::Path> Search::withLaw(Path begin) {
+    exchange(begin);
+    const bool isExplained = addLaw(begin.null) && levelOf(begin.null.fit) < largeResidual;
+    if (isExplained) removeUnneeded(begin.null, 1);
+    exchange(begin);
+    if (!isExplained) return std::nullopt;
+    Round next = tryAll(begin.null);
+    decide(begin.null, next);
+    if (!goOn(begin, std::move(next))) return std::nullopt;
+    return begin;
 }
 
 /// The model refitted with one effect taken out.

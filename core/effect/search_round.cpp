@@ -147,7 +147,7 @@ void Search::note(const Screened& s, Verdict verdict, std::optional<double> delt
 }
 
 /// Screens every candidate and refits those that promise most.
-Search::Round Search::tryAll(NullModel& null) {
+Search::Round Search::tryAll(const NullModel& null) {
     Round round;
     round.screened = screenAll(null);
     if (progress_.stopRequested()) return round;
@@ -158,18 +158,7 @@ Search::Round Search::tryAll(NullModel& null) {
     round.threshold = noiseThreshold(directions, logRows, falseAlarmQuantile, 1);
     round.trials = tryBest(null, round.screened);
     rank(null, round.trials);
-    if (writesLaws_) joinLaws(null, round);
     return round;
-}
-
-/// Where no class explains what there is, laws that were written for this model compete.
-void Search::joinLaws(NullModel& null, Round& round) {
-    const bool isExplained = std::any_of(round.trials.begin(), round.trials.end(),
-                                         [](const Trial& t) { return t.ok && levelOf(t.fit) < largeResidual; });
-    if (isExplained) return;
-    std::vector<Trial> laws = tryLaws(null);
-    round.trials.insert(round.trials.end(), std::make_move_iterator(laws.begin()), std::make_move_iterator(laws.end()));
-    rank(null, round.trials);
 }
 
 /// The best that passes its tests; what lies close to it is its class, of which the simplest is taken.
