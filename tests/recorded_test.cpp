@@ -176,5 +176,44 @@ TEST(PositioningDrive, ShowsDryFrictionAndAConstantForce) {
     EXPECT_LT(relativeError(finding.final, Role::Validate), 7);
 }
 
+// Two motors on one belt, a pulley whose speed is counted in pulses without its sign: that sensor is a block of the
+// study's own.
+TEST(CoupledDrives, ShowDryFrictionAndTheFilterOfTheirSensor) {
+    if (!fs::exists(shared / "data" / "coupled_drives")) GTEST_SKIP() << "no measurements beside the project";
+    const Finding finding = discovered(root / "tests" / "studies" / "coupled_drives");
+    EXPECT_TRUE(effectOf(finding, {"friction.coulomb"}));
+    EXPECT_TRUE(effectOf(finding, {"sensor.lag", "sensor.delay"}));
+    EXPECT_GT(validationError(finding.baseline), 10);
+    EXPECT_LT(validationError(finding.final), 7);
+    EXPECT_EQ(finding.kind, FindingKind::Partial);
+    ASSERT_FALSE(finding.remainders.empty());
+    EXPECT_FALSE(finding.remainders.front().node.empty());
+}
+
+// An electronic oscillator, read as a mass on a spring: the library has no name for a spring that stiffens.
+TEST(Oscillator, IsGivenTheLawOfAStiffeningSpring) {
+    if (!fs::exists(shared / "data" / "silverbox")) GTEST_SKIP() << "no measurements beside the project";
+    const Finding finding = discovered(root / "tests" / "studies" / "oscillator");
+    EXPECT_FALSE(effectOf(finding, {"spring.return", "friction.coulomb", "drag.quadratic"}));
+    ASSERT_FALSE(finding.remainders.empty());
+    const Remainder& law = finding.remainders.front();
+    EXPECT_NE(law.proposedEquation.find("drive.flange.tau = a1*phi^3"), std::string::npos) << law.proposedEquation;
+    EXPECT_GT(validationError(finding.baseline), 2);
+    EXPECT_LT(law.errorValidateWith, 0.3);
+}
+
+// Two tanks, one above the other, from blocks of the study's own on a connector of its own. The tanks overflow.
+TEST(CascadedTanks, LackWhatSetsInAtAHighLevel) {
+    if (!fs::exists(shared / "data" / "cascaded_tanks")) GTEST_SKIP() << "no measurements beside the project";
+    const Finding finding = discovered(root / "tests" / "studies" / "tanks");
+    EXPECT_TRUE(finding.effects.empty());
+    EXPECT_EQ(finding.kind, FindingKind::Unexplained);
+    ASSERT_FALSE(finding.remainders.empty());
+    const Remainder& law = finding.remainders.front();
+    EXPECT_NE(law.node, "output y") << "it is no fault of the level sensor";
+    EXPECT_NE(law.proposedEquation.find("max(0, "), std::string::npos) << law.proposedEquation;
+    EXPECT_LT(law.errorValidateWith, 0.85 * validationError(finding.baseline));
+}
+
 }  // namespace
 }  // namespace analogon

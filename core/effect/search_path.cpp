@@ -196,7 +196,7 @@ bool Search::replace(NullModel& null, std::size_t effect) {
         const EffectPlace& place = t.screened.candidate.place;
         const std::string& kind = t.screened.candidate.effect.kind;
         std::erase_if(alternatives, [&](const Alternative& a) { return a.kind == kind && a.at == place.at; });
-        if (t.ok)
+        if (t.ok && !isProposal(t))
             alternatives.push_back({kind, place.at, -t.evidence, weight * (own - t.evidence) < equivalenceMargin});
     }
     // what the data hardly tell apart is not exchanged for the less likely
@@ -217,7 +217,7 @@ bool Search::replace(NullModel& null, std::size_t effect) {
     step.alternatives.push_back(
         {old.effect.kind, old.place.at, -(best.evidence - gain), weight * gain < equivalenceMargin});
     for (std::size_t i = 1; i < trials.size(); ++i)
-        if (trials[i].ok)
+        if (trials[i].ok && !isProposal(trials[i]))
             step.alternatives.push_back({trials[i].screened.candidate.effect.kind,
                                          trials[i].screened.candidate.place.at, -trials[i].evidence,
                                          weight * (best.evidence - trials[i].evidence) < equivalenceMargin});

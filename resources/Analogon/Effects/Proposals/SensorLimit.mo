@@ -3,8 +3,13 @@ block SensorLimit "Upper limit of a measured channel"
   extends Analogon.Interfaces.PartialSignal;
   parameter Real s(min=0) = 0 "1/limit (0: no limit)"
     annotation (Dialog(group="Effect"));
+  parameter Real y_e(min=1e-12) = 0.01 "Rounding of the corner"
+    annotation (Dialog(group="Effect"));
+  Real beyond "How far beyond the limit";
 equation
-  y = u/(1 + (abs(s*u))^32)^(1/32);
+  // from the smooth maximum of 0 and abs(u) - 1/s; written so that it is 0 for s = 0
+  beyond = 0.5*(s*abs(u) - 1 + sqrt((s*abs(u) - 1)^2 + (s*y_e)^2))/max(s, 1e-12);
+  y = u*(1 - beyond/max(abs(u), y_e));
   annotation (
     __Analogon(effect(
       kind = "proposal.sensor.limit",
@@ -14,7 +19,9 @@ equation
       at = "output",
       strength = "s",
       oneSided = true,
-      secant = {"1/(0.98*maxabs(u))", "1/(0.92*maxabs(u))", "1/(0.75*maxabs(u))"})),
+      fixed(y_e = "0.005*range(u)"),
+      sharper(y_e = 0.25),
+      secant = {"1/(maxabs(u) - 0.02*range(u))", "1/(maxabs(u) - 0.08*range(u))", "1/(maxabs(u) - 0.2*range(u))"})),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
         Rectangle(extent={{-90,90},{90,-90}}, lineColor={213,94,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid, pattern=LinePattern.Dash, radius=10),
         Text(extent={{-70,60},{70,-60}}, textString="?", textColor={213,94,0})}),
