@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/eval/program.hpp"
+#include "core/eval/vector_code.hpp"
 
 namespace analogon {
 
@@ -43,7 +44,7 @@ struct Registers {
     std::string failure;
     bool failedToSolve{};
 
-    bool isInterpreted{};  // machine code is not wanted, or not to be had
+    VectorTarget target{};
     struct Code {
         int runs{};                              // before it was made
         std::shared_ptr<const SystemCode> made;  // null: not yet

@@ -35,8 +35,8 @@ const Processor& processor() {
 /// 1966), which straight-line code lets us know.
 class Translator {
 public:
-    Translator(const VectorCode& code, x86::Assembler& out)
-        : code_(code), out_(out), isWide_(processor().hasAvx512), count_(isWide_ ? 32 : 16) {
+    Translator(const VectorCode& code, x86::Assembler& out, bool isWide)
+        : code_(code), out_(out), isWide_(isWide), count_(isWide ? 32 : 16) {
         const std::size_t entities = code.homes().size();
         at_.assign(entities, -1);
         uses_.resize(entities);
@@ -70,21 +70,18 @@ private:
     static constexpr int first_ = 3;     // registers 0 to 2 carry arguments and intermediate values
     static constexpr int countAt_ = 64;  // on the stack: the seventh argument, above what a loop keeps
 
-    /// Backwards: what nothing needs is left out.
     void collectUses() {
         const auto use = [&](Entity e, std::size_t i) {
             if (e != VectorCode::none) uses_[e].push_back(static_cast<std::uint32_t>(i));
         };
-        isLive_.assign(code_.steps().size(), 0);
-        for (std::size_t i = code_.steps().size(); i-- > 0;) {
+        isLive_ = code_.neededSteps();
+        for (std::size_t i = 0; i < code_.steps().size(); ++i) {
+            if (!isLive_[i]) continue;
             const VectorCode::Step& s = code_.steps()[i];
-            if (s.target != VectorCode::none && uses_[s.target].empty()) continue;
-            isLive_[i] = 1;
             use(s.a, i), use(s.b, i), use(s.c, i);
             if (s.operation == Operation::Block)
                 for (const Entity e : code_.blocks()[s.block].reads) use(e, i);
         }
-        for (std::vector<std::uint32_t>& uses : uses_) std::reverse(uses.begin(), uses.end());
     }
 
     void prologue() {
@@ -478,28 +475,46 @@ public:
     bool hasFailed{};
 };
 
-}  // namespace
+using Function = int (*)(double*, double*, double*, Registers*, const double*, double*, std::int64_t);
 
 /// Each function keeps its own pages: systems come and go with their candidates.
-struct MachineFunction::Memory {
-    asmjit::JitRuntime runtime;
+class MachineFunction final : public VectorFunction {
+public:
+    static std::unique_ptr<const VectorFunction> make(const VectorCode& code, bool isWide) {
+        auto made = std::make_unique<MachineFunction>();
+        asmjit::CodeHolder holder;
+        if (holder.init(made->runtime_.environment()) != asmjit::kErrorOk) return nullptr;
+        FaultKeeper faults;
+        holder.setErrorHandler(&faults);
+        x86::Assembler out(&holder);
+        Translator(code, out, isWide).run();
+        if (faults.hasFailed || made->runtime_.add(&made->function_, &holder) != asmjit::kErrorOk) return nullptr;
+        made->scratchSize_ = code.scratchSize();
+        return made;
+    }
+    std::size_t scratchSize() const override { return scratchSize_; }
+    bool run(double* values, double* tangents, double* scratch, Registers* registers, const double* rows,
+             double* results, std::int64_t count) const override {
+        return function_(values, tangents, scratch, registers, rows, results, count) != 0;
+    }
+
+private:
+    asmjit::JitRuntime runtime_;
+    Function function_{};
+    std::size_t scratchSize_{};
 };
 
-bool VectorCode::isAvailable() { return processor().hasAvx2; }
-int VectorCode::vectorWidth() { return processor().hasAvx512 ? 8 : 4; }
+}  // namespace
 
-std::unique_ptr<const MachineFunction> MachineFunction::translate(const VectorCode& code) {
-    if (!VectorCode::isAvailable()) return nullptr;
-    auto memory = std::make_unique<Memory>();
-    asmjit::CodeHolder holder;
-    if (holder.init(memory->runtime.environment()) != asmjit::kErrorOk) return nullptr;
-    FaultKeeper faults;
-    holder.setErrorHandler(&faults);
-    x86::Assembler out(&holder);
-    Translator(code, out).run();
-    Function function{};
-    if (faults.hasFailed || memory->runtime.add(&function, &holder) != asmjit::kErrorOk) return nullptr;
-    return std::unique_ptr<const MachineFunction>(new MachineFunction(std::move(memory), function));
+VectorTarget VectorCode::fastest() {
+    if (!processor().hasAvx2) return VectorTarget::Interpreter;
+    return processor().hasAvx512 ? VectorTarget::Avx512 : VectorTarget::Avx2;
+}
+
+std::unique_ptr<const VectorFunction> translate(const VectorCode& code, VectorTarget target) {
+    const VectorTarget best = VectorCode::fastest();
+    if (target == VectorTarget::Interpreter || best < target) return nullptr;
+    return MachineFunction::make(code, target == VectorTarget::Avx512);
 }
 
 }  // namespace analogon
@@ -508,20 +523,9 @@ std::unique_ptr<const MachineFunction> MachineFunction::translate(const VectorCo
 
 namespace analogon {
 
-struct MachineFunction::Memory {};
-
-bool VectorCode::isAvailable() { return false; }
-int VectorCode::vectorWidth() { return 1; }
-std::unique_ptr<const MachineFunction> MachineFunction::translate(const VectorCode&) { return nullptr; }
+VectorTarget VectorCode::fastest() { return VectorTarget::Interpreter; }
+std::unique_ptr<const VectorFunction> translate(const VectorCode&, VectorTarget) { return nullptr; }
 
 }  // namespace analogon
 
 #endif
-
-namespace analogon {
-
-MachineFunction::MachineFunction(std::unique_ptr<Memory> memory, Function function)
-    : memory_(std::move(memory)), function_(function) {}
-MachineFunction::~MachineFunction() = default;
-
-}  // namespace analogon

@@ -333,25 +333,26 @@ void ProgramEmitter::block(const Instruction& i) {
 
 namespace {
 
-bool compileProgram(const SystemPrograms& s, const Program& program, int lanes, TangentMode mode,
+bool compileProgram(const SystemPrograms& s, const Program& program, int lanes, TangentMode mode, VectorTarget target,
                     std::initializer_list<const std::vector<ResultRegister>*> results, CompiledProgram& out) {
-    ProgramEmitter emitter(s, lanes, out, mode);
+    ProgramEmitter emitter(s, lanes, target, out, mode);
     emitter.run(program);
     for (const auto* group : results)
         for (const ResultRegister& result : *group) emitter.storeResult(result);
     return emitter.finish();
 }
 
-bool compileBody(const SystemPrograms& s, const NonlinearBlock& block, int lanes, TangentMode mode,
+bool compileBody(const SystemPrograms& s, const NonlinearBlock& block, int lanes, TangentMode mode, VectorTarget target,
                  CompiledProgram& out) {
-    ProgramEmitter emitter(s, lanes, out, mode);
+    ProgramEmitter emitter(s, lanes, target, out, mode);
     emitter.runBody(block);
     return emitter.finish();
 }
 
 /// One step as a function of its own, the arguments in the scratch memory.
-bool compileStep(const SystemPrograms& s, int lanes, CompiledProgram& out, StepArguments& arguments) {
-    ProgramEmitter emitter(s, lanes, out);
+bool compileStep(const SystemPrograms& s, int lanes, VectorTarget target, CompiledProgram& out,
+                 StepArguments& arguments) {
+    ProgramEmitter emitter(s, lanes, target, out);
     const auto declare = [&](std::uint32_t& offset) {
         const Entity e = emitter.inMemory(1);
         offset = emitter.offsetOf(e);
@@ -375,20 +376,21 @@ bool compileStep(const SystemPrograms& s, int lanes, CompiledProgram& out, StepA
 
 }  // namespace
 
-std::shared_ptr<const SystemCode> compileCode(const SystemPrograms& s, int lanes, TangentMode mode) {
-    if (!VectorCode::isAvailable()) return nullptr;
+std::shared_ptr<const SystemCode> compileCode(const SystemPrograms& s, int lanes, TangentMode mode,
+                                              VectorTarget target) {
+    if (target == VectorTarget::Interpreter) return nullptr;
     auto code = std::make_shared<SystemCode>();
-    if (!compileProgram(s, s.derivative, lanes, mode, {&s.stateDerivatives}, code->derivative) ||
-        !compileProgram(s, s.output, lanes, mode, {&s.outputResults, &s.tapResults}, code->output)) {
+    if (!compileProgram(s, s.derivative, lanes, mode, target, {&s.stateDerivatives}, code->derivative) ||
+        !compileProgram(s, s.output, lanes, mode, target, {&s.outputResults, &s.tapResults}, code->output)) {
         return nullptr;
     }
     code->tables = &s.tables;
     code->bodies.resize(s.tables.nonlinear.size());
     for (std::size_t i = 0; i < code->bodies.size(); ++i)
-        if (!compileBody(s, s.tables.nonlinear[i], 0, mode, code->bodies[i].values) ||
-            !compileBody(s, s.tables.nonlinear[i], lanes, mode, code->bodies[i].tangents))
+        if (!compileBody(s, s.tables.nonlinear[i], 0, mode, target, code->bodies[i].values) ||
+            !compileBody(s, s.tables.nonlinear[i], lanes, mode, target, code->bodies[i].tangents))
             return nullptr;
-    if (mode == InputsConstant && !compileStep(s, lanes, code->step, code->arguments)) return nullptr;
+    if (mode == InputsConstant && !compileStep(s, lanes, target, code->step, code->arguments)) return nullptr;
     return code;
 }
 

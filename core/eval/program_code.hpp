@@ -9,9 +9,9 @@
 
 namespace analogon {
 
-/// A machine function with the image of its scratch memory: constants it reads, the rest zero.
+/// A function with the image of its scratch memory: constants it reads, the rest zero.
 struct CompiledProgram {
-    std::unique_ptr<const MachineFunction> function;
+    std::unique_ptr<const VectorFunction> function;
     std::vector<std::pair<std::uint32_t, double>> constants;
     std::size_t scratchSize{};
     struct Block;
@@ -46,6 +46,7 @@ struct SystemCode {
 };
 
 /// Null: no machine code here.
-std::shared_ptr<const SystemCode> compileCode(const SystemPrograms& programs, int lanes, TangentMode mode);
+std::shared_ptr<const SystemCode> compileCode(const SystemPrograms& programs, int lanes, TangentMode mode,
+                                              VectorTarget target);
 
 }  // namespace analogon

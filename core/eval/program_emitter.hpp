@@ -14,9 +14,10 @@ public:
     using Op = VectorCode::Operation;
     static constexpr Entity none = VectorCode::none;
 
-    ProgramEmitter(const SystemPrograms& programs, int lanes, CompiledProgram& out, TangentMode mode = InputsConstant)
-        : s_(programs), out_(out), lanes_(static_cast<std::uint32_t>(lanes)), mode_(mode) {
-        const auto widest = static_cast<std::uint32_t>(VectorCode::vectorWidth());
+    ProgramEmitter(const SystemPrograms& programs, int lanes, VectorTarget target, CompiledProgram& out,
+                   TangentMode mode = InputsConstant)
+        : s_(programs), out_(out), lanes_(static_cast<std::uint32_t>(lanes)), mode_(mode), target_(target) {
+        const auto widest = static_cast<std::uint32_t>(VectorCode::vectorWidth(target));
         for (std::uint32_t at = 0; at < lanes_;) {
             const std::uint32_t width = lanes_ - at >= widest ? widest : 4;
             chunks_.push_back({at, static_cast<int>(width)});
@@ -116,9 +117,10 @@ public:
     }
 
     bool finish() {
-        out_.scratchSize = code_.scratchSize() + 8;
-        out_.function = MachineFunction::translate(code_);
-        return out_.function != nullptr;
+        out_.function = VectorFunction::make(code_, target_);
+        if (!out_.function) return false;
+        out_.scratchSize = out_.function->scratchSize() + 8;
+        return true;
     }
 
 private:
@@ -155,6 +157,7 @@ private:
     CompiledProgram& out_;
     std::uint32_t lanes_{};
     TangentMode mode_{};
+    VectorTarget target_{};
     std::vector<Chunk> chunks_;
     VectorCode code_;
     std::vector<Entity> values_, tangents_, zeros_;

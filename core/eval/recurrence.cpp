@@ -157,10 +157,9 @@ void emitRecurrence(const SystemPrograms& s, ProgramEmitter& emitter, const std:
     }
 }
 
-std::shared_ptr<const RecurrenceCode> compileRecurrence(const SystemPrograms& s, int lanes) {
-    if (!VectorCode::isAvailable()) return nullptr;
+std::shared_ptr<const RecurrenceCode> compileRecurrence(const SystemPrograms& s, int lanes, VectorTarget target) {
     auto code = std::make_shared<RecurrenceCode>();
-    ProgramEmitter emitter(s, lanes, code->program);
+    ProgramEmitter emitter(s, lanes, target, code->program);
     std::vector<VectorCode::Entity> slots[2];
     for (int p = 0; p < 2; ++p)
         for (int i = 0; i < s.layout.slots; ++i) {

@@ -27,7 +27,7 @@ struct LinearRecurrence {
 };
 LinearRecurrence recurrenceOf(const LinearRates& rates, double h);
 
-/// The recurrence as machine code on the registers of the states.
+/// The recurrence as code on the registers of the states.
 struct RecurrenceCode {
     CompiledProgram program;
     std::uint32_t begin{}, end{};         // first of u at the begin and the end, in the scratch memory
@@ -41,7 +41,7 @@ void emitRecurrence(const SystemPrograms& programs, ProgramEmitter& emitter,
                     const std::vector<VectorCode::Entity>& begin, const std::vector<VectorCode::Entity>& end,
                     std::vector<std::uint32_t>& entries, std::vector<std::uint32_t>& tangents);
 
-/// Null: no machine code here.
-std::shared_ptr<const RecurrenceCode> compileRecurrence(const SystemPrograms& programs, int lanes);
+/// Null: the target is not to be had.
+std::shared_ptr<const RecurrenceCode> compileRecurrence(const SystemPrograms& programs, int lanes, VectorTarget target);
 
 }  // namespace analogon

@@ -94,7 +94,8 @@ std::vector<std::uint32_t> inputTerms(const SystemPrograms& s, const Program& pr
 
 class RowEmitter {
 public:
-    RowEmitter(const SystemPrograms& s, int lanes, RowCode& code) : s_(s), lanes_(lanes), code_(code) {
+    RowEmitter(const SystemPrograms& s, int lanes, VectorTarget target, RowCode& code)
+        : s_(s), lanes_(lanes), target_(target), code_(code) {
         RowLayout& layout = code.layout;
         layout.slots = s.layout.slots;
         layout.lanes = lanes;
@@ -114,7 +115,7 @@ private:
     }
 
     bool walk(bool seesOutputs, CompiledProgram& program) {
-        ProgramEmitter emitter(s_, lanes_, program);
+        ProgramEmitter emitter(s_, lanes_, target_, program);
         VectorCode& out = emitter.code();
         const RowLayout& layout = code_.layout;
         out.repeat(static_cast<std::uint32_t>(layout.size()),
@@ -190,7 +191,7 @@ private:
     bool tabulation() {
         const RowLayout& layout = code_.layout;
         if (layout.terms() == 0) return true;
-        ProgramEmitter emitter(s_, 0, code_.tabulation);
+        ProgramEmitter emitter(s_, 0, target_, code_.tabulation);
         VectorCode& out = emitter.code();
         out.repeat(static_cast<std::uint32_t>(layout.slots), static_cast<std::uint32_t>(layout.terms()));
         for (int i = 0; i < layout.slots; ++i)
@@ -228,17 +229,18 @@ private:
 
     const SystemPrograms& s_;
     int lanes_{};
+    VectorTarget target_{};
     RowCode& code_;
     std::vector<std::uint32_t> rateTerms_, outputTerms_;
 };
 
 }  // namespace
 
-std::shared_ptr<const RowCode> compileRows(const SystemPrograms& s, int lanes, bool isExact) {
-    if (!VectorCode::isAvailable() || s.layout.hasDerivatives || !s.delays.empty() || s.states.empty()) return nullptr;
+std::shared_ptr<const RowCode> compileRows(const SystemPrograms& s, int lanes, bool isExact, VectorTarget target) {
+    if (s.layout.hasDerivatives || !s.delays.empty() || s.states.empty()) return nullptr;
     auto code = std::make_shared<RowCode>();
     code->isExact = isExact;
-    if (!RowEmitter(s, lanes, *code).run()) return nullptr;
+    if (!RowEmitter(s, lanes, target, *code).run()) return nullptr;
     return code;
 }
 

@@ -22,7 +22,8 @@ struct RowCode {
     std::vector<std::uint32_t> entries, tangents;
 };
 
-/// Null: no machine code here, or slots that jump from row to row.
-std::shared_ptr<const RowCode> compileRows(const SystemPrograms& programs, int lanes, bool isExact);
+/// Null: the target is not to be had, or slots jump from row to row.
+std::shared_ptr<const RowCode> compileRows(const SystemPrograms& programs, int lanes, bool isExact,
+                                           VectorTarget target);
 
 }  // namespace analogon

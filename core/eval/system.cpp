@@ -9,6 +9,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <tuple>
 
 #include "core/eval/program_code.hpp"
 #include "core/eval/recurrence.hpp"
@@ -50,30 +51,31 @@ struct System::Impl {
     std::shared_ptr<const void> identity = std::make_shared<char>();
 
     mutable std::mutex codeMutex;
-    mutable std::map<std::pair<int, TangentMode>, std::shared_ptr<const SystemCode>> codes;  // null: not to be had
+    mutable std::map<std::tuple<int, TangentMode, VectorTarget>, std::shared_ptr<const SystemCode>>
+        codes;  // null: not to be had
 
-    std::shared_ptr<const SystemCode> codeFor(int lanes, TangentMode mode) const {
+    std::shared_ptr<const SystemCode> codeFor(int lanes, TangentMode mode, VectorTarget target) const {
         const std::lock_guard lock(codeMutex);
-        const auto [at, isNew] = codes.try_emplace({lanes, mode});
-        if (isNew) at->second = compileCode(programs, lanes, mode);
+        const auto [at, isNew] = codes.try_emplace({lanes, mode, target});
+        if (isNew) at->second = compileCode(programs, lanes, mode, target);
         return at->second;
     }
 
-    mutable std::map<int, std::shared_ptr<const RecurrenceCode>> recurrences;
+    mutable std::map<std::pair<int, VectorTarget>, std::shared_ptr<const RecurrenceCode>> recurrences;
 
-    std::shared_ptr<const RecurrenceCode> recurrenceFor(int lanes) const {
+    std::shared_ptr<const RecurrenceCode> recurrenceFor(int lanes, VectorTarget target) const {
         const std::lock_guard lock(codeMutex);
-        const auto [at, isNew] = recurrences.try_emplace(lanes);
-        if (isNew) at->second = compileRecurrence(programs, lanes);
+        const auto [at, isNew] = recurrences.try_emplace({lanes, target});
+        if (isNew) at->second = compileRecurrence(programs, lanes, target);
         return at->second;
     }
 
-    mutable std::map<std::pair<int, bool>, std::shared_ptr<const RowCode>> rows;  // by lanes and whether exact
+    mutable std::map<std::tuple<int, bool, VectorTarget>, std::shared_ptr<const RowCode>> rows;  // bool: exact
 
-    std::shared_ptr<const RowCode> rowsFor(int lanes, bool isExact) const {
+    std::shared_ptr<const RowCode> rowsFor(int lanes, bool isExact, VectorTarget target) const {
         const std::lock_guard lock(codeMutex);
-        const auto [at, isNew] = rows.try_emplace({lanes, isExact});
-        if (isNew) at->second = compileRows(programs, lanes, isExact);
+        const auto [at, isNew] = rows.try_emplace({lanes, isExact, target});
+        if (isNew) at->second = compileRows(programs, lanes, isExact, target);
         return at->second;
     }
 
@@ -81,9 +83,9 @@ struct System::Impl {
     bool equip(Registers& r, TangentMode mode = InputsConstant) const {
         Registers::Code& code = r.code[mode];
         if (code.made) return true;
-        if (r.isInterpreted) return false;
-        code.made = codeFor(r.lanes, mode);
-        r.isInterpreted = !code.made;
+        if (r.target == VectorTarget::Interpreter) return false;
+        code.made = codeFor(r.lanes, mode, r.target);
+        if (!code.made) r.target = VectorTarget::Interpreter;
         if (!code.made) return false;
         const CompiledProgram* const functions[] = {&code.made->derivative, &code.made->output, &code.made->step};
         for (std::size_t f = 0; f < code.scratch.size(); ++f) prepare(code.scratch[f], *functions[f]);
@@ -224,20 +226,26 @@ void blame(Registers& r, const Program& program, const std::vector<ResultRegiste
     }
 }
 
+VectorTarget targetOf(Execution execution) {
+    if (execution == Execution::Interpreted) return VectorTarget::Interpreter;
+    const VectorTarget fastest = VectorCode::fastest();
+    return execution == Execution::Avx2 ? std::min(fastest, VectorTarget::Avx2) : fastest;
+}
+
 }  // namespace
 
 int System::parameterIndex(std::string_view name) const { return indexOf(impl_->programs.parameters, name); }
 int System::inputIndex(std::string_view name) const { return indexOf(impl_->programs.inputs, name); }
 int System::outputIndex(std::string_view name) const { return indexOf(impl_->programs.outputs, name); }
 
-Workspace System::workspace(int directions, bool isInterpreted) const {
+Workspace System::workspace(int directions, Execution execution) const {
     const SystemPrograms& s = impl_->programs;
     Workspace w;
     w.directions_ = directions;
     w.data_ = std::make_unique<Workspace::Data>();
     Registers& r = w.data_->registers;
     r.directions = directions;
-    r.isInterpreted = isInterpreted;
+    r.target = targetOf(execution);
     r.lanes = (directions + 3) / 4 * 4;
     r.resize(s.registerCount, s.guessCount);
     for (const auto& [reg, value] : s.preloads) r.values[reg] = value;
@@ -292,7 +300,8 @@ struct Evaluation {
         constexpr int runsBefore = 100;
         Registers::Code& code = r.code[mode];
         const bool fits = hasTangents || r.directions == 0;
-        isByCode = fits && !r.isInterpreted && (code.made || (++code.runs > runsBefore && impl.equip(r, mode)));
+        isByCode = fits && r.target != VectorTarget::Interpreter &&
+                   (code.made || (++code.runs > runsBefore && impl.equip(r, mode)));
         if (!isByCode) return run(program);
         return (*((*code.made).*function).function)(r.values.data(), r.tangents.data(), code.scratch[number].data(),
                                                     &r);
@@ -483,9 +492,9 @@ void putMatrices(const LinearRecurrence& exact, std::size_t K, std::size_t lanes
 
 bool System::prepareRecurrence(Workspace& w, double h) const {
     Registers& r = w.data_->registers;
-    if (!impl_->programs.isLinearTimeInvariant || !impl_->equip(r)) return false;
+    if (!impl_->programs.isLinearTimeInvariant) return false;
     const std::optional<LinearRecurrence> exact = exactSteps(*this, w, h);
-    if (!exact || !(r.recurrence = impl_->recurrenceFor(r.lanes))) return false;
+    if (!exact || !(r.recurrence = impl_->recurrenceFor(r.lanes, r.target))) return false;
     prepare(r.recurrenceScratch, r.recurrence->program);
     putMatrices(*exact, static_cast<std::size_t>(r.directions), static_cast<std::size_t>(r.lanes),
                 r.recurrence->entries, r.recurrence->tangents, r.recurrenceScratch);
@@ -495,10 +504,10 @@ bool System::prepareRecurrence(Workspace& w, double h) const {
 const RowLayout* System::prepareRows(Workspace& w, double h) const {
     Registers& r = w.data_->registers;
     const bool isExact = h > 0.0;
-    if (!impl_->equip(r)) return nullptr;
+    impl_->equip(r);
     std::optional<LinearRecurrence> exact;
     if (isExact && !(exact = exactSteps(*this, w, h))) return nullptr;
-    r.rowCode = impl_->rowsFor(r.lanes, isExact);
+    r.rowCode = impl_->rowsFor(r.lanes, isExact, r.target);
     if (!r.rowCode) return nullptr;
     prepare(r.rowScratch[0], r.rowCode->walk);
     prepare(r.rowScratch[1], r.rowCode->step);
@@ -512,20 +521,20 @@ const RowLayout* System::prepareRows(Workspace& w, double h) const {
 void System::tabulate(Workspace& w, const double* slots, double* terms, std::int64_t count) const {
     Registers& r = w.data_->registers;
     if (count > 0 && r.rowCode->layout.terms() > 0)
-        (*r.rowCode->tabulation.function)(r.values.data(), r.tangents.data(), r.rowScratch[2].data(), &r, slots, terms,
-                                          count);
+        r.rowCode->tabulation.function->run(r.values.data(), r.tangents.data(), r.rowScratch[2].data(), &r, slots,
+                                            terms, count);
 }
 
 bool System::walk(Workspace& w, const double* rows, double* results, std::int64_t count) const {
     Registers& r = w.data_->registers;
-    return count <= 0 || (*r.rowCode->walk.function)(r.values.data(), r.tangents.data(), r.rowScratch[0].data(), &r,
-                                                     rows, results, count);
+    return count <= 0 || r.rowCode->walk.function->run(r.values.data(), r.tangents.data(), r.rowScratch[0].data(), &r,
+                                                       rows, results, count);
 }
 
 bool System::stepOver(Workspace& w, const double* rows, std::int64_t count) const {
     Registers& r = w.data_->registers;
-    return count <= 0 || (*r.rowCode->step.function)(r.values.data(), r.tangents.data(), r.rowScratch[1].data(), &r,
-                                                     rows, nullptr, count);
+    return count <= 0 || r.rowCode->step.function->run(r.values.data(), r.tangents.data(), r.rowScratch[1].data(), &r,
+                                                       rows, nullptr, count);
 }
 
 void System::recur(Workspace& w, const double* uBegin, const double* uEnd) const {
@@ -553,7 +562,11 @@ bool System::outputsOfState(Workspace& w, double t, const double* u, double* y, 
     r.values[s.timeRegister] = t;
     std::copy_n(u, s.layout.slots, r.values.begin() + s.firstSlot);
     Registers::Code& code = r.code[InputsConstant];
-    if (!(*code.made->output.function)(r.values.data(), r.tangents.data(), code.scratch[1].data(), &r)) return false;
+    const bool isSolved =
+        impl_->equip(r) ? (*code.made->output.function)(r.values.data(), r.tangents.data(), code.scratch[1].data(), &r)
+        : r.directions > 0 ? runTangents(s.output, s.tables, r, InputsConstant)
+                           : runValues(s.output, s.tables, r);
+    if (!isSolved) return false;
     const std::size_t count = s.outputResults.size();
     return storeValues(r, s.outputResults, {y, count}) &&
            (!dy ||

@@ -21,6 +21,10 @@ struct SignalInfo {
     double value{};  // parameters: the model's own value; states: start value for the model's own parameters
 };
 
+/// What runs a system. Machine code serves what is evaluated often, where the processor allows it; Avx2 is for tests of
+/// code that processors with wider vectors would not run. Results agree to rounding.
+enum class Execution : std::uint8_t { Fastest, Avx2, Interpreted };
+
 /// A `delay(z, T)` of the model. The value of z is taken at t - T from what was simulated before; a delay
 /// never feeds a state unless z is a top-level input.
 struct DelayInfo {
@@ -96,9 +100,8 @@ public:
     int inputIndex(std::string_view name) const;
     int outputIndex(std::string_view name) const;
 
-    /// K tangent directions; 0: values only. What is evaluated often runs as machine code where the processor allows
-    /// it, unless `isInterpreted`; results agree to rounding.
-    Workspace workspace(int directions, bool isInterpreted = false) const;
+    /// K tangent directions; 0: values only.
+    Workspace workspace(int directions, Execution execution = Execution::Fastest) const;
 
     /// Takes the parameters (and, with K > 0, their directions: parameterCount x K) and evaluates all that
     /// depends on nothing else. Must be called first, and again when p changes.
@@ -122,10 +125,9 @@ public:
                  std::span<const double> u, std::span<const double> du, std::span<double> y, std::span<double> dy,
                  std::span<double> taps = {}, std::span<double> dtaps = {}) const;
 
-    // Steps of the classic Runge-Kutta method in machine code, on a state that stays in the workspace. The slots must
-    // not depend on the parameters (no `du`).
+    // Steps on a state that stays in the workspace. The slots must not depend on the parameters (no `du`).
 
-    /// Makes the code ready; false where there is none.
+    /// Makes machine code of the classic Runge-Kutta method ready; false where there is none.
     bool prepareSteps(Workspace& w) const;
     void loadState(Workspace& w, std::span<const double> x, std::span<const double> dx) const;
     void storeState(const Workspace& w, std::span<double> x, std::span<double> dx) const;
@@ -133,7 +135,7 @@ public:
     /// is not finite stays so: ask isStateFinite() at the end.
     bool step(Workspace& w, double t, double h, const double* uBegin, const double* uMiddle, const double* uEnd) const;
     /// The same for a linear, time-invariant system and inputs that run linearly: exact steps of length h, set up by
-    /// prepareRecurrence(). False: the system is not of that kind, too large, or there is no machine code.
+    /// prepareRecurrence(). False: the system is not of that kind or too large.
     bool prepareRecurrence(Workspace& w, double h) const;
     void recur(Workspace& w, const double* uBegin, const double* uEnd) const;
     bool isStateFinite(const Workspace& w) const;

@@ -82,6 +82,24 @@ VectorCode::Entity VectorCode::call(const void* function, const void* data, Enti
     return target;
 }
 
+std::vector<char> VectorCode::neededSteps() const {
+    std::vector<char> isNeeded(steps_.size(), 0), isRead(homes_.size(), 0);
+    for (std::size_t i = steps_.size(); i-- > 0;) {
+        const Step& s = steps_[i];
+        if (s.target != none && !isRead[s.target]) continue;
+        isNeeded[i] = 1;
+        for (const Entity e : {s.a, s.b, s.c})
+            if (e != none) isRead[e] = 1;
+        if (s.operation == Operation::Block)
+            for (const Entity e : blocks_[s.block].reads) isRead[e] = 1;
+    }
+    return isNeeded;
+}
+
+std::unique_ptr<const VectorFunction> VectorFunction::make(const VectorCode& code, VectorTarget target) {
+    return target == VectorTarget::Interpreter ? interpret(code) : translate(code, target);
+}
+
 void VectorCode::block(BlockFunction function, const void* data, std::vector<Entity> reads) {
     Step step;
     step.operation = Operation::Block;

@@ -10,9 +10,12 @@ namespace analogon {
 
 struct Registers;
 
-/// Straight-line code on short vectors, and its translation to machine code of this processor (x86-64 with AVX2
-/// and FMA, or AVX-512). Every entity is assigned once. It has a home in memory, from which it is read when it was
-/// there at the start, and to which it goes when the processor runs out of registers.
+/// What runs vector code: machine code of this processor (x86-64 with AVX2 and FMA, or AVX-512), or an interpreter,
+/// which is there everywhere.
+enum class VectorTarget : std::uint8_t { Interpreter, Avx2, Avx512 };
+
+/// Straight-line code on short vectors. Every entity is assigned once. It has a home in memory, from which it is read
+/// when it was there at the start, and to which it goes when the processor runs out of registers.
 class VectorCode {
 public:
     using Entity = std::uint32_t;
@@ -41,11 +44,11 @@ public:
     };
     using BlockFunction = bool (*)(Registers*, const void*);
 
-    /// Whether this processor, and this build, can run machine code.
-    static bool isAvailable();
-    /// Doubles in the widest vectors here: 8 or 4. The environment variable ANALOGON_VECTOR_WIDTH=4 asks for the narrow
-    /// ones on a processor that has both.
-    static int vectorWidth();
+    /// The fastest that this processor and this build can run. The environment variable ANALOGON_VECTOR_WIDTH=4 asks
+    /// for AVX2 on a processor that has AVX-512.
+    static VectorTarget fastest();
+    /// Doubles in the vectors to write code for.
+    static int vectorWidth(VectorTarget target) { return target == VectorTarget::Avx2 ? 4 : 8; }
 
     /// An entity of `width` doubles; width 1 is a value, the same in every place of a vector. Offsets count doubles.
     Entity add(Space space, std::uint32_t offset, int width, bool isInMemory);
@@ -97,6 +100,8 @@ public:
     const std::vector<Home>& homes() const { return homes_; }
     const std::vector<Step>& steps() const { return steps_; }
     const std::vector<BlockCall>& blocks() const { return blocks_; }
+    /// By step: whether anything comes of it.
+    std::vector<char> neededSteps() const;
 
 private:
     std::vector<Home> homes_;
@@ -112,28 +117,26 @@ private:
     std::uint32_t rowSize_{}, resultSize_{};
 };
 
-/// A translated VectorCode. Const, callable from any thread.
-class MachineFunction {
+/// A VectorCode that can be run. Const, callable from any thread.
+class VectorFunction {
 public:
-    /// Null when it could not be translated.
-    static std::unique_ptr<const MachineFunction> translate(const VectorCode& code);
-    ~MachineFunction();
-    /// False: a block failed.
+    /// Null when it could not be translated for the target.
+    static std::unique_ptr<const VectorFunction> make(const VectorCode& code, VectorTarget target);
+    virtual ~VectorFunction() = default;
+    /// Doubles of scratch memory to hand in.
+    virtual std::size_t scratchSize() const = 0;
+    /// A loop over `count` rows (VectorCode::repeat), at least one. False: a block failed.
+    virtual bool run(double* values, double* tangents, double* scratch, Registers* registers, const double* rows,
+                     double* results, std::int64_t count) const = 0;
     bool operator()(double* values, double* tangents, double* scratch, Registers* registers) const {
-        return function_(values, tangents, scratch, registers, nullptr, nullptr, 1) != 0;
+        return run(values, tangents, scratch, registers, nullptr, nullptr, 1);
     }
-    /// A loop over `count` rows (VectorCode::repeat), at least one.
-    bool operator()(double* values, double* tangents, double* scratch, Registers* registers, const double* rows,
-                    double* results, std::int64_t count) const {
-        return function_(values, tangents, scratch, registers, rows, results, count) != 0;
-    }
-
-private:
-    struct Memory;
-    using Function = int (*)(double*, double*, double*, Registers*, const double*, double*, std::int64_t);
-    MachineFunction(std::unique_ptr<Memory> memory, Function function);
-    std::unique_ptr<Memory> memory_;
-    Function function_;
 };
+
+/// Null when there is no machine code here, or it cannot do this.
+std::unique_ptr<const VectorFunction> translate(const VectorCode& code, VectorTarget target);
+/// Slower by a small factor; results differ from those of machine code by rounding (no fused operations), and are the
+/// same on every processor.
+std::unique_ptr<const VectorFunction> interpret(const VectorCode& code);
 
 }  // namespace analogon

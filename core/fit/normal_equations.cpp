@@ -100,7 +100,9 @@ void NormalEquations::add(int output, int first, int count, const double* values
     if (lanes == 0) return;
     auto kernel = addPlain;
 #if defined(__x86_64__)
-    if (VectorCode::isAvailable()) kernel = VectorCode::vectorWidth() == 8 && lanes % 8 == 0 ? addWide : addNarrow;
+    const VectorTarget fastest = VectorCode::fastest();
+    if (fastest != VectorTarget::Interpreter)
+        kernel = fastest == VectorTarget::Avx512 && lanes % 8 == 0 ? addWide : addNarrow;
 #endif
     kernel(scaled_.data(), residuals_.data(), count, lanes, hessian_.data(), gradient_.data());
 }

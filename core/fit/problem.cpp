@@ -55,7 +55,7 @@ SimulationTask taskFor(const FitProblem& problem, int experiment, const Eigen::V
     task.system = recorded.system.get();
     task.inputs = &recorded.inputs;
     task.parameters = recorded.parameters;
-    task.isInterpreted = recorded.isInterpreted;
+    if (recorded.isInterpreted) task.execution = Execution::Interpreted;
     for (std::size_t i = 0; i < driven.size(); ++i) {
         if (driven[i] < 0) continue;
         task.parameters[static_cast<std::size_t>(driven[i])] = values[static_cast<Eigen::Index>(i)];

@@ -18,7 +18,7 @@ std::span<double> view(double* data, int count) {
 }  // namespace
 
 SystemDynamics::SystemDynamics(const SimulationTask& task, bool withDirections)
-    : system_(*task.system), isInterpreted_(task.isInterpreted), parameters_(task.parameters) {
+    : system_(*task.system), execution_(task.execution), parameters_(task.parameters) {
     shape_.states = system_.stateCount();
     shape_.inputs = system_.inputCount();
     shape_.slots = system_.slotCount();
@@ -50,10 +50,10 @@ SystemDynamics::SystemDynamics(const SimulationTask& task, bool withDirections)
         }
         shape_.directionScale.push_back(scale > 0.0 ? scale : 1.0);
     }
-    values_ = system_.workspace(0, task.isInterpreted);
+    values_ = system_.workspace(0, task.execution);
     isReady_ = noted(system_.setParameters(values_, parameters_), values_);
     if (isReady_ && K > 0) {
-        tangents_ = system_.workspace(K, task.isInterpreted);
+        tangents_ = system_.workspace(K, task.execution);
         isReady_ = noted(system_.setParameters(tangents_, parameters_, directions_), tangents_);
     }
 }
@@ -94,7 +94,7 @@ SystemDynamics::Partials& SystemDynamics::partials(std::unique_ptr<Partials>& sl
     const int n = shape_.states, K = parameterDirections;
     const auto width = static_cast<std::size_t>(n + K);
     slot->width = n + K;
-    slot->workspace = system_.workspace(n + K, isInterpreted_);
+    slot->workspace = system_.workspace(n + K, execution_);
     std::vector<double> seeds(parameters_.size() * width, 0.0);
     for (std::size_t i = 0; i < parameters_.size(); ++i) {
         for (int k = 0; k < K; ++k) {

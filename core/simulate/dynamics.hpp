@@ -156,7 +156,7 @@ private:
     Workspace& stepping() { return shape_.directions > 0 ? tangents_ : values_; }
 
     const System& system_;
-    bool isInterpreted_{};
+    Execution execution_{};
     std::vector<double> parameters_;
     std::vector<double> directions_;  // parameters x K, row-major
     Workspace values_;

@@ -94,7 +94,7 @@ struct SimulationTask {
     Eigen::MatrixXd directions;
     bool keepStates{};
     std::vector<std::string> observe;  // variables to record at the samples
-    bool isInterpreted{};              // never run machine code
+    Execution execution{};
 };
 
 /// Sees the samples of a simulation one after the other, where the whole of them would take too much memory.

@@ -10,7 +10,9 @@
 
 namespace analogon {
 
-double costOfImplicitStep(Dynamics& dynamics) { return dynamics.prepareSteps() ? 12.0 : 3.0; }
+double costOfImplicitStep(Dynamics& dynamics) {
+    return dynamics.prepareRows(0.0) || dynamics.prepareSteps() ? 12.0 : 3.0;
+}
 
 double spectralRadius(double* matrix, double* scratch, int n) {
     const int size = n * n;

@@ -20,18 +20,21 @@ inline void expectClose(const std::vector<double>& a, const std::vector<double>&
         EXPECT_NEAR(a[i], b[i], 1e-11 * std::fabs(b[i]) + 1e-12 * largest) << what << " " << i;
 }
 
-/// Machine code against the interpreter at one point, for several numbers of directions; and a Runge-Kutta step.
+/// Single evaluations of the programs by the interpreter are the reference, at one point: machine code must agree, and
+/// so must Runge-Kutta steps by whatever runs them.
 class MachineCodeCheck {
 public:
-    MachineCodeCheck(const System& system, std::vector<double> x, std::vector<double> u, double t, int directions)
+    MachineCodeCheck(const System& system, std::vector<double> x, std::vector<double> u, double t, int directions,
+                     Execution execution)
         : s_(system),
           n_(x.size()),
           K_(static_cast<std::size_t>(directions)),
           t_(t),
           x_(std::move(x)),
           u_(std::move(u)),
-          interpreted_(system.workspace(directions, true)),
-          code_(system.workspace(directions)) {
+          execution_(execution),
+          interpreted_(system.workspace(directions, Execution::Interpreted)),
+          code_(system.workspace(directions, execution)) {
         for (const SignalInfo& info : system.parameters()) p_.push_back(info.value);
         // Directions that mix parameters and states.
         for (std::size_t i = 0; i < p_.size() * K_; ++i) dp_.push_back(p_[i / K_] * std::sin(1.0 + 7.0 * i) + 0.01);
@@ -41,8 +44,10 @@ public:
     void run() {
         ASSERT_TRUE(s_.setParameters(interpreted_, p_, dp_));
         ASSERT_TRUE(s_.setParameters(code_, p_, dp_));
-        if (!s_.prepareSteps(code_)) GTEST_SKIP() << "no machine code on this processor";
         ASSERT_FALSE(s_.prepareSteps(interpreted_));
+        rows();
+        if (execution_ == Execution::Interpreted) return;
+        if (!s_.prepareSteps(code_)) GTEST_SKIP() << "no machine code on this processor";
         const Rates byCode = rates(code_, x_, dx_, u_), reference = rates(interpreted_, x_, dx_, u_);
         ASSERT_EQ(byCode.ok, reference.ok);
         if (!reference.ok) return;
@@ -94,17 +99,21 @@ private:
         expectClose(dyCode, dy, "tangent of an output");
     }
 
-    void step() {
-        constexpr double h = 1e-5;
-        std::vector<double> uEnd = u_, uMiddle = u_;
+    /// The classic Runge-Kutta method over the reference's rates, with inputs that run linearly.
+    struct Step {
+        static constexpr double h = 1e-5;
+        bool ok{};
+        std::vector<double> uMiddle, uEnd, x, dx;
+    };
+    Step referenceStep() {
+        Step to{false, u_, u_, x_, dx_};
         for (std::size_t i = 0; i < u_.size(); ++i) {
-            uEnd[i] *= 1.01;
-            uMiddle[i] = 0.5 * (u_[i] + uEnd[i]);
+            to.uEnd[i] *= 1.01;
+            to.uMiddle[i] = 0.5 * (u_[i] + to.uEnd[i]);
         }
-        std::vector<double> x = x_, dx = dx_, sum(n_), dsum(n_ * K_);
-        const std::vector<double>* const inputs[] = {&u_, &uMiddle, &uMiddle, &uEnd};
+        const double h = Step::h, t = t_;
+        const std::vector<double>* const inputs[] = {&u_, &to.uMiddle, &to.uMiddle, &to.uEnd};
         const double reach[] = {0, 0.5 * h, 0.5 * h, h}, weights[] = {h / 6, h / 3, h / 3, h / 6};
-        const double t = t_;
         Rates k;
         for (int stage = 0; stage < 4; ++stage) {
             std::vector<double> xs = x_, dxs = dx_;
@@ -112,23 +121,74 @@ private:
             for (std::size_t i = 0; i < n_ * K_ && stage > 0; ++i) dxs[i] += reach[stage] * k.dxdot[i];
             t_ = t + reach[stage];
             k = rates(interpreted_, xs, dxs, *inputs[stage]);
-            if (!k.ok) return;
-            for (std::size_t i = 0; i < n_; ++i) x[i] += weights[stage] * k.xdot[i];
-            for (std::size_t i = 0; i < n_ * K_; ++i) dx[i] += weights[stage] * k.dxdot[i];
+            if (!k.ok) break;
+            for (std::size_t i = 0; i < n_; ++i) to.x[i] += weights[stage] * k.xdot[i];
+            for (std::size_t i = 0; i < n_ * K_; ++i) to.dx[i] += weights[stage] * k.dxdot[i];
         }
         t_ = t;
+        to.ok = k.ok;
+        return to;
+    }
+    void expectState(const Step& step, const std::string& what) {
+        std::vector<double> x(n_), dx(n_ * K_);
+        s_.storeState(code_, x, dx);
+        expectClose(x, step.x, "state after " + what);
+        expectClose(dx, step.dx, "tangent after " + what);
+    }
+
+    void step() {
+        const Step to = referenceStep();
+        if (!to.ok) return;
         s_.loadState(code_, x_, dx_);
-        ASSERT_TRUE(s_.step(code_, t, h, u_.data(), uMiddle.data(), uEnd.data()));
-        std::vector<double> xCode(n_), dxCode(n_ * K_);
-        s_.storeState(code_, xCode, dxCode);
-        expectClose(xCode, x, "state after a step");
-        expectClose(dxCode, dx, "tangent after a step");
+        ASSERT_TRUE(s_.step(code_, t_, Step::h, u_.data(), to.uMiddle.data(), to.uEnd.data()));
+        expectState(to, "a step");
+    }
+
+    /// A table of one step, with and without a look at its begin.
+    void rows() {
+        const RowLayout* const layout = s_.prepareRows(code_, 0.0);
+        if (!layout) return;  // delays, or slopes of inputs
+        const Step to = referenceStep();
+        const auto m = static_cast<std::size_t>(s_.outputCount());
+        std::vector<double> y(m), dy(m * K_), table(2 * static_cast<std::size_t>(layout->size()));
+        const bool isSeen =
+            K_ > 0 ? s_.outputs(interpreted_, t_, x_, dx_, u_, {}, y, dy) : s_.outputs(interpreted_, t_, x_, u_, y);
+        if (!to.ok || !isSeen) return;
+        double* const begin = table.data();
+        double* const end = begin + layout->size();
+        fillRow(*layout, t_, Step::h, u_, begin);
+        fillRow(*layout, t_ + Step::h, 0.0, to.uEnd, end);
+        std::vector<double> middle(static_cast<std::size_t>(layout->terms()));
+        s_.tabulate(code_, to.uMiddle.data(), middle.data(), 1);
+        std::copy_n(middle.data(), layout->rateTerms, begin + layout->rateTerm(1));
+
+        std::vector<double> result(static_cast<std::size_t>(layout->resultSize())), yRow(m), dyRow(m * K_);
+        s_.loadState(code_, x_, dx_);
+        ASSERT_TRUE(s_.walk(code_, begin, result.data(), 1));
+        expectState(to, "a row");
+        for (std::size_t o = 0; o < m; ++o) {
+            yRow[o] = result[static_cast<std::size_t>(layout->value(static_cast<int>(o)))];
+            std::copy_n(result.data() + layout->tangent(static_cast<int>(o)), K_, dyRow.data() + o * K_);
+        }
+        expectClose(yRow, y, "output of a row");
+        expectClose(dyRow, dy, "tangent of an output of a row");
+        expectClose({result.data() + layout->state(0), result.data() + layout->state(0) + n_}, x_, "state of a row");
+        s_.loadState(code_, x_, dx_);
+        ASSERT_TRUE(s_.stepOver(code_, begin, 1));
+        expectState(to, "a row that nobody looks at");
+    }
+    void fillRow(const RowLayout& layout, double t, double h, const std::vector<double>& u, double* row) {
+        row[RowLayout::time] = t;
+        row[RowLayout::step] = h;
+        std::copy(u.begin(), u.end(), row + layout.slot());
+        s_.tabulate(code_, u.data(), row + layout.rateTerm(0), 1);
     }
 
     const System& s_;
     std::size_t n_, K_;
     double t_;
     std::vector<double> p_, dp_, x_, dx_, u_;
+    Execution execution_;
     Workspace interpreted_, code_;
 };
 
@@ -136,7 +196,10 @@ inline void checkMachineCode(const System& system, const std::vector<double>& x,
                              double t = 0.3) {
     for (const int directions : {0, 1, 5, 9, 17}) {
         SCOPED_TRACE(directions);
-        MachineCodeCheck(system, x, u, t, directions).run();
+        for (const Execution execution : {Execution::Fastest, Execution::Avx2, Execution::Interpreted}) {
+            SCOPED_TRACE(static_cast<int>(execution));
+            MachineCodeCheck(system, x, u, t, directions, execution).run();
+        }
     }
 }
 

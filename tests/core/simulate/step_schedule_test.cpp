@@ -43,13 +43,13 @@ struct Rotor {
     SystemPtr system = test::compileText(rotorText, "Rotor", {"J", "c", "tau_c"});
     SampledInputs inputs = pulses(2000, 0.002);
 
-    SimulationTask task(bool hasTangents, bool isInterpreted) const {
+    SimulationTask task(bool hasTangents, Execution execution = Execution::Fastest) const {
         SimulationTask task;
         task.system = system.get();
         task.inputs = &inputs;
         task.parameters = test::ownParameters(*system);
         if (hasTangents) task.directions = Eigen::MatrixXd::Identity(3, 3);
-        task.isInterpreted = isInterpreted;
+        task.execution = execution;
         return task;
     }
 };
@@ -60,8 +60,8 @@ double gapInRanges(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 
 TEST(StepSchedule, PutsItsStepsWhereTheModelNeedsThem) {
     const Rotor rotor;
-    for (const bool isInterpreted : {false, true}) {
-        const SimulationTask task = rotor.task(false, isInterpreted);
+    for (const Execution execution : {Execution::Fastest, Execution::Interpreted}) {
+        const SimulationTask task = rotor.task(false, execution);
         const GridPlan plan = planGrid(task);
         ASSERT_TRUE(plan.steps);
         EXPECT_LE(plan.errorEstimate, 1e-5);
@@ -81,8 +81,8 @@ TEST(StepSchedule, PutsItsStepsWhereTheModelNeedsThem) {
 
 TEST(StepSchedule, CarriesTheTangentsOfTheDiscreteSolution) {
     const Rotor rotor;
-    for (const bool isInterpreted : {false, true}) {
-        SimulationTask task = rotor.task(true, isInterpreted);
+    for (const Execution execution : {Execution::Fastest, Execution::Interpreted}) {
+        SimulationTask task = rotor.task(true, execution);
         const GridPlan plan = planGrid(task);
         ASSERT_TRUE(plan.steps);
         const Trajectory with = simulateGrid(task, plan);
@@ -104,7 +104,7 @@ TEST(StepSchedule, CarriesTheTangentsOfTheDiscreteSolution) {
 
 TEST(StepSchedule, KeepsAPlanThatStillHolds) {
     const Rotor rotor;
-    SimulationTask task = rotor.task(false, false);
+    SimulationTask task = rotor.task(false);
     const GridPlan plan = planGrid(task);
     EXPECT_TRUE(planGrid(task, {}, {}, &plan) == plan);
     GridPlan coarse = plan;
@@ -114,7 +114,7 @@ TEST(StepSchedule, KeepsAPlanThatStillHolds) {
 
 TEST(StepSchedule, OfAnotherRecordingGivesItsMostDemandingSteps) {
     const Rotor rotor;
-    SimulationTask task = rotor.task(false, false);
+    SimulationTask task = rotor.task(false);
     const GridPlan plan = planGrid(task);
     const SampledInputs shorter = pulses(700, 0.002);
     task.inputs = &shorter;
