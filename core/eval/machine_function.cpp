@@ -41,7 +41,11 @@ public:
         at_.assign(entities, -1);
         uses_.resize(entities);
         nextUse_.assign(entities, 0);
-        for (std::size_t i = 0; i < entities; ++i) isStored_.push_back(code.homes()[i].isInMemory);
+        for (std::size_t i = 0; i < entities; ++i) {
+            isStored_.push_back(code.homes()[i].isInMemory);
+            valueWidth_ = std::max<int>(valueWidth_, code.homes()[i].width);
+        }
+        isSpread_.assign(entities, false);
         holds_.fill(VectorCode::none);
     }
 
@@ -116,11 +120,13 @@ private:
     }
 
     int widthOf(Entity e) const { return code_.homes()[e].width; }
-    /// The register as wide as an operation asks for; a value fills all of it.
+    /// The register as wide as an operation asks for; that of a value as wide as the widest here.
     x86::Vec reg(int number, int width) const {
         const auto id = static_cast<std::uint32_t>(number);
-        if (width == 8 || (width == 1 && isWide_)) return x86::Zmm(id);
-        return x86::Ymm(id);
+        if (width == 1) width = valueWidth_;
+        if (width == 8) return x86::Zmm(id);
+        if (width == 4) return x86::Ymm(id);
+        return x86::Xmm(id);
     }
     x86::Mem home(Entity e) const {
         const VectorCode::Home& h = code_.homes()[e];
@@ -178,21 +184,30 @@ private:
     void pin(int r) { isPinned_[index(r)] = true; }
 
     void loadInto(int r, Entity e, int width) {
-        if (widthOf(e) == 1) {
+        if (widthOf(e) == 1 && valueWidth_ == 1) {
+            out_.vmovsd(low(r), home(e));
+        } else if (widthOf(e) == 1) {
             out_.vbroadcastsd(reg(r, width), home(e));
         } else {
             out_.vmovupd(reg(r, width), home(e));
         }
     }
 
-    /// A register that holds the entity; pinned for this step.
-    int inRegister(Entity e) {
+    /// A register that holds the entity, for an operation of this width; pinned for this step. A value that comes from
+    /// a scalar operation stands in the first place alone, and is spread once vectors ask for it: operations on values
+    /// do not wait for that.
+    int inRegister(Entity e, int width = 1) {
         if (at_[e] < 0) {
             const int r = take();
             loadInto(r, e, widthOf(e));
             give(r, e);
+            isSpread_[e] = true;
         }
         pin(at_[e]);
+        if (width > 1 && widthOf(e) == 1 && !isSpread_[e]) {
+            spread(at_[e]);
+            isSpread_[e] = true;
+        }
         return at_[e];
     }
 
@@ -202,13 +217,14 @@ private:
         x86::Mem memory;
         int number{};
     };
-    Source source(Entity e) {
-        if (at_[e] >= 0 || isNeededLater(e) || (widthOf(e) == 1 && !isWide_)) return {false, {}, inRegister(e)};
+    Source source(Entity e, int width) {
+        if (at_[e] >= 0 || isNeededLater(e) || (widthOf(e) == 1 && !isWide_)) return {false, {}, inRegister(e, width)};
         return {true, home(e), 0};
     }
     x86::Mem memoryAs(const Source& s, Entity e, int width) const {
         if (widthOf(e) != 1) return s.memory;
-        return width == 4 ? s.memory._1to4() : s.memory._1to8();
+        if (width == 1) width = valueWidth_;
+        return width == 8 ? s.memory._1to8() : width == 4 ? s.memory._1to4() : s.memory._1to2();
     }
 
     /// A register for the result; that of an operand whose last use this is, where the instruction allows it.
@@ -227,8 +243,8 @@ private:
     template <class Emit>
     void binary(const VectorCode::Step& s, Emit&& emit) {
         const int width = widthOf(s.target);
-        const int a = inRegister(s.a);
-        const Source b = source(s.b);
+        const int a = inRegister(s.a, width);
+        const Source b = source(s.b, width);
         const int d = target(s.target, {s.a, s.b});
         if (b.isMemory) {
             emit(reg(d, width), reg(a, width), memoryAs(b, s.b, width));
@@ -240,8 +256,8 @@ private:
     void multiplyAdd(const VectorCode::Step& s) {
         const bool isNegative = s.operation == Operation::NegativeMultiply;
         const int width = widthOf(s.target);
-        const int a = inRegister(s.a);
-        const Source b = source(s.b);
+        const int a = inRegister(s.a, width);
+        const Source b = source(s.b, width);
         int d;
         if (at_[s.c] >= 0 && !isNeededLater(s.c) && s.c != s.a && s.c != s.b) {
             d = at_[s.c];
@@ -271,28 +287,29 @@ private:
     }
 
     x86::Xmm low(int r) const { return x86::Xmm(static_cast<std::uint32_t>(r)); }
+    /// The first place to all of them.
+    void spread(int r) {
+        if (valueWidth_ > 1) out_.vbroadcastsd(reg(r, 1), low(r));
+    }
 
     void scalar(const VectorCode::Step& s) {
         const int a = inRegister(s.a);
-        if (!isWide_) {
-            // All four alike: no slower than one that has to be spread out again. (Eight would be.)
-            const int b = s.operation == Operation::Divide ? inRegister(s.b) : a;
-            const int d = target(s.target, {s.a, s.b});
-            if (s.operation == Operation::Divide) {
-                out_.vdivpd(reg(d, 1), reg(a, 1), reg(b, 1));
-            } else {
-                out_.vsqrtpd(reg(d, 1), reg(a, 1));
-            }
-            return;
-        }
-        if (s.operation == Operation::Divide) {
-            const int b = inRegister(s.b);
-            out_.vdivsd(x86::xmm0, low(a), low(b));
-        } else {
-            out_.vsqrtsd(x86::xmm0, low(a), low(a));
-        }
+        const int b = s.operation == Operation::Divide ? inRegister(s.b) : a;
         const int d = target(s.target, {s.a, s.b});
-        out_.vbroadcastsd(reg(d, 1), x86::xmm0);
+        if (s.operation == Operation::Divide) {
+            out_.vdivsd(low(d), low(a), low(b));
+        } else {
+            out_.vsqrtsd(low(d), low(a), low(a));
+        }
+    }
+
+    /// Whether the result of operations on these values fills its register.
+    bool isSpreadAfter(const VectorCode::Step& s) const {
+        if (s.operation == Operation::Divide || s.operation == Operation::SquareRoot || s.operation == Operation::Call)
+            return false;
+        for (const Entity e : {s.a, s.b, s.c})
+            if (e != VectorCode::none && at_[e] >= 0 && !isSpread_[e]) return false;
+        return true;
     }
 
     void constantInto(int r, double value) {
@@ -301,7 +318,7 @@ private:
         __builtin_memcpy(&bits, &value, sizeof bits);
         out_.mov(x86::rax, bits);
         out_.vmovq(x86::Xmm(static_cast<std::uint32_t>(r)), x86::rax);
-        out_.vbroadcastsd(reg(r, 1), x86::Xmm(static_cast<std::uint32_t>(r)));
+        spread(r);
     }
 
     void compare(const VectorCode::Step& s) {
@@ -323,7 +340,7 @@ private:
 
     void select(const VectorCode::Step& s) {
         const int width = widthOf(s.target);
-        const int a = inRegister(s.a), b = inRegister(s.b), c = inRegister(s.c);
+        const int a = inRegister(s.a, width), b = inRegister(s.b, width), c = inRegister(s.c, width);
         const int d = target(s.target, {});
         out_.vxorpd(x86::xmm0, x86::xmm0, x86::xmm0);
         if (isWide_) {
@@ -339,7 +356,7 @@ private:
         const int a = inRegister(s.a);
         out_.mov(x86::rax, 0x7fffffffffffffffull);
         out_.vmovq(x86::xmm0, x86::rax);
-        out_.vbroadcastsd(reg(0, 1), x86::xmm0);
+        spread(0);
         const int d = target(s.target, {s.a});
         out_.vandpd(reg(d, 1), reg(a, 1), reg(0, 1));
     }
@@ -384,7 +401,7 @@ private:
         out_.mov(x86::rax, reinterpret_cast<std::uint64_t>(s.function));
         out_.call(x86::rax);
         const int d = take();
-        out_.vbroadcastsd(reg(d, 1), x86::xmm0);
+        out_.vmovapd(low(d), x86::xmm0);
         give(d, s.target);
     }
 
@@ -405,6 +422,7 @@ private:
         isPinned_.fill(false);
         for (const Entity e : {s.a, s.b, s.c})
             if (e != VectorCode::none && at_[e] >= 0) pin(at_[e]);
+        const bool isSpread = isSpreadAfter(s);
         switch (s.operation) {
             case Operation::Add:
                 binary(s, [&](auto d, auto a, auto b) { out_.vaddpd(d, a, b); });
@@ -448,6 +466,7 @@ private:
                 block(s);
                 break;
         }
+        if (s.target != VectorCode::none) isSpread_[s.target] = isSpread;
         const Entity touched[] = {s.a, s.b, s.c, s.target};
         for (const Entity e : touched)
             if (e != VectorCode::none && at_[e] >= 0 && !isNeededLater(e)) release(at_[e]);
@@ -456,12 +475,13 @@ private:
     const VectorCode& code_;
     x86::Assembler& out_;
     bool isWide_{};
-    int count_{};
+    int count_{}, valueWidth_{1};
     std::size_t now_{};
     std::vector<char> isLive_;
     asmjit::Label fail_;
     std::vector<int> at_;
     std::vector<char> isStored_;
+    std::vector<char> isSpread_;  // of values in registers
     std::vector<std::vector<std::uint32_t>> uses_;
     std::vector<std::uint32_t> nextUse_;  // cursor in uses_
     std::array<Entity, 32> holds_{};

@@ -53,17 +53,17 @@ private:
 /// length, u at its begin, what depends on u alone at its begin and its middle. The end of a step is the begin of the
 /// next row.
 struct RowLayout {
-    static constexpr int time = 0, step = 1;
+    static constexpr int time = 0, step = 1, firstSlot = 2;
     int slots{};
     int rateTerms{}, outputTerms{};  // of u alone, looked up instead of computed
     int outputs{}, states{};
     int lanes{};  // tangents are padded to these
 
-    int slot() const { return 2; }
+    int slot() const { return firstSlot; }
     int terms() const { return rateTerms + outputTerms; }  // at the begin: those of the rates, those of the outputs
-    int rateTerm(int point) const { return 2 + slots + (point == 0 ? 0 : terms()); }  // begin or middle
-    int outputTerm() const { return 2 + slots + rateTerms; }
-    int size() const { return 2 + slots + terms() + rateTerms; }
+    int rateTerm(int point) const { return firstSlot + slots + (point == 0 ? 0 : terms()); }  // begin or middle
+    int outputTerm() const { return firstSlot + slots + rateTerms; }
+    int size() const { return firstSlot + slots + terms() + rateTerms; }
 
     int tangent(int output) const { return output * lanes; }
     int value(int output) const { return outputs * lanes + output; }

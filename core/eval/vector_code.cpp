@@ -1,6 +1,7 @@
 #include "core/eval/vector_code.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace analogon {
@@ -18,9 +19,25 @@ VectorCode::Entity VectorCode::fresh(int width) {
     return entity;
 }
 
-const VectorCode::Step* VectorCode::productOf(Entity entity) const {
+const VectorCode::Step* VectorCode::madeBy(Entity entity) const {
     const std::uint32_t made = entity < madeAt_.size() ? madeAt_[entity] : 0;
-    return made > 0 && steps_[made - 1].operation == Operation::Multiply ? &steps_[made - 1] : nullptr;
+    return made > 0 ? &steps_[made - 1] : nullptr;
+}
+
+const VectorCode::Step* VectorCode::productOf(Entity entity) const {
+    const Step* const step = madeBy(entity);
+    return step && step->operation == Operation::Multiply ? step : nullptr;
+}
+
+void VectorCode::noteReady(Entity target, const Step& step) {
+    int cycles = 4;
+    if (step.operation == Operation::Divide || step.operation == Operation::SquareRoot) cycles = 14;
+    if (step.operation == Operation::Call) cycles = 60;
+    int ready = 0;
+    for (const Entity e : {step.a, step.b, step.c})
+        if (e != none) ready = std::max(ready, readyAfter(e));
+    ready_.resize(homes_.size());
+    ready_[target] = ready + cycles;
 }
 
 VectorCode::Entity VectorCode::emit(Operation operation, int width, Entity a, Entity b, Entity c) {
@@ -31,6 +48,9 @@ VectorCode::Entity VectorCode::emit(Operation operation, int width, Entity a, En
             if (const Step* product = productOf(factor))
                 return emit(Operation::MultiplyAdd, width, product->a, product->b, factor == a ? b : a);
     }
+    if (operation == Operation::Subtract)
+        if (const Step* product = productOf(b))
+            return emit(Operation::NegativeMultiply, width, product->a, product->b, a);
     // What is moved may be a place that a block fills again.
     const bool isShared = operation != Operation::Move;
     const bool isSymmetric = operation == Operation::Add || operation == Operation::Multiply;
@@ -41,17 +61,27 @@ VectorCode::Entity VectorCode::emit(Operation operation, int width, Entity a, En
     emitTo(target, operation, a, b, c);
     madeAt_.resize(homes_.size());
     madeAt_[target] = static_cast<std::uint32_t>(steps_.size());
+    noteReady(target, steps_.back());
     if (isShared) known_.emplace(key, target);
     return target;
 }
 
 VectorCode::Entity VectorCode::emitAdvance(Entity a, Entity b, Entity c) {
-    const auto isFromTheStart = [this](Entity e) { return e >= madeAt_.size() || madeAt_[e] == 0; };
     if (const Step* product = productOf(b)) {
         const auto [early, late] =
-            isFromTheStart(product->a) ? std::pair(product->a, product->b) : std::pair(product->b, product->a);
-        if (isFromTheStart(early))
-            return emit(Operation::MultiplyAdd, 1, emit(Operation::Multiply, 1, a, early), late, c);
+            madeBy(product->a) ? std::pair(product->b, product->a) : std::pair(product->a, product->b);
+        if (!madeBy(early)) return emitAdvance(emit(Operation::Multiply, 1, a, early), late, c);
+    }
+    const Step* const made = madeBy(b);
+    if (made && made->operation == Operation::NegativeMultiply) {
+        const auto [p, q, late] = std::tuple(made->a, made->b, made->c);
+        const bool firstIsLast = readyAfter(p) > readyAfter(q);
+        const Entity sooner = firstIsLast ? q : p, later = firstIsLast ? p : q;
+        const int early = std::max(readyAfter(a), readyAfter(sooner)) + 4;
+        if (std::max({early, readyAfter(later), readyAfter(c)}) + 4 <= readyAfter(late)) {
+            const Entity rest = emit(Operation::NegativeMultiply, 1, emit(Operation::Multiply, 1, a, sooner), later, c);
+            return emit(Operation::MultiplyAdd, 1, a, late, rest);
+        }
     }
     return emit(Operation::MultiplyAdd, 1, a, b, c);
 }
@@ -79,6 +109,7 @@ VectorCode::Entity VectorCode::call(const void* function, const void* data, Enti
     emitTo(target, Operation::Call, a, b, c);
     steps_.back().function = function;
     steps_.back().data = data;
+    noteReady(target, steps_.back());
     return target;
 }
 

@@ -58,7 +58,8 @@ public:
     /// The same operation on the same operands is one entity; a sum with a product is one operation.
     Entity emit(Operation operation, int width, Entity a, Entity b = none, Entity c = none);
     /// a * b + c, in the order in which it is there earliest: where b is the product of something known from the start
-    /// and something late, a waits for the first alone.
+    /// and something late, a waits for the first alone; where b is a difference of something late and something early,
+    /// the early part is added first.
     Entity emitAdvance(Entity a, Entity b, Entity c);
     void emitTo(Entity target, Operation operation, Entity a, Entity b = none, Entity c = none);
     /// `function` is double (*)([const void* data,] double, ...), free of side effects.
@@ -108,9 +109,13 @@ private:
     std::vector<Step> steps_;
     std::vector<BlockCall> blocks_;
     std::uint32_t scratchSize_{};
+    const Step* madeBy(Entity entity) const;  // null: it was there from the start
     const Step* productOf(Entity entity) const;
+    int readyAfter(Entity entity) const { return entity < ready_.size() ? ready_[entity] : 0; }
+    void noteReady(Entity target, const Step& step);
 
     std::vector<std::uint32_t> madeAt_;  // step + 1 that made an entity; 0: none
+    std::vector<int> ready_;             // by entity: cycles it takes from the start, as far as one waits for the other
     using Key = std::array<std::uint64_t, 6>;
     std::map<Key, Entity> known_;
     bool isLoop_{};

@@ -10,43 +10,47 @@ namespace analogon {
 
 namespace {
 
-/// Adds the block [i, i + W) x [j, j + W) of the sum of sᵀs over rows s, and with i == j the part of sᵀr.
+/// Slopes of one output at samples in a row, with the residuals there. Of both the weight is still missing in the
+/// slopes.
+struct Samples {
+    const double* slopes;
+    const double* residuals;
+    int count, stride, lanes;
+    double weight;
+};
+
+/// Adds the block [i, i + W) x [j, j + W) of the sum of sᵀs over the slopes s, and with i == j the part of sᵀr.
 template <int W>
-[[gnu::always_inline]] inline void addProducts(const double* rows, const double* residuals, int count, int lanes, int i,
-                                               int j, double* hessian, double* gradient) {
+[[gnu::always_inline]] inline void addProducts(const Samples& of, int i, int j, double* hessian, double* gradient) {
     typedef double Vector __attribute__((vector_size(W * 8), aligned(8), may_alias));
     Vector sums[W] = {}, slope = {};
-    for (int k = 0; k < count; ++k) {
-        const double* const row = rows + static_cast<std::ptrdiff_t>(k) * lanes;
+    const double* row = of.slopes;
+    for (int k = 0; k < of.count; ++k, row += of.stride) {
         const Vector right = *reinterpret_cast<const Vector*>(row + j);
         for (int a = 0; a < W; ++a) sums[a] += row[i + a] * right;
-        slope += residuals[k] * right;
+        slope += of.residuals[k] * right;
     }
-    for (int a = 0; a < W; ++a) *reinterpret_cast<Vector*>(hessian + (i + a) * lanes + j) += sums[a];
-    if (i == j) *reinterpret_cast<Vector*>(gradient + j) += slope;
+    const double square = of.weight * of.weight;
+    for (int a = 0; a < W; ++a) *reinterpret_cast<Vector*>(hessian + (i + a) * of.lanes + j) += square * sums[a];
+    if (i == j) *reinterpret_cast<Vector*>(gradient + j) += of.weight * slope;
 }
 
 template <int W>
-[[gnu::always_inline]] inline void addAll(const double* rows, const double* residuals, int count, int lanes,
-                                          double* hessian, double* gradient) {
-    for (int i = 0; i < lanes; i += W)
-        for (int j = i; j < lanes; j += W) addProducts<W>(rows, residuals, count, lanes, i, j, hessian, gradient);
+[[gnu::always_inline]] inline void addAll(const Samples& of, double* hessian, double* gradient) {
+    for (int i = 0; i < of.lanes; i += W)
+        for (int j = i; j < of.lanes; j += W) addProducts<W>(of, i, j, hessian, gradient);
 }
 
 #if defined(__x86_64__)
-[[gnu::target("avx512f,avx512dq,avx512vl,avx2,fma")]] void addWide(const double* rows, const double* residuals,
-                                                                   int count, int lanes, double* hessian,
+[[gnu::target("avx512f,avx512dq,avx512vl,avx2,fma")]] void addWide(const Samples& of, double* hessian,
                                                                    double* gradient) {
-    addAll<8>(rows, residuals, count, lanes, hessian, gradient);
+    addAll<8>(of, hessian, gradient);
 }
-[[gnu::target("avx2,fma")]] void addNarrow(const double* rows, const double* residuals, int count, int lanes,
-                                           double* hessian, double* gradient) {
-    addAll<4>(rows, residuals, count, lanes, hessian, gradient);
+[[gnu::target("avx2,fma")]] void addNarrow(const Samples& of, double* hessian, double* gradient) {
+    addAll<4>(of, hessian, gradient);
 }
 #endif
-void addPlain(const double* rows, const double* residuals, int count, int lanes, double* hessian, double* gradient) {
-    addAll<4>(rows, residuals, count, lanes, hessian, gradient);
-}
+void addPlain(const Samples& of, double* hessian, double* gradient) { addAll<4>(of, hessian, gradient); }
 
 }  // namespace
 
@@ -81,30 +85,38 @@ void NormalEquations::takeRows(int first, int count, const double* rows, const R
 void NormalEquations::add(int output, int first, int count, const double* values, const double* slopes, int stride,
                           int lanes) {
     residuals_.resize(static_cast<std::size_t>(count));
-    scaled_.resize(static_cast<std::size_t>(count) * static_cast<std::size_t>(lanes));
     const double weight = experiment_.weights[output];
     const Eigen::Index step = experiment_.measured.rows();
-    const double* measured = experiment_.measured.data() + first * step + output;
-    double* to = scaled_.data();
+    const double* const measured = experiment_.measured.data() + first * step + output;
     double squares = 0.0;
-    for (int k = 0; k < count; ++k, values += stride, slopes += stride, measured += step) {
-        const bool isMeasured = !std::isnan(*measured);
-        const double scale = isMeasured ? weight : 0.0;
-        const double residual = isMeasured ? weight * (*values - *measured) : 0.0 * *values;
+    bool isComplete = true;
+    for (int k = 0; k < count; ++k) {
+        const double value = values[static_cast<std::ptrdiff_t>(k) * stride], there = measured[k * step];
+        const bool isMeasured = !std::isnan(there);
+        const double residual = isMeasured ? weight * (value - there) : 0.0 * value;
+        isComplete = isComplete && isMeasured;
         residuals_[static_cast<std::size_t>(k)] = residual;
         squares += residual * residual;
-        for (int i = 0; i < lanes; i += 4, to += 4)
-            for (int j = 0; j < 4; ++j) to[j] = scale * slopes[i + j];
     }
     squares_ += squares;
     if (lanes == 0) return;
+    if (!isComplete) {
+        blanked_.resize(static_cast<std::size_t>(count) * static_cast<std::size_t>(lanes));
+        double* to = blanked_.data();
+        for (int k = 0; k < count; ++k, slopes += stride) {
+            const double counts = std::isnan(measured[k * step]) ? 0.0 : 1.0;
+            for (int i = 0; i < lanes; ++i) *to++ = counts * slopes[i];
+        }
+        slopes = blanked_.data();
+        stride = lanes;
+    }
     auto kernel = addPlain;
 #if defined(__x86_64__)
     const VectorTarget fastest = VectorCode::fastest();
     if (fastest != VectorTarget::Interpreter)
         kernel = fastest == VectorTarget::Avx512 && lanes % 8 == 0 ? addWide : addNarrow;
 #endif
-    kernel(scaled_.data(), residuals_.data(), count, lanes, hessian_.data(), gradient_.data());
+    kernel({slopes, residuals_.data(), count, stride, lanes, weight}, hessian_.data(), gradient_.data());
 }
 
 bool NormalEquations::isFinite() const {

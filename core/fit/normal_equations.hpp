@@ -32,9 +32,9 @@ private:
     int lanes_{};
     std::vector<int> fitted_;  // outputs that count
     double squares_{};
-    std::vector<double> hessian_, gradient_;  // lanes x lanes, lanes
-    std::vector<double> scaled_, residuals_;  // of a block of samples
-    std::vector<double> slopes_;              // of one output at one sample, filled up to whole lanes
+    std::vector<double> hessian_, gradient_;   // lanes x lanes, lanes
+    std::vector<double> residuals_, blanked_;  // of a block of samples; slopes with gaps where nothing was measured
+    std::vector<double> slopes_;               // of one output at one sample, filled up to whole lanes
 };
 
 /// The triangle that stands for them (Cholesky: Golub & Van Loan, section 5.3.2). Nothing: they are too ill-conditioned

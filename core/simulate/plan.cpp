@@ -189,14 +189,19 @@ private:
         }
         windows_.push_back({0, kLongestWindow - 1, {}});
         // Liveliest: where the outputs travel farthest.
-        const auto travel = [&](int k) {
-            return ((whole.outputs.col(k) - whole.outputs.col(k - 1)).array().abs() / ranges_.array()).sum();
-        };
+        std::vector<double> travel(static_cast<std::size_t>(sampleCount_), 0.0);  // to each sample
+        const Eigen::Index outputs = whole.outputs.rows();
+        for (Eigen::Index o = 0; o < outputs; ++o) {
+            const double perRange = 1.0 / ranges_[o];
+            const double* y = whole.outputs.data() + o;
+            for (std::size_t k = 1; k < travel.size(); ++k, y += outputs)
+                travel[k] += std::abs(y[outputs] - y[0]) * perRange;
+        }
         double sum = 0.0, most = -1.0;
         int first = kLongestWindow;
         for (int k = 1; k < sampleCount_; ++k) {
-            sum += travel(k);
-            if (k >= kLongestWindow) sum -= travel(k - kLongestWindow + 1);
+            sum += travel[static_cast<std::size_t>(k)];
+            if (k >= kLongestWindow) sum -= travel[static_cast<std::size_t>(k - kLongestWindow + 1)];
             if (k >= 2 * kLongestWindow && sum > most) {
                 most = sum;
                 first = k - kLongestWindow + 1;

@@ -30,13 +30,26 @@ public:
     int count() const { return count_; }
     const double* row(int i) const { return rows_.data() + static_cast<std::ptrdiff_t>(i) * layout_.size(); }
 
+    /// Intervals of one step each.
+    void addSingles(int first, int count) {
+        const int size = layout_.size(), slots = layout_.slots;
+        const double* const times = inputs_.time.data() + first;
+        const double* from = sample(first);
+        double* to = rows_.data() + static_cast<std::ptrdiff_t>(count_) * size;
+        for (int k = 0; k < count; ++k, to += size) {
+            to[RowLayout::time] = times[k];
+            to[RowLayout::step] = times[k + 1] - times[k];
+            for (int i = 0; i < slots; ++i) to[RowLayout::firstSlot + i] = *from++;
+        }
+        count_ += count;
+    }
+
     /// The steps of an interval.
     void add(int interval, int substeps) {
-        const double begin = time(interval), length = time(interval + 1) - begin;
-        const double h = substeps == 1 ? length : length / substeps;
+        if (substeps == 1) return addSingles(interval, 1);
+        const double begin = time(interval), h = (time(interval + 1) - begin) / substeps;
         const double* const left = sample(interval);
         const double* const right = left + layout_.slots;
-        if (substeps == 1) return put(next(), begin, h, left);
         for (int s = 0; s < substeps; ++s) {
             double* const to = next();
             to[RowLayout::time] = begin + s * h;
@@ -67,12 +80,8 @@ public:
 
     /// Appends the terms of the rows at hand.
     void keep(InputTerms& to) const {
-        for (int j = 0; j < count_; ++j) {
-            const double* const begin = row(j) + layout_.rateTerm(0);
-            const double* const middle = row(j) + layout_.rateTerm(1);
-            for (int i = 0; i < layout_.terms(); ++i) to.begin.push_back(begin[i]);
-            for (int i = 0; i < layout_.rateTerms; ++i) to.middle.push_back(middle[i]);
-        }
+        appendTerms(to.begin, layout_.rateTerm(0), layout_.terms());
+        appendTerms(to.middle, layout_.rateTerm(1), layout_.rateTerms);
     }
 
 private:
@@ -106,10 +115,21 @@ private:
         dynamics_.tabulate(slots_.data(), terms_.data(), count_);
         putTerms(terms_.data(), layout_.terms(), layout_.rateTerm(1), layout_.rateTerms);
     }
+    void appendTerms(std::vector<double>& to, int place, int many) const {
+        const std::size_t before = to.size();
+        to.resize(before + static_cast<std::size_t>(count_ * many));
+        const double* from = rows_.data() + place;
+        double* at = to.data() + before;
+        for (int j = 0; j < count_; ++j, from += layout_.size())
+            for (int i = 0; i < many; ++i) *at++ = from[i];
+    }
     void putTerms(const double* from, int stride, int place, int many) {
-        double* to = rows_.data() + place;
-        for (int j = 0; j < count_; ++j, from += stride, to += layout_.size())
-            for (int i = 0; i < many; ++i) to[i] = from[i];
+        const int size = layout_.size(), count = count_;
+        for (int i = 0; i < many; ++i) {
+            double* to = rows_.data() + place + i;
+            const double* term = from + i;
+            for (int j = 0; j < count; ++j, term += stride, to += size) *to = *term;
+        }
     }
 
     const RowLayout& layout_;
@@ -208,19 +228,23 @@ private:
         deliver();
         const int first = k;
         table_.clear();
-        for (; k < last_ && table_.count() < kMostRows && k - first < kMostRows; ++k) {
+        while (k < last_ && table_.count() < kMostRows && k - first < kMostRows) {
+            if (const int singles = singlesFrom(k, std::min(last_ - k, kMostRows - table_.count())); singles > 0) {
+                table_.addSingles(k, singles);
+                k += singles;
+                continue;
+            }
             if (run_.plan.methodIn(k) == GridMethod::Esdirk) break;
             table_.add(k, run_.plan.substepsIn(k));
+            ++k;
         }
         table_.close(k);
         int row = 0;
         for (int j = first; j < k;) {
-            int single = j;
-            while (single < k && run_.plan.substepsIn(single) == 1) ++single;
-            if (single > j) {
-                if (!dynamics_.walk(table_.row(row), resultOf(j), single - j)) return false;
-                row += single - j;
-                j = single;
+            if (const int singles = singlesFrom(j, k - j); singles > 0) {
+                if (!dynamics_.walk(table_.row(row), resultOf(j), singles)) return false;
+                row += singles;
+                j += singles;
                 continue;
             }
             const int substeps = run_.plan.substepsIn(j);
@@ -231,6 +255,17 @@ private:
         }
         pending_ = k - delivered_;
         return true;
+    }
+
+    /// How many intervals from this one on take one explicit step each; at most `most`.
+    int singlesFrom(int interval, int most) const {
+        const auto isSingle = [&](int k) {
+            return run_.plan.methodIn(k) != GridMethod::Esdirk && run_.plan.substepsIn(k) == 1;
+        };
+        if (!run_.plan.steps) return isSingle(interval) ? most : 0;
+        int count = 0;
+        while (count < most && isSingle(interval + count)) ++count;
+        return count;
     }
 
     /// The state comes out of the machine code's memory and goes back.
