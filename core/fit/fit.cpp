@@ -231,7 +231,8 @@ void addRemarks(const FitProblem& problem, const Descent& best, const Uncertaint
 }
 
 /// Residuals, Jacobian and confidence at the best point found.
-void conclude(const FitProblem& problem, const FitOptions& options, Descent& best, FitResult& result) {
+void conclude(const FitProblem& problem, const FitOptions& options, Descent& best, FitResult& result,
+              const Progress& progress) {
     result.status = best.minimum.status;
     result.message = best.minimum.message;
     result.values = best.minimum.values;
@@ -239,18 +240,24 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
     result.iterations = best.minimum.iterations;
     result.plans = best.plans;
     result.optimum = std::move(best.optimum);
-    // Not cancellable: what was found so far is to be told.
-    const bool isAsked = options.keepsOptimum || !best.reduced.ok;
+    // What was found so far is to be told, even if the fit was cancelled; but in a long record whoever cancelled would
+    // have to wait for it.
+    const bool isLong = problem.residualCount() > 200'000;
+    const bool isAsked = (options.keepsOptimum || !best.reduced.ok) && !(isLong && progress.stopRequested());
     const int most = best.reduced.ok ? mostFailures : 1;
-    for (int tries = 0; isAsked && !result.optimum.ok && tries < most; ++tries)
-        result.optimum = linearise(problem, result.values, true, best.plans, options.simulation);
+    for (int tries = 0; isAsked && !result.optimum.ok && tries < most; ++tries) {
+        result.optimum =
+            linearise(problem, result.values, true, best.plans, options.simulation, isLong ? progress : Progress{});
+        if (isLong && progress.stopRequested()) break;
+    }
     // The search has looked at the optimum as closely as can be, unless a robust loss bends what it saw.
     const bool isReduced = best.reduced.ok && (options.loss == RobustLoss::None || !result.optimum.ok);
-    // NaN when even the best point failed
-    result.cost = isReduced ? best.reduced.cost() : 0.5 * result.optimum.residuals.squaredNorm();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    result.cost = isReduced           ? best.reduced.cost()
+                  : result.optimum.ok ? 0.5 * result.optimum.residuals.squaredNorm()
+                                      : nan;  // even the best point failed
 
     const auto K = static_cast<Eigen::Index>(problem.parameters.size());
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     Uncertainty uncertainty;
     uncertainty.standardErrors = Eigen::VectorXd::Constant(K, nan);
     uncertainty.covariance = uncertainty.correlation = Eigen::MatrixXd::Constant(K, K, nan);
@@ -316,7 +323,7 @@ FitResult fit(const FitProblem& problem, const FitOptions& options, const Progre
         only.minimum.values = starts.front();
         only.minimum.status = FitStatus::Converged;
         only.minimum.message = "no parameter is free";
-        conclude(problem, options, only, result);
+        conclude(problem, options, only, result, progress);
         result.startCost = result.cost;
         if (!std::isfinite(result.cost)) {
             result.status = FitStatus::Failed;
@@ -335,7 +342,7 @@ FitResult fit(const FitProblem& problem, const FitOptions& options, const Progre
         result.simulations += descents[s].simulations;
         result.failedSimulations += descents[s].failedSimulations;
     }
-    conclude(problem, options, descents[best], result);
+    conclude(problem, options, descents[best], result, progress);
     result.startCost = descents.front().startCost;
     if (progress.stopRequested()) {
         result.status = FitStatus::Cancelled;

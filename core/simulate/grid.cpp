@@ -200,6 +200,10 @@ Trajectory runGrid(Dynamics& dynamics, const SampledInputs& inputs, const GridRu
         result.failure = {true, 0.0, {}, "no samples"};
         return result;
     }
+    if (run.sink && progress.stopRequested()) {  // nobody waits for a record full of gaps
+        result.failure = {true, inputs.time[static_cast<std::size_t>(run.first)], {}, "cancelled"};
+        return result;
+    }
     if (runRows(dynamics, inputs, run, options, progress, result) ||
         runCompiled(dynamics, inputs, run, options, progress, result)) {
         return result;

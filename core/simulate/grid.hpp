@@ -32,8 +32,9 @@ bool runCompiled(Dynamics& dynamics, const SampledInputs& inputs, const GridRun&
 bool runRows(Dynamics& dynamics, const SampledInputs& inputs, const GridRun& run, const SimulationOptions& options,
              const Progress& progress, Trajectory& result);
 
-/// The terms of the inputs alone for runRows() with this plan; null: there are none.
-std::shared_ptr<const InputTerms> tabulateTerms(Dynamics& dynamics, const SampledInputs& inputs, const GridPlan& plan);
+/// The terms of the inputs alone for runRows() with this plan; null: there are none, or no time to look them up.
+std::shared_ptr<const InputTerms> tabulateTerms(Dynamics& dynamics, const SampledInputs& inputs, const GridPlan& plan,
+                                                const Progress& progress);
 
 /// The length of the sample intervals where all are the same, within rounding.
 std::optional<double> equidistantStep(const SampledInputs& inputs);

@@ -45,15 +45,16 @@ public:
         if (mayBeExact && options_.substeps == 0 && canBeExact(dynamics_, inputs_)) return {GridMethod::Exact, 1, 0.0};
         if (options_.method == GridMethod::Exact) options_.method = GridMethod::Auto;
         takeTerms(inForce);
-        if (!surveyWholeRecord()) return fallback();
+        if (!surveyWholeRecord() || progress_.stopRequested()) return fallback();
         if (const std::optional<GridPlan> plan = singleSteps()) return *plan;
         if (options_.method == GridMethod::Auto && options_.substeps == 0) {
             const std::optional<GridPlan> plan =
                 scheduleSteps(dynamics_, inputs_, surveyRun_, tolerance_, limited_, progress_, inForce);
             if (plan) return *plan;
         }
+        if (progress_.stopRequested()) return fallback();
         takeSurvey(surveyRun_);
-        for (int round = 0; round < 4; ++round) {
+        for (int round = 0; round < 4 && !progress_.stopRequested(); ++round) {
             const GridPlan plan = cheapestOnWindows();
             if (plan.method == survey_.method && plan.substeps == survey_.substeps) return plan;
             // A plan chosen on parts must hold on the whole.
@@ -81,7 +82,7 @@ private:
     void takeTerms(const GridPlan* inForce) {
         const bool isKnown =
             inForce && inForce->terms && *inForce == oneStep() && inForce->terms->owner == dynamics_.identity();
-        terms_ = isKnown ? inForce->terms : tabulateTerms(dynamics_, inputs_, oneStep());
+        terms_ = isKnown ? inForce->terms : tabulateTerms(dynamics_, inputs_, oneStep(), progress_);
     }
 
     /// One explicit step an interval, where that is far more exact than asked for, in a model without kinks: what is
@@ -156,6 +157,7 @@ private:
         std::vector<GridPlan> plans = ladder();
         std::stable_partition(plans.begin(), plans.end(), [](const GridPlan& plan) { return plan.substeps == 1; });
         for (const GridPlan& plan : plans) {
+            if (progress_.stopRequested()) return false;
             Trajectory whole = run(plan, wholeRecord(), true);
             if (whole.failure.failed || !isPlausible(whole)) continue;
             survey_ = plan;

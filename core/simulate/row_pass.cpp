@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kMostRows = 256;                // a chunk of them stays in the cache
 constexpr int kMostSubsteps = 128;            // of a sample interval
-constexpr std::size_t kMostTerms = 8u << 20;  // doubles that may be kept
+constexpr std::size_t kMostTerms = 3u << 20;  // doubles that may be kept
 
 /// Fills rows of steps (RowLayout) from the samples.
 class RowTable {
@@ -383,7 +383,8 @@ bool runRows(Dynamics& dynamics, const SampledInputs& inputs, const GridRun& run
     return layout && RowPass(dynamics, inputs, run, options, progress, *layout, result).execute();
 }
 
-std::shared_ptr<const InputTerms> tabulateTerms(Dynamics& dynamics, const SampledInputs& inputs, const GridPlan& plan) {
+std::shared_ptr<const InputTerms> tabulateTerms(Dynamics& dynamics, const SampledInputs& inputs, const GridPlan& plan,
+                                                const Progress& progress) {
     const RowLayout* const layout = rowsFor(dynamics, inputs, plan);
     if (!layout || layout->terms() == 0) return nullptr;
     const int intervals = static_cast<int>(inputs.time.size()) - 1;
@@ -406,6 +407,7 @@ std::shared_ptr<const InputTerms> tabulateTerms(Dynamics& dynamics, const Sample
             }
             table.add(k, plan.substepsIn(k));
         }
+        if (progress.stopRequested()) return nullptr;
         if (table.count() == 0) continue;
         table.close(k);
         table.keep(*terms);

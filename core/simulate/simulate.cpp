@@ -114,7 +114,7 @@ GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options, 
     if (inForce && plan == *inForce && inForce->terms && inForce->terms->owner == task.system->identity()) {
         plan.terms = inForce->terms;
     } else {
-        plan.terms = tabulateTerms(dynamics, *task.inputs, plan);
+        plan.terms = tabulateTerms(dynamics, *task.inputs, plan, progress);
     }
     return plan;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -48,9 +49,9 @@ constexpr int kReach = 3;             // intervals: what happens in one may move
 /// What the walk found in an interval: the difference that halving the steps made.
 struct Found {
     bool isImplicit{};
-    int substeps{1};
-    int stable{1};  // explicit substeps that stability asks for
-    double error{};
+    std::int16_t substeps{1};
+    std::int32_t stable{1};  // explicit substeps that stability asks for
+    float error{};           // one of these for every sample: they are kept short
 };
 
 class Scheduler {
@@ -74,7 +75,7 @@ public:
         stateRanges_ = rangesOf(survey.states, dynamics_.shape().stateNominal);
         for (int round = 0;; ++round) {
             if (!walk()) return std::nullopt;
-            const Eigen::VectorXd ranges = rangesOf(states_, dynamics_.shape().stateNominal);
+            const Eigen::VectorXd ranges = rangesBetween(lowest_, highest_, dynamics_.shape().stateNominal);
             const Eigen::ArrayXd ratio = ranges.array() / stateRanges_.array();
             stateRanges_ = ranges;
             if ((ratio > 0.5).all() && (ratio < 2.0).all()) break;
@@ -93,14 +94,20 @@ private:
     double time(int sample) const { return inputs_.time[static_cast<std::size_t>(sample)]; }
 
     Eigen::VectorXd rangesOf(const Eigen::MatrixXd& y, const std::vector<double>& nominal) const {
-        Eigen::VectorXd ranges(y.rows());
-        for (Eigen::Index i = 0; i < y.rows(); ++i) {
-            const double low = y.row(i).minCoeff(), high = y.row(i).maxCoeff();
+        return rangesBetween(y.rowwise().minCoeff(), y.rowwise().maxCoeff(), nominal);
+    }
+    Eigen::VectorXd rangesBetween(const Eigen::VectorXd& lowest, const Eigen::VectorXd& highest,
+                                  const std::vector<double>& nominal) const {
+        Eigen::VectorXd ranges(lowest.size());
+        for (Eigen::Index i = 0; i < ranges.size(); ++i) {
+            const double low = lowest[i], high = highest[i];
             ranges[i] = std::max({high - low, 1e-6 * std::max(std::abs(low), std::abs(high)),
                                   options_.absoluteTolerance * nominal[static_cast<std::size_t>(i)], 1e-300});
         }
         return ranges;
     }
+    /// The walk knows no delayed signals of the model's own: then the states must agree with it, not the outputs alone.
+    bool comparesStates() const { return !dynamics_.shape().delays.empty(); }
 
     bool isOverLimit(std::chrono::steady_clock::time_point started) const {
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started;
@@ -115,11 +122,15 @@ private:
         slots.at(0, time(0), u_.data());
         if (!dynamics_.initialise(time(0), u_.data(), nullptr, x_.data(), nullptr)) return false;
         found_.assign(static_cast<std::size_t>(count_ - 1), {});
-        states_.resize(static_cast<Eigen::Index>(n_), count_);
+        if (comparesStates()) states_.resize(static_cast<Eigen::Index>(n_), count_);
+        lowest_ = highest_ = Eigen::Map<const Eigen::VectorXd>(x_.data(), static_cast<Eigen::Index>(n_));
         reference_.resize(dynamics_.shape().outputs, count_);
         guess_[0] = guess_[1] = 1;
         for (int k = 0;; ++k) {
-            states_.col(k) = Eigen::Map<const Eigen::VectorXd>(x_.data(), static_cast<Eigen::Index>(n_));
+            const Eigen::Map<const Eigen::VectorXd> x(x_.data(), static_cast<Eigen::Index>(n_));
+            lowest_ = lowest_.cwiseMin(x);
+            highest_ = highest_.cwiseMax(x);
+            if (comparesStates()) states_.col(k) = x;
             slots.at(std::min(k, count_ - 2), time(k), u_.data());
             if (!dynamics_.outputs(time(k), x_.data(), u_.data(), reference_.col(k).data(), nullptr)) return false;
             if (k + 1 == count_) return true;
@@ -169,8 +180,8 @@ private:
             if (!(error < 1e100) && 2 * substeps > most) return false;
             if (error <= local() || 2 * substeps > most) {
                 found.isImplicit = isImplicit;
-                found.substeps = substeps;
-                found.error = error;
+                found.substeps = static_cast<std::int16_t>(substeps);
+                found.error = static_cast<float>(error);
                 guess = needed(found, local());
                 return true;
             }
@@ -198,6 +209,7 @@ private:
         double allowance = local();
         std::optional<GridPlan> best, closest;
         for (int round = 0; round < 6; ++round) {
+            if (progress_.stopRequested()) return std::nullopt;
             GridPlan plan = planWith(allowance);
             plan.errorEstimate = errorOf(plan);
             const bool holds = plan.errorEstimate <= tolerance_;
@@ -252,13 +264,11 @@ private:
     double errorOf(const GridPlan& plan) {
         GridRun run;
         run.plan = plan;
-        // the walk knows no delayed signals of the model's own: then the states must agree
-        const bool comparesStates = !dynamics_.shape().delays.empty();
-        run.keepStates = comparesStates;
+        run.keepStates = comparesStates();
         const Trajectory trajectory = runGrid(dynamics_, inputs_, run, options_, progress_);
         if (trajectory.failure.failed) return std::numeric_limits<double>::infinity();
         const double largest =
-            comparesStates
+            comparesStates()
                 ? ((trajectory.states - states_).array().abs().colwise() / stateRanges_.array()).maxCoeff()
                 : ((trajectory.outputs - reference_).array().abs().colwise() / outputRanges_.array()).maxCoeff();
         return std::isfinite(largest) ? largest : std::numeric_limits<double>::infinity();
@@ -275,7 +285,9 @@ private:
     std::vector<double> x_, coarse_, fine_, other_, jacobian_, scratch_, u_;
     std::vector<Found> found_;
     Eigen::VectorXd stateRanges_, outputRanges_;
-    Eigen::MatrixXd states_, reference_;
+    Eigen::VectorXd lowest_, highest_;  // states
+    Eigen::MatrixXd states_;            // where they are compared
+    Eigen::MatrixXd reference_;         // outputs
 };
 
 }  // namespace
