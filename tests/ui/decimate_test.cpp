@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+#include <utility>
 #include <vector>
 
 namespace analogon::ui {
@@ -14,46 +16,64 @@ std::vector<double> ramp(int n) {
     return t;
 }
 
-TEST(Decimate, KeepsShortTracesAsTheyAre) {
-    const std::vector<double> time = ramp(100);
-    const auto points = decimate(time, time, 0, 99, 100);
-    ASSERT_EQ(points.size(), 100);
-    EXPECT_EQ(points[42], QPointF(42, 42));
+TEST(Extent, IsThatOfAllSamplesOfAnyStretch) {
+    std::mt19937 random(7);
+    std::vector<double> values(1000);
+    for (double& v : values) v = static_cast<double>(random() % 1000);
+    for (std::size_t i = 0; i < values.size(); i += 37) values[i] = std::nan("");
+    values[500] = INFINITY;
+    const Extent extent(values);
+    for (int trial = 0; trial < 2000; ++trial) {
+        std::size_t begin = random() % 1001, end = random() % 1001;
+        if (begin > end) std::swap(begin, end);
+        ValueRange expected;
+        for (std::size_t i = begin; i < end; ++i)
+            if (std::isfinite(values[i])) expected.add(values[i]);
+        const ValueRange range = extent.of(values, begin, end);
+        ASSERT_EQ(range.low, expected.low) << begin << " to " << end;
+        ASSERT_EQ(range.high, expected.high) << begin << " to " << end;
+    }
+    EXPECT_TRUE(Extent().whole().isEmpty());
 }
 
-TEST(Decimate, BoundsThePointsAndLosesNoPeak) {
+TEST(ColumnRanges, LoseNoPeak) {
     const std::vector<double> time = ramp(1'000'000);
     std::vector<double> values(time.size(), 0.0);
     values[123'457] = 7;
     values[765'433] = -5;
-    const auto points = decimate(time, values, 0, 999'999, 800);
-    EXPECT_LE(points.size(), 4 * 800 + 8);
-    double high = 0, low = 0;
-    for (const QPointF& p : points) {
-        high = std::max(high, p.y());
-        low = std::min(low, p.y());
+    const auto columns = columnRanges(time, values, Extent(values), 0, 999'999, 800);
+    ASSERT_EQ(columns.size(), 800u);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        EXPECT_EQ(columns[i].high, i == 98 ? 7 : 0) << i;
+        EXPECT_EQ(columns[i].low, i == 612 ? -5 : 0) << i;
     }
-    EXPECT_EQ(high, 7);
-    EXPECT_EQ(low, -5);
-    EXPECT_EQ(points.front().x(), 0);
-    EXPECT_EQ(points.back().x(), 999'999);
-    for (qsizetype i = 1; i < points.size(); ++i) EXPECT_LE(points[i - 1].x(), points[i].x());
 }
 
-TEST(Decimate, ShowsOneSampleBeyondEachSideOfTheRange) {
-    const std::vector<double> time = ramp(100);
-    const auto points = decimate(time, time, 10.5, 12.5, 500);
-    ASSERT_EQ(points.size(), 4);
-    EXPECT_EQ(points.front().x(), 10);
-    EXPECT_EQ(points.back().x(), 13);
+TEST(ColumnRanges, FollowTheLineBetweenSamples) {
+    const std::vector<double> time{0, 10, 20}, values{0, 10, 0};
+    const auto columns = columnRanges(time, values, Extent(values), -10, 30, 8);
+    ASSERT_EQ(columns.size(), 8u);
+    EXPECT_TRUE(columns[0].isEmpty());
+    EXPECT_TRUE(columns[7].isEmpty());
+    EXPECT_EQ(columns[2].high, 5);
+    EXPECT_EQ(columns[3].low, 5);
+    EXPECT_EQ(columns[3].high, 10);
 }
 
-TEST(Decimate, LeavesOutWhatWasNotMeasured) {
+TEST(ColumnRanges, LeaveOutWhatWasNotMeasured) {
     const std::vector<double> time = ramp(5);
     const std::vector<double> values{1, std::nan(""), 3, INFINITY, 5};
-    EXPECT_EQ(decimate(time, values, 0, 4, 100).size(), 3);
-    EXPECT_TRUE(decimate({}, {}, 0, 1, 100).isEmpty());
-    EXPECT_TRUE(decimate(time, values, 1, 1, 100).isEmpty());
+    const auto columns = columnRanges(time, values, Extent(values), 0, 5, 5);
+    EXPECT_TRUE(columns[1].isEmpty());
+    EXPECT_EQ(columns[2].high, 3);
+    EXPECT_TRUE(columnRanges({}, {}, Extent(), 0, 1, 3)[1].isEmpty());
+    EXPECT_TRUE(columnRanges(time, values, Extent(values), 1, 1, 3)[1].isEmpty());
+}
+
+TEST(SamplesWithin, AreThoseOfTheRangeAndOneBeyondEachSide) {
+    const std::vector<double> time = ramp(100);
+    EXPECT_EQ(samplesWithin(time, 10.5, 12.5), std::pair(std::size_t{10}, std::size_t{14}));
+    EXPECT_EQ(samplesWithin(time, -5, 200), std::pair(std::size_t{0}, std::size_t{100}));
 }
 
 TEST(NiceStep, IsOneTwoOrFiveTimesAPowerOfTen) {

@@ -8,7 +8,6 @@
 #include <QDir>
 #include <QDirIterator>
 #include <QElapsedTimer>
-#include <QGraphicsView>
 #include <QImage>
 #include <QListWidget>
 #include <QPushButton>
@@ -166,7 +165,7 @@ TEST_F(Panels, TrimsARecordingByDraggingOverThePlot) {
     auto* plots = panel<PlotPanel>();
     const std::size_t whole = document().before()->experiments.front().time.size();
     QTest::mouseClick(plots->trimButton(), Qt::LeftButton);
-    QWidget* area = plots->plots().front()->values()->findChild<QGraphicsView*>()->viewport();
+    QWidget* area = plots->plots().front()->values();
     const int y = area->height() / 2;
     QTest::mousePress(area, Qt::LeftButton, {}, QPoint(area->width() / 3, y));
     QTest::mouseMove(area, QPoint(area->width() / 2, y));
@@ -381,9 +380,9 @@ TEST(TimePlotSpeed, StaysFluidWithAMillionSamples) {
     plot.setTrace(after);
     const double live = now() - begin;
     std::cout << "another trace of 1e6 samples while a fit runs: " << live << " ms\n";
-    EXPECT_LT(live, 80) << "[ms]; 20 on a machine that does nothing else";
+    EXPECT_LT(live, 20) << "[ms]";
     std::cout << "zoom and repaint of two traces of 1e6 samples: " << times[7] << " ms\n";
-    EXPECT_LT(times[7], 80) << "[ms]; 20 on a machine that does nothing else";
+    EXPECT_LT(times[7], 10) << "[ms]";
 }
 
 /// Every text of the screen that is marked for translation has a German one.

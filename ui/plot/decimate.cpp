@@ -5,47 +5,74 @@
 
 namespace analogon::ui {
 
-QVector<QPointF> decimate(std::span<const double> time, std::span<const double> values, double from, double to,
-                          int pixels) {
-    QVector<QPointF> result;
-    const std::size_t size = std::min(time.size(), values.size());
-    if (size == 0 || pixels < 1 || !(to > from)) return result;
-    auto begin = static_cast<std::size_t>(std::lower_bound(time.begin(), time.begin() + size, from) - time.begin());
-    auto end = static_cast<std::size_t>(std::upper_bound(time.begin(), time.begin() + size, to) - time.begin());
-    if (begin > 0) --begin;
-    if (end < size) ++end;
+namespace {
 
-    if (end - begin <= 4 * static_cast<std::size_t>(pixels)) {
-        result.reserve(static_cast<qsizetype>(end - begin));
-        for (std::size_t i = begin; i < end; ++i)
-            if (std::isfinite(values[i])) result.append({time[i], values[i]});
-        return result;
+constexpr std::size_t blockSize = 64;
+
+void addFinite(ValueRange& range, double value) {
+    if (std::isfinite(value)) range.add(value);
+}
+
+void addFinite(ValueRange& range, std::span<const double> values) {
+    for (const double v : values) addFinite(range, v);
+}
+
+}  // namespace
+
+Extent::Extent(std::span<const double> values) {
+    blocks_.reserve(values.size() / blockSize + 1);
+    for (std::size_t begin = 0; begin < values.size(); begin += blockSize) {
+        ValueRange block;
+        addFinite(block, values.subspan(begin, std::min(blockSize, values.size() - begin)));
+        whole_.add(block);
+        blocks_.push_back(block);
     }
-    result.reserve(4 * pixels + 8);
-    const double perPixel = (to - from) / pixels;
-    for (std::size_t i = begin; i < end;) {
-        const double column = std::floor((time[i] - from) / perPixel);
-        const double until = from + (column + 1) * perPixel;
-        const auto behind = std::lower_bound(time.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                                             time.begin() + static_cast<std::ptrdiff_t>(end), until);
-        const auto stop = static_cast<std::size_t>(behind - time.begin());
-        std::size_t low = size, high = size, first = size, last = size;
-        for (; i < stop; ++i) {
-            if (!std::isfinite(values[i])) continue;
-            if (first == size) first = low = high = i;
-            last = i;
-            if (values[i] < values[low]) low = i;
-            if (values[i] > values[high]) high = i;
-        }
-        if (first == size) continue;
-        std::size_t picked[] = {first, std::min(low, high), std::max(low, high), last};
-        std::size_t previous = size;
-        for (const std::size_t p : picked) {
-            if (p != previous) result.append({time[p], values[p]});
-            previous = p;
-        }
+}
+
+ValueRange Extent::of(std::span<const double> values, std::size_t begin, std::size_t end) const {
+    ValueRange range;
+    const std::size_t firstBlock = (begin + blockSize - 1) / blockSize, lastBlock = end / blockSize;
+    if (firstBlock >= lastBlock) {
+        addFinite(range, values.subspan(begin, end - begin));
+        return range;
     }
-    return result;
+    addFinite(range, values.subspan(begin, firstBlock * blockSize - begin));
+    for (std::size_t i = firstBlock; i < lastBlock; ++i) range.add(blocks_[i]);
+    addFinite(range, values.subspan(lastBlock * blockSize, end - lastBlock * blockSize));
+    return range;
+}
+
+std::pair<std::size_t, std::size_t> samplesWithin(std::span<const double> time, double from, double to) {
+    auto begin = static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), from) - time.begin());
+    auto end = static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), to) - time.begin());
+    if (begin > 0) --begin;
+    if (end < time.size()) ++end;
+    return {begin, end};
+}
+
+std::vector<ValueRange> columnRanges(std::span<const double> time, std::span<const double> values, const Extent& extent,
+                                     double from, double to, int count) {
+    std::vector<ValueRange> columns(static_cast<std::size_t>(std::max(0, count)));
+    const std::size_t size = std::min(time.size(), values.size());
+    if (size == 0 || !(to > from)) return columns;
+    time = time.first(size);
+    const double width = (to - from) / count;
+    auto next = static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), from) - time.begin());
+    // The line between the samples on either side of a moment.
+    const auto lineAt = [&](std::size_t behind, double t) {
+        const double part = (t - time[behind - 1]) / (time[behind] - time[behind - 1]);
+        return values[behind - 1] + part * (values[behind] - values[behind - 1]);
+    };
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const double left = from + static_cast<double>(i) * width, right = left + width;
+        if (next > 0 && next < size) addFinite(columns[i], lineAt(next, left));
+        const auto behind = std::lower_bound(time.begin() + static_cast<std::ptrdiff_t>(next), time.end(), right);
+        const auto end = static_cast<std::size_t>(behind - time.begin());
+        columns[i].add(extent.of(values, next, end));
+        if (end > 0 && end < size) addFinite(columns[i], lineAt(end, right));
+        next = end;
+    }
+    return columns;
 }
 
 double niceStep(double range, int count) {

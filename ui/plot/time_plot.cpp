@@ -1,18 +1,11 @@
 #include "ui/plot/time_plot.hpp"
 
-#include <QChart>
-#include <QChartView>
-#include <QGraphicsLayout>
-#include <QGraphicsLineItem>
-#include <QGraphicsRectItem>
-#include <QGraphicsSimpleTextItem>
-#include <QLineSeries>
-#include <QValueAxis>
+#include <QPaintEngine>
+#include <QPainter>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
-#include "ui/plot/decimate.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {
@@ -20,25 +13,17 @@ namespace analogon::ui {
 namespace {
 
 constexpr double leftMargin = 64, rightMargin = 26, topMargin = 6;  // [px] equal, so that stacked plots line up
+constexpr double labelGap = 6;                                      // [px] between a label and the axis
 
-/// Range and ticks of an axis. Each change lays the axis out anew, with one label a tick: so none is made without
-/// need, and never a wide range with the narrow step of the range before.
-void setAxis(QValueAxis& axis, double low, double high, double step) {
-    if (axis.min() == low && axis.max() == high && axis.tickInterval() == step) return;
-    if (axis.tickInterval() < step) axis.setTickInterval(step);
-    axis.setRange(low, high);
-    if (axis.tickInterval() != step) axis.setTickInterval(step);
+/// As many digits as tell the grid lines apart.
+QString tickText(double value, double step) {
+    if (std::abs(value) < step * 1e-6) value = 0;
+    const double magnitude = std::max(std::abs(value), step);
+    const int digits = static_cast<int>(std::floor(std::log10(magnitude)) - std::floor(std::log10(step))) + 1;
+    return QString::number(value, 'g', std::clamp(digits, 6, 12));
 }
 
-std::pair<double, double> rangeOf(const std::vector<double>& values) {
-    double low = 1e300, high = -1e300;
-    for (const double v : values) {
-        if (!std::isfinite(v)) continue;
-        low = std::min(low, v);
-        high = std::max(high, v);
-    }
-    return {low, high};
-}
+double middle(const ValueRange& range) { return (range.low + range.high) / 2; }
 
 }  // namespace
 
@@ -54,132 +39,54 @@ QColor traceColour(TraceRole role, const QPalette& palette) {
     return style::afterTrace(palette);
 }
 
-struct TimePlot::Chart {
-    QChart* chart{new QChart};
-    QChartView* view{};  // owns the chart
-    QValueAxis* time{new QValueAxis};
-    QValueAxis* value{new QValueAxis};
-    std::vector<QLineSeries*> series;
-    QGraphicsLineItem* cursor{};
-    QGraphicsLineItem* marks[2]{};
-    QGraphicsRectItem* band{};  // while zooming into it
-    QGraphicsSimpleTextItem* caption{};
-    QGraphicsSimpleTextItem* unit{};  // of the time axis
-    QRectF area;
-};
-
-TimePlot::TimePlot(QWidget* parent) : QWidget(parent), chart_(std::make_unique<Chart>()) {
-    Chart& c = *chart_;
-    c.view = new QChartView(c.chart, this);
-    c.view->setRenderHint(QPainter::Antialiasing);
-    c.view->setFrameShape(QFrame::NoFrame);
-    c.view->setBackgroundRole(QPalette::Base);
-    c.view->viewport()->setMouseTracking(true);
-    c.view->viewport()->installEventFilter(this);
-    c.chart->legend()->hide();
-    c.chart->setBackgroundRoundness(0);
-    c.chart->setMargins({0, 0, 0, 0});
-    c.chart->layout()->setContentsMargins(0, 0, 0, 0);
-    c.chart->addAxis(c.time, Qt::AlignBottom);
-    c.chart->addAxis(c.value, Qt::AlignLeft);
-    for (QValueAxis* axis : {c.time, c.value}) {
-        axis->setTickType(QValueAxis::TicksDynamic);
-        axis->setLabelFormat("%g");
-        axis->setMinorTickCount(0);
-        QFont font = axis->labelsFont();
-        font.setPointSizeF(this->font().pointSizeF() * 0.85);
-        axis->setLabelsFont(font);
-    }
-    c.cursor = new QGraphicsLineItem(c.chart);
-    c.cursor->setZValue(20);
-    c.cursor->hide();
-    for (QGraphicsLineItem*& mark : c.marks) {
-        mark = new QGraphicsLineItem(c.chart);
-        mark->setZValue(19);
-        mark->hide();
-    }
-    c.band = new QGraphicsRectItem(c.chart);
-    c.band->setZValue(18);
-    c.band->hide();
-    c.caption = new QGraphicsSimpleTextItem(c.chart);
-    c.caption->setZValue(20);
-    QFont font = this->font();
-    font.setPointSizeF(font.pointSizeF() * 0.85);
-    c.caption->setFont(font);
-    c.unit = new QGraphicsSimpleTextItem(QStringLiteral("s"), c.chart);
-    c.unit->setFont(font);
-    recolour();
+TimePlot::TimePlot(QWidget* parent) : QWidget(parent) {
+    setMouseTracking(true);
+    setAttribute(Qt::WA_OpaquePaintEvent);
 }
-
-TimePlot::~TimePlot() = default;
 
 void TimePlot::setTraces(std::shared_ptr<const std::vector<double>> time, std::vector<Trace> traces) {
     time_ = std::move(time);
     traces_ = std::move(traces);
-    Chart& c = *chart_;
-    while (c.series.size() > traces_.size()) {
-        c.chart->removeSeries(c.series.back());
-        delete c.series.back();
-        c.series.pop_back();
-    }
-    while (c.series.size() < traces_.size()) addSeries();
-    ranges_.clear();
-    for (const Trace& trace : traces_) ranges_.push_back(rangeOf(trace.values));
-    colourTraces();
+    extents_.clear();
+    for (const Trace& trace : traces_) extents_.emplace_back(trace.values);
     fitValues();
-    refresh();
 }
 
 void TimePlot::setTrace(Trace trace) {
     const auto found =
         std::find_if(traces_.begin(), traces_.end(), [&](const Trace& t) { return t.role == trace.role; });
-    const auto index = static_cast<std::size_t>(found - traces_.begin());
-    const auto range = rangeOf(trace.values);
+    Extent extent(trace.values);
     if (found == traces_.end()) {
         traces_.push_back(std::move(trace));
-        ranges_.push_back(range);
-        addSeries();
-        colourTraces();
+        extents_.push_back(std::move(extent));
     } else {
         *found = std::move(trace);
-        ranges_[index] = range;
+        extents_[static_cast<std::size_t>(found - traces_.begin())] = std::move(extent);
     }
     fitValues();
-    draw(index);
-}
-
-void TimePlot::addSeries() {
-    Chart& c = *chart_;
-    auto* series = new QLineSeries;
-    c.chart->addSeries(series);
-    series->attachAxis(c.time);
-    series->attachAxis(c.value);
-    c.series.push_back(series);
 }
 
 void TimePlot::setVisible(TraceRole role, bool isVisible) {
     std::erase(hidden_, role);
     if (!isVisible) hidden_.push_back(role);
     fitValues();
-    refresh();
 }
 
 void TimePlot::setTimeRange(double from, double to) {
-    if (from == from_ && to == to_) return;
+    if ((from == from_ && to == to_) || !(to > from)) return;
     from_ = from;
     to_ = to;
-    refresh();
+    redraw();
 }
 
 void TimePlot::setTimeLabels(bool isShown) {
     hasTimeLabels_ = isShown;
-    chart_->time->setLabelsVisible(isShown);
-    layOut();
+    redraw();
 }
 
 void TimePlot::setTrimming(bool isTrimming) {
     isTrimming_ = isTrimming;
-    chart_->view->viewport()->setCursor(isTrimming ? Qt::SplitHCursor : Qt::ArrowCursor);
+    setCursor(isTrimming ? Qt::SplitHCursor : Qt::ArrowCursor);
 }
 
 void TimePlot::setSymmetric(bool isSymmetric) {
@@ -188,58 +95,32 @@ void TimePlot::setSymmetric(bool isSymmetric) {
 }
 
 void TimePlot::setCaption(const QString& caption) {
-    chart_->caption->setText(caption);
-    layOut();
+    caption_ = caption;
+    redraw();
 }
 
 void TimePlot::setCursorTime(std::optional<double> time) {
-    const QRectF area = chart_->chart->plotArea();
-    const bool isShown = time && *time >= from_ && *time <= to_;
-    chart_->cursor->setVisible(isShown);
-    if (!isShown) return;
-    const double x = area.left() + (*time - from_) / (to_ - from_) * area.width();
-    chart_->cursor->setLine(x, area.top(), x, area.bottom());
-}
-
-double TimePlot::xAt(double time) const {
-    const QRectF area = chart_->chart->plotArea();
-    return area.left() + (time - from_) / (to_ - from_) * area.width();
+    if (time == cursor_) return;
+    cursor_ = time;
+    update();
 }
 
 void TimePlot::setMarks(const std::vector<double>& times) {
     marks_ = times;
-    showMarks();
+    update();
 }
 
-void TimePlot::showMarks() {
-    const QRectF area = chart_->chart->plotArea();
-    for (std::size_t i = 0; i < 2; ++i) {
-        const bool isShown = i < marks_.size() && marks_[i] >= from_ && marks_[i] <= to_;
-        chart_->marks[i]->setVisible(isShown);
-        if (isShown) chart_->marks[i]->setLine(xAt(marks_[i]), area.top(), xAt(marks_[i]), area.bottom());
-    }
+bool TimePlot::isHidden(TraceRole role) const {
+    return std::find(hidden_.begin(), hidden_.end(), role) != hidden_.end();
 }
-
-int TimePlot::paintedPoints() const {
-    qsizetype points = 0;
-    for (const QLineSeries* series : chart_->series)
-        if (series->isVisible()) points += series->count();
-    return static_cast<int>(points);
-}
-
-std::pair<double, double> TimePlot::valueRange() const { return {low_, high_}; }
 
 void TimePlot::fitValues() {
-    double low = 1e300, high = -1e300;
-    for (std::size_t i = 0; i < traces_.size(); ++i) {
-        if (isHidden(traces_[i].role)) continue;
-        low = std::min(low, ranges_[i].first);
-        high = std::max(high, ranges_[i].second);
-    }
-    if (low > high) low = 0, high = 1;
+    ValueRange range;
+    for (std::size_t i = 0; i < traces_.size(); ++i)
+        if (!isHidden(traces_[i].role)) range.add(extents_[i].whole());
+    if (range.isEmpty()) range = {0, 1};
     constexpr double farthest = 1e150;  // beyond, a range has no width that is a number
-    low = std::clamp(low, -farthest, farthest);
-    high = std::clamp(high, -farthest, farthest);
+    double low = std::clamp(range.low, -farthest, farthest), high = std::clamp(range.high, -farthest, farthest);
     if (isSymmetric_) {
         high = std::max(std::abs(low), std::abs(high));
         low = -high;
@@ -252,162 +133,250 @@ void TimePlot::fitValues() {
     const double pad = (high - low) * 0.06;
     low_ = low - pad;
     high_ = high + pad;
-    layOut();
+    redraw();
 }
 
-void TimePlot::refresh() {
-    Chart& c = *chart_;
-    if (!time_ || !(to_ > from_)) return;
-    showMarks();
-    setAxis(*c.time, from_, to_, niceStep(to_ - from_, std::max(2, width() / 110)));
-    for (std::size_t i = 0; i < traces_.size(); ++i) draw(i);
+void TimePlot::redraw() {
+    ground_ = {};
+    update();
 }
 
-void TimePlot::draw(std::size_t trace) {
-    Chart& c = *chart_;
-    c.series[trace]->setVisible(!isHidden(traces_[trace].role));
-    if (!c.series[trace]->isVisible() || !time_ || !(to_ > from_)) return;
-    const int pixels = std::max(1, static_cast<int>(c.chart->plotArea().width()));
-    c.series[trace]->replace(decimate(*time_, traces_[trace].values, from_, to_, pixels));
+QFont TimePlot::labelFont() const {
+    QFont small = font();
+    small.setPointSizeF(small.pointSizeF() * 0.85);
+    return small;
 }
 
-bool TimePlot::isHidden(TraceRole role) const {
-    return std::find(hidden_.begin(), hidden_.end(), role) != hidden_.end();
-}
-
-void TimePlot::recolour() {
-    Chart& c = *chart_;
-    const QPalette p = palette();
-    c.chart->setBackgroundBrush(p.color(QPalette::Base));
-    c.chart->setBackgroundPen(Qt::NoPen);
-    c.chart->setPlotAreaBackgroundVisible(false);
-    const QColor grid = style::mix(p.color(QPalette::Base), p.color(QPalette::Text), 0.10);
-    const QColor label = style::mix(p.color(QPalette::Text), p.color(QPalette::Base), 0.35);
-    for (QValueAxis* axis : {c.time, c.value}) {
-        axis->setGridLineColor(grid);
-        axis->setLinePen(QPen(style::mix(p.color(QPalette::Base), p.color(QPalette::Text), 0.25), 1));
-        axis->setLabelsColor(label);
-    }
-    c.cursor->setPen(QPen(label, 1));
-    for (QGraphicsLineItem* mark : c.marks) mark->setPen(QPen(style::accent(p), 1.2));
-    QColor tint = style::accent(p);
-    c.band->setPen(QPen(tint, 1));
-    tint.setAlphaF(0.12f);
-    c.band->setBrush(tint);
-    c.caption->setBrush(label);
-    c.unit->setBrush(label);
-    colourTraces();
-}
-
-void TimePlot::colourTraces() {
-    Chart& c = *chart_;
-    const QPalette p = palette();
-    for (std::size_t i = 0; i < c.series.size(); ++i) {
-        QPen pen(traceColour(traces_[i].role, p), traces_[i].role == TraceRole::Measured ? 1.0 : 1.6);
-        pen.setJoinStyle(Qt::RoundJoin);
-        if (c.series[i]->pen() != pen) c.series[i]->setPen(pen);
-    }
-}
-
-void TimePlot::layOut() {
-    Chart& c = *chart_;
-    c.view->setGeometry(rect());
-    c.chart->resize(size());
+QRectF TimePlot::area() const {
     const double bottom = hasTimeLabels_ ? fontMetrics().height() + 8 : 8;
-    const double top = c.caption->text().isEmpty() ? topMargin : c.caption->boundingRect().height() + 4;
-    const QRectF area(leftMargin, top, std::max(10.0, width() - leftMargin - rightMargin),
-                      std::max(10.0, height() - top - bottom));
-    if (area != c.area) {
-        c.chart->setPlotArea(area);
-        c.chart->layout()->invalidate();
-        c.chart->layout()->activate();  // axes and grid at once, not when the next event comes by
-    }
-    c.area = area;
-    setAxis(*c.value, low_, high_, niceStep(high_ - low_, std::max(2, static_cast<int>(area.height() / 18))));
-    c.caption->setPos(leftMargin, 1);
-    c.unit->setVisible(hasTimeLabels_);
-    c.unit->setPos(width() - c.unit->boundingRect().width() - 3, area.bottom() + 6);
+    const double top = caption_.isEmpty() ? topMargin : QFontMetricsF(labelFont()).height() + 4;
+    return {leftMargin, top, std::max(10.0, width() - leftMargin - rightMargin),
+            std::max(10.0, height() - top - bottom)};
 }
 
-void TimePlot::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    layOut();
-    refresh();
+double TimePlot::timeAt(double x) const {
+    const QRectF area = this->area();
+    return from_ + (x - area.left()) / area.width() * (to_ - from_);
+}
+
+double TimePlot::xAt(double time) const {
+    const QRectF area = this->area();
+    return area.left() + (time - from_) / (to_ - from_) * area.width();
+}
+
+double TimePlot::yAt(double value) const {
+    const QRectF area = this->area();
+    return area.bottom() - (value - low_) / (high_ - low_) * area.height();
+}
+
+void TimePlot::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    if (painter.paintEngine()->type() != QPaintEngine::Raster) {
+        paintGround(painter);  // a drawing of lines, not of a picture of them
+    } else {
+        const double ratio = devicePixelRatioF();
+        if (ground_.isNull() || ground_.size() != (QSizeF(size()) * ratio).toSize()) {
+            ground_ = QPixmap((QSizeF(size()) * ratio).toSize());
+            ground_.setDevicePixelRatio(ratio);
+            QPainter fresh(&ground_);
+            fresh.setFont(font());
+            paintGround(fresh);
+        }
+        painter.drawPixmap(0, 0, ground_);
+    }
+    const QRectF area = this->area();
+    const auto drawTime = [&](double time, const QPen& pen) {
+        if (time < from_ || time > to_) return;
+        painter.setPen(pen);
+        painter.drawLine(QPointF(xAt(time), area.top()), QPointF(xAt(time), area.bottom()));
+    };
+    if (cursor_)
+        drawTime(*cursor_, QPen(style::mix(palette().color(QPalette::Text), palette().color(QPalette::Base), 0.35), 1));
+    for (const double mark : marks_) drawTime(mark, QPen(style::accent(palette()), 1.2));
+    if (bandFrom_ && bandTo_ != *bandFrom_) {
+        QColor tint = style::accent(palette());
+        painter.setPen(QPen(tint, 1));
+        tint.setAlphaF(0.12f);
+        painter.setBrush(tint);
+        painter.drawRect(QRectF(QPointF(*bandFrom_, area.top()), QPointF(bandTo_, area.bottom())).normalized());
+    }
+}
+
+void TimePlot::paintGround(QPainter& painter) const {
+    painter.fillRect(rect(), palette().color(QPalette::Base));
+    painter.setFont(labelFont());
+    paintGrid(painter);
+    painter.save();
+    painter.setClipRect(area());
+    for (std::size_t i = 0; i < traces_.size(); ++i)
+        if (!isHidden(traces_[i].role)) paintTrace(painter, i);
+    painter.restore();
+}
+
+void TimePlot::paintGrid(QPainter& painter) const {
+    const QRectF area = this->area();
+    const QFontMetricsF metrics(painter.font());
+    const QColor base = palette().color(QPalette::Base), text = palette().color(QPalette::Text);
+    const QColor grid = style::mix(base, text, 0.10), label = style::mix(text, base, 0.35);
+    const auto ticks = [](double low, double high, double step, const auto& draw) {
+        for (double k = std::ceil(low / step); k * step <= high; ++k) draw(k * step);
+    };
+    const double valueStep =
+        niceStep(high_ - low_, std::max(2, static_cast<int>(area.height() / (1.4 * metrics.height()))));
+    ticks(low_, high_, valueStep, [&](double value) {
+        const double y = yAt(value);
+        painter.setPen(grid);
+        painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+        painter.setPen(label);
+        painter.drawText(QRectF(0, y - metrics.height() / 2, leftMargin - labelGap, metrics.height()),
+                         Qt::AlignRight | Qt::AlignVCenter, tickText(value, valueStep));
+    });
+    const double timeStep = niceStep(to_ - from_, std::max(2, width() / 110));
+    ticks(from_, to_, timeStep, [&](double time) {
+        const double x = xAt(time);
+        painter.setPen(grid);
+        painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+        if (!hasTimeLabels_) return;
+        painter.setPen(label);
+        const QString number = tickText(time, timeStep);
+        const double half = metrics.horizontalAdvance(number) / 2;
+        if (x + half < width() - rightMargin + labelGap)  // else it would run into the unit
+            painter.drawText(QPointF(x - half, area.bottom() + labelGap + metrics.ascent()), number);
+    });
+    painter.setPen(style::mix(base, text, 0.25));
+    painter.drawLine(area.topLeft(), area.bottomLeft());
+    painter.drawLine(area.bottomLeft(), area.bottomRight());
+    painter.setPen(label);
+    painter.drawText(QPointF(leftMargin, 1 + metrics.ascent()), caption_);
+    if (hasTimeLabels_)
+        painter.drawText(QRectF(0, area.bottom() + labelGap, width() - 4, metrics.height()), Qt::AlignRight,
+                         QStringLiteral("s"));
+}
+
+void TimePlot::paintTrace(QPainter& painter, std::size_t trace) const {
+    if (!time_) return;
+    const Trace& shown = traces_[trace];
+    QPen pen(traceColour(shown.role, palette()), shown.role == TraceRole::Measured ? 1.0 : 1.6);
+    pen.setJoinStyle(Qt::RoundJoin);
+    const double ratio = painter.device()->devicePixelRatioF();
+    const QRectF area = this->area();
+    const int count = std::max(1, static_cast<int>(area.width() * ratio));
+    const auto [begin, end] = samplesWithin(*time_, from_, to_);
+    if (end - begin <= static_cast<std::size_t>(count)) {
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(pen);
+        painter.drawPolyline(lineThroughSamples(shown.values));
+        return;
+    }
+    paintColumns(painter, columnRanges(*time_, shown.values, extents_[trace], from_, to_, count), area.width() / count,
+                 pen);
+}
+
+QPolygonF TimePlot::lineThroughSamples(const std::vector<double>& values) const {
+    QPolygonF line;
+    const auto [begin, end] = samplesWithin(*time_, from_, to_);
+    for (std::size_t i = begin; i < std::min(end, values.size()); ++i)
+        if (std::isfinite(values[i])) line << QPointF(xAt((*time_)[i]), yAt(values[i]));
+    return line;
+}
+
+/// More samples than columns: what is nearly flat within a column is a line through the middles, what is not a row of
+/// bars, which cost far less than the same strokes smoothed.
+void TimePlot::paintColumns(QPainter& painter, const std::vector<ValueRange>& columns, double width,
+                            const QPen& pen) const {
+    const QRectF area = this->area();
+    const double perPixel = (high_ - low_) / area.height();
+    constexpr double flat = 3;  // [px]
+    double height = 0;
+    int filled = 0;
+    QPolygonF line;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        if (columns[i].isEmpty()) continue;
+        height += (columns[i].high - columns[i].low) / perPixel;
+        ++filled;
+        line << QPointF(area.left() + (static_cast<double>(i) + 0.5) * width, yAt(middle(columns[i])));
+    }
+    if (filled == 0) return;
+    if (height / filled < flat) {
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(pen);
+        painter.drawPolyline(line);
+        return;
+    }
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setPen(pen);
+    const double half = pen.widthF() / 2;
+    std::size_t drawn = 0, before = 0;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        if (columns[i].isEmpty()) continue;
+        const QPointF at = line[static_cast<qsizetype>(drawn)];
+        if (drawn > 0 && i > before + 1) painter.drawLine(line[static_cast<qsizetype>(drawn) - 1], at);
+        const double top = yAt(columns[i].high) - half, bottom = yAt(columns[i].low) + half;
+        painter.fillRect(QRectF(at.x() - width / 2, top, width, bottom - top), pen.color());
+        before = i;
+        ++drawn;
+    }
 }
 
 void TimePlot::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) recolour();
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) redraw();
 }
 
-double TimePlot::timeAt(double x) const {
-    const QRectF area = chart_->chart->plotArea();
-    return from_ + (x - area.left()) / area.width() * (to_ - from_);
+void TimePlot::wheelEvent(QWheelEvent* event) {
+    if (event->modifiers() & Qt::ShiftModifier) return event->ignore();  // scrolls the list of plots
+    const double about = timeAt(event->position().x());
+    const double factor = std::pow(0.9985, event->angleDelta().y());
+    Q_EMIT timeRangeWanted(about - (about - from_) * factor, about + (to_ - about) * factor);
 }
 
-bool TimePlot::eventFilter(QObject* watched, QEvent* event) {
-    switch (event->type()) {
-        case QEvent::Wheel: {
-            auto* wheel = static_cast<QWheelEvent*>(event);
-            if (wheel->modifiers() & Qt::ShiftModifier) break;  // scrolls the list of plots
-            const double about = timeAt(wheel->position().x());
-            const double factor = std::pow(0.9985, wheel->angleDelta().y());
-            Q_EMIT timeRangeWanted(about - (about - from_) * factor, about + (to_ - about) * factor);
-            return true;
-        }
-        case QEvent::MouseButtonPress: {
-            auto* mouse = static_cast<QMouseEvent*>(event);
-            if (mouse->button() != Qt::LeftButton) return true;
-            if (isTrimming_)
-                zoomFrom_ = mouse->position().x();
-            else if (mouse->modifiers() & Qt::ControlModifier)
-                Q_EMIT markWanted(timeAt(mouse->position().x()));
-            else if (mouse->modifiers() & Qt::ShiftModifier)
-                zoomFrom_ = mouse->position().x();
-            else
-                dragFrom_ = mouse->position().x();
-            return true;
-        }
-        case QEvent::MouseMove: {
-            auto* mouse = static_cast<QMouseEvent*>(event);
-            if (zoomFrom_) {
-                const QRectF area = chart_->chart->plotArea();
-                const double a = std::clamp(*zoomFrom_, area.left(), area.right());
-                const double b = std::clamp(mouse->position().x(), area.left(), area.right());
-                chart_->band->setRect(QRectF(QPointF(a, area.top()), QPointF(b, area.bottom())).normalized());
-                chart_->band->show();
-            }
-            if (dragFrom_) {
-                const double shift = timeAt(*dragFrom_) - timeAt(mouse->position().x());
-                dragFrom_ = mouse->position().x();
-                Q_EMIT timeRangeWanted(from_ + shift, to_ + shift);
-            }
-            Q_EMIT pointedAt(timeAt(mouse->position().x()));
-            return true;
-        }
-        case QEvent::MouseButtonRelease: {
-            const bool isChosen = zoomFrom_ && chart_->band->isVisible() && chart_->band->rect().width() > 3;
-            const double from = timeAt(chart_->band->rect().left()), to = timeAt(chart_->band->rect().right());
-            chart_->band->hide();
-            dragFrom_.reset();
-            zoomFrom_.reset();
-            // Last: who is asked may give this plot other traces.
-            if (isChosen && isTrimming_)
-                Q_EMIT trimWanted(from, to);
-            else if (isChosen)
-                Q_EMIT timeRangeWanted(from, to);
-            return true;
-        }
-        case QEvent::MouseButtonDblClick:
-            Q_EMIT allWanted();
-            return true;
-        case QEvent::Leave:
-            Q_EMIT pointerLeft();
-            break;
-        default:
-            break;
+void TimePlot::mousePressEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) return;
+    const double x = event->position().x();
+    const QRectF area = this->area();
+    if (isTrimming_ || event->modifiers() & Qt::ShiftModifier)
+        bandFrom_ = bandTo_ = std::clamp(x, area.left(), area.right());
+    else if (event->modifiers() & Qt::ControlModifier)
+        Q_EMIT markWanted(timeAt(x));
+    else
+        dragFrom_ = x;
+}
+
+void TimePlot::mouseMoveEvent(QMouseEvent* event) {
+    const double x = event->position().x();
+    const QRectF area = this->area();
+    if (bandFrom_) {
+        bandTo_ = std::clamp(x, area.left(), area.right());
+        update();
     }
-    return QWidget::eventFilter(watched, event);
+    if (dragFrom_) {
+        const double shift = timeAt(*dragFrom_) - timeAt(x);
+        dragFrom_ = x;
+        Q_EMIT timeRangeWanted(from_ + shift, to_ + shift);
+    }
+    Q_EMIT pointedAt(timeAt(x));
+}
+
+void TimePlot::mouseReleaseEvent(QMouseEvent*) {
+    constexpr double worthIt = 3;  // [px]
+    const bool isChosen = bandFrom_ && std::abs(bandTo_ - *bandFrom_) > worthIt;
+    const double from = isChosen ? timeAt(std::min(*bandFrom_, bandTo_)) : 0;
+    const double to = isChosen ? timeAt(std::max(*bandFrom_, bandTo_)) : 0;
+    dragFrom_.reset();
+    bandFrom_.reset();
+    update();
+    // Last: who is asked may give this plot other traces.
+    if (isChosen && isTrimming_)
+        Q_EMIT trimWanted(from, to);
+    else if (isChosen)
+        Q_EMIT timeRangeWanted(from, to);
+}
+
+void TimePlot::mouseDoubleClickEvent(QMouseEvent*) { Q_EMIT allWanted(); }
+
+void TimePlot::leaveEvent(QEvent* event) {
+    QWidget::leaveEvent(event);
+    Q_EMIT pointerLeft();
 }
 
 }  // namespace analogon::ui

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <QPixmap>
 #include <QWidget>
 #include <memory>
 #include <optional>
 #include <vector>
+
+#include "ui/plot/decimate.hpp"
 
 namespace analogon::ui {
 
@@ -16,19 +19,18 @@ struct Trace {
 
 QColor traceColour(TraceRole role, const QPalette& palette);
 
-/// One axis area over time. The only place that knows the chart library; every trace is decimated to the width
-/// it is shown at. Wheel zooms the time axis about the pointer, dragging moves it, Shift and dragging zooms into what
-/// is passed over, a double click shows all, Ctrl and a click sets a mark; range and marks are the owner's, who links
-/// several plots.
+/// One axis area over time. A trace is drawn from what it covers in each column of pixels, so that a million samples
+/// cost no more than a thousand; grid and traces are kept as a picture while only the pointer moves.
+/// Wheel zooms the time axis about the pointer, dragging moves it, Shift and dragging zooms into what is passed over, a
+/// double click shows all, Ctrl and a click sets a mark; range and marks are the owner's, who links several plots.
 class TimePlot : public QWidget {
     Q_OBJECT
 
 public:
     explicit TimePlot(QWidget* parent = nullptr);
-    ~TimePlot() override;
 
     void setTraces(std::shared_ptr<const std::vector<double>> time, std::vector<Trace> traces);
-    /// One of them anew, or one more; the others stay as they are drawn.
+    /// One of them anew, or one more.
     void setTrace(Trace trace);
     void setVisible(TraceRole role, bool isVisible);
     void setTimeRange(double from, double to);
@@ -42,9 +44,6 @@ public:
     void setCursorTime(std::optional<double> time);
     /// Up to two times that stay marked.
     void setMarks(const std::vector<double>& times);
-    /// How many points the chart was given for the range shown.
-    int paintedPoints() const;
-    std::pair<double, double> valueRange() const;
 
 Q_SIGNALS:
     void timeRangeWanted(double from, double to);
@@ -55,33 +54,42 @@ Q_SIGNALS:
     void pointerLeft();
 
 protected:
-    void resizeEvent(QResizeEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
 
 private:
-    void refresh();
-    void addSeries();
-    void draw(std::size_t trace);
     bool isHidden(TraceRole role) const;
-    void recolour();
-    void colourTraces();
-    void layOut();
     void fitValues();
+    void redraw();
+    void paintGround(QPainter& painter) const;
+    void paintGrid(QPainter& painter) const;
+    void paintTrace(QPainter& painter, std::size_t trace) const;
+    QPolygonF lineThroughSamples(const std::vector<double>& values) const;
+    void paintColumns(QPainter& painter, const std::vector<ValueRange>& columns, double width, const QPen& pen) const;
+    QFont labelFont() const;
+    QRectF area() const;
     double timeAt(double x) const;
     double xAt(double time) const;
-    void showMarks();
+    double yAt(double value) const;
 
-    struct Chart;
-    std::unique_ptr<Chart> chart_;
     std::shared_ptr<const std::vector<double>> time_;
     std::vector<Trace> traces_;
-    std::vector<std::pair<double, double>> ranges_;  // of their values
+    std::vector<Extent> extents_;  // of their values
     std::vector<TraceRole> hidden_;
+    QString caption_;
     double from_{0}, to_{1};   // [s] shown
     double low_{0}, high_{1};  // values shown
     bool isSymmetric_{}, hasTimeLabels_{true}, isTrimming_{};
-    std::optional<double> dragFrom_, zoomFrom_;  // [px]
+    QPixmap ground_;                             // grid and traces; null: to be drawn anew
+    std::optional<double> cursor_;               // [s]
+    std::optional<double> dragFrom_, bandFrom_;  // [px]
+    double bandTo_{};                            // [px]
     std::vector<double> marks_;                  // [s]
 };
 
