@@ -23,6 +23,7 @@
 #include <QToolButton>
 #include <QTreeWidget>
 #include <cmath>
+#include <fstream>
 #include <random>
 
 #include "core/archive/archive.hpp"
@@ -45,6 +46,7 @@
 #include "ui/window/generate_page.hpp"
 #include "ui/window/guide_page.hpp"
 #include "ui/window/main_window.hpp"
+#include "ui/window/settings.hpp"
 #include "ui/window/start_page.hpp"
 
 namespace analogon::ui {
@@ -323,6 +325,19 @@ TEST_F(Panels, ComposesAStudyFromDomainsAndARecording) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return document().before() != nullptr; }, 20000));
 }
 
+TEST_F(Panels, RemembersFromOneStartToTheNext) {
+    {
+        Settings settings;
+        settings.setValue("test/list", QStringList{"a", "b"});
+        EXPECT_EQ(settings.value("test/list").toStringList().size(), 2) << "it holds at once";
+        for (int i = 0; i <= 20; ++i) settings.setValue("test/number", i);  // faster than a file is written
+    }
+    const Settings next;
+    EXPECT_EQ(next.value("test/number").toInt(), 20);
+    EXPECT_EQ(next.value("test/list").toStringList(), (QStringList{"a", "b"}));
+    EXPECT_EQ(next.value("test/nothing", 7).toInt(), 7);
+}
+
 TEST_F(Panels, OpensTheGuideWithItsPictures) {
     ASSERT_FALSE(guideFile().isEmpty());
     QTest::keyClick(&window, Qt::Key_F1);
@@ -408,6 +423,16 @@ TEST(Translation, GermanIsComplete) {
     EXPECT_GT(count, 300);
 }
 
+/// [ms] that have passed for this thread: its work and what it waited for, without the time in which it was ready and
+/// other programs had the processor. Only this is what a stall is made of, however busy the machine is.
+double ownTime() {
+    timespec passed{};
+    clock_gettime(CLOCK_MONOTONIC, &passed);
+    double run = 0, queued = 0;  // [ns]
+    std::ifstream("/proc/thread-self/schedstat") >> run >> queued;
+    return 1e3 * static_cast<double>(passed.tv_sec) + 1e-6 * (static_cast<double>(passed.tv_nsec) - queued);
+}
+
 /// Random mouse and key events anywhere in the window: nothing crashes, nothing hangs. ANALOGON_EVENTS sets how many.
 TEST_F(Panels, SurvivesRandomEvents) {
     openLambda();
@@ -420,9 +445,13 @@ TEST_F(Panels, SurvivesRandomEvents) {
                             Qt::Key_Tab,  Qt::Key_Return, Qt::Key_Space,  Qt::Key_Left, Qt::Key_Right,  Qt::Key_Up,
                             Qt::Key_Down, Qt::Key_1,      Qt::Key_Period, Qt::Key_F5,   Qt::Key_Plus,   Qt::Key_Escape,
                             Qt::Key_T,    Qt::Key_Minus,  Qt::Key_F6,     Qt::Key_F1};
-    QElapsedTimer clock;
-    qint64 longest = 0;
+    double longest = 0;  // [ms]
+    int felt = 0;
     for (int i = 0; i < events; ++i) {
+        if (i % 1000 == 999) {  // by then nothing may be left of the study
+            document().open(lambdaFile());
+            ASSERT_TRUE(QTest::qWaitFor([&] { return !document().isReading() && document().before(); }, 60000));
+        }
         QList<QWidget*> targets;
         for (QWidget* w : window.findChildren<QWidget*>())
             if (w->isVisible() && w->isEnabled() && w->width() > 2 && w->height() > 2) targets << w;
@@ -435,8 +464,11 @@ TEST_F(Panels, SurvivesRandomEvents) {
         const Qt::KeyboardModifiers modifiers = random() % 5 == 0   ? Qt::ControlModifier
                                                 : random() % 7 == 0 ? Qt::ShiftModifier
                                                                     : Qt::NoModifier;
-        clock.restart();
-        switch (random() % 6) {
+        const QString where = QStringLiteral("%1 %2").arg(target->metaObject()->className(), target->objectName());
+        const auto kind = random() % 6;
+        const Qt::Key key = kind > 3 ? keys[random() % std::size(keys)] : Qt::Key_unknown;
+        const double begin = ownTime();
+        switch (kind) {
             case 0:
                 QTest::mouseClick(target, Qt::LeftButton, modifiers, point());
                 break;
@@ -454,12 +486,16 @@ TEST_F(Panels, SurvivesRandomEvents) {
                 QTest::mouseMove(target, point());
                 break;
             default:
-                QTest::keyClick(target, keys[random() % std::size(keys)], modifiers);
+                QTest::keyClick(target, key, modifiers);
         }
         QCoreApplication::processEvents();
-        if (clock.elapsed() > longest) {
-            longest = clock.elapsed();
-            if (longest > 500) std::cout << longest << " ms with " << document().diagram().blocks.size() << " blocks\n";
+        const double reaction = ownTime() - begin;
+        longest = std::max(longest, reaction);
+        if (reaction > 50) {
+            ++felt;
+            std::cout << "event " << i << ": " << reaction << " ms, kind " << kind << " on " << where.toStdString()
+                      << ", key " << QKeySequence(key).toString().toStdString() << " modifiers " << modifiers << ", "
+                      << document().diagram().blocks.size() << " blocks\n";
         }
         // Select all and duplicate, again and again: beyond what a diagram is made for.
         while (document().diagram().blocks.size() > 500 && document().undoStack().canUndo())
@@ -470,11 +506,11 @@ TEST_F(Panels, SurvivesRandomEvents) {
         }
         if (!window.isVisible()) window.show();
     }
-    std::cout << "longest reaction to an event: " << longest << " ms\n";
+    std::cout << "longest reaction to an event: " << longest << " ms; over 50 ms: " << felt << "\n";
     window.controller().cancel();
     EXPECT_TRUE(QTest::qWaitFor([&] { return !window.controller().isRunning(); }, 20000));
     while (document().undoStack().canUndo()) document().undoStack().undo();
-    EXPECT_LT(longest, 2000) << "[ms]; 1000 on a machine that does nothing else";
+    EXPECT_LT(longest, 1000) << "[ms]";
 }
 
 }  // namespace

@@ -33,7 +33,10 @@ QSize fitted(QSize size, int widest) {
 /// then there is room for them.
 class Browser : public QTextBrowser {
 public:
-    using QTextBrowser::QTextBrowser;
+    explicit Browser(QWidget* parent) : QTextBrowser(parent) {
+        resized_.setSingleShot(true);
+        connect(&resized_, &QTimer::timeout, this, &Browser::layOut);
+    }
     void setText(const QString& markdown) {
         text_ = markdown;
         layOut();
@@ -55,7 +58,8 @@ protected:
     void resizeEvent(QResizeEvent* event) override {
         QTextBrowser::resizeEvent(event);
         constexpr int worthIt = 24;  // [px]
-        if (std::abs(event->size().width() - laidOutFor_) >= worthIt) layOut();
+        constexpr int pause = 150;   // [ms] a border that is dragged changes the width many times
+        if (std::abs(event->size().width() - laidOutFor_) >= worthIt) resized_.start(pause);
     }
 
 private:
@@ -88,10 +92,19 @@ private:
         laidOutFor_ = viewport()->width();
         const QScrollBar& bar = *verticalScrollBar();
         const double part = bar.maximum() > 0 ? bar.value() / static_cast<double>(bar.maximum()) : 0;
-        setMarkdown(text_);
+        // Read into a document that nobody shows yet: one on the screen is laid out anew with every word.
+        auto* next = new QTextDocument(this);
+        next->setDefaultFont(font());
+        next->setDocumentMargin(6 * style::unit);
+        next->setMarkdown(text_);
+        setDocument(next);
+        delete shown_;
+        shown_ = next;
         verticalScrollBar()->setValue(static_cast<int>(part * verticalScrollBar()->maximum()));
     }
     QString text_;
+    QTextDocument* shown_{};
+    QTimer resized_;
     Pictures pictures_;
     QList<QUrl> wanted_;  // still to be read
     JobRunner reader_;
@@ -114,7 +127,6 @@ GuidePage::GuidePage(QWidget* parent) : QWidget(parent), browser_(new Browser(th
     browser_->setFrameShape(QFrame::NoFrame);
     browser_->setOpenExternalLinks(true);
     browser_->setAccessibleName(tr("User guide"));
-    browser_->document()->setDocumentMargin(6 * style::unit);
     QFile file(guideFile());
     if (file.open(QIODevice::ReadOnly))
         static_cast<Browser*>(browser_)->setText(QString::fromUtf8(file.readAll()));

@@ -5,7 +5,6 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMenuBar>
-#include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabWidget>
@@ -252,11 +251,11 @@ void MainWindow::createMenus() {
 void MainWindow::addLanguages(QMenu* view) {
     QMenu* menu = view->addMenu(tr("Language"));
     auto* group = new QActionGroup(this);
-    const QString now = QSettings().value("window/language", "en").toString();
+    const QString now = settings_.value("window/language", "en").toString();
     const std::pair<QString, QString> names[] = {{"en", QStringLiteral("English")}, {"de", QStringLiteral("Deutsch")}};
     for (const auto& [code, name] : names) {
         QAction* action = menu->addAction(name, this, [this, code = code] {
-            QSettings().setValue("window/language", code);
+            settings_.setValue("window/language", code);
             statusBar()->showMessage(tr("The language changes at the next start."), 8000);
         });
         action->setCheckable(true);
@@ -441,16 +440,14 @@ void MainWindow::sizeDocks() {
 }
 
 void MainWindow::restoreLayout() {
-    const QSettings settings;
-    restoreGeometry(settings.value("window/geometry").toByteArray());
-    if (restoreState(settings.value("window/state").toByteArray(), layoutVersion)) isLayoutFresh_ = false;
+    restoreGeometry(settings_.value("window/geometry").toByteArray());
+    if (restoreState(settings_.value("window/state").toByteArray(), layoutVersion)) isLayoutFresh_ = false;
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (document_->isOpen()) {  // the start page hides the docks: nothing worth remembering
-        QSettings settings;
-        settings.setValue("window/geometry", saveGeometry());
-        settings.setValue("window/state", saveState(layoutVersion));
+        settings_.setValue("window/geometry", saveGeometry());
+        settings_.setValue("window/state", saveState(layoutVersion));
     }
     if (document_->isModified() && !mayClose_) {
         event->ignore();
@@ -471,7 +468,7 @@ void MainWindow::changeEvent(QEvent* event) {
 
 void MainWindow::setTheme(int theme) {
     style::apply(*qApp, static_cast<style::Theme>(theme));
-    QSettings().setValue("window/theme", theme);
+    settings_.setValue("window/theme", theme);
 }
 
 void MainWindow::showGenerate() {
@@ -514,7 +511,7 @@ void MainWindow::showStudy() {
     }
     updateTitle();
     updateActions();
-    if (!isOpen) start_->showWork(QSettings().value("window/recent").toStringList(), Recovery::abandoned());
+    if (!isOpen) start_->showWork(settings_.value("window/recent").toStringList(), Recovery::abandoned());
     if (isOpen) {
         view_->setFocus();                                    // its keys work at once
         QTimer::singleShot(0, view_, &DiagramView::fitView);  // once the docks have their sizes

@@ -3,6 +3,8 @@
 #include <QMainWindow>
 #include <functional>
 
+#include "ui/window/settings.hpp"
+
 class QDockWidget;
 class QFileDialog;
 class QMenu;
@@ -19,7 +21,6 @@ class ComposeActions;
 class DiagramScene;
 class DiagramView;
 class Document;
-class JobRunner;
 class FitPanel;
 class GeneratePage;
 class GuidePage;
@@ -97,6 +98,7 @@ private:
     void askWhereToReport();
     void setTheme(int theme);
 
+    Settings settings_;
     Document* document_;
     RunController* controller_;
     JobRunner* writer_;

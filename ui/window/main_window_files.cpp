@@ -6,7 +6,6 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QSettings>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QUrl>
@@ -54,18 +53,17 @@ void MainWindow::saveTo(const QString& path) { document_->save(path); }
 
 void MainWindow::rememberRecent(const QString& path) {
     if (path.isEmpty()) return;
-    QSettings settings;
-    QStringList recent = settings.value("window/recent").toStringList();
+    QStringList recent = settings_.value("window/recent").toStringList();
     const QString whole = QFileInfo(path).absoluteFilePath();
     recent.removeAll(whole);
     recent.prepend(whole);
     while (recent.size() > 8) recent.removeLast();
-    settings.setValue("window/recent", recent);
+    settings_.setValue("window/recent", recent);
 }
 
 void MainWindow::showRecent() {
     recentMenu_->clear();
-    for (const QString& path : QSettings().value("window/recent").toStringList()) {
+    for (const QString& path : settings_.value("window/recent").toStringList()) {
         QAction* action = recentMenu_->addAction(path, this, [this, path] { open(path); });
         action->setEnabled(QFileInfo::exists(path));
     }
