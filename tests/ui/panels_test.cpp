@@ -198,6 +198,29 @@ TEST_F(Panels, ShowsAParameterInAnotherUnitAndWhereItLiesInItsBounds) {
     EXPECT_EQ(at(ParameterModel::Max).data().toString(), "20000");
     EXPECT_EQ(document().modelText(), text) << "how a value is shown is no change of the study";
     ASSERT_TRUE(model->setData(at(ParameterModel::Value), "4000", Qt::EditRole));
+TEST_F(Panels, GoesBackToARunOfATrimmedRecording) {
+    openLambda();
+    const auto trimTo = [&](std::optional<std::pair<double, double>> range) {
+        StudySettings settings = document().settings();
+        settings.experiments.front().range = range;
+        document().applySettings(std::move(settings), "trim");
+        const auto isSimulated = [&] {
+            const ModelState* before = document().before();
+            return before && (before->experiments.front().time.size() < 3000) == range.has_value();
+        };
+        ASSERT_TRUE(QTest::qWaitFor(isSimulated, 20000));
+    };
+    trimTo(std::pair(20.0, 60.0));
+    run(RunKind::Fit);
+    trimTo(std::nullopt);
+    run(RunKind::Fit);
+    ASSERT_EQ(document().history().size(), 2u);
+    document().restoreRun(document().history().front());
+    const OutputPlot::Content& shown = panel<PlotPanel>()->plots().front()->content();
+    EXPECT_LT(shown.measured.size(), 3000u);
+    EXPECT_TRUE(shown.before.empty()) << "what was simulated of the whole recording does not belong beside a part";
+}
+
     EXPECT_TRUE(QTest::qWaitFor([&] { return document().parameterValue("heater.R") == 4.0; }, 5000));
     EXPECT_FALSE(model->setData(at(ParameterModel::Unit), "V", Qt::EditRole));
     const auto bar = [&] { return at(ParameterModel::Bounds).data(ParameterModel::BarRole).toList(); };

@@ -120,7 +120,7 @@ void OutputPlot::show(Content content) {
     std::vector<Trace> values{{TraceRole::Measured, content_.measured}};
     std::vector<Trace> residuals;
     const auto add = [&](TraceRole role, const std::vector<double>& simulated) {
-        if (simulated.empty()) return;
+        if (simulated.empty() || simulated.size() != content_.measured.size()) return;
         values.push_back({role, simulated});
         std::vector<double> residual(simulated.size());
         for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = content_.measured[i] - simulated[i];

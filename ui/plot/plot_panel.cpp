@@ -156,6 +156,8 @@ void PlotPanel::rebuild() {
     const ExperimentState* any = after ? after : before;
     if (!any) return;
     const auto time = std::make_shared<const std::vector<double>>(any->time);
+    // A run one has gone back to may be one of the recording as it was trimmed then.
+    if (before && before->time != any->time) before = nullptr;
     while (residuals_.size() > any->outputs.size()) {
         delete residuals_.back();
         residuals_.pop_back();
