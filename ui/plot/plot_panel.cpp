@@ -1,5 +1,6 @@
 #include "ui/plot/plot_panel.hpp"
 
+#include <QBuffer>
 #include <QFileDialog>
 #include <QLabel>
 #include <QPainter>
@@ -155,9 +156,9 @@ void PlotPanel::rebuild() {
     const ExperimentState* after = experimentOf(document_.after(), name);
     const ExperimentState* any = after ? after : before;
     if (!any) return;
-    const auto time = std::make_shared<const std::vector<double>>(any->time);
     // A run one has gone back to may be one of the recording as it was trimmed then.
     if (before && before->time != any->time) before = nullptr;
+    const auto time = std::make_shared<const std::vector<double>>(any->time);
     while (residuals_.size() > any->outputs.size()) {
         delete residuals_.back();
         residuals_.pop_back();
@@ -167,7 +168,6 @@ void PlotPanel::rebuild() {
         residuals_.back()->setVisible(isResidualView_);
         column_->addWidget(residuals_.back(), 1);
     }
-    const std::vector<NamedSeries> variables = variablesOf(document_.study(), name, any->time);
     while (plots_.size() > any->outputs.size()) {
         delete plots_.back();
         plots_.pop_back();
@@ -201,12 +201,14 @@ void PlotPanel::rebuild() {
             content.afterLabel = tr("after") + " " + percent(o->figures.errorPercent);
         }
         const std::vector<double>& best = content.after.empty() ? content.before : content.after;
-        std::vector<double> residual(best.size());
-        for (std::size_t k = 0; k < best.size(); ++k) residual[k] = content.measured[k] - best[k];
-        std::vector<NamedSeries> against{{tr("simulated"), best}};
-        against.insert(against.end(), variables.begin(), variables.end());
         residuals_[i]->show(content.unit.isEmpty() ? content.name : content.name + "  [" + content.unit + "]",
-                            std::move(residual), std::move(against));
+                            [study = document_.study(), name, time, measured = content.measured, best] {
+                                std::vector<double> residual(best.size());
+                                for (std::size_t k = 0; k < best.size(); ++k) residual[k] = measured[k] - best[k];
+                                std::vector<NamedSeries> against = variablesOf(study, name, *time);
+                                against.insert(against.begin(), {tr("simulated"), best});
+                                return residualFacts(residual, against);
+                            });
         plots_[i]->show(std::move(content));
     }
     first_ = any->time.empty() ? 0 : any->time.front();
@@ -303,46 +305,62 @@ void PlotPanel::askWhereToExport() {
     dialog->setDefaultSuffix("png");
     connect(dialog, &QFileDialog::filterSelected, dialog,
             [dialog](const QString& filter) { dialog->setDefaultSuffix(filter.section("*.", 1).chopped(1)); });
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { Q_EMIT told(exportTo(file)); });
+    connect(dialog, &QFileDialog::fileSelected, this, &PlotPanel::exportTo);
     dialog->show();
 }
 
-QString PlotPanel::exportTo(const QString& file) {
-    if (names_.empty()) return tr("There is nothing to export yet.");
+Table PlotPanel::numbers() const {
+    Table table;
+    const auto add = [&table](const QString& name, const QString& unit, const std::vector<double>& values) {
+        Column column;
+        column.name = name.toStdString();
+        column.unit = unit.toStdString();
+        column.values = values;
+        if (!values.empty()) table.columns.push_back(std::move(column));
+    };
+    add("time", "s", *plots_.front()->content().time);
+    for (const OutputPlot* plot : plots_) {
+        const OutputPlot::Content& c = plot->content();
+        add(c.name + " measured", c.unit, c.measured);
+        add(c.name + " before", c.unit, c.before);
+        add(c.name + " after", c.unit, c.after);
+    }
+    return table;
+}
+
+void PlotPanel::exportTo(const QString& file) {
+    if (names_.empty()) return Q_EMIT told(tr("There is nothing to export yet."));
+    const auto write = [this, &file](std::function<bool()> work) {
+        exporter_.start<bool>(
+            QString(), [work = std::move(work)](const Progress&) { return work(); },
+            [this, file](bool isWritten) {
+                Q_EMIT told(isWritten ? tr("Exported to %1.").arg(file) : tr("%1 cannot be written.").arg(file));
+            });
+    };
     QWidget* body = area_->widget();
-    bool isWritten = false;
-    if (file.endsWith(".svg", Qt::CaseInsensitive)) {
+    if (file.endsWith(".csv", Qt::CaseInsensitive))
+        return write([table = numbers(), file] {
+            QSaveFile out(file);
+            return out.open(QIODevice::WriteOnly) && out.write(QByteArray::fromStdString(writeCsv(table))) > 0 &&
+                   out.commit();
+        });
+    if (!file.endsWith(".svg", Qt::CaseInsensitive))
+        return write([picture = body->grab().toImage(), file] { return picture.save(file); });
+    QByteArray drawing;
+    {
+        QBuffer buffer(&drawing);
         QSvgGenerator svg;
-        svg.setFileName(file);
+        svg.setOutputDevice(&buffer);
         svg.setSize(body->size());
         svg.setViewBox(body->rect());
         svg.setTitle(shown_);
-        QPainter painter;
-        isWritten = painter.begin(&svg);
-        if (isWritten) body->render(&painter);
-    } else if (file.endsWith(".csv", Qt::CaseInsensitive)) {
-        Table table;
-        const auto add = [&table](const QString& name, const QString& unit, const std::vector<double>& values) {
-            Column column;
-            column.name = name.toStdString();
-            column.unit = unit.toStdString();
-            column.values = values;
-            if (!values.empty()) table.columns.push_back(std::move(column));
-        };
-        add("time", "s", *plots_.front()->content().time);
-        for (const OutputPlot* plot : plots_) {
-            const OutputPlot::Content& c = plot->content();
-            add(c.name + " measured", c.unit, c.measured);
-            add(c.name + " before", c.unit, c.before);
-            add(c.name + " after", c.unit, c.after);
-        }
-        QSaveFile out(file);
-        isWritten =
-            out.open(QIODevice::WriteOnly) && out.write(QByteArray::fromStdString(writeCsv(table))) > 0 && out.commit();
-    } else {
-        isWritten = body->grab().save(file);
+        QPainter painter(&svg);
+        body->render(&painter);
     }
-    return isWritten ? tr("Exported to %1.").arg(file) : tr("%1 cannot be written.").arg(file);
+    write([drawing, file] {
+        QSaveFile out(file);
+        return out.open(QIODevice::WriteOnly) && out.write(drawing) > 0 && out.commit();
+    });
 }
 
 void PlotPanel::leave() {

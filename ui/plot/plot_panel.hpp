@@ -4,6 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "core/measure/table.hpp"
+#include "ui/job/job.hpp"
 #include "ui/plot/time_plot.hpp"
 
 class QLabel;
@@ -39,8 +41,8 @@ public:
     const std::vector<ResidualPlot*>& residuals() const { return residuals_; }
     QToolButton* residualButton() const { return residualView_; }
     QToolButton* trimButton() const { return trim_; }
-    /// What is shown as a picture (png, svg) or as numbers (csv), by the ending of the file. Says how it went.
-    QString exportTo(const QString& file);
+    /// What is shown as a picture (png, svg) or as numbers (csv), by the ending of the file; tells how it went.
+    void exportTo(const QString& file);
 
 Q_SIGNALS:
     void told(const QString& sentence);
@@ -61,6 +63,7 @@ private:
     const StudyExperiment* shownExperiment() const;
     void showView(bool isResidual);
     void askWhereToExport();
+    Table numbers() const;
 
     Document& document_;
     QTabBar* experiments_;
@@ -77,6 +80,7 @@ private:
     QToolButton *traceView_, *residualView_, *trim_, *untrim_, *export_;
     bool isResidualView_{};
     QString shown_;  // experiment the time range belongs to
+    JobRunner exporter_;
 };
 
 /// One output: a heading that is also the legend, values, residual.

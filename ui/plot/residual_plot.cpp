@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/residual/noise.hpp"
 #include "ui/plot/decimate.hpp"
@@ -17,22 +18,58 @@ namespace analogon::ui {
 
 namespace {
 
-constexpr int largestLag = 60;
+constexpr int largestLag = 60, bins = 41;
 constexpr std::size_t mostPoints = 4000;  // of the scatter: more cannot be told apart
 
-std::pair<double, double> rangeOf(const std::vector<double>& values) {
-    double low = 1e300, high = -1e300;
+ValueRange rangeOf(const std::vector<double>& values) {
+    ValueRange range;
     for (const double v : values)
-        if (std::isfinite(v)) {
-            low = std::min(low, v);
-            high = std::max(high, v);
-        }
-    if (low > high) return {0, 1};
-    if (low == high) return {low - 0.5, high + 0.5};
-    return {low, high};
+        if (std::isfinite(v)) range.add(v);
+    return range;
+}
+
+/// An axis has a width.
+std::pair<double, double> axisOf(const ValueRange& range) {
+    if (range.isEmpty()) return {0, 1};
+    if (range.low == range.high) return {range.low - 0.5, range.high + 0.5};
+    return {range.low, range.high};
+}
+
+std::vector<double> everyNth(const std::vector<double>& values, std::size_t stride) {
+    std::vector<double> result;
+    for (std::size_t i = 0; i < values.size(); i += stride) result.push_back(values[i]);
+    return result;
 }
 
 }  // namespace
+
+ResidualFacts residualFacts(const std::vector<double>& residual, const std::vector<NamedSeries>& against) {
+    ResidualFacts facts;
+    std::vector<double> finite;
+    finite.reserve(residual.size());
+    for (const double v : residual)
+        if (std::isfinite(v)) finite.push_back(v);
+    facts.count = static_cast<int>(finite.size());
+    facts.range = rangeOf(finite);
+    const std::size_t stride = std::max<std::size_t>(1, residual.size() / mostPoints);
+    facts.sampled = everyNth(residual, stride);
+    for (const NamedSeries& s : against)
+        facts.against.push_back({s.name, rangeOf(s.values), everyNth(s.values, stride)});
+    if (finite.empty()) return facts;
+
+    const Eigen::Map<const Eigen::VectorXd> r(finite.data(), static_cast<Eigen::Index>(finite.size()));
+    facts.mean = r.mean();
+    facts.deviation = std::sqrt((r.array() - facts.mean).square().mean());
+    facts.histogram.assign(bins, 0);
+    const double reach = facts.reach();
+    for (const double v : finite)
+        ++facts.histogram[static_cast<std::size_t>(std::clamp((v + reach) / (2 * reach) * bins, 0.0, bins - 1.0))];
+    if (const int lags = std::min(largestLag, facts.count / 4); lags > 1) {
+        const Eigen::VectorXd c = analogon::autocorrelation(r, lags);
+        facts.correlation.assign(c.data(), c.data() + c.size());
+    }
+    return facts;
+}
 
 std::vector<NamedSeries> variablesOf(const Study& study, const std::string& experiment,
                                      const std::vector<double>& time) {
@@ -108,28 +145,17 @@ private:
     static QString number(double v) { return QString::number(v, 'g', 3); }
 
     void paintHistogram(QPainter& painter, const QRectF& area) const {
-        const auto& r = plot_.residual_;
-        const auto [low, high] = rangeOf(r);
-        const double reach = std::max(std::abs(low), std::abs(high));
+        const ResidualFacts& f = plot_.facts_;
+        const double reach = f.reach();
         paintFrame(painter, area, ResidualPlot::tr("Distribution"), ResidualPlot::tr("residual"), {-reach, reach}, {},
                    false);
-        constexpr int bins = 41;
-        std::vector<double> counts(bins);
-        double sum = 0, squares = 0;
-        int n = 0;
-        for (const double v : r) {
-            if (!std::isfinite(v)) continue;
-            ++counts[static_cast<std::size_t>(std::clamp((v + reach) / (2 * reach) * bins, 0.0, bins - 1.0))];
-            sum += v;
-            squares += v * v;
-            ++n;
-        }
-        if (n < 2) return;
-        const double mean = sum / n, deviation = std::sqrt(std::max(1e-300, squares / n - mean * mean));
+        if (f.count < 2) return;
+        const auto& counts = f.histogram;
+        const double mean = f.mean, deviation = std::max(1e-150, f.deviation);
         const double binWidth = 2 * reach / bins;
         const auto normal = [&](double v) {
             const double z = (v - mean) / deviation;
-            return n * binWidth / (deviation * std::sqrt(2 * std::numbers::pi)) * std::exp(-z * z / 2);
+            return f.count * binWidth / (deviation * std::sqrt(2 * std::numbers::pi)) * std::exp(-z * z / 2);
         };
         const double top = std::max(*std::max_element(counts.begin(), counts.end()), normal(mean)) * 1.05;
         QColor fill = style::accent(palette());
@@ -149,12 +175,12 @@ private:
     }
 
     void paintCorrelation(QPainter& painter, const QRectF& area) const {
-        const auto& c = plot_.correlation_;
+        const auto& c = plot_.facts_.correlation;
         paintFrame(painter, area, ResidualPlot::tr("Autocorrelation"), ResidualPlot::tr("lag"),
                    {0, static_cast<double>(c.size()) - 1}, {-1, 1}, true);
         if (c.size() < 2) return;
         const auto y = [&](double v) { return area.center().y() - v * area.height() / 2; };
-        const double bound = 1.96 / std::sqrt(static_cast<double>(plot_.residual_.size()));
+        const double bound = 1.96 / std::sqrt(static_cast<double>(plot_.facts_.count));
         QColor band = style::good(palette());
         band.setAlphaF(0.18f);
         painter.fillRect(QRectF(QPointF(area.left(), y(bound)), QPointF(area.right(), y(-bound))), band);
@@ -168,18 +194,19 @@ private:
 
     void paintScatter(QPainter& painter, const QRectF& area) const {
         const int chosen = plot_.variable_->currentIndex();
-        if (chosen < 0 || chosen >= static_cast<int>(plot_.against_.size())) return;
-        const auto& x = plot_.against_[static_cast<std::size_t>(chosen)].values;
-        const auto& r = plot_.residual_;
-        const auto xs = rangeOf(x), ys = rangeOf(r);
+        const ResidualFacts& f = plot_.facts_;
+        if (chosen < 0 || chosen >= static_cast<int>(f.against.size())) return;
+        const ResidualFacts::Variable& variable = f.against[static_cast<std::size_t>(chosen)];
+        const auto& x = variable.sampled;
+        const auto& r = f.sampled;
+        const auto xs = axisOf(variable.range), ys = axisOf(f.range);
         const QString title = ResidualPlot::tr("Residual against %1").arg(plot_.variable_->currentText());
         const bool fits = fontMetrics().horizontalAdvance(title) <= area.width();  // else the axis says against what
         paintFrame(painter, area, fits ? title : ResidualPlot::tr("Residual"), plot_.variable_->currentText(), xs, ys,
                    true);
         const std::size_t n = std::min(x.size(), r.size());
-        const std::size_t stride = std::max<std::size_t>(1, n / mostPoints);
         QPolygonF points;
-        for (std::size_t i = 0; i < n; i += stride)
+        for (std::size_t i = 0; i < n; ++i)
             if (std::isfinite(x[i]) && std::isfinite(r[i]))
                 points << QPointF(area.left() + (x[i] - xs.first) / (xs.second - xs.first) * area.width(),
                                   area.bottom() - (r[i] - ys.first) / (ys.second - ys.first) * area.height());
@@ -216,25 +243,30 @@ ResidualPlot::ResidualPlot(QWidget* parent)
     connect(variable_, &QComboBox::currentIndexChanged, canvas_, qOverload<>(&QWidget::update));
 }
 
-void ResidualPlot::show(const QString& output, std::vector<double> residual, std::vector<NamedSeries> against) {
+void ResidualPlot::show(const QString& output, std::function<ResidualFacts()> facts) {
     name_->setText(output);
-    residual_ = std::move(residual);
-    against_ = std::move(against);
+    wanted_ = std::move(facts);
+    if (isVisible()) workOut();
+}
+
+void ResidualPlot::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    if (wanted_) workOut();
+}
+
+void ResidualPlot::workOut() {
+    worker_.start<ResidualFacts>(
+        QString(), [work = std::exchange(wanted_, nullptr)](const Progress&) { return work(); },
+        [this](ResidualFacts facts) { take(std::move(facts)); });
+}
+
+void ResidualPlot::take(ResidualFacts facts) {
+    facts_ = std::move(facts);
     const QString chosen = variable_->currentText();
     const QSignalBlocker blocker(variable_);
     variable_->clear();
-    for (const NamedSeries& s : against_) variable_->addItem(s.name);
+    for (const ResidualFacts::Variable& v : facts_.against) variable_->addItem(v.name);
     variable_->setCurrentIndex(std::max(0, variable_->findText(chosen)));
-    std::vector<double> finite;
-    for (const double v : residual_)
-        if (std::isfinite(v)) finite.push_back(v);
-    correlation_.clear();
-    const int lags = std::min<int>(largestLag, static_cast<int>(finite.size()) / 4);
-    if (lags > 1) {
-        const Eigen::VectorXd c = analogon::autocorrelation(
-            Eigen::Map<const Eigen::VectorXd>(finite.data(), static_cast<Eigen::Index>(finite.size())), lags);
-        correlation_.assign(c.data(), c.data() + c.size());
-    }
     canvas_->update();
 }
 

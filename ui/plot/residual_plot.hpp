@@ -2,9 +2,12 @@
 
 #include <QString>
 #include <QWidget>
+#include <functional>
 #include <vector>
 
 #include "core/study/study.hpp"
+#include "ui/job/job.hpp"
+#include "ui/plot/decimate.hpp"
 
 class QComboBox;
 class QLabel;
@@ -20,24 +23,51 @@ struct NamedSeries {
 std::vector<NamedSeries> variablesOf(const Study& study, const std::string& experiment,
                                      const std::vector<double>& time);
 
-/// What is left of one output: how it is distributed, how long it remembers itself, what it moves with.
+/// What is drawn of a residual, however long the recording is.
+struct ResidualFacts {
+    struct Variable {
+        QString name;
+        ValueRange range;
+        std::vector<double> sampled;  // where the residual was sampled
+    };
+    int count{};  // finite samples
+    ValueRange range;
+    double mean{}, deviation{};
+    std::vector<double> histogram;    // counts in equal bins from -reach() to reach()
+    std::vector<double> correlation;  // from lag 0
+    std::vector<double> sampled;      // every so many-th, for the scatter
+    std::vector<Variable> against;
+
+    double reach() const { return range.isEmpty() ? 1 : std::max({std::abs(range.low), std::abs(range.high), 1e-300}); }
+};
+ResidualFacts residualFacts(const std::vector<double>& residual, const std::vector<NamedSeries>& against);
+
+/// What is left of one output: how it is distributed, how long it remembers itself, what it moves with. Worked out in
+/// the background, and only when it is looked at.
 class ResidualPlot : public QWidget {
     Q_OBJECT
 
 public:
     explicit ResidualPlot(QWidget* parent = nullptr);
 
-    void show(const QString& output, std::vector<double> residual, std::vector<NamedSeries> against);
+    void show(const QString& output, std::function<ResidualFacts()> facts);
     QComboBox* variableBox() const { return variable_; }
-    const std::vector<double>& autocorrelation() const { return correlation_; }
+    const ResidualFacts& facts() const { return facts_; }
+
+protected:
+    void showEvent(QShowEvent* event) override;
 
 private:
+    void workOut();
+    void take(ResidualFacts facts);
+
     class Canvas;
     QLabel* name_;
     QComboBox* variable_;
     Canvas* canvas_;
-    std::vector<double> residual_, correlation_;  // correlation from lag 0
-    std::vector<NamedSeries> against_;
+    std::function<ResidualFacts()> wanted_;  // null: what is shown is up to date
+    ResidualFacts facts_;
+    JobRunner worker_;
 };
 
 }  // namespace analogon::ui

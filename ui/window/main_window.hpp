@@ -55,6 +55,8 @@ public:
     ComposeActions& compose() { return *compose_; }
     Recovery& recovery() { return *recovery_; }
     void saveTo(const QString& path);
+    /// HTML, PDF, data and the completed study, into a directory.
+    void writeReport(const QString& path);
 
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;

@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QUrl>
@@ -17,6 +18,7 @@
 #include "ui/job/job.hpp"
 #include "ui/measurement/import_panel.hpp"
 #include "ui/plot/plot_panel.hpp"
+#include "ui/window/generate_page.hpp"
 #include "ui/window/main_window.hpp"
 
 /// The window's dealings with files: opening, saving, importing, reporting.
@@ -25,6 +27,12 @@ namespace analogon::ui {
 void MainWindow::open(const QString& path) {
     const QFileInfo file(path);
     const bool isStudy = file.isDir() || file.suffix() == "json" || isArchive(path.toStdString());
+    const bool isGenerating = pages_->currentWidget() == generate_;
+    static const QStringList recordings{"csv", "txt", "tsv", "dat", "mf4", "mdf", "mat"};
+    if (file.exists() && recordings.contains(file.suffix().toLower()) && (isGenerating || !document_->isOpen())) {
+        if (!isGenerating) showGenerate();  // there is no model yet that it could be a recording of
+        return generate_->addRecording(path);
+    }
     if (document_->isOpen() && !isStudy && file.exists()) return importMeasurement(path);
     leaveThen([this, path] { document_->open(path); });
 }
@@ -125,27 +133,30 @@ void MainWindow::askWhereToReport() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setModal(false);
     dialog->setFileMode(QFileDialog::Directory);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        if (!document_->result()) return;
-        const std::filesystem::path directory = path.toStdString();
-        writer_->start<Outcome<Done>>(
-            tr("Writing the report"),
-            [result = *document_->result(), kind = document_->resultKind(), directory](const Progress&) {
-                return writeResults(result, commandName(kind), directory);
-            },
-            [this, path](Outcome<Done> done) {
-                document_->setRunMessages(done.diagnostics());
-                if (done && document_->result()) {
-                    std::vector<QImage> pictures;
-                    for (OutputPlot* plot : plots_->plots()) pictures.push_back(plot->grab().toImage());
-                    (void)writeReportPdf(QDir(path).filePath("report.pdf"), document_->title(), document_->resultKind(),
-                                         document_->result()->finding, pictures);
-                }
-                statusBar()->showMessage(done ? tr("Report written to %1/report.html.").arg(path)
-                                              : tr("No report written: see the messages."));
-            });
-    });
+    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::writeReport);
     dialog->show();
+}
+
+void MainWindow::writeReport(const QString& path) {
+    if (!document_->result()) return;
+    std::vector<QImage> pictures;
+    for (OutputPlot* plot : plots_->plots()) pictures.push_back(plot->grab().toImage());
+    writer_->start<Outcome<Done>>(
+        tr("Writing the report"),
+        [result = *document_->result(), kind = document_->resultKind(), title = document_->title(),
+         pictures = std::move(pictures), path](const Progress&) -> Outcome<Done> {
+            Outcome<Done> done = writeResults(result, commandName(kind), path.toStdString());
+            if (!done) return done;
+            const QString fault =
+                writeReportPdf(QDir(path).filePath("report.pdf"), title, kind, result.finding, pictures);
+            if (!fault.isEmpty()) return error(fault.toStdString());
+            return done;
+        },
+        [this, path](Outcome<Done> done) {
+            document_->setRunMessages(done.diagnostics());
+            statusBar()->showMessage(done ? tr("Report written to %1/report.html.").arg(path)
+                                          : tr("No report written: see the messages."));
+        });
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -155,7 +166,10 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
     if (!event->mimeData()->hasUrls()) return;
     event->acceptProposedAction();
-    open(event->mimeData()->urls().front().toLocalFile());
+    for (const QUrl& url : event->mimeData()->urls()) {
+        open(url.toLocalFile());
+        if (pages_->currentWidget() != generate_) break;  // one study, or one import at a time
+    }
 }
 
 }  // namespace analogon::ui
