@@ -1,6 +1,8 @@
 #include "ui/measurement/import_panel.hpp"
 
+#include <QCheckBox>
 #include <QComboBox>
+#include <QFile>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QHeaderView>
@@ -9,6 +11,7 @@
 #include <QPushButton>
 #include <QTableView>
 #include <QTimer>
+#include <set>
 #include <utility>
 
 #include "ui/document/document.hpp"
@@ -17,6 +20,28 @@
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {
+
+namespace {
+
+/// The first lines of a file, and those around what is wrong.
+std::vector<FileLine> linesOf(const QString& path, const Diagnostics& problems) {
+    constexpr int first = 200, around = 3, longest = 500;  // characters
+    std::set<int> faulty;
+    for (const Diagnostic& d : problems)
+        if (d.place.line > 0) faulty.insert(d.place.line);
+    QFile file(path);
+    std::vector<FileLine> lines;
+    if (!file.open(QIODevice::ReadOnly)) return lines;
+    const int last = std::max(first, faulty.empty() ? 0 : *faulty.rbegin() + around);
+    for (int number = 1; number <= last && !file.atEnd(); ++number) {
+        const QString text = QString::fromUtf8(file.readLine().trimmed().left(longest));
+        const auto near = faulty.lower_bound(number - around);
+        if (number <= first || (near != faulty.end() && *near <= number + around)) lines.push_back({number, text});
+    }
+    return lines;
+}
+
+}  // namespace
 
 ImportPanel::ImportPanel(Document& document, QWidget* parent)
     : QWidget(parent),
@@ -30,12 +55,19 @@ ImportPanel::ImportPanel(Document& document, QWidget* parent)
       units_(new QComboBox(this)),
       time_(new QComboBox(this)),
       role_(new QComboBox(this)),
+      converted_(new QCheckBox(tr("In SI units"), this)),
       view_(new QTableView(this)),
       accept_(new QPushButton(tr("Add to the study"), this)),
       cancel_(new QPushButton(tr("Cancel"), this)) {
     style::makeHeading(title_, 1.2);
     problems_->setWordWrap(true);
-    problems_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    problems_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    connect(problems_, &QLabel::linkActivated, this, [this](const QString& line) { pointAt(line.toInt()); });
+    converted_->setToolTip(tr("The values as a model in SI units gets them; the file stays as it is"));
+    connect(converted_, &QCheckBox::toggled, this, [this](bool isConverted) {
+        model_->setConverted(isConverted);
+        view_->resizeColumnsToContents();
+    });
     separator_->addItem(tr("automatic"), QString());
     for (const auto& [text, sign] :
          {std::pair{tr("comma"), ","}, {tr("semicolon"), ";"}, {tr("tab"), "\t"}, {tr("space"), " "}, {tr("bar"), "|"}})
@@ -86,7 +118,10 @@ ImportPanel::ImportPanel(Document& document, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(style::margin, style::margin, style::margin, style::margin);
     layout->setSpacing(2 * style::unit);
-    layout->addWidget(title_);
+    auto* heading = new QHBoxLayout;
+    heading->addWidget(title_, 1);
+    heading->addWidget(converted_);
+    layout->addLayout(heading);
     layout->addLayout(grid);
     layout->addWidget(view_, 1);
     layout->addLayout(buttons);
@@ -97,15 +132,15 @@ ImportPanel::ImportPanel(Document& document, QWidget* parent)
 
 void ImportPanel::pointAt(int line) {
     wantedLine_ = line;
-    if (reader_.isBusy() || !table_) return;
-    const int row = model_->rowOfLine(std::exchange(wantedLine_, 0));
+    if (reader_.isBusy()) return;
+    const int row = model_->showLine(std::exchange(wantedLine_, 0));
     if (row < 0) return;
     view_->setSelectionMode(QAbstractItemView::SingleSelection);
     view_->selectRow(row);
     view_->scrollTo(model_->index(row, 0), QAbstractItemView::PositionAtCenter);
 }
 
-QString ImportPanel::problems() const { return problems_->text(); }
+QString ImportPanel::problems() const { return told_; }
 
 QString ImportPanel::freeName() const {
     const QString base = QFileInfo(path_).completeBaseName();
@@ -141,34 +176,57 @@ void ImportPanel::read() {
     const bool isPlain = !options.separator && !options.decimal && !options.hasUnitsRow;
     accept_->setEnabled(false);
     problems_->setText(tr("Reading …"));
-    reader_.start<Outcome<Table>>(
+    reader_.start<Preview>(
         tr("Reading"),
-        [file = std::filesystem::path(path_.toStdString()), options, isPlain](const Progress&) {
-            return isPlain ? readTable(file) : readCsv(file, options);
+        [path = path_, isText = separator_->isEnabled(), options, isPlain](const Progress&) {
+            const std::filesystem::path file = path.toStdString();
+            Preview preview{isPlain ? readTable(file) : readCsv(file, options), {}};
+            if (!preview.table && isText) preview.lines = linesOf(path, preview.table.diagnostics());
+            return preview;
         },
-        [this](Outcome<Table> table) { showTable(std::move(table)); });
+        [this](Preview preview) { showPreview(std::move(preview)); });
 }
 
-void ImportPanel::showTable(Outcome<Table> table) {
-    QStringList problems;
-    const std::string prefix = path_.toStdString();
-    for (const Diagnostic& d : table.diagnostics()) {
+/// In words, each with a link to its line.
+void ImportPanel::tellProblems(const Diagnostics& problems) {
+    constexpr std::size_t most = 4;
+    QStringList plain, linked;
+    for (std::size_t i = 0; i < std::min(problems.size(), most); ++i) {
+        const Diagnostic& d = problems[i];
         QString text = QString::fromStdString(d.message);
-        if (d.place.line > 0) text = tr("line %1: ").arg(d.place.line) + text;
         if (!d.hint.empty()) text += " " + QString::fromStdString(d.hint);
-        if (problems.size() < 4) problems << text;
+        const QString line = d.place.line > 0 ? tr("line %1: ").arg(d.place.line) : QString();
+        plain << line + text;
+        linked << (line.isEmpty() ? QString() : QStringLiteral("<a href='%1'>%2</a>").arg(d.place.line).arg(line)) +
+                      text.toHtmlEscaped();
     }
-    if (table.diagnostics().size() > 4) problems << tr("and %1 more").arg(table.diagnostics().size() - 4);
+    if (problems.size() > most) {
+        plain << tr("and %1 more").arg(problems.size() - most);
+        linked << plain.back();
+    }
+    told_ = plain.join('\n');
+    problems_->setText(linked.join("<br>"));
+}
+
+void ImportPanel::showPreview(Preview preview) {
+    const Diagnostics problems = preview.table.diagnostics();
+    table_ = preview.table ? std::make_shared<const Table>(std::move(*preview.table)) : nullptr;
     QPalette p = palette();
-    p.setColor(QPalette::WindowText, table ? style::caution(p) : style::fault(p));
-    problems_->setPalette(problems.isEmpty() ? palette() : p);
-    table_ = table ? std::make_shared<const Table>(std::move(*table)) : nullptr;
-    problems_->setText(!problems.isEmpty() ? problems.join('\n')
-                       : table_            ? tr("%1 rows, %2 columns; nothing is wrong with it.")
-                                      .arg(style::countText(table_->rows()))
-                                      .arg(table_->columns.size())
-                                : QString());
-    model_->show(table_);
+    p.setColor(QPalette::WindowText, table_ ? style::caution(p) : style::fault(p));
+    problems_->setPalette(problems.empty() ? palette() : p);
+    tellProblems(problems);
+    if (problems.empty() && table_)
+        problems_->setText(told_ = tr("%1 rows, %2 columns; nothing is wrong with it.")
+                                       .arg(style::countText(table_->rows()))
+                                       .arg(table_->columns.size()));
+    TableModel::Problems byLine;
+    for (const Diagnostic& d : problems)
+        if (d.place.line > 0) byLine.emplace(d.place.line, QString::fromStdString(d.message));
+    converted_->setEnabled(table_ != nullptr);
+    if (table_)
+        model_->show(table_, std::move(byLine));
+    else
+        model_->show(std::move(preview.lines), std::move(byLine));
     view_->resizeColumnsToContents();
     time_->clear();
     if (table_) {

@@ -4,7 +4,9 @@
 
 #include "core/study/study.hpp"
 #include "ui/job/job.hpp"
+#include "ui/measurement/table_model.hpp"
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QLineEdit;
@@ -14,7 +16,6 @@ class QTableView;
 namespace analogon::ui {
 
 class Document;
-class TableModel;
 
 /// A measurement file before it becomes part of the study: how it is read, what is in it, what is wrong with it.
 class ImportPanel : public QWidget {
@@ -27,6 +28,7 @@ public:
     QPushButton* acceptButton() const { return accept_; }
     QComboBox* timeBox() const { return time_; }
     TableModel* model() const { return model_; }
+    QCheckBox* convertedBox() const { return converted_; }
     QString problems() const;
     /// Shows a line of the file, once it has been read.
     void pointAt(int line);
@@ -37,19 +39,27 @@ Q_SIGNALS:
 
 private:
     void read();
-    void showTable(Outcome<Table> table);
+    /// What was read: the table, or the lines of a file that is none.
+    struct Preview {
+        Outcome<Table> table;
+        std::vector<FileLine> lines;
+    };
+    void showPreview(Preview preview);
+    void tellProblems(const Diagnostics& problems);
     void accept();
     QString freeName() const;
 
     Document& document_;
     QString path_;
     std::shared_ptr<const Table> table_;
+    QString told_;      // what is wrong, as plain text
     int wantedLine_{};  // to be shown once it is there; 0: none
     JobRunner reader_;
     TableModel* model_;
     QLabel *title_, *problems_;
     QLineEdit* name_;
     QComboBox *separator_, *decimal_, *units_, *time_, *role_;
+    QCheckBox* converted_;
     QTableView* view_;
     QPushButton *accept_, *cancel_;
 };
