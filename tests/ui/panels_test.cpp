@@ -33,6 +33,7 @@
 #include <numeric>
 #include "ui/document/document.hpp"
 #include "ui/document/recovery.hpp"
+#include "tests/ui/sample_finding.hpp"
 #include "ui/effect/report_pdf.hpp"
 #include "ui/effect/result_panel.hpp"
 #include "ui/fit/error_curve.hpp"
@@ -260,7 +261,7 @@ TEST_F(Panels, TriesAnEffectOfTheList) {
     EXPECT_FALSE(results->tryButton()->isEnabled()) << "no line is marked yet";
     QTreeWidgetItem* line = nullptr;
     for (int i = 0; i < results->candidates()->topLevelItemCount() && !line; ++i)
-        if (results->candidates()->topLevelItem(i)->toolTip(0).startsWith("thermal.resistance"))
+        if (results->candidates()->topLevelItem(i)->toolTip(0).contains("thermal.resistance"))
             line = results->candidates()->topLevelItem(i);
     ASSERT_TRUE(line);
     results->candidates()->setCurrentItem(line);

@@ -218,6 +218,7 @@ void ResultPanel::refresh() {
         addHeadline(*finding);
         addAdoption();
         addComparison(*finding);
+        addCautions(*finding);
         for (const AddedEffect& effect : finding->effects) addEffect(effect, finding->effects.size() > 1);
         addRemainder(*finding);
         if (!finding->candidates.empty()) addCandidates(*finding);
@@ -338,6 +339,7 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
     add(tr("Held out"), numberText(e.heldOut, 2), tr("+1: holds on data left out; −1: fails"),
         tr("+1: the gain holds on data left out of the fit; −1: it does not"));
     column_->addLayout(grid);
+    column_->addSpacing(style::unit);
 
     QStringList equivalent;
     for (const Alternative& a : effect.alternatives)
@@ -365,12 +367,46 @@ void ResultPanel::addRemainder(const Finding& finding) {
         for (const Correlate& c : r.movesWith)
             moves << QStringLiteral("%1 (%2)").arg(text(c.variable), numberText(c.correlation, 2));
         if (!moves.isEmpty()) addText(tr("It moves with %1.").arg(moves.join(", ")), true);
-        if (!r.proposedEquation.empty()) addText(text(r.proposedEquation), true);
+        addProposal(r);
     }
     if (!finding.nextExperiment.empty()) {
         addHeading(tr("Next experiment"));
         addText(text(finding.nextExperiment));
     }
+}
+
+/// An equation that would explain what remains: what it is, which block has it, and what it would bring.
+void ResultPanel::addProposal(const Remainder& remainder) {
+    if (remainder.proposedEquation.empty()) return;
+    addText(tr("Proposed, not added: %1").arg(text(remainder.proposedEquation)));
+    QStringList facts;
+    if (!remainder.proposedClass.empty()) facts << tr("Block %1").arg(text(remainder.proposedClass));
+    if (remainder.errorFitWith >= 0)
+        facts << tr("with it the error would be %1 on fitted data").arg(percent(remainder.errorFitWith));
+    if (remainder.errorValidateWith >= 0)
+        facts << tr("%1 on validation data").arg(percent(remainder.errorValidateWith));
+    if (!facts.isEmpty()) addText(facts.join(", ") + ".", true);
+}
+
+/// What to mind before trusting the figures above: runs beyond the fitted range, values that drift between runs.
+void ResultPanel::addCautions(const Finding& finding) {
+    if (finding.warnings.empty()) return;
+    addHeading(tr("Mind"));
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(2 * style::unit);
+    grid->setVerticalSpacing(style::unit);
+    grid->setColumnStretch(1, 1);
+    int row = 0;
+    for (const std::string& warning : finding.warnings) {
+        auto* sign = new QLabel(body_);
+        sign->setPixmap(style::icon("warning").pixmap(16, 16));
+        auto* label = new QLabel(text(warning), body_);
+        label->setWordWrap(true);
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        grid->addWidget(sign, row, 0, Qt::AlignTop);
+        grid->addWidget(label, row++, 1);
+    }
+    column_->addLayout(grid);
 }
 
 void ResultPanel::addCandidates(const Finding& finding) {
@@ -384,7 +420,7 @@ void ResultPanel::addCandidates(const Finding& finding) {
                           c.deltaBic ? evidenceText(*c.deltaBic) : QString(), verdictText(c.verdict)});
         item->setData(0, Qt::UserRole, text(c.kind));
         item->setData(1, Qt::UserRole, placeOf(text(c.at)));
-        item->setToolTip(0, text(c.kind) + "\n" + text(c.className));
+        item->setToolTip(0, QStringList{item->text(0), text(c.kind), text(c.className)}.join('\n'));
         item->setToolTip(1, item->text(1));
         alignRight(item, {2, 3});
         item->setToolTip(4, verdictTip(c));

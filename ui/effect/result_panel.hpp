@@ -11,6 +11,7 @@ class QVBoxLayout;
 namespace analogon {
 struct AddedEffect;
 struct Finding;
+struct Remainder;
 enum class Verdict;
 }  // namespace analogon
 
@@ -44,6 +45,8 @@ private:
     void addComparison(const Finding& finding);
     void addEffect(const AddedEffect& effect, bool isOneOfSeveral);
     void addRemainder(const Finding& finding);
+    void addProposal(const Remainder& remainder);
+    void addCautions(const Finding& finding);
     void addCandidates(const Finding& finding);
     QLabel* addText(const QString& text, bool isCaption = false);
     void addHeading(const QString& text);
