@@ -1,6 +1,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QLocale>
+#include <QProcess>
 #include <QSettings>
 
 #include "ui/style/style.hpp"
@@ -28,7 +29,16 @@ int main(int argc, char** argv) {
     const QCommandLineOption pictures("pictures", "Writes pictures of every panel into a directory and ends.", "dir");
     parser.addOptions({language, pictures});
     parser.process(application);
-    if (parser.isSet(pictures)) return ui::writePictures(parser.value(pictures), parser.value(language)) ? 0 : 1;
+    if (parser.isSet(pictures)) {
+        bool isWhole = ui::writePictures(parser.value(pictures), parser.value(language));
+        if (!qEnvironmentVariableIsSet("QT_SCALE_FACTOR")) {  // a scale is that of a process: the large ones by another
+            qputenv("QT_SCALE_FACTOR", "1.5");
+            isWhole =
+                QProcess::execute(QCoreApplication::applicationFilePath(), QCoreApplication::arguments().mid(1)) == 0 &&
+                isWhole;
+        }
+        return isWhole ? 0 : 1;
+    }
 
     const QString code = parser.isSet(language)
                              ? parser.value(language)

@@ -502,6 +502,14 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <source>Composing</source>
         <translation>Zusammensetzen</translation>
     </message>
+    <message>
+        <source>Double-click a domain, or mark it and press Add to the chain.</source>
+        <translation>Eine Domäne doppelklicken oder markieren und „Zur Kette hinzufügen“ drücken.</translation>
+    </message>
+    <message>
+        <source>Drop measurement files here, or press Add recording.</source>
+        <translation>Messdateien hierher ziehen oder „Aufzeichnung hinzufügen“ drücken.</translation>
+    </message>
 </context>
 <context>
     <name>GuidePage</name>
@@ -615,6 +623,14 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     <message>
         <source>%1 rows, %2 columns; nothing is wrong with it.</source>
         <translation>%1 Zeilen, %2 Spalten; alles in Ordnung.</translation>
+    </message>
+    <message>
+        <source>In SI units</source>
+        <translation>In SI-Einheiten</translation>
+    </message>
+    <message>
+        <source>The values as a model in SI units gets them; the file stays as it is</source>
+        <translation>Die Werte, wie sie ein Modell in SI-Einheiten erhält; die Datei bleibt, wie sie ist</translation>
     </message>
 </context>
 <context>
@@ -854,6 +870,266 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     <message>
         <source>Bearing with viscous friction that heats</source>
         <translation>Lager mit viskoser Reibung, die heizt</translation>
+    </message>
+    <message>
+        <source>Effects of an input channel</source>
+        <translation>Effekte eines Eingangskanals</translation>
+    </message>
+    <message>
+        <source>Extensions of the electric machine</source>
+        <translation>Erweiterungen der elektrischen Maschine</translation>
+    </message>
+    <message>
+        <source>Extensions of the heating resistor</source>
+        <translation>Erweiterungen des Heizwiderstands</translation>
+    </message>
+    <message>
+        <source>Effects on a shaft</source>
+        <translation>Effekte an einer Welle</translation>
+    </message>
+    <message>
+        <source>Equations to propose where no named effect explains what is left</source>
+        <translation>Gleichungen als Vorschlag, wo kein benannter Effekt den Rest erklärt</translation>
+    </message>
+    <message>
+        <source>Effects of a measured channel</source>
+        <translation>Effekte eines gemessenen Kanals</translation>
+    </message>
+    <message>
+        <source>A signal that comes late by a dead time</source>
+        <translation>Ein Signal, das um eine Totzeit später kommt</translation>
+    </message>
+    <message>
+        <source>A signal that is off by a factor</source>
+        <translation>Ein Signal, das um einen Faktor abweicht</translation>
+    </message>
+    <message>
+        <source>A signal that lags by one pole</source>
+        <translation>Ein Signal, das mit einem Pol nacheilt</translation>
+    </message>
+    <message>
+        <source>A signal that is off by a constant</source>
+        <translation>Ein Signal, das um eine Konstante abweicht</translation>
+    </message>
+    <message>
+        <source>Errors of signals, without a place to go</source>
+        <translation>Fehler von Signalen, noch ohne Ort</translation>
+    </message>
+    <message>
+        <source>Effects at a place that exchanges heat</source>
+        <translation>Effekte an einem Ort, der Wärme austauscht</translation>
+    </message>
+    <message>
+        <source>Extensions of the body in a stream</source>
+        <translation>Erweiterungen des Körpers in einer Strömung</translation>
+    </message>
+    <message>
+        <source>Effects that a measurement may show to be missing</source>
+        <translation>Effekte, deren Fehlen eine Messung zeigen kann</translation>
+    </message>
+    <message>
+        <source>Connectors and parameters of an electric machine</source>
+        <translation>Anschlüsse und Parameter einer elektrischen Maschine</translation>
+    </message>
+    <message>
+        <source>Electrical and mechanical domain: motors</source>
+        <translation>Elektrisch-mechanische Domäne: Motoren</translation>
+    </message>
+    <message>
+        <source>Connectors and parameters of a resistor that heats</source>
+        <translation>Anschlüsse und Parameter eines Widerstands, der heizt</translation>
+    </message>
+    <message>
+        <source>Electrical and thermal domain: heaters</source>
+        <translation>Elektrisch-thermische Domäne: Heizer</translation>
+    </message>
+    <message>
+        <source>Rotational flange (filled: the side that usually drives)</source>
+        <translation>Drehflansch (gefüllt: die meist treibende Seite)</translation>
+    </message>
+    <message>
+        <source>Rotational flange (open: the side that is usually driven)</source>
+        <translation>Drehflansch (offen: die meist getriebene Seite)</translation>
+    </message>
+    <message>
+        <source>Heat port (filled)</source>
+        <translation>Wärmeanschluss (gefüllt)</translation>
+    </message>
+    <message>
+        <source>Heat port (open)</source>
+        <translation>Wärmeanschluss (offen)</translation>
+    </message>
+    <message>
+        <source>One flange with its angle and speed</source>
+        <translation>Ein Flansch mit Winkel und Drehzahl</translation>
+    </message>
+    <message>
+        <source>One heat port</source>
+        <translation>Ein Wärmeanschluss</translation>
+    </message>
+    <message>
+        <source>One signal in, one signal out</source>
+        <translation>Ein Signal hinein, ein Signal hinaus</translation>
+    </message>
+    <message>
+        <source>Two flanges</source>
+        <translation>Zwei Flansche</translation>
+    </message>
+    <message>
+        <source>Connectors, and the partial classes that share them</source>
+        <translation>Anschlüsse und die unvollständigen Klassen, die sie teilen</translation>
+    </message>
+    <message>
+        <source>Shaft whose friction heats a place, without the law of friction</source>
+        <translation>Welle, deren Reibung einen Ort heizt, ohne das Reibgesetz</translation>
+    </message>
+    <message>
+        <source>Mechanical and thermal domain: bearings and brakes</source>
+        <translation>Mechanisch-thermische Domäne: Lager und Bremsen</translation>
+    </message>
+    <message>
+        <source>Flange held at a fixed angle</source>
+        <translation>Flansch, auf festem Winkel gehalten</translation>
+    </message>
+    <message>
+        <source>Rigid body on a shaft</source>
+        <translation>Starrer Körper auf einer Welle</translation>
+    </message>
+    <message>
+        <source>Geared shaft with two inertias, without its stiffness</source>
+        <translation>Welle mit Getriebe und zwei Trägheiten, ohne ihre Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Load torque with the square of the speed: pump, fan</source>
+        <translation>Lastmoment mit dem Quadrat der Drehzahl: Pumpe, Lüfter</translation>
+    </message>
+    <message>
+        <source>Spring between shaft and housing</source>
+        <translation>Feder zwischen Welle und Gehäuse</translation>
+    </message>
+    <message>
+        <source>Linear spring and damper in parallel between two flanges</source>
+        <translation>Lineare Feder und Dämpfer parallel zwischen zwei Flanschen</translation>
+    </message>
+    <message>
+        <source>Load torque proportional to the speed</source>
+        <translation>Lastmoment proportional zur Drehzahl</translation>
+    </message>
+    <message>
+        <source>Rotational mechanics: shafts, gears, inertias and loads</source>
+        <translation>Drehmechanik: Wellen, Getriebe, Trägheiten und Lasten</translation>
+    </message>
+    <message>
+        <source>Ideal angle sensor</source>
+        <translation>Idealer Winkelsensor</translation>
+    </message>
+    <message>
+        <source>Ideal heat flow sensor between two places</source>
+        <translation>Idealer Wärmestromsensor zwischen zwei Orten</translation>
+    </message>
+    <message>
+        <source>Ideal speed sensor</source>
+        <translation>Idealer Drehzahlsensor</translation>
+    </message>
+    <message>
+        <source>Ideal temperature sensor</source>
+        <translation>Idealer Temperatursensor</translation>
+    </message>
+    <message>
+        <source>Ideal torque sensor between two flanges</source>
+        <translation>Idealer Drehmomentsensor zwischen zwei Flanschen</translation>
+    </message>
+    <message>
+        <source>Ideal sensors</source>
+        <translation>Ideale Sensoren</translation>
+    </message>
+    <message>
+        <source>First-order lag</source>
+        <translation>Verzögerung erster Ordnung</translation>
+    </message>
+    <message>
+        <source>Signal times a constant</source>
+        <translation>Signal mal einer Konstanten</translation>
+    </message>
+    <message>
+        <source>Product of two signals</source>
+        <translation>Produkt zweier Signale</translation>
+    </message>
+    <message>
+        <source>Sum of two signals</source>
+        <translation>Summe zweier Signale</translation>
+    </message>
+    <message>
+        <source>Signal blocks</source>
+        <translation>Signalblöcke</translation>
+    </message>
+    <message>
+        <source>A constant signal</source>
+        <translation>Ein konstantes Signal</translation>
+    </message>
+    <message>
+        <source>Imposes a constant temperature</source>
+        <translation>Gibt eine feste Temperatur vor</translation>
+    </message>
+    <message>
+        <source>Imposes a heat flow given by a signal</source>
+        <translation>Gibt einen Wärmestrom nach einem Signal vor</translation>
+    </message>
+    <message>
+        <source>Imposes a temperature given by a signal</source>
+        <translation>Gibt eine Temperatur nach einem Signal vor</translation>
+    </message>
+    <message>
+        <source>Imposes a torque given by a signal</source>
+        <translation>Gibt ein Drehmoment nach einem Signal vor</translation>
+    </message>
+    <message>
+        <source>Sources: imposed temperatures, flows and signals</source>
+        <translation>Quellen: vorgegebene Temperaturen, Ströme und Signale</translation>
+    </message>
+    <message>
+        <source>Straight lines between points</source>
+        <translation>Geraden zwischen Punkten</translation>
+    </message>
+    <message>
+        <source>Smooth curve through points, which rises and falls only where they do</source>
+        <translation>Glatte Kurve durch Punkte, die nur steigt und fällt, wo diese es tun</translation>
+    </message>
+    <message>
+        <source>Functions given by points</source>
+        <translation>Funktionen aus Punkten</translation>
+    </message>
+    <message>
+        <source>Body of uniform temperature</source>
+        <translation>Körper einheitlicher Temperatur</translation>
+    </message>
+    <message>
+        <source>Heat conduction between two places</source>
+        <translation>Wärmeleitung zwischen zwei Orten</translation>
+    </message>
+    <message>
+        <source>Heat storage and conduction</source>
+        <translation>Wärmespeicherung und Wärmeleitung</translation>
+    </message>
+    <message>
+        <source>Body with heat capacity in a stream, without its law of convection</source>
+        <translation>Körper mit Wärmekapazität in einer Strömung, ohne das Konvektionsgesetz</translation>
+    </message>
+    <message>
+        <source>Thermal and fluid domain: bodies in a stream</source>
+        <translation>Thermisch-fluidische Domäne: Körper in einer Strömung</translation>
+    </message>
+    <message>
+        <source>Blocks for physical models of automotive components</source>
+        <translation>Blöcke für physikalische Modelle von Fahrzeugbauteilen</translation>
+    </message>
+    <message>
+        <source>A signal that is read</source>
+        <translation>Ein Signal, das gelesen wird</translation>
+    </message>
+    <message>
+        <source>A signal that is given out</source>
+        <translation>Ein Signal, das ausgegeben wird</translation>
     </message>
 </context>
 <context>
@@ -1868,6 +2144,26 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <source>Fits the model with this effect and shows its traces; the result is kept among the runs</source>
         <translation>Passt das Modell mit diesem Effekt an und zeigt seine Kurven; das Ergebnis bleibt bei den Läufen erhalten</translation>
     </message>
+    <message>
+        <source>Proposed, not added: %1</source>
+        <translation>Vorgeschlagen, nicht aufgenommen: %1</translation>
+    </message>
+    <message>
+        <source>Block %1</source>
+        <translation>Block %1</translation>
+    </message>
+    <message>
+        <source>with it the error would be %1 on fitted data</source>
+        <translation>damit wäre der Fehler %1 auf angepassten Daten</translation>
+    </message>
+    <message>
+        <source>%1 on validation data</source>
+        <translation>%1 auf Validierungsdaten</translation>
+    </message>
+    <message>
+        <source>Mind</source>
+        <translation>Zu beachten</translation>
+    </message>
 </context>
 <context>
     <name>RunBar</name>
@@ -1946,8 +2242,8 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Neue Studie</translation>
     </message>
     <message>
-        <source>Or drop a study directory, its study.json or an .analogon file here</source>
-        <translation>Oder ein Studienverzeichnis, seine study.json oder eine .analogon-Datei hierher ziehen</translation>
+        <source>Or drop a study (a directory, its study.json, an .analogon file) or recordings here</source>
+        <translation>Oder eine Studie (Verzeichnis, study.json oder .analogon-Datei) oder Aufzeichnungen hierher ziehen</translation>
     </message>
     <message>
         <source>Examples</source>
@@ -1998,5 +2294,31 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
 </context>
 <context>
     <name>QObject</name>
+</context>
+<context>
+    <name>Examples</name>
+    <message>
+        <source>Heating of an exhaust-gas sensor</source>
+        <translation>Aufheizen einer Abgassonde</translation>
+    </message>
+    <message>
+        <source>A planar lambda sensor must be hot before it measures, so it carries an electric heater. What is recorded is the voltage at the heater, its current, and the temperature of the exhaust gas. Since the resistance of the heater rises with its temperature, the current tells how warm the element is.</source>
+        <translation>Eine planare Lambdasonde misst erst, wenn sie heiß ist, und trägt deshalb einen elektrischen Heizer. Aufgezeichnet sind die Spannung am Heizer, sein Strom und die Temperatur des Abgases. Da der Widerstand des Heizers mit seiner Temperatur steigt, verrät der Strom, wie warm das Element ist.</translation>
+    </message>
+    <message>
+        <source>Electric water pump</source>
+        <translation>Elektrische Wasserpumpe</translation>
+    </message>
+    <message>
+        <source>A direct-current motor drives the impeller of a coolant pump. Recorded are the voltage at the motor, its current and the speed of the shaft.</source>
+        <translation>Ein Gleichstrommotor treibt das Laufrad einer Kühlmittelpumpe an. Aufgezeichnet sind die Spannung am Motor, sein Strom und die Drehzahl der Welle.</translation>
+    </message>
+</context>
+<context>
+    <name>TableModel</name>
+    <message>
+        <source>Lines of the file</source>
+        <translation>Zeilen der Datei</translation>
+    </message>
 </context>
 </TS>

@@ -8,32 +8,35 @@
 #include <QDialog>
 #include <QDir>
 #include <QDirIterator>
+#include <QDropEvent>
 #include <QElapsedTimer>
 #include <QImage>
+#include <QLabel>
 #include <QListWidget>
+#include <QMimeData>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSpinBox>
 #include <QStandardPaths>
+#include <QStatusBar>
 #include <QTabWidget>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QStatusBar>
 #include <QTextBrowser>
 #include <QTextStream>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <cmath>
 #include <fstream>
+#include <numeric>
 #include <random>
 
 #include "core/archive/archive.hpp"
+#include "tests/ui/sample_finding.hpp"
 #include "ui/canvas/diagram_scene.hpp"
-#include <numeric>
 #include "ui/document/document.hpp"
 #include "ui/document/recovery.hpp"
-#include "tests/ui/sample_finding.hpp"
 #include "ui/effect/report_pdf.hpp"
 #include "ui/effect/result_panel.hpp"
 #include "ui/fit/error_curve.hpp"
@@ -195,20 +198,6 @@ TEST_F(Panels, TrimsARecordingByDraggingOverThePlot) {
     EXPECT_FALSE(document().study().experiments.front().range);
 }
 
-TEST_F(Panels, ShowsAParameterInAnotherUnitAndWhereItLiesInItsBounds) {
-    openLambda();
-    ParameterModel* model = panel<ParameterPanel>()->model();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return model->rowOf("heater.R") >= 0; }, 5000));
-    const int row = model->rowOf("heater.R");
-    const auto at = [&](int column) { return model->index(row, column); };
-    EXPECT_TRUE(at(ParameterModel::Unit).data(ParameterModel::UnitsRole).toStringList().contains("mOhm"));
-    EXPECT_FALSE(at(ParameterModel::Unit).data(ParameterModel::UnitsRole).toStringList().contains("V"));
-    const QString text = document().modelText();
-    ASSERT_TRUE(model->setData(at(ParameterModel::Unit), "mOhm", Qt::EditRole));
-    EXPECT_EQ(at(ParameterModel::Value).data().toString(), "3000");
-    EXPECT_EQ(at(ParameterModel::Max).data().toString(), "20000");
-    EXPECT_EQ(document().modelText(), text) << "how a value is shown is no change of the study";
-    ASSERT_TRUE(model->setData(at(ParameterModel::Value), "4000", Qt::EditRole));
 TEST_F(Panels, GoesBackToARunOfATrimmedRecording) {
     openLambda();
     const auto trimTo = [&](std::optional<std::pair<double, double>> range) {
@@ -232,6 +221,20 @@ TEST_F(Panels, GoesBackToARunOfATrimmedRecording) {
     EXPECT_TRUE(shown.before.empty()) << "what was simulated of the whole recording does not belong beside a part";
 }
 
+TEST_F(Panels, ShowsAParameterInAnotherUnitAndWhereItLiesInItsBounds) {
+    openLambda();
+    ParameterModel* model = panel<ParameterPanel>()->model();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return model->rowOf("heater.R") >= 0; }, 5000));
+    const int row = model->rowOf("heater.R");
+    const auto at = [&](int column) { return model->index(row, column); };
+    EXPECT_TRUE(at(ParameterModel::Unit).data(ParameterModel::UnitsRole).toStringList().contains("mOhm"));
+    EXPECT_FALSE(at(ParameterModel::Unit).data(ParameterModel::UnitsRole).toStringList().contains("V"));
+    const QString text = document().modelText();
+    ASSERT_TRUE(model->setData(at(ParameterModel::Unit), "mOhm", Qt::EditRole));
+    EXPECT_EQ(at(ParameterModel::Value).data().toString(), "3000");
+    EXPECT_EQ(at(ParameterModel::Max).data().toString(), "20000");
+    EXPECT_EQ(document().modelText(), text) << "how a value is shown is no change of the study";
+    ASSERT_TRUE(model->setData(at(ParameterModel::Value), "4000", Qt::EditRole));
     EXPECT_TRUE(QTest::qWaitFor([&] { return document().parameterValue("heater.R") == 4.0; }, 5000));
     EXPECT_FALSE(model->setData(at(ParameterModel::Unit), "V", Qt::EditRole));
     const auto bar = [&] { return at(ParameterModel::Bounds).data(ParameterModel::BarRole).toList(); };
@@ -272,11 +275,6 @@ TEST_F(Panels, TriesAnEffectOfTheList) {
     for (const CandidateResult& c : document().finding()->candidates) EXPECT_EQ(c.kind, "thermal.resistance");
 }
 
-TEST_F(Panels, WritesTheReportOnPaper) {
-    openLambda();
-    run(RunKind::Fit);
-    ASSERT_TRUE(document().result());
-    const QString file = directory.filePath("report.pdf");
 TEST_F(Panels, SaysWhatToMindWhatIsProposedAndWhatToMeasureNext) {
     openLambda();
     RunResult result = sampleFinding(document(), "thermal.radiation", "Analogon.Effects.Thermal.Radiation",
@@ -350,6 +348,11 @@ TEST_F(Panels, WritesTheWholeReportBesideTheWindow) {
     EXPECT_GT(QFileInfo(place.filePath("report.pdf")).size(), 5000);
 }
 
+TEST_F(Panels, WritesTheReportOnPaper) {
+    openLambda();
+    run(RunKind::Fit);
+    ASSERT_TRUE(document().result());
+    const QString file = directory.filePath("report.pdf");
     const QString fault = writeReportPdf(file, "lambda", RunKind::Fit, document().result()->finding,
                                          {panel<PlotPanel>()->plots().front()->grab().toImage()});
     EXPECT_TRUE(fault.isEmpty()) << fault.toStdString();
@@ -445,6 +448,23 @@ TEST_F(Panels, RemembersFromOneStartToTheNext) {
     EXPECT_EQ(next.value("test/nothing", 7).toInt(), 7);
 }
 
+TEST_F(Panels, TakesDroppedRecordingsAsTheBeginningOfAStudy) {
+    QMimeData files;
+    files.setUrls({QUrl::fromLocalFile(ANALOGON_ROOT "/examples/lambda-sensor-heating/train.csv"),
+                   QUrl::fromLocalFile(ANALOGON_ROOT "/examples/lambda-sensor-heating/validation.csv")});
+    QDragEnterEvent enter(QPoint(200, 200), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &enter);
+    ASSERT_TRUE(enter.isAccepted());
+    QDropEvent drop(QPointF(200, 200), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &drop);
+    auto* page = panel<GeneratePage>();
+    ASSERT_TRUE(page->isVisible());
+    for (const char* domain : {"electric-thermal", "thermal-fluid"}) page->addDomain(domain);
+    QTest::mouseClick(page->generateButton(), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen(); }, 20000)) << page->fault().toStdString();
+    EXPECT_EQ(document().study().experiments.size(), 2u);
+}
+
 TEST_F(Panels, OpensTheGuideWithItsPictures) {
     ASSERT_FALSE(guideFile().isEmpty());
     QTest::keyClick(&window, Qt::Key_F1);
@@ -528,6 +548,15 @@ TEST(Translation, GermanIsComplete) {
         }
     }
     EXPECT_GT(count, 300);
+    const Outcome<Library> library = builtInLibrary();
+    ASSERT_TRUE(library);
+    for (const LibraryClass* cls : library->classes())
+        EXPECT_TRUE(cls->definition->description.empty() ||
+                    german.knows(QString::fromStdString(cls->definition->description)))
+            << cls->qualifiedName;
+    for (const Example& example : findExamples())
+        for (const QString& text : {example.title, example.description})
+            EXPECT_TRUE(german.knows(text)) << text.toStdString();
 }
 
 /// [ms] that have passed for this thread: its work and what it waited for, without the time in which it was ready and

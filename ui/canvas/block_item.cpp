@@ -1,5 +1,6 @@
 #include "ui/canvas/block_item.hpp"
 
+#include <QCoreApplication>
 #include <QGraphicsScene>
 #include <QGraphicsSceneHoverEvent>
 #include <QPainter>
@@ -265,12 +266,14 @@ QString BlockItem::tooltip(const PortShape* port) const {
     if (port) {
         QString tip = QStringLiteral("<b>%1.%2</b><br>%3")
                           .arg(text(block_.name), text(port->port->name), text(port->port->className));
-        if (!port->port->description.empty()) tip += "<br>" + text(port->port->description);
+        if (!port->port->description.empty())
+            tip += "<br>" + QCoreApplication::translate("Library", port->port->description.c_str()).toHtmlEscaped();
         return tip;
     }
     QString tip = QStringLiteral("<b>%1</b><br>%2").arg(text(block_.name), text(block_.className));
     if (!block_.isResolved) tip += "<br>" + QObject::tr("This class is not known.");
-    if (!block_.description.empty()) tip += "<br>" + text(block_.description);
+    if (!block_.description.empty())
+        tip += "<br>" + QCoreApplication::translate("Library", block_.description.c_str()).toHtmlEscaped();
     for (const auto& [name, value] : block_.parameters) tip += "<br>" + text(name) + " = " + text(value);
     return tip;
 }

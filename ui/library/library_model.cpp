@@ -1,6 +1,7 @@
 #include "ui/library/library_model.hpp"
 
 #include <QApplication>
+#include <QCoreApplication>
 #include <QPainter>
 #include <QPalette>
 #include <functional>
@@ -18,6 +19,10 @@ struct LibraryModel::Node {
     int row{};
     std::vector<std::unique_ptr<Node>> children;
 };
+
+QString libraryText(const std::string& description) {
+    return QCoreApplication::translate("Library", description.c_str());
+}
 
 bool isPlaceable(const LibraryClass& cls) {
     using Restriction = syntax::ClassDefinition::Restriction;
@@ -131,7 +136,7 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
             return QString::fromStdString(node.name);
         case Qt::ToolTipRole:
-            return QString::fromStdString(node.description.empty() ? node.className : node.description);
+            return node.description.empty() ? QString::fromStdString(node.className) : libraryText(node.description);
         case Qt::DecorationRole: {
             if (node.isPackage) return {};
             QIcon& icon = icons_[node.className];

@@ -102,7 +102,7 @@ QString LibraryPanel::documentation(const QString& className) const {
     if (!cls) return {};
     QString text = QStringLiteral("<p><b>%1</b><br>%2</p>")
                        .arg(QString::fromStdString(cls->definition->name).toHtmlEscaped(),
-                            QString::fromStdString(cls->definition->description).toHtmlEscaped());
+                            libraryText(cls->definition->description).toHtmlEscaped());
     if (cls->definition->annotation)
         if (const syntax::Modification* doc = cls->definition->annotation->find("Documentation"))
             for (const syntax::Modification& m : doc->arguments)

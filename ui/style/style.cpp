@@ -1,14 +1,17 @@
 #include "ui/style/style.hpp"
 
+#include <QAbstractItemView>
 #include <QFile>
 #include <QGuiApplication>
 #include <QIconEngine>
+#include <QLabel>
 #include <QPainter>
 #include <QPixmap>
 #include <QProxyStyle>
 #include <QStyleFactory>
 #include <QStyleOption>
 #include <QSvgRenderer>
+#include <QVBoxLayout>
 #include <QWidget>
 #include <algorithm>
 
@@ -29,7 +32,7 @@ QPalette lightPalette() {
     p.setColor(QPalette::Base, QColor(0xff, 0xff, 0xff));
     p.setColor(QPalette::AlternateBase, QColor(0xf8, 0xf9, 0xfa));
     p.setColor(QPalette::Text, text);
-    p.setColor(QPalette::PlaceholderText, QColor(0x8b, 0x94, 0xa0));
+    p.setColor(QPalette::PlaceholderText, QColor(0x67, 0x71, 0x7d));
     p.setColor(QPalette::Button, QColor(0xf7, 0xf8, 0xf9));
     p.setColor(QPalette::ButtonText, text);
     p.setColor(QPalette::BrightText, Qt::white);
@@ -57,13 +60,13 @@ QPalette darkPalette() {
     p.setColor(QPalette::Base, QColor(0x18, 0x1b, 0x20));
     p.setColor(QPalette::AlternateBase, QColor(0x1d, 0x21, 0x26));
     p.setColor(QPalette::Text, text);
-    p.setColor(QPalette::PlaceholderText, QColor(0x7d, 0x87, 0x93));
+    p.setColor(QPalette::PlaceholderText, QColor(0x93, 0x9d, 0xa9));
     p.setColor(QPalette::Button, QColor(0x2a, 0x2f, 0x36));
     p.setColor(QPalette::ButtonText, text);
     p.setColor(QPalette::BrightText, Qt::white);
     p.setColor(QPalette::ToolTipBase, QColor(0x3a, 0x41, 0x4b));
     p.setColor(QPalette::ToolTipText, text);
-    p.setColor(QPalette::Highlight, QColor(0x3d, 0x8b, 0xdd));
+    p.setColor(QPalette::Highlight, QColor(0x33, 0x7f, 0xd0));
     p.setColor(QPalette::HighlightedText, Qt::white);
     p.setColor(QPalette::Link, QColor(0x6a, 0xad, 0xf0));
     p.setColor(QPalette::Light, QColor(0x3a, 0x41, 0x4a));
@@ -93,6 +96,10 @@ public:
                 return unit - 1;
             case PM_DockWidgetSeparatorExtent:
                 return unit + 1;
+            case PM_DefaultFrameWidth:  // the line and a pixel of air, which it may round into between whole scales
+                return widget && widget->inherits("QAbstractItemView")
+                           ? 2
+                           : QProxyStyle::pixelMetric(metric, option, widget);
             default:
                 return QProxyStyle::pixelMetric(metric, option, widget);
         }
@@ -169,6 +176,10 @@ public:
                 return drawButton(*option, *painter);
             case PE_FrameTabBarBase:
                 return underline(*painter, option->rect, hairline(p), 1);
+            case PE_FrameLineEdit:
+                return drawField(*option, *painter);
+            case PE_Frame:
+                return drawFrame(*option, *painter);
             case PE_PanelScrollAreaCorner:
                 painter->fillRect(option->rect, p.base());
                 return;
@@ -276,6 +287,24 @@ private:
         painter.restore();
     }
 
+    /// A line around a field that can be seen on a dark ground too.
+    static void drawField(const QStyleOption& field, QPainter& painter) {
+        const QPalette& p = field.palette;
+        const bool isActive = (field.state & State_HasFocus) && (field.state & State_Enabled);
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(isActive ? accent(p) : mix(p.color(QPalette::Window), p.color(QPalette::WindowText), 0.3));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRoundedRect(QRectF(field.rect).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
+        painter.restore();
+    }
+
+    static void drawFrame(const QStyleOption& frame, QPainter& painter) {
+        const QPalette& p = frame.palette;
+        painter.fillRect(frame.rect, mix(p.color(QPalette::Window), p.color(QPalette::WindowText), 0.25));
+        painter.fillRect(frame.rect.adjusted(1, 1, -1, -1), p.color(QPalette::Base));
+    }
+
     static void drawCheck(const QStyleOption& option, QPainter& painter) {
         const QPalette& p = option.palette;
         const bool isOn = option.state & State_On;
@@ -353,7 +382,7 @@ QColor mix(const QColor& a, const QColor& b, double t) {
 QColor accent(const QPalette& palette) { return palette.color(QPalette::Active, QPalette::Highlight); }
 
 QColor mutedText(const QPalette& palette) {
-    return mix(palette.color(QPalette::WindowText), palette.color(QPalette::Window), 0.4);
+    return mix(palette.color(QPalette::WindowText), palette.color(QPalette::Window), 0.35);
 }
 
 QColor hairline(const QPalette& palette) {
@@ -396,6 +425,23 @@ QString countText(qulonglong count) {
     QString text = QString::number(count);
     for (qsizetype at = text.size() - 3; at > 0 && text.size() > 4; at -= 3) text.insert(at, QChar(0x202F));
     return text;
+}
+
+void showWhenEmpty(QAbstractItemView* list, const QString& advice) {
+    auto* label = new QLabel(advice, list->viewport());
+    label->setAlignment(Qt::AlignCenter);
+    label->setWordWrap(true);
+    label->setMargin(margin);
+    label->setAttribute(Qt::WA_TransparentForMouseEvents);
+    makeCaption(label);
+    auto* layout = new QVBoxLayout(list->viewport());
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(label);
+    const auto update = [label, model = list->model()] { label->setVisible(model->rowCount() == 0); };
+    QObject::connect(list->model(), &QAbstractItemModel::rowsInserted, label, update);
+    QObject::connect(list->model(), &QAbstractItemModel::rowsRemoved, label, update);
+    QObject::connect(list->model(), &QAbstractItemModel::modelReset, label, update);
+    update();
 }
 
 void makeCaption(QWidget* label) {

@@ -5,6 +5,7 @@
 #include <QPalette>
 #include <QString>
 
+class QAbstractItemView;
 class QApplication;
 class QWidget;
 
@@ -45,6 +46,9 @@ inline constexpr int margin = 3 * unit;
 
 /// Groups of three with a narrow space, which every language reads the same: "12 345".
 QString countText(qulonglong count);
+
+/// What to do next, in the middle of a list while nothing is in it.
+void showWhenEmpty(QAbstractItemView* list, const QString& advice);
 
 /// Secondary text: smaller and muted.
 void makeCaption(QWidget* label);

@@ -202,7 +202,7 @@ void ComposeActions::chooseBlock(const QString& typed) {
             cls->qualifiedName.find("Real") == std::string::npos)
             continue;
         const QModelIndex index = library_.model()->find(qString(cls->qualifiedName));
-        choices.push_back({qString(cls->definition->name), qString(cls->definition->description),
+        choices.push_back({qString(cls->definition->name), libraryText(cls->definition->description),
                            qString(cls->qualifiedName), index.data(Qt::DecorationRole).value<QIcon>()});
     }
     chooser_->choose(tr("Insert a block: type its name"), std::move(choices), typed,

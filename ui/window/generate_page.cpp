@@ -65,6 +65,8 @@ GeneratePage::GeneratePage(QWidget* parent)
     chain_->setToolTip(tr("Drag to change the order; Delete takes one out"));
     for (QListWidget* list : {chain_, recordings_}) list->installEventFilter(this);
     known_->installEventFilter(this);
+    style::showWhenEmpty(chain_, tr("Double-click a domain, or mark it and press Add to the chain."));
+    style::showWhenEmpty(recordings_, tr("Drop measurement files here, or press Add recording."));
     message_->setWordWrap(true);
     generate_->setIcon(style::icon("apply"));
     generate_->setDefault(true);

@@ -58,6 +58,7 @@ public:
     Album(const QDir& directory, QString suffix) : directory_(directory), suffix_(std::move(suffix)) {}
 
     bool make() {
+        QSettings().clear();  // what an earlier album opened is no part of this one
         MainWindow window;
         window.resize(1440, 900);
         window.show();
@@ -173,7 +174,9 @@ bool writePictures(const QString& directory, const QString& onlyLanguage) {
             style::apply(*qApp, theme);
             Translator translator;
             if (translator.loadLanguage(language)) QCoreApplication::installTranslator(&translator);
-            const QString suffix = "-" + language + (theme == style::Theme::Dark ? "-dark" : "");
+            const int percent = qRound(qApp->devicePixelRatio() * 100);
+            const QString suffix = "-" + language + (theme == style::Theme::Dark ? "-dark" : "") +
+                                   (percent == 100 ? QString() : QStringLiteral("-%1").arg(percent));
             isWhole = Album(target, suffix).make() && isWhole;
             QCoreApplication::removeTranslator(&translator);
         }

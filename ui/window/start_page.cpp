@@ -41,7 +41,11 @@ void describe(const QString& readme, Example& example) {
             paragraph += (paragraph.isEmpty() ? "" : " ") + line;
     }
     paragraph.remove('`');
-    example.description = paragraph;
+    const auto translated = [](const QString& text) {
+        return QCoreApplication::translate("Examples", text.toUtf8().constData());
+    };
+    example.title = translated(example.title);
+    example.description = translated(paragraph);
 }
 
 /// An example as a card: the whole of it is the button.
@@ -138,7 +142,8 @@ StartPage::StartPage(std::vector<Example> examples, QWidget* parent)
     generate->setIcon(style::icon("recording"));
     generate->setMinimumHeight(8 * style::unit);
     connect(generate, &QPushButton::clicked, this, &StartPage::generateWanted);
-    auto* hint = new QLabel(tr("Or drop a study directory, its study.json or an .analogon file here"), this);
+    auto* hint =
+        new QLabel(tr("Or drop a study (a directory, its study.json, an .analogon file) or recordings here"), this);
     style::makeCaption(hint);
     fault_->setWordWrap(true);
     fault_->setTextInteractionFlags(Qt::TextSelectableByMouse);
