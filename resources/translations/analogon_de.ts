@@ -1333,6 +1333,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <source>Untitled</source>
         <translation>Unbenannt</translation>
     </message>
+    <message>
+        <source>Go to</source>
+        <translation>Gehe zu</translation>
+    </message>
 </context>
 <context>
     <name>MainWindowFiles</name>

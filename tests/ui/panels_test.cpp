@@ -35,6 +35,7 @@
 #include "core/archive/archive.hpp"
 #include "tests/ui/sample_finding.hpp"
 #include "ui/canvas/diagram_scene.hpp"
+#include "ui/canvas/diagram_view.hpp"
 #include "ui/document/document.hpp"
 #include "ui/document/recovery.hpp"
 #include "ui/effect/report_pdf.hpp"
@@ -174,6 +175,36 @@ TEST_F(Panels, ShowsTheResidualFromThreeSidesAndExports) {
     ASSERT_TRUE(numbers) << format(numbers.diagnostics());
     EXPECT_EQ(numbers->rows(), document().before()->experiments.front().time.size());
     EXPECT_TRUE(numbers->find("i_mod measured"));
+}
+
+TEST_F(Panels, ReachesAndReadsThePlotsWithTheKeyboardAlone) {
+    openLambda();
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    for (const auto& [key, name] :
+         {std::pair{Qt::Key_1, "library"}, {Qt::Key_3, "parameters"}, {Qt::Key_6, "traces"}}) {
+        QTest::keyClick(&window, key, Qt::ControlModifier);
+        const QWidget* focus = QApplication::focusWidget();
+        ASSERT_TRUE(focus);
+        EXPECT_TRUE(window.findChild<QWidget*>(name)->isAncestorOf(focus)) << name;
+    }
+    auto* plots = panel<PlotPanel>();
+    TimePlot* values = plots->plots().front()->values();
+    values->setFocus();
+    std::pair<double, double> range;
+    std::vector<double> marks;
+    QObject::connect(values, &TimePlot::timeRangeWanted, [&](double from, double to) { range = {from, to}; });
+    QObject::connect(values, &TimePlot::markWanted, [&](double time) { marks.push_back(time); });
+    QTest::keyClick(values, Qt::Key_Plus);
+    EXPECT_NEAR(range.second - range.first, 0.8 * 180, 1e-6);
+    QTest::keyClick(values, Qt::Key_Right);
+    QTest::keyClick(values, Qt::Key_Return);
+    QTest::keyClick(values, Qt::Key_Right);
+    QTest::keyClick(values, Qt::Key_Return);
+    ASSERT_EQ(marks.size(), 2u);
+    EXPECT_NEAR(marks[1] - marks[0], 0.01 * 0.8 * 180, 1e-6);
+    QTest::keyClick(&window, Qt::Key_0, Qt::ControlModifier);
+    EXPECT_EQ(QApplication::focusWidget(), window.findChild<DiagramView*>());
 }
 
 TEST_F(Panels, TrimsARecordingByDraggingOverThePlot) {

@@ -41,6 +41,7 @@ QColor traceColour(TraceRole role, const QPalette& palette) {
 
 TimePlot::TimePlot(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
 }
 
@@ -185,6 +186,10 @@ void TimePlot::paintEvent(QPaintEvent*) {
         painter.drawPixmap(0, 0, ground_);
     }
     const QRectF area = this->area();
+    if (hasFocus()) {
+        painter.setPen(QPen(style::accent(palette()), 2));
+        painter.drawLine(area.topLeft(), area.bottomLeft());
+    }
     const auto drawTime = [&](double time, const QPen& pen) {
         if (time < from_ || time > to_) return;
         painter.setPen(pen);
@@ -325,9 +330,49 @@ void TimePlot::changeEvent(QEvent* event) {
 
 void TimePlot::wheelEvent(QWheelEvent* event) {
     if (event->modifiers() & Qt::ShiftModifier) return event->ignore();  // scrolls the list of plots
-    const double about = timeAt(event->position().x());
-    const double factor = std::pow(0.9985, event->angleDelta().y());
+    zoom(timeAt(event->position().x()), std::pow(0.9985, event->angleDelta().y()));
+}
+
+void TimePlot::zoom(double about, double factor) {
     Q_EMIT timeRangeWanted(about - (about - from_) * factor, about + (to_ - about) * factor);
+}
+
+void TimePlot::keyPressEvent(QKeyEvent* event) {
+    constexpr double step = 0.01, shift = 0.1, closer = 0.8;  // parts of the range
+    const double span = to_ - from_;
+    const bool hasPointer = cursor_ && *cursor_ >= from_ && *cursor_ <= to_;
+    const double pointer = hasPointer ? *cursor_ : (from_ + to_) / 2;
+    switch (event->key()) {
+        case Qt::Key_Left:
+        case Qt::Key_Right: {
+            const double sign = event->key() == Qt::Key_Left ? -1 : 1;
+            if (event->modifiers() & Qt::ControlModifier)
+                Q_EMIT timeRangeWanted(from_ + sign * shift * span, to_ + sign * shift * span);
+            else
+                Q_EMIT pointedAt(std::clamp(pointer + sign * step * span, from_, to_));
+            return;
+        }
+        case Qt::Key_Plus:
+        case Qt::Key_Minus:
+            return zoom(pointer, event->key() == Qt::Key_Plus ? closer : 1 / closer);
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            return Q_EMIT markWanted(pointer);
+        case Qt::Key_Home:
+            return Q_EMIT allWanted();
+        default:
+            QWidget::keyPressEvent(event);
+    }
+}
+
+void TimePlot::focusInEvent(QFocusEvent* event) {
+    QWidget::focusInEvent(event);
+    update();
+}
+
+void TimePlot::focusOutEvent(QFocusEvent* event) {
+    QWidget::focusOutEvent(event);
+    update();
 }
 
 void TimePlot::mousePressEvent(QMouseEvent* event) {

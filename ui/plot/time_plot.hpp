@@ -22,7 +22,8 @@ QColor traceColour(TraceRole role, const QPalette& palette);
 /// One axis area over time. A trace is drawn from what it covers in each column of pixels, so that a million samples
 /// cost no more than a thousand; grid and traces are kept as a picture while only the pointer moves.
 /// Wheel zooms the time axis about the pointer, dragging moves it, Shift and dragging zooms into what is passed over, a
-/// double click shows all, Ctrl and a click sets a mark; range and marks are the owner's, who links several plots.
+/// double click shows all, Ctrl and a click sets a mark. With the keys: arrows move the pointer, with Ctrl the axis, + and
+/// - zoom, Enter sets a mark, Home shows all. Range and marks are the owner's, who links several plots.
 class TimePlot : public QWidget {
     Q_OBJECT
 
@@ -62,8 +63,12 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
 
 private:
+    void zoom(double about, double factor);
     bool isHidden(TraceRole role) const;
     void fitValues();
     void redraw();

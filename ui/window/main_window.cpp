@@ -231,6 +231,7 @@ void MainWindow::createMenus() {
     view->addSeparator();
     for (QDockWidget* dock : docks()) view->addAction(dock->toggleViewAction());
     view->addAction(tr("Reset layout"), this, &MainWindow::resetLayout);
+    addPanelKeys(view->addMenu(tr("Go to")));
     view->addSeparator();
     addLanguages(view);
     QMenu* theme = view->addMenu(tr("Theme"));
@@ -245,6 +246,38 @@ void MainWindow::createMenus() {
         action->setChecked(i == static_cast<int>(style::current()));
         group->addAction(action);
     }
+}
+
+/// Ctrl and a digit lead to each panel, so that the mouse is not needed to get there.
+void MainWindow::addPanelKeys(QMenu* menu) {
+    const auto add = [&](int digit, const QString& name, std::function<void()> show, QWidget* panel) {
+        QAction* action = menu->addAction(name, this, [show = std::move(show), panel] {
+            show();
+            QWidget* first = panel;  // the first place in it that takes keys
+            while (first->focusPolicy() == Qt::NoFocus || !first->isVisibleTo(panel)) {
+                first = first->nextInFocusChain();
+                if (first == panel || !panel->isAncestorOf(first)) return panel->setFocus(Qt::ShortcutFocusReason);
+            }
+            first->setFocus(Qt::ShortcutFocusReason);
+        });
+        action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_0 + digit)));
+    };
+    add(
+        0, tr("Diagram"),
+        [this] {
+            if (document_->isOpen()) centre_->setCurrentWidget(view_);
+        },
+        view_);
+    int digit = 1;
+    for (QDockWidget* dock : docks())
+        add(
+            digit++, dock->windowTitle(),
+            [this, dock] {
+                if (!document_->isOpen()) return;
+                dock->show();
+                dock->raise();
+            },
+            dock->widget());
 }
 
 /// Takes effect at the next start: every text of the window is made once.

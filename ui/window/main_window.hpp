@@ -90,6 +90,7 @@ private:
     void showGenerate();
     void showGuide();
     void addLanguages(QMenu* view);
+    void addPanelKeys(QMenu* menu);
     void importMeasurement(const QString& path);
     void leaveImport();
     /// Does it at once, or once the user has said what becomes of unsaved changes.
