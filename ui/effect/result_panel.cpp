@@ -213,6 +213,7 @@ void ResultPanel::refresh() {
     column_->setSpacing(style::unit);
     const Finding* finding = document_.finding();
     if (!document_.isOpen() || !finding || document_.resultKind() == RunKind::Simulate) {
+        body_->setBackgroundRole(QPalette::Window);  // as every panel without content
         addEmptyState();
     } else {
         addHeadline(*finding);

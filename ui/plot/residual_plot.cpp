@@ -222,6 +222,7 @@ private:
 ResidualPlot::ResidualPlot(QWidget* parent)
     : QWidget(parent), name_(new QLabel(this)), variable_(new QComboBox(this)), canvas_(new Canvas(*this)) {
     style::makeHeading(name_, 1.0);
+    variable_->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // what there is comes later
     variable_->setAccessibleName(tr("Residual against"));
     canvas_->setToolTip(
         tr("Left: how the residual is distributed, with the normal distribution of the same spread.\n"

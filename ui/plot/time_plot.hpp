@@ -22,7 +22,8 @@ QColor traceColour(TraceRole role, const QPalette& palette);
 /// One axis area over time. A trace is drawn from what it covers in each column of pixels, so that a million samples
 /// cost no more than a thousand; grid and traces are kept as a picture while only the pointer moves.
 /// Wheel zooms the time axis about the pointer, dragging moves it, Shift and dragging zooms into what is passed over, a
-/// double click shows all, Ctrl and a click sets a mark. With the keys: arrows move the pointer, with Ctrl the axis, + and
+/// double click shows all, Ctrl and a click sets a mark. With the keys: arrows move the pointer, with Ctrl the axis, +
+/// and
 /// - zoom, Enter sets a mark, Home shows all. Range and marks are the owner's, who links several plots.
 class TimePlot : public QWidget {
     Q_OBJECT
