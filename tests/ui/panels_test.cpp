@@ -319,6 +319,7 @@ TEST_F(Panels, SaysWhatToMindWhatIsProposedAndWhatToMeasureNext) {
     remainder.output = "i_mod";
     remainder.proposedEquation = "Q = c*(T - T0)^3";
     remainder.proposedClass = "Analogon.Effects.Proposals.CubicHeat";
+    remainder.proposedBlock = "model CubicHeat end CubicHeat;";
     remainder.errorFitWith = 0.31;
     remainder.errorValidateWith = 0.44;
     finding.remainders = {remainder};
@@ -330,6 +331,8 @@ TEST_F(Panels, SaysWhatToMindWhatIsProposedAndWhatToMeasureNext) {
         return !shown.filter("drive cycle' runs outside").isEmpty();
     };
     ASSERT_TRUE(QTest::qWaitFor(collect, 5000));
+    for (const QLabel* label : panel<ResultPanel>()->findChildren<QLabel*>())
+        EXPECT_TRUE(!label->text().contains("Proposals.CubicHeat") || label->toolTip().contains("end CubicHeat"));
     EXPECT_EQ(shown.filter("held for 60 s").size(), 1);
     EXPECT_EQ(shown.filter("(T - T0)^3").size(), 1);
     const QStringList facts = shown.filter("Proposals.CubicHeat");

@@ -386,7 +386,10 @@ void ResultPanel::addProposal(const Remainder& remainder) {
         facts << tr("with it the error would be %1 on fitted data").arg(percent(remainder.errorFitWith));
     if (remainder.errorValidateWith >= 0)
         facts << tr("%1 on validation data").arg(percent(remainder.errorValidateWith));
-    if (!facts.isEmpty()) addText(facts.join(", ") + ".", true);
+    if (facts.isEmpty()) return;
+    QLabel* label = addText(facts.join(", ") + ".", true);
+    if (!remainder.proposedBlock.empty())  // written for this model alone: no library has it to look up
+        label->setToolTip("<pre>" + text(remainder.proposedBlock).toHtmlEscaped() + "</pre>");
 }
 
 /// What to mind before trusting the figures above: runs beyond the fitted range, values that drift between runs.
