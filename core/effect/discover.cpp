@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/effect/caution.hpp"
+#include "core/effect/dependence.hpp"
 #include "core/effect/missing_flow.hpp"
 #include "core/effect/model_state.hpp"
 #include "core/effect/remainder.hpp"
@@ -20,8 +21,10 @@ constexpr double integrationShare = 2e-3, coarsestTolerance = 3e-5;  // of the n
 constexpr double changeShare = 0.5, leastChange = 100;
 constexpr long mostSearchedSamples = 6000;
 
-/// Whether a change in mid run accounts for most of what is above the noise, by a wide margin over chance, and is a
-/// better account of it than the effects that were found: another structure, or all of them only to imitate it.
+/// Whether a parameter that changes (in mid run, or with a channel) accounts for most of what is above the noise, by a
+/// wide margin over chance, and is a better account of it than the effects that were found: another structure, or all
+/// of them only to imitate it.
+template <class Change>
 bool isBetterThan(const NullModel& base, const NullModel& with, const Change& change) {
     if (!(change.explained > changeShare * excess(base)) || !(change.explained > leastChange)) return false;
     const double left = sumInUnitsOf(base, with), leftByChange = change.fit.optimum.residuals.squaredNorm();
@@ -156,16 +159,25 @@ Outcome<Finding> Search::run() {
 
     // A parameter that changed in mid run is imitated by many slow effects; none of them is it.
     if (!isNoise(base) && !progress_.stopRequested()) change_ = bestChange(base, search_.fit, progress_);
-    if (change_ && isBetterThan(base, *null, *change_)) {
+    if (!isNoise(base) && !progress_.stopRequested()) dependence_ = bestDependence(base, search_.fit, progress_);
+    if (change_ && !isBetterThan(base, *null, *change_)) change_.reset();
+    if (dependence_ && !isBetterThan(base, *null, *dependence_)) dependence_.reset();
+    if (change_ && dependence_) {
+        if (change_->explained > dependence_->explained)
+            dependence_.reset();
+        else
+            change_.reset();
+    }
+    if (change_ || dependence_) {
         for (const PlacedEffect& e : null->variant.effects)
             setVerdict(e.effect.kind, e.place.at, Verdict::NotSignificant);
         steps_.clear();
         null = base;
         finding.final = finding.baseline;
-    } else {
-        change_.reset();
     }
-    if (!change_ && !isNoise(*null) && !progress_.stopRequested() && addLaw(*null)) removeUnneeded(*null, 0);
+    if (!isNoise(*null)) removeUnneeded(*null, 0, true);
+    if (!change_ && !dependence_ && !isNoise(*null) && !progress_.stopRequested() && addLaw(*null))
+        removeUnneeded(*null, 0);
     // where a proposal explains all, what it made needless only imitated it
     const bool leavesMuch = levelOf(null->fit) > largeResidual;
     if (leavesMuch) setAsideBehindProposal(*null);
@@ -175,6 +187,8 @@ Outcome<Finding> Search::run() {
         removeUnneeded(*null, 0);  // what was seen only beside a proposal is not kept without it
     }
     finding.nextExperiment = proposeExperiments(*null);
+    const bool isOpen = proposed.empty() && !change_ && !dependence_ && !isNoise(*null);
+    const std::string place = isOpen ? likeliestPlace(*null, search_.fit.simulation, progress_) : std::string();
     if (onAll && steps_.empty()) null = *onAll;
     if (!steps_.empty() && !progress_.stopRequested()) {
         // the search was content with less: on every sample, and integrated as exactly as was asked for
@@ -217,10 +231,7 @@ Outcome<Finding> Search::run() {
     finding.interrupted = progress_.stopRequested();
     if (!finding.interrupted) {
         finding.remainders = remainders(*null, options_.fit.simulation);
-        if (!finding.remainders.empty() && proposed.empty() && !change_)
-            for (const std::string place = likeliestPlace(*null, options_.fit.simulation, progress_);
-                 Remainder & r : finding.remainders)
-                r.node = place;
+        for (Remainder& r : finding.remainders) r.node = place;
         offer(std::move(proposed), finding.remainders);
         if (change_) {
             Remainder r;
@@ -236,6 +247,18 @@ Outcome<Finding> Search::run() {
             offer({r}, finding.remainders);
             if (finding.remainders.front().output.empty()) finding.remainders.erase(finding.remainders.begin());
         }
+    }
+    if (dependence_ && !finding.interrupted) {
+        const Dependence& d = *dependence_;
+        Remainder r;
+        r.node = d.parameter.substr(0, d.parameter.rfind('.'));
+        r.evidence = d.explained;
+        r.proposedEquation = fmt::format("{} = {:.4g} {} {:.4g}*({} - {:.4g})", d.parameter, d.value,
+                                         d.slope < 0 ? "-" : "+", std::abs(d.slope / d.range), d.channel, d.middle);
+        finding.warnings.push_back(
+            fmt::format("{} seems to move with the recorded channel {}", d.parameter, d.channel));
+        offer({r}, finding.remainders);
+        if (finding.remainders.front().output.empty()) finding.remainders.erase(finding.remainders.begin());
     }
     for (const auto& sentences : {extrapolations(full_.task), driftBetweenRecordings(*null), boundHits(null->fit)})
         finding.warnings.insert(finding.warnings.end(), sentences.begin(), sentences.end());

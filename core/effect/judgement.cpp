@@ -7,7 +7,10 @@
 namespace analogon {
 namespace {
 
-constexpr double mostGrowth = 5;  // of an effect's strength when another joins it
+constexpr int stretches[] = {4, 6};
+constexpr double leastLikelihood = 30;    // twice the logarithm of the ratio
+constexpr double leastInStretches = 0.3;  // H with quarters and sixths left out
+constexpr double mostGrowth = 5;          // of an effect's strength when another joins it
 
 }  // namespace
 
@@ -22,6 +25,14 @@ bool isProposal(const Trial& trial) { return !trial.screened.candidate.effect.pr
 int plausibility(const EffectClass& effect) { return effect.signalSide == "input" ? 1 : 0; }
 
 bool isMissed(const Acceptance& a) { return a.isSignificant && a.isWorthwhile && a.heldOut > 0; }
+
+bool isBorneOut(const NullModel& without, const FitResult& with) {
+    if (!(likelihoodGain(without.channels, without.fit.optimum.residuals, with.optimum.residuals) > leastLikelihood))
+        return false;
+    return std::all_of(std::begin(stretches), std::end(stretches), [&](int count) {
+        return heldOutGain(without.channels, without.fit.optimum, with.optimum, count, count) > leastInStretches;
+    });
+}
 
 bool isAtBound(const Trial& trial) {
     const std::string& strength = trial.variant.effects.back().freed.front().name;

@@ -22,6 +22,10 @@ int plausibility(const EffectClass& effect);
 /// Whether an effect, by what the model loses without it, has to stay.
 bool isMissed(const Acceptance& a);
 
+/// Whether an effect holds where long stretches of the recordings are left out in turn, and is more than a better model
+/// of the noise: a slow disturbance is imitated well from one short block to the next.
+bool isBorneOut(const NullModel& without, const FitResult& with);
+
 /// Whether the strength rests at a bound: the effect then stands for something else.
 bool isAtBound(const Trial& trial);
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/effect/change.hpp"
+#include "core/effect/dependence.hpp"
 #include "core/effect/discover.hpp"
 #include "core/effect/judgement.hpp"
 
@@ -81,7 +82,7 @@ private:
     std::vector<Trial> tryLaws(NullModel& null);
     void bringBackDisplaced(NullModel& null);
     bool replace(NullModel& null, std::size_t effect);
-    void removeUnneeded(NullModel& null, std::size_t least);
+    void removeUnneeded(NullModel& null, std::size_t least, bool isLast = false);
     void treatAlike(NullModel& null);
     void sharpen(NullModel& null);
     std::string proposeExperiments(const NullModel& null);
@@ -105,6 +106,7 @@ private:
     std::optional<Path> opening_;              // where the first choice of all led
     std::map<std::string, std::string> laws_;  // texts of the classes that were written for this model, by name
     std::optional<Change> change_;             // in mid run, that explains better than any effect
+    std::optional<Dependence> dependence_;     // on a channel, that does
     bool writesLaws_{};                        // for what no class has, in every round
     int round_{}, choices_{};
     double work_{};  // of the trials so far

@@ -16,6 +16,7 @@ constexpr double mostWork = 3e7;  // in steps of the trials, beyond which no oth
 constexpr std::size_t otherPaths = 2;
 constexpr double structuredResidual = 1.1;  // in units of the noise: something is left to find
 constexpr double leastGain = 1;             // in evidence, for which an effect is exchanged: exact twins are not
+constexpr double clearShare = 3;            // of what is left, from which on an effect needs no further witness
 constexpr int mostSharpenings = 2;
 constexpr double leastSharpening = 8;  // fall in the sum of squares, in units of the noise
 
@@ -260,8 +261,9 @@ void Search::setVerdict(const std::string& kind, const std::string& at, Verdict 
         }
 }
 
-/// Takes each effect out again and keeps only those that are missed.
-void Search::removeUnneeded(NullModel& null, std::size_t least) {
+/// Takes each effect out again and keeps only those that are missed. At the last, what explains little beside what
+/// nothing explains must be borne out by every part of the recordings.
+void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
     for (std::size_t i = 0; i < steps_.size() && steps_.size() > least && !progress_.stopRequested();) {
         say("remove", null.variant.effects[i].effect.kind + " at " + null.variant.effects[i].place.at, -1);
         std::optional<NullModel> refitted = without(null, i);
@@ -271,7 +273,8 @@ void Search::removeUnneeded(NullModel& null, std::size_t least) {
         }
         const int freed = static_cast<int>(null.variant.effects[i].freed.size());
         const Acceptance missed = examine(*refitted, null.fit, freed, 0);
-        if (isMissed(missed) && isDetermined(null, i)) {
+        const bool isDoubtful = isLast && !isNoise(null) && missed.share < clearShare;
+        if (isMissed(missed) && isDetermined(null, i) && !(isDoubtful && !isBorneOut(*refitted, null.fit))) {
             steps_[i].acceptance = missed;
             if (Outcome<ModelState> state =
                     stateOf(refitted->variant, refitted->fit, search_.fit.simulation, progress_))

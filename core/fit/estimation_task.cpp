@@ -223,7 +223,10 @@ Outcome<PreparedTask> prepare(const EstimationTask& task, const std::vector<Eige
                               const std::vector<std::string>& alsoKeep) {
     Outcome<FlatModel> flat = flatten(task.library, task.className);
     if (!flat) return flat.diagnostics();
-    if (task.change) flat = withChange(std::move(*flat), task.change->parameter, task.change->width);
+    if (task.change && task.change->input.empty())
+        flat = withChange(std::move(*flat), task.change->parameter, task.change->width);
+    else if (task.change)
+        flat = withDependence(std::move(*flat), task.change->parameter, task.change->input);
     if (!flat) return flat.diagnostics();
     auto model = std::make_shared<const FlatModel>(std::move(*flat));
     StructureOptions options;

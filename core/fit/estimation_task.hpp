@@ -40,10 +40,12 @@ struct Recording {
     std::vector<SpareChannel> spares;
 };
 
-/// A parameter that may take another value in mid run; `stepOf` and `momentOf` it are then parameters, too.
+/// A parameter that may take another value in mid run (`stepOf` and `momentOf` it are then parameters, too), or that
+/// moves with a signal of the recordings (`slopeOf` it is then one).
 struct ParameterChange {
     std::string parameter;
-    double width{};  // [s] over which it changes
+    double width{};       // [s] over which it changes
+    std::string input{};  // among Recording::inputNames, with which it moves; empty: it changes at a moment
 };
 
 struct EstimationTask {

@@ -48,16 +48,36 @@ VariableId addParameter(FlatModel& model, std::string name, std::string unit) {
     return id;
 }
 
+/// Invalid: the model has no such parameter.
+VariableId realParameter(const FlatModel& model, const std::string& name) {
+    const VariableId id = model.find(name);
+    const bool isParameter =
+        id.valid() && model[id].variability == FlatVariability::Parameter && model[id].type == FlatType::Real;
+    return isParameter ? id : VariableId{};
+}
+
+void replaceEverywhere(FlatModel& model, VariableId parameter, ExpressionId instead) {
+    Follower follow(model, parameter, instead);
+    for (std::vector<FlatEquation>* equations : {&model.equations, &model.initialEquations})
+        for (FlatEquation& e : *equations) {
+            e.left = follow(e.left);
+            e.right = follow(e.right);
+        }
+}
+
+Diagnostic noParameter(const FlatModel& model, const std::string& name) {
+    return error(fmt::format("{} has no parameter {} that could change", model.name, name));
+}
+
 }  // namespace
 
 std::string stepOf(const std::string& parameter) { return parameter + ".step"; }
 std::string momentOf(const std::string& parameter) { return parameter + ".moment"; }
+std::string slopeOf(const std::string& parameter) { return parameter + ".slope"; }
 
 Outcome<FlatModel> withChange(FlatModel model, const std::string& parameter, double width) {
-    const VariableId changed = model.find(parameter);
-    if (!changed.valid() || model[changed].variability != FlatVariability::Parameter ||
-        model[changed].type != FlatType::Real)
-        return error(fmt::format("{} has no parameter {} that could change", model.name, parameter));
+    const VariableId changed = realParameter(model, parameter);
+    if (!changed.valid()) return noParameter(model, parameter);
     const std::string unit = model[changed].unit;
     const VariableId step = addParameter(model, stepOf(parameter), unit);
     const VariableId moment = addParameter(model, momentOf(parameter), "s");
@@ -66,16 +86,24 @@ Outcome<FlatModel> withChange(FlatModel model, const std::string& parameter, dou
         pool.multiply(pool.constant(2 / width), pool.subtract(pool.time(), pool.variable(moment)));
     const ExpressionId risen =
         pool.multiply(pool.constant(0.5), pool.add(pool.constant(1), pool.unary(Operation::Tanh, argument)));
-    const ExpressionId instead = pool.add(pool.variable(changed), pool.multiply(pool.variable(step), risen));
-    Follower follow(model, changed, instead);
-    for (FlatEquation& e : model.equations) {
-        e.left = follow(e.left);
-        e.right = follow(e.right);
-    }
-    for (FlatEquation& e : model.initialEquations) {
-        e.left = follow(e.left);
-        e.right = follow(e.right);
-    }
+    replaceEverywhere(model, changed, pool.add(pool.variable(changed), pool.multiply(pool.variable(step), risen)));
+    return model;
+}
+
+Outcome<FlatModel> withDependence(FlatModel model, const std::string& parameter, const std::string& input) {
+    const VariableId changed = realParameter(model, parameter);
+    if (!changed.valid()) return noParameter(model, parameter);
+    if (model.find(input).valid()) return error(fmt::format("{} has a variable {} already", model.name, input));
+    const VariableId slope = addParameter(model, slopeOf(parameter), model[changed].unit);
+    FlatVariable signal;
+    signal.name = input;
+    signal.causality = FlatCausality::Input;
+    const VariableId moving{static_cast<std::uint32_t>(model.variables.size())};
+    model.byName[input] = moving;
+    model.variables.push_back(std::move(signal));
+    ExpressionPool& pool = *model.pool;
+    replaceEverywhere(model, changed,
+                      pool.add(pool.variable(changed), pool.multiply(pool.variable(slope), pool.variable(moving))));
     return model;
 }
 

@@ -11,6 +11,12 @@ namespace analogon {
 /// 0: nothing changes). Parameters bound to p follow it. Fault: no such Real parameter.
 Outcome<FlatModel> withChange(FlatModel model, const std::string& parameter, double width);
 
+/// Lets a parameter move with a signal: p stands for p + p.slope * u in every equation, where u is a new top-level
+/// input. "p.slope" is a new parameter (0: it does not move). Fault: no such Real parameter, or a variable of the
+/// input's name.
+Outcome<FlatModel> withDependence(FlatModel model, const std::string& parameter, const std::string& input);
+
+std::string slopeOf(const std::string& parameter);
 std::string stepOf(const std::string& parameter);
 std::string momentOf(const std::string& parameter);
 

@@ -40,8 +40,23 @@ TEST(ParameterChange, IsFollowedByParametersBoundToIt) {
     EXPECT_NEAR(rightSide(*changed, 9.0, 1.0, 3.0), 10, 1e-9);
 }
 
+TEST(ParameterChange, LetsAParameterMoveWithASignal) {
+    const FlatModel flat = flatOf("model M parameter Real p = 2; Real x; equation x = 10*p; end M;");
+    const Outcome<FlatModel> moving = withDependence(flat, "p", "flow");
+    ASSERT_TRUE(moving) << format(moving.diagnostics());
+    const double value = moving->pool->evaluate(moving->equations.front().right, [&](const ExpressionNode& node) {
+        const std::string& name = (*moving)[node.variable].name;
+        if (name == "p.slope") return 0.5;
+        if (name == "flow") return 3.0;
+        return moving->parameterValue(node.variable).value_or(std::nan(""));
+    });
+    EXPECT_NEAR(value, 10 * (2 + 0.5 * 3.0), 1e-9);
+    EXPECT_EQ((*moving)[moving->find("flow")].causality, FlatCausality::Input);
+}
+
 TEST(ParameterChange, RefusesWhatIsNoParameter) {
     const FlatModel flat = flatOf("model M Real x; equation x = time; end M;");
+    EXPECT_FALSE(withDependence(flat, "x", "flow"));
     EXPECT_FALSE(withChange(flat, "x", 0.1));
     EXPECT_FALSE(withChange(flat, "y", 0.1));
 }

@@ -64,7 +64,7 @@ protected:
     void TearDown() override { fs::remove_all(directory_); }
 
     /// Discovers what a model of inertia and viscous friction lacks.
-    Finding search(const Shaft& shaft, double noise = 0.05) {
+    Finding search(const Shaft& shaft, double noise = 0.05, const std::function<double(double t)>& oil = {}) {
         std::ofstream(directory_ / "model.mo") << R"(model Rotor
   Analogon.Interfaces.RealInput tau(unit="N.m");
   Analogon.Interfaces.RealOutput w(unit="rad/s");
@@ -88,11 +88,14 @@ end Rotor;
         std::normal_distribution<double> scatter(0, noise);
         std::ofstream csv(directory_ / "run.csv");
         csv.precision(10);
-        csv << "t [s],tau [N.m],w [rad/s]\n";
+        csv << "t [s],tau [N.m],w [rad/s]" << (oil ? ",oil [degC]\n" : "\n");
         const std::vector<double> speed = speedOf(shaft);
-        for (int k = 0; k < samples; ++k)
+        for (int k = 0; k < samples; ++k) {
             csv << k * step << ',' << excitation(k * step) << ','
-                << speed[static_cast<std::size_t>(k)] + scatter(random) << '\n';
+                << speed[static_cast<std::size_t>(k)] + scatter(random);
+            if (oil) csv << ',' << oil(k * step);
+            csv << '\n';
+        }
         csv.close();
         const Outcome<Study> study = readStudy(directory_);
         EXPECT_TRUE(study) << format(study.diagnostics());
@@ -187,6 +190,19 @@ TEST_F(Discovery, TellsAPeriodicTorqueFromTheShaftsOwn) {
     const std::size_t at = equation.find("P = ");
     ASSERT_NE(at, std::string::npos) << equation;
     EXPECT_NEAR(std::stod(equation.substr(at + 4)), 2.3, 0.02);
+}
+
+TEST_F(Discovery, SaysWithWhichUnusedChannelAParameterMoves) {
+    const auto oil = [](double t) { return 40 + 25 * std::sin(0.4 * t) + 0.5 * t; };
+    const Finding finding =
+        search({0.02, [&](double t, double w, double) { return (0.05 - 4e-4 * (oil(t) - 40)) * w; }}, 0.05, oil);
+    EXPECT_TRUE(finding.effects.empty());
+    EXPECT_EQ(finding.kind, FindingKind::Unexplained);
+    ASSERT_FALSE(finding.remainders.empty());
+    const std::string& equation = finding.remainders.front().proposedEquation;
+    EXPECT_NE(equation.find("load.b = "), std::string::npos) << equation;
+    EXPECT_NE(equation.find(" - 0.00040"), std::string::npos) << equation;
+    EXPECT_EQ(finding.remainders.front().node, "load");
 }
 
 TEST_F(Discovery, SaysWhenAParameterChangedInMidRun) {

@@ -1,0 +1,127 @@
+#include "core/effect/dependence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/range.hpp"
+#include "core/flat/parameter_change.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr double leastLikely = 0.3;  // of what the likeliest explains
+constexpr std::size_t mostFitted = 4;
+constexpr const char* inputName = "recordedChannel";
+
+/// A channel that every fitted recording has, between -0.5 and 0.5 over all of them.
+struct Channel {
+    std::string name;
+    double middle{}, range{};
+    std::vector<Eigen::VectorXd> values;  // per recording of the task; empty where it is not recorded
+};
+
+std::vector<Channel> unusedChannels(const EstimationTask& task) {
+    std::vector<Channel> channels;
+    const std::vector<int> fitted = recordingsOf(task, Role::Fit);
+    if (fitted.empty()) return channels;
+    for (const SpareChannel& spare : task.recordings[static_cast<std::size_t>(fitted.front())].spares) {
+        Channel channel{spare.name, 0, 0, {}};
+        Range range;
+        bool isEverywhere = true;
+        for (const Recording& r : task.recordings) {
+            const auto own = std::find_if(r.spares.begin(), r.spares.end(),
+                                          [&](const SpareChannel& s) { return s.name == spare.name; });
+            const bool isThere = own != r.spares.end() && own->values.size() == r.time.size();
+            channel.values.push_back(isThere ? Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(
+                                                   own->values.data(), static_cast<Eigen::Index>(own->values.size())))
+                                             : Eigen::VectorXd());
+            if (r.role != Role::Fit) continue;
+            isEverywhere = isEverywhere && isThere && channel.values.back().allFinite();
+            if (isThere) range.take(rangeOf(own->values));
+        }
+        if (!isEverywhere || !(range.width() > 0)) continue;
+        channel.middle = 0.5 * (range.low + range.high);
+        channel.range = range.width();
+        for (Eigen::VectorXd& v : channel.values) v = (v.array() - channel.middle) / channel.range;
+        channels.push_back(std::move(channel));
+    }
+    return channels;
+}
+
+/// A parameter's column where the parameter moves with a channel; leaves out how the states follow.
+Eigen::VectorXd moving(const NullModel& null, const std::vector<int>& fitted, const Channel& channel,
+                       const Eigen::VectorXd& column) {
+    Eigen::VectorXd result = column;
+    for (const ResidualChannel& c : null.channels) {
+        const Eigen::VectorXd& values =
+            channel.values[static_cast<std::size_t>(fitted[static_cast<std::size_t>(c.experiment)])];
+        for (int row = c.begin; row < c.end; ++row)
+            result[row] *= values[c.samples[static_cast<std::size_t>(row - c.begin)]];
+    }
+    return result;
+}
+
+struct Likely {
+    std::size_t channel{};
+    Eigen::Index parameter{};
+    double explained{}, slope{};
+};
+
+std::optional<Dependence> fitted(const NullModel& null, const Channel& channel, const Likely& likely,
+                                 const FitOptions& options, const Progress& progress) {
+    const FitEstimate& estimate = null.fit.estimates[static_cast<std::size_t>(likely.parameter)];
+    Variant variant = null.variant;
+    variant.task.change = ParameterChange{estimate.name, 0, inputName};
+    for (std::size_t r = 0; r < variant.task.recordings.size(); ++r) {
+        Recording& recording = variant.task.recordings[r];
+        if (channel.values[r].size() == 0) continue;
+        recording.inputNames.emplace_back(inputName);
+        recording.inputs.conservativeResize(recording.inputs.rows() + 1, channel.values[r].size());
+        recording.inputs.bottomRows(1) = channel.values[r].transpose();
+    }
+    FitParameter slope;
+    slope.name = slopeOf(estimate.name);
+    slope.start = likely.slope;
+    variant.task.parameters.push_back(slope);
+    Outcome<PreparedTask> prepared = prepareAt(variant, null.noise);
+    if (!prepared) return std::nullopt;
+    FitResult result = fit(prepared->problem, options, progress);
+    if (!result.optimum.ok) return std::nullopt;
+    Dependence dependence{estimate.name, channel.name, 0, 0, channel.middle, channel.range, 0, {}};
+    for (const FitEstimate& e : result.estimates) {
+        if (e.name == estimate.name) dependence.value = e.value;
+        if (e.name == slope.name) dependence.slope = e.value;
+    }
+    dependence.explained = null.sumOfSquares() - result.optimum.residuals.squaredNorm();
+    dependence.fit = std::move(result);
+    return dependence;
+}
+
+}  // namespace
+
+std::optional<Dependence> bestDependence(const NullModel& null, const FitOptions& options, const Progress& progress) {
+    const std::vector<Channel> channels = unusedChannels(null.variant.task);
+    if (channels.empty()) return std::nullopt;
+    const std::vector<int> recordings = recordingsOf(null.variant.task, Role::Fit);
+    const Eigen::MatrixXd& jacobian = null.fit.optimum.jacobian;
+    const Complement complement(jacobian);
+    std::vector<Likely> likely;
+    for (std::size_t c = 0; c < channels.size(); ++c)
+        for (Eigen::Index j = 0; j < jacobian.cols(); ++j) {
+            if (null.fit.estimates[static_cast<std::size_t>(j)].experiment >= 0) continue;  // a start value
+            const ColumnScore score = scoreColumns(complement, null.fit.optimum.residuals,
+                                                   moving(null, recordings, channels[c], jacobian.col(j)), false);
+            if (score.visible > leastVisible) likely.push_back({c, j, score.explained, score.strengths[0]});
+        }
+    std::stable_sort(likely.begin(), likely.end(),
+                     [](const Likely& a, const Likely& b) { return a.explained > b.explained; });
+    std::optional<Dependence> best;
+    for (std::size_t i = 0; i < std::min(likely.size(), mostFitted) && !progress.stopRequested(); ++i) {
+        if (likely[i].explained < leastLikely * likely.front().explained) break;
+        std::optional<Dependence> one = fitted(null, channels[likely[i].channel], likely[i], options, progress);
+        if (one && (!best || one->explained > best->explained)) best = std::move(one);
+    }
+    return best;
+}
+
+}  // namespace analogon
