@@ -52,6 +52,14 @@ const char* name(Command command) {
     return "unpack";
 }
 
+const std::map<std::string, FitMethod> methods{{"least-squares", FitMethod::LeastSquares},
+                                               {"nelder-mead", FitMethod::NelderMead},
+                                               {"sbplx", FitMethod::Sbplx},
+                                               {"bobyqa", FitMethod::Bobyqa},
+                                               {"crs2", FitMethod::Crs2},
+                                               {"isres", FitMethod::Isres},
+                                               {"esch", FitMethod::Esch}};
+
 RunOptions runOptions(const Options& options) {
     RunOptions run;
     run.libraryPaths = options.libraries;
@@ -59,7 +67,7 @@ RunOptions runOptions(const Options& options) {
     run.discover.kinds = options.kinds;
     run.profiled = options.profiled;
     run.discover.fit.threads = options.threads;
-    if (options.method == "nelder-mead") run.discover.fit.method = FitMethod::NelderMead;
+    run.discover.fit.method = methods.at(options.method);
     return run;
 }
 
@@ -140,8 +148,10 @@ void addRun(CLI::App& app, Options& options) {
 }
 
 void addFit(CLI::App& app, Options& options) {
-    app.add_option("--method", options.method, "least-squares or nelder-mead")
-        ->check(CLI::IsMember({"least-squares", "nelder-mead"}).description(""))
+    app.add_option("--method", options.method,
+                   "least-squares, or without slopes: nelder-mead, sbplx, bobyqa; all over the bounds: crs2, isres, "
+                   "esch (evolutionary)")
+        ->check(CLI::IsMember(methods).description(""))
         ->capture_default_str()
         ->option_text("NAME");
 }

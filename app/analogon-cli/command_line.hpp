@@ -24,7 +24,7 @@ struct Options {
     ProgressKind progress{ProgressKind::Automatic};
     std::vector<std::filesystem::path> libraries;
     int threads{0};                                        // 0: as many as the machine has
-    std::string method{"least-squares"};                   // or nelder-mead
+    std::string method{"least-squares"};                   // or one without slopes
     std::vector<std::string> profiled;                     // fit: parameters, or "all"
     std::vector<std::string> kinds;                        // of effects; empty: all
     std::vector<std::string> domains;                      // generate

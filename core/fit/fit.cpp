@@ -35,7 +35,7 @@ struct Descent {
 class Rounds {
 public:
     Rounds(Misfit& misfit, const FitOptions& options, const Eigen::VectorXd& start)
-        : misfit_(misfit), options_(options), isRough_(options.method != FitMethod::NelderMead), plannedAt_(start) {
+        : misfit_(misfit), options_(options), isRough_(!isDirect(options.method)), plannedAt_(start) {
         constexpr double looseness = 30.0;
         misfit.plan(start, isRough_ ? looseness : 1.0);
         // Where the coarsest steps are fine enough there is nothing to refine.
@@ -152,7 +152,7 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
         coordinates.scaleBy(here.jacobian.colwise().norm());
         const FitOptions now = rounds.optionsNow();
         const int left = options.maxIterations - iterations;
-        minimum = options.method == FitMethod::NelderMead     ? nelderMead(misfit, coordinates, now)
+        minimum = isDirect(options.method)                    ? directSearch(misfit, coordinates, now)
                   : options.method == FitMethod::LeastSquares ? levenbergMarquardt(misfit, coordinates, now, left)
                                                               : leastSquares(misfit, coordinates, now, left);
         iterations += minimum.iterations;
@@ -167,7 +167,7 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
                             minimum.values[lost], problem.parameters[static_cast<std::size_t>(lost)].name);
         }
     }
-    if (minimum.status == FitStatus::Converged && options.method != FitMethod::NelderMead) {
+    if (minimum.status == FitStatus::Converged && !isDirect(options.method)) {
         minimum.message = fmt::format("converged after {} iterations", iterations);
     }
     descent.plans = misfit.plans();

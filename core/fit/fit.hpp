@@ -13,15 +13,19 @@
 
 namespace analogon {
 
-/// Least squares by Levenberg-Marquardt: our own, or Ceres' for comparison.
-enum class FitMethod { LeastSquares, LeastSquaresByCeres, NelderMead };
+/// Least squares by Levenberg-Marquardt (our own, or Ceres' for comparison), or searches without slopes by NLopt: near
+/// the start (the paper's simplex, SBPLX, BOBYQA), or all over the bounds (controlled random search, improved
+/// stochastic ranking, and the evolutionary search ESCH, which is the paper's outlook), ended by a simplex.
+enum class FitMethod { LeastSquares, LeastSquaresByCeres, NelderMead, Sbplx, Bobyqa, Crs2, Isres, Esch };
+/// Whether a method goes without slopes.
+constexpr bool isDirect(FitMethod method) { return method >= FitMethod::NelderMead; }
 enum class RobustLoss { None, Huber, Cauchy };
 
 struct FitOptions {
     FitMethod method{FitMethod::LeastSquares};
     RobustLoss loss{RobustLoss::None};
     int maxIterations{100};       // least squares
-    int maxSimulations{20000};    // Nelder-Mead
+    int maxSimulations{20000};    // methods without slopes
     double costTolerance{1e-10};  // relative fall of the cost at which the fit has converged
     int starts{1};                // > 1: further starts from a Latin hypercube within the bounds, best one kept
     std::uint64_t seed{1};

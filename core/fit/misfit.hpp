@@ -99,6 +99,6 @@ Minimum levenbergMarquardt(Misfit& misfit, const Coordinates& coordinates, const
                            int iterationsLeft);
 Minimum leastSquares(Misfit& misfit, Coordinates& coordinates, const FitOptions& options, int iterationsLeft);
 /// The simplex of Nelder and Mead (1965), the 2014 paper's method, restarted until it stays where it is.
-Minimum nelderMead(Misfit& misfit, Coordinates& coordinates, const FitOptions& options);
+Minimum directSearch(Misfit& misfit, Coordinates& coordinates, const FitOptions& options);
 
 }  // namespace analogon

@@ -376,6 +376,26 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Nelder-Mead-Simplex</translation>
     </message>
     <message>
+        <source>Subspace simplex (SBPLX)</source>
+        <translation>Simplex in Unterräumen (SBPLX)</translation>
+    </message>
+    <message>
+        <source>Quadratic model (BOBYQA)</source>
+        <translation>Quadratisches Modell (BOBYQA)</translation>
+    </message>
+    <message>
+        <source>Controlled random search (CRS2)</source>
+        <translation>Gelenkte Zufallssuche (CRS2)</translation>
+    </message>
+    <message>
+        <source>Stochastic ranking (ISRES)</source>
+        <translation>Stochastische Rangfolge (ISRES)</translation>
+    </message>
+    <message>
+        <source>Evolutionary search (ESCH)</source>
+        <translation>Evolutionäre Suche (ESCH)</translation>
+    </message>
+    <message>
         <source>plain squares</source>
         <translation>Fehlerquadrate</translation>
     </message>
@@ -2165,7 +2185,7 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>%1 auf Validierungsdaten</translation>
     </message>
     <message>
-        <source>Mind</source>
+        <source>Caution</source>
         <translation>Zu beachten</translation>
     </message>
 </context>

@@ -395,7 +395,7 @@ void ResultPanel::addProposal(const Remainder& remainder) {
 /// What to mind before trusting the figures above: runs beyond the fitted range, values that drift between runs.
 void ResultPanel::addCautions(const Finding& finding) {
     if (finding.warnings.empty()) return;
-    addHeading(tr("Mind"));
+    addHeading(tr("Caution"));
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(2 * style::unit);
     grid->setVerticalSpacing(style::unit);

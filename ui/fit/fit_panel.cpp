@@ -78,6 +78,11 @@ FitPanel::FitPanel(Document& document, RunController& controller, QWidget* paren
       restore_(new QPushButton(tr("Go back to this run"), this)) {
     method_->addItem(tr("Least squares (Levenberg-Marquardt)"), static_cast<int>(FitMethod::LeastSquares));
     method_->addItem(tr("Nelder-Mead simplex"), static_cast<int>(FitMethod::NelderMead));
+    method_->addItem(tr("Subspace simplex (SBPLX)"), static_cast<int>(FitMethod::Sbplx));
+    method_->addItem(tr("Quadratic model (BOBYQA)"), static_cast<int>(FitMethod::Bobyqa));
+    method_->addItem(tr("Controlled random search (CRS2)"), static_cast<int>(FitMethod::Crs2));
+    method_->addItem(tr("Stochastic ranking (ISRES)"), static_cast<int>(FitMethod::Isres));
+    method_->addItem(tr("Evolutionary search (ESCH)"), static_cast<int>(FitMethod::Esch));
     loss_->addItem(tr("plain squares"), static_cast<int>(RobustLoss::None));
     loss_->addItem(tr("Huber: outliers count less"), static_cast<int>(RobustLoss::Huber));
     loss_->addItem(tr("Cauchy: outliers hardly count"), static_cast<int>(RobustLoss::Cauchy));

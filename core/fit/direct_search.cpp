@@ -11,6 +11,8 @@ namespace {
 
 /// A simulation that failed is worse than any that did not, and still a number the simplex can sort.
 constexpr double kFailed = 1e100;
+constexpr double boxInMoves = 20;
+constexpr int globalSimulations = 300;  // for each parameter, before the simplex takes over
 
 struct Search {
     Misfit& misfit;
@@ -36,15 +38,45 @@ struct Search {
 
 enum class Ended { Converged, Limit, Cancelled, Failed };
 
-Ended runOnce(Search& search, std::vector<double>& z, double moveFactor) {
+bool isGlobal(FitMethod method) { return method >= FitMethod::Crs2; }
+
+nlopt::algorithm algorithmOf(FitMethod method) {
+    switch (method) {
+        case FitMethod::Sbplx:
+            return nlopt::LN_SBPLX;
+        case FitMethod::Bobyqa:
+            return nlopt::LN_BOBYQA;
+        case FitMethod::Crs2:
+            return nlopt::GN_CRS2_LM;
+        case FitMethod::Isres:
+            return nlopt::GN_ISRES;
+        case FitMethod::Esch:
+            return nlopt::GN_ESCH;
+        default:
+            return nlopt::LN_NELDERMEAD;
+    }
+}
+
+/// A global search needs a box: what has no bound is looked for this many first moves around the start.
+double boxed(double bound, double firstMove) {
+    return std::isfinite(bound) ? bound : std::copysign(boxInMoves * firstMove, bound);
+}
+
+Ended runOnce(Search& search, FitMethod method, std::vector<double>& z, double moveFactor) {
     const int K = search.coordinates.size();
-    nlopt::opt optimiser(nlopt::LN_NELDERMEAD, static_cast<unsigned>(K));
+    nlopt::opt optimiser(algorithmOf(method), static_cast<unsigned>(K));
     search.optimiser = &optimiser;
     std::vector<double> lower, upper, moves;
     for (int i = 0; i < K; ++i) {
-        lower.push_back(search.coordinates.lower(i));
-        upper.push_back(search.coordinates.upper(i));
-        moves.push_back(moveFactor * search.coordinates.firstMove(i));
+        const double move = search.coordinates.firstMove(i);
+        lower.push_back(isGlobal(method) ? boxed(search.coordinates.lower(i), move) : search.coordinates.lower(i));
+        upper.push_back(isGlobal(method) ? boxed(search.coordinates.upper(i), move) : search.coordinates.upper(i));
+        moves.push_back(moveFactor * move);
+    }
+    int most = search.options.maxSimulations - search.misfit.simulations();
+    if (isGlobal(method)) {
+        nlopt::srand(search.options.seed);
+        most = std::min(most / 2, globalSimulations * (K + 1));
     }
     try {
         optimiser.set_lower_bounds(lower);
@@ -53,7 +85,7 @@ Ended runOnce(Search& search, std::vector<double>& z, double moveFactor) {
         optimiser.set_min_objective(Search::cost, &search);
         optimiser.set_ftol_rel(search.options.costTolerance);
         optimiser.set_xtol_rel(1e-9);
-        optimiser.set_maxeval(std::max(1, search.options.maxSimulations - search.misfit.simulations()));
+        optimiser.set_maxeval(std::max(1, most));
         double cost{};
         const nlopt::result result = optimiser.optimize(z, cost);
         return result == nlopt::MAXEVAL_REACHED ? Ended::Limit : Ended::Converged;
@@ -69,21 +101,31 @@ Ended runOnce(Search& search, std::vector<double>& z, double moveFactor) {
 }  // namespace
 
 // Eqs. 9 to 13 of the 2014 paper: linear interpolation and the mean square error, minimised by the simplex.
-Minimum nelderMead(Misfit& misfit, Coordinates& coordinates, const FitOptions& options) {
+Minimum directSearch(Misfit& misfit, Coordinates& coordinates, const FitOptions& options) {
     Search search{misfit, coordinates, options, nullptr};
     const int K = coordinates.size();
     Minimum minimum;
     std::vector<double> z(static_cast<std::size_t>(K), 0.0);
+    const auto goOnFromBest = [&] {
+        if (!misfit.hasBest()) return;
+        coordinates.moveOrigin(misfit.best());
+        std::fill(z.begin(), z.end(), 0.0);
+    };
     Ended ended = Ended::Limit;
+    FitMethod local = options.method;
+    if (isGlobal(options.method)) {
+        // how far a global search came says nothing of convergence: the simplex does
+        ended = runOnce(search, options.method, z, 1.0);
+        goOnFromBest();
+        local = FitMethod::NelderMead;
+    }
+    const bool mayGoOn = ended != Ended::Cancelled && ended != Ended::Failed;
     // A simplex can collapse before the optimum: start again from where it stopped, until that gains nothing.
-    for (int round = 0; round < 12; ++round) {
+    for (int round = 0; round < 12 && mayGoOn; ++round) {
         const double before = misfit.bestCost();
-        ended = runOnce(search, z, round == 0 ? 1.0 : 0.2);
+        ended = runOnce(search, local, z, round == 0 && !isGlobal(options.method) ? 1.0 : 0.2);
         ++minimum.iterations;
-        if (misfit.hasBest()) {
-            coordinates.moveOrigin(misfit.best());
-            std::fill(z.begin(), z.end(), 0.0);
-        }
+        goOnFromBest();
         if (ended != Ended::Converged) break;
         if (round > 0 && before - misfit.bestCost() <= 1e-8 * before) break;
     }
@@ -93,9 +135,8 @@ Minimum nelderMead(Misfit& misfit, Coordinates& coordinates, const FitOptions& o
     switch (ended) {
         case Ended::Converged:
             minimum.status = misfit.hasBest() ? FitStatus::Converged : FitStatus::Failed;
-            minimum.message = misfit.hasBest()
-                                  ? fmt::format("the simplex converged after {} simulations", misfit.simulations())
-                                  : misfit.failure();
+            minimum.message = misfit.hasBest() ? fmt::format("converged after {} simulations", misfit.simulations())
+                                               : misfit.failure();
             break;
         case Ended::Limit:
             minimum.status = FitStatus::IterationLimit;
@@ -107,7 +148,7 @@ Minimum nelderMead(Misfit& misfit, Coordinates& coordinates, const FitOptions& o
             break;
         case Ended::Failed:
             minimum.status = FitStatus::Failed;
-            minimum.message = "the simplex could not be started";
+            minimum.message = "the search could not be started";
             break;
     }
     return minimum;
