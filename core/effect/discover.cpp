@@ -57,6 +57,35 @@ void offer(std::vector<Remainder> proposed, std::vector<Remainder>& left) {
     left.insert(left.begin(), std::make_move_iterator(proposed.begin()), std::make_move_iterator(proposed.end()));
 }
 
+/// The same for a parameter that changes, where anything is left at all.
+void offerAlone(Remainder change, std::vector<Remainder>& left) {
+    if (!left.empty()) offer({std::move(change)}, left);
+}
+
+/// A parameter that changes, as a proposal at its component.
+Remainder changing(const std::string& parameter, double evidence, std::string equation) {
+    Remainder r;
+    r.node = parameter.substr(0, parameter.rfind('.'));
+    r.evidence = evidence;
+    r.proposedEquation = std::move(equation);
+    return r;
+}
+
+Remainder remainderOf(const Change& c, double end) {
+    Remainder r =
+        changing(c.parameter, c.explained,
+                 fmt::format("{} = if time < {:.4g} then {:.4g} else {:.4g}", c.parameter, c.time, c.before, c.after));
+    r.from = c.time;
+    r.to = end;
+    return r;
+}
+
+Remainder remainderOf(const Dependence& d) {
+    return changing(d.parameter, d.explained,
+                    fmt::format("{} = {:.4g} {} {:.4g}*({} - {:.4g})", d.parameter, d.value, d.slope < 0 ? "-" : "+",
+                                std::abs(d.slope / d.range), d.channel, d.middle));
+}
+
 /// The equations of a model with its values written in.
 Outcome<FlatModel> flattened(const EstimationTask& task, const std::string& textWithValues) {
     Outcome<Library> library = task.library.withSource(std::make_shared<Source>(task.model->name(), textWithValues));
@@ -234,31 +263,17 @@ Outcome<Finding> Search::run() {
         for (Remainder& r : finding.remainders) r.node = place;
         offer(std::move(proposed), finding.remainders);
         if (change_) {
-            Remainder r;
-            r.node = change_->parameter.substr(0, change_->parameter.rfind('.'));
-            r.from = change_->time;
-            r.to = finding.final.experiments[static_cast<std::size_t>(change_->experiment)].time.back();
-            r.evidence = change_->explained;
-            r.proposedEquation = fmt::format("{} = if time < {:.4g} then {:.4g} else {:.4g}", change_->parameter,
-                                             change_->time, change_->before, change_->after);
+            const double end = finding.final.experiments[static_cast<std::size_t>(change_->experiment)].time.back();
+            offerAlone(remainderOf(*change_, end), finding.remainders);
             finding.warnings.push_back(
                 fmt::format("the condition seems to have changed in mid run: {} at about {:.4g} s", change_->parameter,
                             change_->time));
-            offer({r}, finding.remainders);
-            if (finding.remainders.front().output.empty()) finding.remainders.erase(finding.remainders.begin());
         }
-    }
-    if (dependence_ && !finding.interrupted) {
-        const Dependence& d = *dependence_;
-        Remainder r;
-        r.node = d.parameter.substr(0, d.parameter.rfind('.'));
-        r.evidence = d.explained;
-        r.proposedEquation = fmt::format("{} = {:.4g} {} {:.4g}*({} - {:.4g})", d.parameter, d.value,
-                                         d.slope < 0 ? "-" : "+", std::abs(d.slope / d.range), d.channel, d.middle);
-        finding.warnings.push_back(
-            fmt::format("{} seems to move with the recorded channel {}", d.parameter, d.channel));
-        offer({r}, finding.remainders);
-        if (finding.remainders.front().output.empty()) finding.remainders.erase(finding.remainders.begin());
+        if (dependence_) {
+            offerAlone(remainderOf(*dependence_), finding.remainders);
+            finding.warnings.push_back(fmt::format("{} seems to move with the recorded channel {}",
+                                                   dependence_->parameter, dependence_->channel));
+        }
     }
     for (const auto& sentences : {extrapolations(full_.task), driftBetweenRecordings(*null), boundHits(null->fit)})
         finding.warnings.insert(finding.warnings.end(), sentences.begin(), sentences.end());

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "core/base/range.hpp"
 #include "core/base/unit.hpp"
@@ -91,21 +92,14 @@ void addHinges(const Quantity& q, const Range& range, std::vector<Term>& terms) 
     }
 }
 
-/// Values of variables of a variant over the fitted experiments; a variable that never moves is left out.
-std::map<std::string, std::vector<Eigen::VectorXd>> observed(const NullModel& null,
-                                                             const std::vector<std::string>& names,
-                                                             const SimulationOptions& simulation) {
-    std::map<std::string, std::vector<Eigen::VectorXd>> values;
-    Outcome<PreparedTask> held = prepareHeld(null.variant, {}, null.noise);
-    if (!held) return values;
-    for (std::size_t e = 0; e < held->problem.experiments.size(); ++e) {
-        const FitExperiment& experiment = held->problem.experiments[e];
-        SimulationTask task;
-        task.system = experiment.system.get();
-        task.inputs = &experiment.inputs;
-        task.parameters = experiment.parameters;
-        task.observe = names;
-        const Trajectory t = simulateGrid(task, null.fit.plans[e], simulation);
+/// Variables over the fitted experiments.
+using Series = std::map<std::string, std::vector<Eigen::VectorXd>>;
+
+/// What moves of these variables of a model; empty where it cannot be simulated.
+Series movingSeries(const NullModel& null, const PreparedTask& held, const std::vector<std::string>& names,
+                    const SimulationOptions& simulation) {
+    Series values;
+    for (const Trajectory& t : observe(null, held, names, simulation)) {
         if (t.failure.failed || t.observed.rows() != static_cast<Eigen::Index>(names.size())) return {};
         for (std::size_t i = 0; i < names.size(); ++i)
             values[names[i]].push_back(t.observed.row(static_cast<Eigen::Index>(i)).transpose());
@@ -125,6 +119,8 @@ double originOf(const Eigen::VectorXd& values) {
     return scale * std::round(values[0] / scale);
 }
 
+std::string potentialName(const ModelNodes::FlowNode& node) { return node.place.connector + "." + node.potential; }
+
 /// One node, with the class that is put there.
 class FlowProbe {
 public:
@@ -133,13 +129,10 @@ public:
     const EffectPlace& place() const { return node_.place; }
 
     /// The quantities and all terms made of them.
-    void collect(const std::vector<std::pair<std::string, std::string>>& others, const SimulationOptions& simulation) {
-        const std::string own = node_.place.connector + "." + node_.potential;
+    void collect(const std::vector<std::pair<std::string, std::string>>& others, const Series& values) {
+        const std::string own = potentialName(node_);
         isMechanical_ = node_.flow == "tau";
         flowDimension_ = dimensionOf(isMechanical_ ? "N.m" : node_.flow == "Q_flow" ? "W" : "");
-        std::vector<std::string> names{own};
-        for (const auto& [name, unit] : others) names.push_back(name);
-        const auto values = observed(*null_, names, simulation);
         const auto potential = values.find(own);
         std::vector<Quantity> foreign;
         for (const auto& [name, unit] : others) {
@@ -447,10 +440,16 @@ std::vector<FlowLaw> likelyFlowLaws(const NullModel& null, int before, const Sim
     if (!nodes || !held) return laws;
     std::vector<FlowProbe> probes;
     std::vector<std::pair<std::size_t, TermSet>> likely;  // of which probe
-    for (ModelNodes::FlowNode& node : nodes->flowNodes()) {
+    std::vector<ModelNodes::FlowNode> flowNodes = nodes->flowNodes();
+    const std::vector<std::pair<std::string, std::string>> others = quantitiesOf(*held->system);
+    std::set<std::string> names;
+    for (const ModelNodes::FlowNode& node : flowNodes) names.insert(potentialName(node));
+    for (const auto& [name, unit] : others) names.insert(name);
+    const Series values = movingSeries(null, *held, {names.begin(), names.end()}, simulation);
+    for (ModelNodes::FlowNode& node : flowNodes) {
         if (progress.stopRequested()) break;
         FlowProbe probe(null, std::move(node));
-        probe.collect(quantitiesOf(*held->system), simulation);
+        probe.collect(others, values);
         const std::optional<Eigen::MatrixXd> columns = probe.traces(false, simulation, progress);
         if (!columns) continue;
         for (TermSet& set : TermChoice(null, probe.terms(), *columns).likeliest())

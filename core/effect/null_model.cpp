@@ -141,4 +141,22 @@ double dominantPeriod(const NullModel& null) {
     return period;
 }
 
+std::vector<Trajectory> observe(const NullModel& null, const PreparedTask& held, const std::vector<std::string>& names,
+                                const SimulationOptions& simulation) {
+    std::vector<Trajectory> traces;
+    for (std::size_t e = 0; e < held.problem.experiments.size(); ++e) {
+        const FitExperiment& experiment = held.problem.experiments[e];
+        SimulationTask task;
+        task.system = experiment.system.get();
+        task.inputs = &experiment.inputs;
+        task.parameters = experiment.parameters;
+        task.observe = names;
+        Trajectory t = simulateGrid(task, null.fit.plans[e], simulation);
+        // switched off, an inserted block may still be stiff
+        if (t.failure.failed) t = simulateGrid(task, planGrid(task, simulation), simulation);
+        traces.push_back(std::move(t));
+    }
+    return traces;
+}
+
 }  // namespace analogon

@@ -23,6 +23,11 @@ struct NullModel {
 /// in a recording. [s]
 double dominantPeriod(const NullModel& null);
 
+/// Variables of a model whose parameters are held (`held`: of the same recordings) at the samples of the fitted
+/// experiments: Trajectory::observed, in the order of `names`.
+std::vector<Trajectory> observe(const NullModel& null, const PreparedTask& held, const std::vector<std::string>& names,
+                                const SimulationOptions& simulation);
+
 constexpr double equivalenceMargin = 10;  // evidence within which two candidates cannot be told apart
 constexpr double largeResidual = 1.2;     // in units of the noise: above it, first-order scores may mislead
 

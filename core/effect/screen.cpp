@@ -104,17 +104,10 @@ Outcome<Observations> observe(const NullModel& null, const Variant& off, const S
     names.insert(names.end(), flows.begin(), flows.end());
     std::vector<std::vector<double>> times;
     std::map<std::string, std::vector<std::vector<double>>> series;
-    for (std::size_t e = 0; e < held->problem.experiments.size(); ++e) {
-        const FitExperiment& experiment = held->problem.experiments[e];
-        SimulationTask task;
-        task.system = experiment.system.get();
-        task.inputs = &experiment.inputs;
-        task.parameters = experiment.parameters;
-        task.observe = names;
-        Trajectory t = simulateGrid(task, null.fit.plans[e], simulation);
-        // switched off, an inserted block may still be stiff
-        if (t.failure.failed) t = simulateGrid(task, planGrid(task, simulation), simulation);
-        times.push_back(experiment.inputs.time);
+    const std::vector<Trajectory> traces = observe(null, *held, names, simulation);
+    for (std::size_t e = 0; e < traces.size(); ++e) {
+        const Trajectory& t = traces[e];
+        times.push_back(held->problem.experiments[e].inputs.time);
         std::size_t row = 0;
         for (const std::string& v : variables) {
             std::vector<double> x(static_cast<std::size_t>(t.observed.cols()));
