@@ -8,6 +8,7 @@
 
 #include "core/effect/caution.hpp"
 #include "core/effect/dependence.hpp"
+#include "core/effect/disturbance.hpp"
 #include "core/effect/missing_flow.hpp"
 #include "core/effect/model_state.hpp"
 #include "core/effect/remainder.hpp"
@@ -206,14 +207,14 @@ Outcome<Finding> Search::run() {
     }
     if (!isNoise(*null)) removeUnneeded(*null, 0, true);
     if (!change_ && !dependence_ && !isNoise(*null) && !progress_.stopRequested() && addLaw(*null))
-        removeUnneeded(*null, 0);
+        removeUnneeded(*null, 0, true);
     // where a proposal explains all, what it made needless only imitated it
     const bool leavesMuch = levelOf(null->fit) > largeResidual;
     if (leavesMuch) setAsideBehindProposal(*null);
     std::vector<Remainder> proposed = takeOutProposals(*null);
     if (!proposed.empty()) {
         if (leavesMuch) bringBackDisplaced(*null);
-        removeUnneeded(*null, 0);  // what was seen only beside a proposal is not kept without it
+        removeUnneeded(*null, 0, true);  // what was seen only beside a proposal is not kept without it
     }
     finding.nextExperiment = proposeExperiments(*null);
     const bool isOpen = proposed.empty() && !change_ && !dependence_ && !isNoise(*null);

@@ -7,10 +7,8 @@
 namespace analogon {
 namespace {
 
-constexpr int stretches[] = {4, 6};
-constexpr double leastLikelihood = 30;    // twice the logarithm of the ratio
-constexpr double leastInStretches = 0.3;  // H with quarters and sixths left out
-constexpr double mostGrowth = 5;          // of an effect's strength when another joins it
+constexpr double leastBesideDisturbance = 30;  // fall in BIC
+constexpr double mostGrowth = 5;               // of an effect's strength when another joins it
 
 }  // namespace
 
@@ -26,12 +24,8 @@ int plausibility(const EffectClass& effect) { return effect.signalSide == "input
 
 bool isMissed(const Acceptance& a) { return a.isSignificant && a.isWorthwhile && a.heldOut > 0; }
 
-bool isBorneOut(const NullModel& without, const FitResult& with) {
-    if (!(likelihoodGain(without.channels, without.fit.optimum.residuals, with.optimum.residuals) > leastLikelihood))
-        return false;
-    return std::all_of(std::begin(stretches), std::end(stretches), [&](int count) {
-        return heldOutGain(without.channels, without.fit.optimum, with.optimum, count, count) > leastInStretches;
-    });
+bool isBorneOut(const Disturbance& disturbance, const NullModel& without, const FitResult& with, int freed) {
+    return disturbance.evidence(without.fit.optimum, with.optimum, freed) > leastBesideDisturbance;
 }
 
 bool isAtBound(const Trial& trial) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "core/effect/disturbance.hpp"
 #include "core/effect/trial.hpp"
 
 /// By what trials are held against each other and kept or refused, once they are fitted.
@@ -22,9 +23,9 @@ int plausibility(const EffectClass& effect);
 /// Whether an effect, by what the model loses without it, has to stay.
 bool isMissed(const Acceptance& a);
 
-/// Whether an effect holds where long stretches of the recordings are left out in turn, and is more than a better model
-/// of the noise: a slow disturbance is imitated well from one short block to the next.
-bool isBorneOut(const NullModel& without, const FitResult& with);
+/// Whether an effect is more than what a flow that nobody measured takes over, one that varies slowly at some node: a
+/// second mass or a small exponent imitates it well from one short block to the next.
+bool isBorneOut(const Disturbance& disturbance, const NullModel& without, const FitResult& with, int freed);
 
 /// Whether the strength rests at a bound: the effect then stands for something else.
 bool isAtBound(const Trial& trial);

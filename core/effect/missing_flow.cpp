@@ -20,7 +20,7 @@ constexpr double leastTermEvidence = 10;
 constexpr double nearlyAll = 0.9;        // by which a term must explain more for each step of complexity
 constexpr double sameTrace = 0.99;       // correlation of traces that are one to a search
 constexpr double leastTermShare = 0.02;  // of what the first explains: less is decoration
-constexpr int pieces = 40;               // of an unknown flow, over a recording
+constexpr int piecesOfAPlace = 40;       // of an unknown flow, over a recording
 constexpr double clearlyMore = 1.1;      // what a sensor alone must explain, in what the best node does
 constexpr double roundedSpeed = 0.01;    // of the largest: where the sign of a speed turns over
 
@@ -176,7 +176,7 @@ public:
     }
 
     /// Terms of an unknown course in time over each recording.
-    void collectPieces(double begin, double end) {
+    void collectPieces(double begin, double end, int pieces) {
         const double width = (end - begin) / pieces;
         for (int k = 0; k <= pieces; ++k)
             terms_.push_back({fmt::format("noEvent(max(0, 1 - abs(time - {})/{}))",
@@ -463,37 +463,29 @@ std::vector<FlowLaw> likelyFlowLaws(const NullModel& null, int before, const Sim
     return laws;
 }
 
-std::string likeliestPlace(const NullModel& null, const SimulationOptions& simulation, const Progress& progress) {
+std::vector<FlowResponse> flowResponses(const NullModel& null, int pieces, const SimulationOptions& simulation,
+                                        const Progress& progress) {
+    std::vector<FlowResponse> responses;
     Diagram diagram;
     const Outcome<ModelNodes> nodes = nodesOf(null.variant, diagram);
-    if (!nodes) return {};
+    const Outcome<PreparedTask> held = prepareHeld(null.variant, {}, null.noise);
+    if (!nodes || !held) return responses;
     const std::vector<int> fitted = recordingsOf(null.variant.task, Role::Fit);
     Range time;
     for (const int r : fitted) time.take(rangeOf(null.variant.task.recordings[static_cast<std::size_t>(r)].time));
-    const Complement complement(null.fit.optimum.jacobian);
-    const Eigen::VectorXd& residual = null.fit.optimum.residuals;
-    std::string best;
-    double most = 0;
     for (ModelNodes::FlowNode& node : nodes->flowNodes()) {
-        if (progress.stopRequested()) return {};
+        if (progress.stopRequested()) return responses;
         FlowProbe probe(null, std::move(node));
-        probe.collectPieces(time.low, time.high);
-        const std::optional<Eigen::MatrixXd> columns = probe.traces(fitted.size() > 1, simulation, progress);
-        if (!columns || !columns->allFinite()) continue;
-        const double explained = scoreColumns(complement, residual, *columns, false).explained;
-        if (explained > most) {
-            most = explained;
-            best = probe.place().at;
-        }
+        probe.collectPieces(time.low, time.high, pieces);
+        std::optional<Eigen::MatrixXd> columns = probe.traces(fitted.size() > 1, simulation, progress);
+        if (columns && columns->allFinite()) responses.push_back({probe.place().at, true, std::move(*columns)});
     }
     // an error of one sensor shows on its channel and nowhere else
-    const Outcome<PreparedTask> held = prepareHeld(null.variant, {}, null.noise);
-    if (!held) return best;
     std::map<int, Eigen::MatrixXd> ofOutput;
     for (const ResidualChannel& c : null.channels) {
         Eigen::MatrixXd& columns = ofOutput[c.output];
         const Eigen::Index before = columns.cols();
-        columns.conservativeResize(residual.size(), before + pieces + 1);
+        columns.conservativeResize(null.fit.optimum.residuals.size(), before + pieces + 1);
         columns.rightCols(pieces + 1).setZero();
         const int count = c.end - c.begin;
         for (int row = 0; row < count; ++row) {
@@ -503,12 +495,21 @@ std::string likeliestPlace(const NullModel& null, const SimulationOptions& simul
             columns(c.begin + row, before + k + 1) = at - k;
         }
     }
-    for (const auto& [output, columns] : ofOutput) {
-        const double explained = scoreColumns(complement, residual, columns, false).explained;
-        if (explained > clearlyMore * most || (best.empty() && explained > most)) {
-            most = explained;
-            best = "output " + held->system->outputs()[static_cast<std::size_t>(output)].name;
-        }
+    for (auto& [output, columns] : ofOutput)
+        responses.push_back(
+            {"output " + held->system->outputs()[static_cast<std::size_t>(output)].name, false, std::move(columns)});
+    return responses;
+}
+
+std::string likeliestPlace(const NullModel& null, const SimulationOptions& simulation, const Progress& progress) {
+    const Complement complement(null.fit.optimum.jacobian);
+    std::string best;
+    double most = 0;
+    for (const FlowResponse& r : flowResponses(null, piecesOfAPlace, simulation, progress)) {
+        const double explained = scoreColumns(complement, null.fit.optimum.residuals, r.columns, false).explained;
+        if (!(explained > most * (r.isFlow || best.empty() ? 1 : clearlyMore))) continue;
+        most = explained;
+        best = r.place;
     }
     return best;
 }

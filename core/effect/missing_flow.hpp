@@ -19,6 +19,18 @@ struct FlowLaw {
 std::vector<FlowLaw> likelyFlowLaws(const NullModel& null, int before, const SimulationOptions& simulation,
                                     const Progress& progress);
 
+/// What an unknown flow at one node does to the residual, or an unknown error of one sensor.
+struct FlowResponse {
+    std::string place;  // a connector, or "output y"
+    bool isFlow{};      // at a node
+    Eigen::MatrixXd
+        columns;  // rows of the residual x hats of the flow, evenly over the time; of each recording its own
+};
+
+/// The responses of every node and output, each flow piecewise linear with as many `pieces` over a recording.
+std::vector<FlowResponse> flowResponses(const NullModel& null, int pieces, const SimulationOptions& simulation,
+                                        const Progress& progress);
+
 /// The place where an unknown flow explains most of the residual, whatever its course in time (piecewise linear, as
 /// many pieces everywhere): a connector, or "output y" where an error of that sensor alone explains as much. Empty:
 /// none does.

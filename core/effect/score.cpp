@@ -220,17 +220,6 @@ double heldOutGain(const std::vector<ResidualChannel>& channels, const Linearisa
     return moved > 0 ? gained / moved : 0;
 }
 
-double likelihoodGain(const std::vector<ResidualChannel>& channels, const Eigen::VectorXd& without,
-                      const Eigen::VectorXd& with) {
-    const auto innovation = [](const ResidualChannel& c, const Eigen::VectorXd& rows) {
-        return fitAutoregressive(rows.segment(c.begin, c.end - c.begin), maxAutoregressiveOrder).innovation;
-    };
-    double gain = 0;
-    for (const ResidualChannel& c : channels)
-        gain += 2 * (c.end - c.begin) * std::log(innovation(c, without) / innovation(c, with));
-    return gain;
-}
-
 double effectiveCount(const std::vector<ResidualChannel>& channels, const Eigen::VectorXd& residual) {
     double count = 0;
     for (const ResidualChannel& c : channels) {

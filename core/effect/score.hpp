@@ -73,11 +73,6 @@ double noiseThreshold(const std::vector<Eigen::MatrixXd>& directions, double log
 double heldOutGain(const std::vector<ResidualChannel>& channels, const Linearisation& without,
                    const Linearisation& with, int blocks, int folds);
 
-/// Twice the logarithm of the likelihood ratio of two residuals, each with an autoregressive noise model of its own:
-/// what a better model of the noise takes over from a model of the means does not count for the latter.
-double likelihoodGain(const std::vector<ResidualChannel>& channels, const Eigen::VectorXd& without,
-                      const Eigen::VectorXd& with);
-
 /// N / (1 + 2 sum rho_k) over the channels of a residual.
 double effectiveCount(const std::vector<ResidualChannel>& channels, const Eigen::VectorXd& residual);
 

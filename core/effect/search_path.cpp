@@ -262,8 +262,9 @@ void Search::setVerdict(const std::string& kind, const std::string& at, Verdict 
 }
 
 /// Takes each effect out again and keeps only those that are missed. At the last, what explains little beside what
-/// nothing explains must be borne out by every part of the recordings.
+/// nothing explains must be more than what a disturbance takes over.
 void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
+    std::optional<Disturbance> disturbance;
     for (std::size_t i = 0; i < steps_.size() && steps_.size() > least && !progress_.stopRequested();) {
         say("remove", null.variant.effects[i].effect.kind + " at " + null.variant.effects[i].place.at, -1);
         std::optional<NullModel> refitted = without(null, i);
@@ -274,7 +275,9 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
         const int freed = static_cast<int>(null.variant.effects[i].freed.size());
         const Acceptance missed = examine(*refitted, null.fit, freed, 0);
         const bool isDoubtful = isLast && !isNoise(null) && missed.share < clearShare;
-        if (isMissed(missed) && isDetermined(null, i) && !(isDoubtful && !isBorneOut(*refitted, null.fit))) {
+        if (isDoubtful && !disturbance) disturbance.emplace(null, search_.fit.simulation, progress_);
+        if (isMissed(missed) && isDetermined(null, i) &&
+            !(isDoubtful && !isBorneOut(*disturbance, *refitted, null.fit, freed))) {
             steps_[i].acceptance = missed;
             if (Outcome<ModelState> state =
                     stateOf(refitted->variant, refitted->fit, search_.fit.simulation, progress_))

@@ -69,9 +69,12 @@ bool Search::addLaw(NullModel& null) {
     return false;
 }
 
-/// Proposals explain while the search goes on and are offered, not added: the model ends without them.
+/// Proposals explain while the search goes on and are offered, not added: the model ends without them. What leaves
+/// structure is offered only where it is more than a disturbance.
 std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
     std::vector<Remainder> found;
+    std::optional<Disturbance> disturbance;
+    if (hasProposal(null) && !isNoise(null)) disturbance.emplace(null, search_.fit.simulation, progress_);
     std::optional<ModelState> with;
     if (hasProposal(null))
         if (Outcome<ModelState> state = stateOf(null.variant, null.fit, search_.fit.simulation, progress_))
@@ -99,7 +102,8 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
         }
         std::optional<NullModel> rest = without(null, i);
         if (!rest) continue;
-        found.push_back(std::move(r));
+        if (!disturbance || isBorneOut(*disturbance, *rest, null.fit, static_cast<int>(placed.freed.size())))
+            found.push_back(std::move(r));
         null = std::move(*rest);
         steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
     }

@@ -97,6 +97,10 @@ end Rotor;
             csv << '\n';
         }
         csv.close();
+        return discovered();
+    }
+
+    Finding discovered() const {
         const Outcome<Study> study = readStudy(directory_);
         EXPECT_TRUE(study) << format(study.diagnostics());
         if (!study) return {};
@@ -105,7 +109,6 @@ end Rotor;
         return result ? std::move(result->finding) : Finding{};
     }
 
-private:
     fs::path directory_;
 };
 
@@ -116,6 +119,62 @@ TEST_F(Discovery, AddsNothingToNoise) {
     EXPECT_EQ(finding.kind, FindingKind::Adequate);
     EXPECT_TRUE(finding.effects.empty());
     EXPECT_TRUE(finding.remainders.empty());
+}
+
+/// A heated body in a draught that nobody measures.
+class DiscoveryInADraught : public Discovery {
+protected:
+    Finding search(unsigned seed) {
+        std::ofstream(directory_ / "model.mo") << R"(model Plate
+  Analogon.Interfaces.RealInput P(unit="W");
+  Analogon.Interfaces.RealOutput T(unit="K");
+  Analogon.Sources.PrescribedHeatFlow heater;
+  Analogon.Thermal.HeatCapacitor plate(C=20, T_start=300);
+  Analogon.Thermal.ThermalConductor toRoom(G=0.2);
+  Analogon.Sources.FixedTemperature room(T=300);
+  Analogon.Sensors.TemperatureSensor thermometer;
+equation
+  connect(P, heater.Q_flow);
+  connect(heater.port, plate.port);
+  connect(plate.port, toRoom.port_a);
+  connect(toRoom.port_b, room.port);
+  connect(plate.port, thermometer.port);
+  connect(thermometer.T, T);
+end Plate;
+)";
+        std::ofstream(directory_ / "study.json") << R"({"format": "analogon-study-1", "class": "Plate",
+  "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
+                   "inputs": {"P": "P"}, "outputs": {"T": "T"}}],
+  "parameters": {"plate.C": {"fit": true, "min": 1, "max": 200}, "toRoom.G": {"fit": true, "min": 0.01, "max": 5}}})";
+        std::mt19937 random(seed);
+        std::normal_distribution<double> normal;
+        std::ofstream csv(directory_ / "run.csv");
+        csv.precision(10);
+        csv << "t [s],P [W],T [K]\n";
+        constexpr int inner = 10;
+        double temperature = 300, draught = 0;  // [K], [W]
+        for (int k = 0; k < samples; ++k) {
+            const double here = 20 + 20 * excitation(0.02 * k), next = 20 + 20 * excitation(0.02 * (k + 1));
+            csv << 0.5 * k << ',' << here << ',' << temperature + 0.1 * normal(random) << '\n';
+            draught = 0.97 * draught + 0.2 * normal(random);
+            for (int i = 0; i < inner; ++i) {
+                const double power = here + (next - here) * (i + 0.5) / inner;
+                temperature += 0.5 / inner * (power + draught - 0.3 * (temperature - 300)) / 15;
+            }
+        }
+        csv.close();
+        return discovered();
+    }
+};
+
+TEST_F(DiscoveryInADraught, GivesItNoName) {
+    for (const unsigned seed : {1u, 2u}) {
+        const Finding finding = search(seed);
+        EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind << " for seed " << seed;
+        EXPECT_EQ(finding.kind, FindingKind::Unexplained);
+        ASSERT_FALSE(finding.remainders.empty());
+        EXPECT_EQ(finding.remainders.front().node, "heater.port") << "one node with the plate's";
+    }
 }
 
 TEST_F(Discovery, FindsTwoEffectsThatHideEachOther) {
