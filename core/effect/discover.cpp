@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 
 #include "core/effect/caution.hpp"
 #include "core/effect/dependence.hpp"
@@ -23,10 +24,11 @@ constexpr double changeShare = 0.5, leastChange = 100;
 constexpr long mostSearchedSamples = 6000;
 
 /// Whether a parameter that changes (in mid run, or with a channel) accounts for most of what is above the noise, by a
-/// wide margin over chance, and is a better account of it than the effects that were found: another structure, or all
-/// of them only to imitate it.
+/// wide margin over chance, and is a better account of it than a disturbance and than the effects that were found:
+/// another structure, or all of them only to imitate it.
 template <class Change>
-bool isBetterThan(const NullModel& base, const NullModel& with, const Change& change) {
+bool isBetterThan(const NullModel& base, const NullModel& with, const Change& change,
+                  const std::function<const Disturbance&()>& disturbance) {
     if (!(change.explained > changeShare * excess(base)) || !(change.explained > leastChange)) return false;
     const double left = sumInUnitsOf(base, with), leftByChange = change.fit.optimum.residuals.squaredNorm();
     const FitResult& nearer = left < leftByChange ? with.fit : change.fit;  // to the truth, as far as we know
@@ -37,7 +39,9 @@ bool isBetterThan(const NullModel& base, const NullModel& with, const Change& ch
     const double gain = (left - leftByChange) / variance * count / rows;
     // the parameter that changes was chosen, too
     const double more = static_cast<double>(change.fit.estimates.size()) - with.parameterCount() + 1;
-    return gain - more * std::log(count) > equivalenceMargin;
+    if (!(gain - more * std::log(count) > equivalenceMargin)) return false;
+    const int freed = static_cast<int>(change.fit.estimates.size()) - base.parameterCount();
+    return isNoise(base.channels, change.fit) || isBorneOut(disturbance(), base, change.fit, freed + 1);
 }
 
 /// Puts proposals first among what is left; the strongest channel tells when it shows and what it moves with.
@@ -190,8 +194,13 @@ Outcome<Finding> Search::run() {
     // A parameter that changed in mid run is imitated by many slow effects; none of them is it.
     if (!isNoise(base) && !progress_.stopRequested()) change_ = bestChange(base, search_.fit, progress_);
     if (!isNoise(base) && !progress_.stopRequested()) dependence_ = bestDependence(base, search_.fit, progress_);
-    if (change_ && !isBetterThan(base, *null, *change_)) change_.reset();
-    if (dependence_ && !isBetterThan(base, *null, *dependence_)) dependence_.reset();
+    std::optional<Disturbance> disturbance;
+    const auto besideBase = [&]() -> const Disturbance& {
+        if (!disturbance) disturbance.emplace(base, search_.fit.simulation, progress_);
+        return *disturbance;
+    };
+    if (change_ && !isBetterThan(base, *null, *change_, besideBase)) change_.reset();
+    if (dependence_ && !isBetterThan(base, *null, *dependence_, besideBase)) dependence_.reset();
     if (change_ && dependence_) {
         if (change_->explained > dependence_->explained)
             dependence_.reset();
@@ -211,8 +220,9 @@ Outcome<Finding> Search::run() {
     // where a proposal explains all, what it made needless only imitated it
     const bool leavesMuch = levelOf(null->fit) > largeResidual;
     if (leavesMuch) setAsideBehindProposal(*null);
+    const bool hadProposal = hasProposal(*null);
     std::vector<Remainder> proposed = takeOutProposals(*null);
-    if (!proposed.empty()) {
+    if (hadProposal) {
         if (leavesMuch) bringBackDisplaced(*null);
         removeUnneeded(*null, 0, true);  // what was seen only beside a proposal is not kept without it
     }

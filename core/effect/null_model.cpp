@@ -12,6 +12,7 @@ namespace analogon {
 namespace {
 
 constexpr double indistinctShare = 0.03;  // of a large residual
+constexpr double whiteSignificance = 1e-4;
 
 /// Noise of every output from what the model leaves, in the units of the output.
 std::vector<Eigen::VectorXd> noiseOf(const EstimationTask& task, const PreparedTask& prepared, const FitResult& fit) {
@@ -62,11 +63,13 @@ double levelOf(const FitResult& fit) {
     return std::sqrt(fit.optimum.residuals.squaredNorm() / static_cast<double>(fit.optimum.residuals.size()));
 }
 
-bool isNoise(const NullModel& null) {
-    return std::all_of(null.channels.begin(), null.channels.end(), [&](const ResidualChannel& c) {
-        return summarise(null.fit.optimum.residuals.segment(c.begin, c.end - c.begin)).whiteProbability > 1e-4;
+bool isNoise(const std::vector<ResidualChannel>& channels, const FitResult& fit) {
+    return std::all_of(channels.begin(), channels.end(), [&](const ResidualChannel& c) {
+        return summarise(fit.optimum.residuals.segment(c.begin, c.end - c.begin)).whiteProbability > whiteSignificance;
     });
 }
+
+bool isNoise(const NullModel& null) { return isNoise(null.channels, null.fit); }
 
 double independentShare(const NullModel& null, const FitResult& fit) {
     const Eigen::VectorXd& r = fit.optimum.residuals;

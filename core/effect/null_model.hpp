@@ -41,7 +41,8 @@ Outcome<NullModel> fitNull(const Variant& start, const std::vector<Eigen::Vector
 /// What a fit leaves, in units of the noise.
 double levelOf(const FitResult& fit);
 
-/// Whether every channel of the residual passes for white.
+/// Whether every channel of a residual passes for white.
+bool isNoise(const std::vector<ResidualChannel>& channels, const FitResult& fit);
 bool isNoise(const NullModel& null);
 
 /// Of the samples, those that speak for themselves: neighbours in a slow residual say the same, and beside much that

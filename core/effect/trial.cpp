@@ -10,7 +10,7 @@ namespace {
 
 constexpr double leastEvidence = 10;   // fall in BIC that an effect must bring
 constexpr std::size_t mostStarts = 8;  // that are weighed against each other
-constexpr double whiteSignificance = 1e-4, structureFactor = 3;
+constexpr double structureFactor = 3;
 constexpr double leastHeldOut = 0.5;
 constexpr double leastHeldOutOfMuch = 0.7;  // where other structure remains, which a wrong effect may feed on
 constexpr double muchLeft = 1.44;           // squared residual over squared noise
@@ -230,10 +230,7 @@ Acceptance examine(const NullModel& null, const FitResult& with, int freed, doub
         heldOutGain(null.channels, null.fit.optimum, with.optimum,
                     std::clamp(static_cast<int>(count / samplesPerBlock), heldOutFolds, mostBlocks), heldOutFolds);
     // What leaves noise has explained all there was. What leaves structure may only feed on it, and must show more.
-    const bool leavesStructure = std::any_of(null.channels.begin(), null.channels.end(), [&](const ResidualChannel& c) {
-        const ResidualSummary rest = summarise(with.optimum.residuals.segment(c.begin, c.end - c.begin));
-        return rest.whiteProbability < whiteSignificance;
-    });
+    const bool leavesStructure = !isNoise(null.channels, with);
     a.isSignificant = std::max(a.evidence, a.effective) >
                       std::max(leastEvidence, threshold) * (leavesStructure ? structureFactor : 1);
     const double left = with.optimum.residuals.squaredNorm(), unexplained = left - rows;
