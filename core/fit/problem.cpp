@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -192,6 +193,10 @@ Eigen::VectorXd FitProblem::startValues() const {
     Eigen::VectorXd values(static_cast<Eigen::Index>(parameters.size()));
     for (Eigen::Index k = 0; k < values.size(); ++k) values[k] = parameters[static_cast<std::size_t>(k)].start;
     return values;
+}
+
+bool FitProblem::hasPriors() const {
+    return std::any_of(parameters.begin(), parameters.end(), [](const FitParameter& p) { return p.prior.has_value(); });
 }
 
 GridPlan planFor(const FitProblem& problem, int experiment, const Eigen::VectorXd& values,

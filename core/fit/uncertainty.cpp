@@ -165,8 +165,8 @@ double suitableWindow(const Eigen::MatrixXd& rows) {
     return 1.1447 * std::cbrt(above / below * static_cast<double>(count));
 }
 
-Eigen::VectorXd robustErrorsOf(const FitProblem& problem, const Linearisation& optimum,
-                               const Eigen::MatrixXd& inverse) {
+Eigen::VectorXd robustErrorsOf(const FitProblem& problem, const Linearisation& optimum, const Eigen::MatrixXd& inverse,
+                               double scatter) {
     const Eigen::Index K = inverse.rows();
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(K, K);
     Eigen::Index row = 0;
@@ -176,6 +176,10 @@ Eigen::VectorXd robustErrorsOf(const FitProblem& problem, const Linearisation& o
         const double window = std::clamp(std::ceil(suitableWindow(scores)), 1.0, most);
         sum += longRunCovariance(scores, static_cast<Eigen::Index>(window));
     }
+    // The score of a prior scatters as its mean may lie elsewhere: by one standard deviation.
+    for (Eigen::Index i = 0; i < K; ++i)
+        if (const auto& prior = problem.parameters[static_cast<std::size_t>(i)].prior)
+            sum(i, i) += std::pow(scatter, 4) / (prior->deviation * prior->deviation);
     const Eigen::MatrixXd known = inverse.array().isNaN().select(0.0, inverse);
     Eigen::VectorXd errors = (known * sum * known).diagonal().cwiseMax(0.0).cwiseSqrt();
     for (Eigen::Index i = 0; i < K; ++i)

@@ -23,8 +23,9 @@ Uncertainty uncertaintyOf(const Eigen::MatrixXd& jacobian, double variance, cons
 
 /// Standard errors that hold for residuals correlated in time, too, from the "sandwich" (JᵀJ)^-1 S (JᵀJ)^-1 (White
 /// 1980) with the long-run covariance S of the scores Jᵀr of each sample. `inverse`: (JᵀJ)^-1, NaN where not
-/// determined.
-Eigen::VectorXd robustErrorsOf(const FitProblem& problem, const Linearisation& optimum, const Eigen::MatrixXd& inverse);
+/// determined. `scatter`: against which the priors weighed (FitResult::scatter).
+Eigen::VectorXd robustErrorsOf(const FitProblem& problem, const Linearisation& optimum, const Eigen::MatrixXd& inverse,
+                               double scatter = 1.0);
 
 /// Sum of the autocovariances of the rows (not centred: scores sum to zero) with Bartlett's weights 1 - lag / window
 /// (Newey & West, Econometrica 55, 1987). It cannot be negative.
