@@ -37,7 +37,7 @@ Misfit::Misfit(const FitProblem& problem, const FitOptions& options, const Progr
     // Starts take the threads first, then the experiments.
     threads_ = std::max(1, options.threads / std::max(1, options.starts));
     constexpr int few = 1000;  // residuals: below, nothing is gained
-    isLong_ = problem.residualCount() >= few;
+    isLong_ = problem.residualCount() >= few && !problem.hasClocks();
     // The data speak first (weighed by range, as if they scattered by a hundredth of it): a prior that they contradict
     // must not hide behind the misfit that it causes itself.
     scatter_ = problem.scatter > 0.0 ? problem.scatter : problem.weightsAreNoise ? 1.0 : 0.01;

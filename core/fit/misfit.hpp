@@ -84,7 +84,8 @@ private:
     Linearisation bestLine_;
     double lossScale_{1};
     double scatter_{1};
-    bool isLong_{}, isIllConditioned_{};
+    bool isLong_{};  // and every output can be summed up sample by sample
+    bool isIllConditioned_{};
     int threads_{1};
     int simulations_{}, failedSimulations_{};
     std::string failure_;

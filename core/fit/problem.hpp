@@ -37,15 +37,22 @@ struct FitParameter {
     std::optional<NormalPrior> prior{};
 };
 
+/// The clock of one output's own logger, ahead by this; a fit parameter of the name clockOf(output) overrides it.
+struct ChannelClock {
+    int output{};
+    double offset{};  // [s]
+};
+
 /// One recording against which the system is simulated.
 struct FitExperiment {
     std::string name;
     SystemPtr system;
     SampledInputs inputs;
-    Eigen::MatrixXd measured;        // rows: system outputs, columns: samples; NaN: not measured there
-    Eigen::VectorXd weights;         // per output: 1/sigma (0: output is not fitted)
-    std::vector<double> parameters;  // the system's parameters; fitted ones are overwritten
-    bool isInterpreted{};            // never run machine code
+    Eigen::MatrixXd measured;            // rows: system outputs, columns: samples; NaN: not measured there
+    Eigen::VectorXd weights;             // per output: 1/sigma (0: output is not fitted)
+    std::vector<double> parameters;      // the system's parameters; fitted ones are overwritten
+    bool isInterpreted{};                // never run machine code
+    std::vector<ChannelClock> clocks{};  // of the outputs that do not share the clock of the inputs
 
     bool isFitted(Eigen::Index output) const { return output < weights.size() && weights[output] > 0.0; }
 };
@@ -68,6 +75,7 @@ struct FitProblem {
     int residualCount() const;            // measured values that are not NaN, with weight > 0
     Eigen::VectorXd startValues() const;  // of the parameters
     bool hasPriors() const;
+    bool hasClocks() const;
 };
 
 /// All residuals and, when asked, their Jacobian with respect to the parameters in their own units (not
@@ -99,8 +107,8 @@ struct MisfitSums {
     std::string failure;
 };
 
-/// As linearise(), sample by sample (not for the adaptive engine). Experiments run side by side on up to `threads`
-/// threads; the result does not depend on their number.
+/// As linearise(), sample by sample (not for the adaptive engine, nor for clocks of their own). Experiments run side by
+/// side on up to `threads` threads; the result does not depend on their number.
 MisfitSums sumUp(const FitProblem& problem, const Eigen::VectorXd& values, bool withJacobian,
                  const std::vector<GridPlan>& plans, const SimulationOptions& options = {},
                  const Progress& progress = {}, int threads = 1);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/fit/clock.hpp"
 #include "core/fit/fit.hpp"
 
 namespace analogon {
@@ -79,6 +80,8 @@ void checkParameter(const FitProblem& problem, const FitParameter& p, Diagnostic
         const SystemPtr& system = problem.experiments[e].system;
         if (!system) continue;
         isKnown = isKnown || system->parameterIndex(p.name) >= 0;
+        for (const ChannelClock& clock : problem.experiments[e].clocks)
+            isKnown = isKnown || clockOf(system->outputs()[static_cast<std::size_t>(clock.output)].name) == p.name;
         for (const SignalInfo& info : system->parameters()) names.push_back(info.name);
     }
     if (isKnown) return;
