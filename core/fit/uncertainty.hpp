@@ -35,9 +35,15 @@ Eigen::MatrixXd longRunCovariance(const Eigen::MatrixXd& rows, Eigen::Index wind
 /// first-order autoregression in each column.
 double suitableWindow(const Eigen::MatrixXd& rows);
 
-/// How far each output is uncertain since the parameters are: standard deviations by the delta method, sqrt(y' C y'ᵀ)
-/// with the slopes y' and the covariance C of the fit. One matrix an experiment; rows: outputs, columns: samples.
-/// The noise of a measurement is not in it. NaN: the simulation failed, or a parameter is not determined.
+/// How far the outputs of one experiment that have a weight are uncertain since the parameters are: standard deviations
+/// by the delta method, sqrt(y' C y'ᵀ) with the slopes y' and the covariance C of the parameters at these values. Rows:
+/// outputs, columns: samples. The noise of a measurement is not in it. NaN: the simulation failed, a parameter is not
+/// determined, or the output has no weight. `plan` null: made here.
+Eigen::MatrixXd predictionBand(const FitProblem& problem, int experiment, const Eigen::VectorXd& values,
+                               const Eigen::MatrixXd& covariance, const GridPlan* plan,
+                               const SimulationOptions& options = {}, const Progress& progress = {});
+
+/// The same of all experiments and outputs of a fit, whatever was measured.
 std::vector<Eigen::MatrixXd> predictionBands(const FitProblem& problem, const FitResult& result,
                                              const SimulationOptions& options = {}, const Progress& progress = {});
 
