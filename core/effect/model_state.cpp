@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fit/clock.hpp"
 #include "core/fit/uncertainty.hpp"
 
 namespace analogon {
@@ -49,6 +50,17 @@ Eigen::MatrixXd covarianceIn(const FitProblem& problem, Role role, const FitResu
             if (a >= 0 && b >= 0) covariance(i, j) = fit.covariance(a, b);
         }
     return covariance;
+}
+
+/// The variant with its clocks told: of a recording, only what they stamp outside it has to be left out then.
+Variant withClocksTold(Variant variant) {
+    for (FitParameter& p : variant.task.parameters) {
+        if (!isClock(p.name)) continue;
+        for (const ParameterValue& v : variant.values)
+            if (v.name == p.name) p.start = v.value;
+        p.min = p.max = p.start;
+    }
+    return variant;
 }
 
 /// How far the simulated outputs are uncertain since the parameters are.
@@ -117,9 +129,10 @@ Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const 
     if (!text) return text.diagnostics();
     state.modelText = std::move(*text);
 
+    const Variant told = withClocksTold(variant);
     std::map<int, ExperimentState> byRecording;
     for (const Role role : {Role::Fit, Role::Validate}) {
-        Outcome<PreparedTask> prepared = prepareAt(variant, {}, role);
+        Outcome<PreparedTask> prepared = prepareAt(told, {}, role);
         if (!prepared) return prepared.diagnostics();
         FitProblem& problem = prepared->problem;
         if (problem.experiments.empty()) continue;

@@ -121,6 +121,7 @@ TEST_F(LateCurrent, IsReportedAndWrittenIntoTheCompletedStudy) {
     EXPECT_TRUE(isFound);
     const OutputState& output = result->finding.final.experiments[0].outputs[0];
     EXPECT_LT(output.figures.rmse, 0.006);
+    EXPECT_EQ(output.measured.array().isNaN().count(), 2);  // stamped 0 and 20 ms: before the recording
     ASSERT_EQ(output.deviation.size(), output.simulated.size());
     EXPECT_GT(output.deviation.maxCoeff(), 0.0);
     EXPECT_LT(output.deviation.maxCoeff(), 0.002);
