@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fit/clock.hpp"
 #include "core/flat/parameter_change.hpp"
 
 namespace analogon {
@@ -41,7 +42,8 @@ std::vector<Change> likelyChanges(const NullModel& null) {
         const double begin = time.front(), span = time.back() - time.front();
         for (Eigen::Index j = 0; j < jacobian.cols(); ++j) {
             const FitEstimate& estimate = null.fit.estimates[static_cast<std::size_t>(j)];
-            if (estimate.experiment >= 0) continue;  // a start value
+            if (estimate.experiment >= 0 || isClock(estimate.name))
+                continue;  // a start value, or no quantity of the model
             Change best;
             const auto take = [&](double moment) {
                 const Eigen::VectorXd column = from(null, time, experiment, moment, jacobian.col(j));

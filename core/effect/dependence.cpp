@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/range.hpp"
+#include "core/fit/clock.hpp"
 #include "core/flat/parameter_change.hpp"
 
 namespace analogon {
@@ -108,7 +109,8 @@ std::optional<Dependence> bestDependence(const NullModel& null, const FitOptions
     std::vector<Likely> likely;
     for (std::size_t c = 0; c < channels.size(); ++c)
         for (Eigen::Index j = 0; j < jacobian.cols(); ++j) {
-            if (null.fit.estimates[static_cast<std::size_t>(j)].experiment >= 0) continue;  // a start value
+            const FitEstimate& estimate = null.fit.estimates[static_cast<std::size_t>(j)];
+            if (estimate.experiment >= 0 || isClock(estimate.name)) continue;  // a start value, or none of the model
             const ColumnScore score = scoreColumns(complement, null.fit.optimum.residuals,
                                                    moving(null, recordings, channels[c], jacobian.col(j)), false);
             if (score.visible > leastVisible) likely.push_back({c, j, score.explained, score.strengths[0]});

@@ -18,6 +18,8 @@ struct OutputState {
     ErrorFigures figures;
     Eigen::VectorXd measured;  // NaN: not measured
     Eigen::VectorXd simulated;
+    /// Standard deviation of the simulated value, since the parameters are uncertain; empty: not known.
+    Eigen::VectorXd deviation{};
 };
 
 struct ExperimentState {

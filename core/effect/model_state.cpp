@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fit/clock.hpp"
+#include "core/fit/uncertainty.hpp"
+
 namespace analogon {
 namespace {
 
@@ -26,6 +29,52 @@ ExperimentState experimentState(const FitExperiment& experiment, Role role, cons
     }
     state.errorPercent = meanError(state.outputs, [](const OutputState& o) { return o.figures.errorPercent; });
     return state;
+}
+
+/// Covariance of a problem's parameters as a fit found it; 0 for those that were not fitted.
+Eigen::MatrixXd covarianceIn(const FitProblem& problem, Role role, const FitResult& fit) {
+    const auto count = static_cast<Eigen::Index>(problem.parameters.size());
+    std::vector<Eigen::Index> found;
+    for (const FitParameter& p : problem.parameters) {
+        Eigen::Index index = -1;
+        for (std::size_t i = 0; i < fit.estimates.size(); ++i)
+            if (fit.estimates[i].name == p.name && fit.estimates[i].experiment == p.experiment &&
+                (role == Role::Fit || p.experiment < 0))
+                index = static_cast<Eigen::Index>(i);
+        found.push_back(index);
+    }
+    Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(count, count);
+    for (Eigen::Index i = 0; i < count; ++i)
+        for (Eigen::Index j = 0; j < count; ++j) {
+            const Eigen::Index a = found[static_cast<std::size_t>(i)], b = found[static_cast<std::size_t>(j)];
+            if (a >= 0 && b >= 0) covariance(i, j) = fit.covariance(a, b);
+        }
+    return covariance;
+}
+
+/// The variant with its clocks told: of a recording, only what they stamp outside it has to be left out then.
+Variant withClocksTold(Variant variant) {
+    for (FitParameter& p : variant.task.parameters) {
+        if (!isClock(p.name)) continue;
+        for (const ParameterValue& v : variant.values)
+            if (v.name == p.name) p.start = v.value;
+        p.min = p.max = p.start;
+    }
+    return variant;
+}
+
+/// How far the simulated outputs are uncertain since the parameters are.
+void addDeviations(const FitProblem& problem, int experiment, const Eigen::VectorXd& values,
+                   const Eigen::MatrixXd& covariance, const SimulationOptions& simulation, const Progress& progress,
+                   ExperimentState& state) {
+    constexpr std::size_t mostSamples = 200'000;  // the slopes of longer ones take too much memory
+    if (state.failure.failed || state.time.size() > mostSamples || !covariance.allFinite()) return;
+    const FitExperiment& fitted = problem.experiments[static_cast<std::size_t>(experiment)];
+    const Eigen::MatrixXd band = predictionBand(problem, experiment, values, covariance, nullptr, simulation, progress);
+    for (OutputState& output : state.outputs) {
+        const int row = fitted.system->outputIndex(output.name);
+        if (row >= 0 && band.row(row).allFinite()) output.deviation = band.row(row).transpose();
+    }
 }
 
 /// Residual of one output over the fitted experiments, one after the other.
@@ -80,18 +129,23 @@ Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const 
     if (!text) return text.diagnostics();
     state.modelText = std::move(*text);
 
+    const Variant told = withClocksTold(variant);
     std::map<int, ExperimentState> byRecording;
     for (const Role role : {Role::Fit, Role::Validate}) {
-        Outcome<PreparedTask> prepared = prepareAt(variant, {}, role);
+        Outcome<PreparedTask> prepared = prepareAt(told, {}, role);
         if (!prepared) return prepared.diagnostics();
         FitProblem& problem = prepared->problem;
         if (problem.experiments.empty()) continue;
         const Eigen::VectorXd values = problem.startValues();
         const Linearisation l = linearise(problem, values, false, {}, simulation, progress);
-        for (std::size_t e = 0; e < problem.experiments.size(); ++e)
-            if (e < l.trajectories.size())
-                byRecording.emplace(prepared->fitRecordings[e],
-                                    experimentState(problem.experiments[e], role, l.trajectories[e]));
+        const bool isFitted = fit.covariance.size() > 0;
+        const Eigen::MatrixXd covariance = isFitted ? covarianceIn(problem, role, fit) : Eigen::MatrixXd();
+        for (std::size_t e = 0; e < std::min(problem.experiments.size(), l.trajectories.size()); ++e) {
+            ExperimentState experiment = experimentState(problem.experiments[e], role, l.trajectories[e]);
+            if (isFitted)
+                addDeviations(problem, static_cast<int>(e), values, covariance, simulation, progress, experiment);
+            byRecording.emplace(prepared->fitRecordings[e], std::move(experiment));
+        }
         for (std::string& remark : switchingRemarks(problem, values, simulation, progress))
             state.remarks.push_back(std::move(remark));
     }

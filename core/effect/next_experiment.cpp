@@ -135,6 +135,7 @@ std::optional<ProposedExperiment> nextExperiment(const NullModel& chosen, const 
     programme.inputs.resize(static_cast<Eigen::Index>(ranges.size()), samples);
     for (std::size_t j = 0; j < ranges.size(); ++j)
         programme.inputs.row(static_cast<Eigen::Index>(j)).setConstant(ranges[j].mean);
+    programme.clocks.clear();
     programme.outputs = Eigen::MatrixXd::Zero(first.outputs.rows(), samples);
     Outcome<PreparedTask> truth = onProgramme(chosen.variant, programme, noise);
     Outcome<PreparedTask> other = onProgramme(rival.variant, programme, noise);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/effect/shape_value.hpp"
+#include "core/fit/clock.hpp"
 
 namespace analogon {
 namespace {
@@ -299,7 +300,8 @@ Outcome<ModelNodes> nodesOf(const Variant& variant, Diagram& diagram) {
     Outcome<FlatModel> flat = flatten(variant.task.library, variant.task.className);
     if (!flat) return flat.diagnostics();
     StructureOptions options;
-    for (const ParameterValue& v : variant.values) options.keep.push_back(v.name);
+    for (const ParameterValue& v : variant.values)
+        if (!isClock(v.name)) options.keep.push_back(v.name);
     Outcome<Structure> structure = analyse(std::make_shared<FlatModel>(std::move(*flat)), options);
     if (!structure) return structure.diagnostics();
     Outcome<Diagram> read = readDiagram(variant.task.library, variant.task.className);

@@ -177,7 +177,7 @@ Trial refit(const NullModel& null, const Screened& screened, const FitOptions& o
             best.failure = result.message;
             continue;
         }
-        if (best.ok && result.cost >= best.fit.cost) continue;
+        if (best.ok && result.objective >= best.fit.objective) continue;
         best.variant = std::move(ready[i].variant);
         best.variant.values = valuesOf(result);
         best.fit = std::move(result);
@@ -190,7 +190,7 @@ void proceed(const NullModel& null, Trial& trial, const FitOptions& options, con
     Outcome<PreparedTask> prepared = prepareAt(trial.variant, null.noise);
     if (!prepared) return;
     FitResult result = fit(prepared->problem, options, progress);
-    if (!result.optimum.ok || result.cost > trial.fit.cost) return;
+    if (!result.optimum.ok || result.objective > trial.fit.objective) return;
     trial.variant.values = valuesOf(result);
     trial.fit = std::move(result);
 }

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/diagram/edit.hpp"
+#include "core/fit/clock.hpp"
 #include "core/flat/flat_model.hpp"
 #include "core/syntax/printer.hpp"
 
@@ -114,7 +115,8 @@ Outcome<Variant> withEffects(const Variant& base, const std::vector<PlacedEffect
 
 Outcome<PreparedTask> prepareAt(const Variant& variant, const std::vector<Eigen::VectorXd>& noise, Role role) {
     std::vector<std::string> kept;
-    for (const ParameterValue& v : variant.values) kept.push_back(v.name);
+    for (const ParameterValue& v : variant.values)
+        if (!isClock(v.name)) kept.push_back(v.name);
     Outcome<PreparedTask> prepared = prepare(variant.task, noise, role, kept);
     if (!prepared) return prepared;
     for (const ParameterValue& v : variant.values)
@@ -123,6 +125,25 @@ Outcome<PreparedTask> prepareAt(const Variant& variant, const std::vector<Eigen:
                 p.start = v.value;
     return prepared;
 }
+
+namespace {
+
+/// Clocks that are fitted stay where the variant has them. What lies beyond their bounds is left out all the same, so
+/// that residuals compare row by row.
+void holdClocks(EstimationTask& task, const Variant& variant) {
+    for (const FitParameter& p : variant.task.parameters) {
+        if (!isClock(p.name)) continue;
+        for (Recording& r : task.recordings)
+            for (RecordingClock& clock : r.clocks) {
+                if (clockOf(clock.output) != p.name) continue;
+                blankBeyond(r, clock.output, p.min, p.max);
+                for (const ParameterValue& v : variant.values)
+                    if (v.name == p.name) clock.offset = v.value;
+            }
+    }
+}
+
+}  // namespace
 
 Outcome<PreparedTask> prepareHeld(const Variant& variant, const std::vector<FitParameter>& free,
                                   const std::vector<Eigen::VectorXd>& noise, const std::vector<std::string>& alsoKeep) {
@@ -133,7 +154,8 @@ Outcome<PreparedTask> prepareHeld(const Variant& variant, const std::vector<FitP
     };
     std::vector<std::string> kept = alsoKeep;
     for (const ParameterValue& v : variant.values)
-        if (v.experiment < 0 && !isFree(v.name)) kept.push_back(v.name);
+        if (v.experiment < 0 && !isFree(v.name) && !isClock(v.name)) kept.push_back(v.name);
+    holdClocks(task, variant);
     const std::vector<int> fitted = recordingsOf(task, Role::Fit);
     for (std::size_t e = 0; e < fitted.size(); ++e)
         for (RecordingStart& s : task.recordings[static_cast<std::size_t>(fitted[e])].starts) {
@@ -174,7 +196,7 @@ Outcome<std::string> textWithValues(const Variant& variant) {
         });
     }
     for (const ParameterValue& v : variant.values)
-        if (v.experiment < 0) edit.setParameter(v.name, syntax::printNumber(v.value));
+        if (v.experiment < 0 && !isClock(v.name)) edit.setParameter(v.name, syntax::printNumber(v.value));
     Outcome<syntax::TextEdit> text = edit.finish("Write fitted values");
     if (!text) return text.diagnostics();
     return syntax::apply(variant.task.model->text(), std::move(*text)).text;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/base/range.hpp"
+#include "core/fit/clock.hpp"
 #include "core/flat/parameter_change.hpp"
 
 namespace analogon {
@@ -33,7 +34,8 @@ std::vector<std::string> namesToKeep(const EstimationTask& task, const std::vect
     const auto add = [&](const std::string& name) {
         if (std::find(keep.begin(), keep.end(), name) == keep.end()) keep.push_back(name);
     };
-    for (const FitParameter& parameter : task.parameters) add(parameter.name);
+    for (const FitParameter& parameter : task.parameters)
+        if (!isClock(parameter.name)) add(parameter.name);
     for (const Recording& recording : task.recordings) {
         for (const RecordingStart& start : recording.starts) add(start.parameter);
     }
@@ -117,6 +119,12 @@ double weightOf(const Eigen::Ref<const Eigen::RowVectorXd>& measured, double noi
     return range.high != 0.0 ? 1.0 / std::abs(range.high) : 1.0;
 }
 
+/// Whether a stamp may lie outside the recording, with a clock that is ahead by this or that.
+bool isBeyond(const Recording& recording, std::size_t sample, double least, double most) {
+    const double stamp = recording.time[sample];
+    return stamp - most < recording.time.front() || stamp - least > recording.time.back();
+}
+
 class Preparation {
 public:
     Preparation(const EstimationTask& task, SystemPtr system) : task_(task) { prepared_.system = std::move(system); }
@@ -155,6 +163,7 @@ public:
             experiment.weights[output] = importance * weightOf(experiment.measured.row(output), deviation);
         }
         for (const SignalInfo& info : system.parameters()) experiment.parameters.push_back(info.value);
+        addClocks(recording, experiment);
         addStarts(recording, experiment);
         prepared_.problem.experiments.push_back(std::move(experiment));
         prepared_.fitRecordings.push_back(index);
@@ -184,6 +193,26 @@ private:
             (!names.empty() && values.cols() != static_cast<Eigen::Index>(recording.time.size()))) {
             fault(recording, fmt::format("{} {}s over {} samples are named, but {} x {} values are given", names.size(),
                                          what, recording.time.size(), values.rows(), values.cols()));
+        }
+    }
+
+    /// What a clock stamps before the recording begins or after it ends, wherever it may be within its bounds, has
+    /// nothing simulated to compare with.
+    void addClocks(const Recording& recording, FitExperiment& experiment) {
+        for (const RecordingClock& clock : recording.clocks) {
+            const int output = prepared_.system->outputIndex(clock.output);
+            if (output < 0) continue;
+            experiment.clocks.push_back({output, clock.offset});
+            double least = clock.offset, most = clock.offset;
+            for (const FitParameter& p : task_.parameters)
+                if (p.name == clockOf(clock.output)) {
+                    least = p.min;
+                    most = p.max;
+                }
+            for (std::size_t k = 0; k < recording.time.size(); ++k)
+                if (isBeyond(recording, k, least, most))
+                    experiment.measured(output, static_cast<Eigen::Index>(k)) =
+                        std::numeric_limits<double>::quiet_NaN();
         }
     }
 
@@ -218,6 +247,15 @@ private:
 };
 
 }  // namespace
+
+void blankBeyond(Recording& recording, const std::string& output, double least, double most) {
+    const auto found = std::find(recording.outputNames.begin(), recording.outputNames.end(), output);
+    if (found == recording.outputNames.end()) return;
+    for (std::size_t k = 0; k < recording.time.size(); ++k)
+        if (isBeyond(recording, k, least, most))
+            recording.outputs(found - recording.outputNames.begin(), static_cast<Eigen::Index>(k)) =
+                std::numeric_limits<double>::quiet_NaN();
+}
 
 Outcome<PreparedTask> prepare(const EstimationTask& task, const std::vector<Eigen::VectorXd>& noise, Role role,
                               const std::vector<std::string>& alsoKeep) {

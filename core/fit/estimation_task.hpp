@@ -20,6 +20,13 @@ struct RecordingStart {
     bool isFitted{};
 };
 
+/// An output that was recorded by a logger with a clock of its own (core/fit/clock.hpp). Where the task has a parameter
+/// of the name clockOf(output), that is the offset.
+struct RecordingClock {
+    std::string output;
+    double offset{};  // [s] by which it is ahead
+};
+
 /// A recorded channel that the model does not use (yet).
 struct SpareChannel {
     std::string name;
@@ -38,6 +45,7 @@ struct Recording {
     Eigen::VectorXd weights;               // per output, from the study (1: by the noise alone)
     std::vector<RecordingStart> starts;
     std::vector<SpareChannel> spares;
+    std::vector<RecordingClock> clocks{};
 };
 
 /// A parameter that may take another value in mid run (`stepOf` and `momentOf` it are then parameters, too), or that
@@ -52,7 +60,7 @@ struct EstimationTask {
     Library library;  // with the model's own text in it
     SourcePtr model;  // text of the composed model
     std::string className;
-    std::vector<FitParameter> parameters;  // fitted for all experiments
+    std::vector<FitParameter> parameters;  // fitted for all experiments: of the model, and clocks
     std::vector<Recording> recordings;
     std::optional<ParameterChange> change;
 };
@@ -63,6 +71,9 @@ struct PreparedTask {
     FitProblem problem;              // experiments with Role::Fit, in order
     std::vector<int> fitRecordings;  // index of the recording of each experiment of `problem`
 };
+
+/// Leaves out what a clock that is ahead by `least` to `most` may stamp outside the recording.
+void blankBeyond(Recording& recording, const std::string& output, double least, double most);
 
 /// Compiles the model with the fitted parameters and start values kept symbolic, orders channels as the system
 /// does, weights by `noise` (per recording and output of the system: standard deviation; empty: 1 / range of

@@ -27,6 +27,7 @@ struct Descent {
     ReducedMisfit reduced;  // at the optimum; not ok: not known
     int simulations{}, failedSimulations{};
     double lossScale{1};
+    double scatter{1};
 };
 
 /// A descent goes on in rounds: the scatter of the residuals and the integration steps are judged where it starts, and
@@ -63,6 +64,10 @@ public:
             misfit_.rescaleLoss(minimum.values);
             goesOn = goesOn || std::abs(misfit_.lossScale() - before) > 0.02 * before;
         }
+        if (priorRounds_ < 8 && misfit_.rescalePriors(minimum.values)) {
+            ++priorRounds_;
+            goesOn = true;
+        }
         const auto moved = (minimum.values - plannedAt_).array().abs() > 0.05 * plannedAt_.array().abs();
         if (isRough_) {
             misfit_.plan(minimum.values);
@@ -96,7 +101,7 @@ private:
     const FitOptions& options_;
     bool isRough_{};
     Eigen::VectorXd plannedAt_;
-    int lossRounds_{}, planRounds_{};
+    int lossRounds_{}, priorRounds_{}, planRounds_{};
 };
 
 /// How much the residuals move with each parameter: in its own units, or relative where it is searched so.
@@ -180,6 +185,7 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
     descent.simulations = misfit.simulations();
     descent.failedSimulations = misfit.failedSimulations();
     descent.lossScale = misfit.lossScale();
+    descent.scatter = misfit.scatter();
     return descent;
 }
 
@@ -208,6 +214,35 @@ std::vector<Eigen::VectorXd> startsOf(const FitProblem& problem, const FitOption
     return starts;
 }
 
+double objectiveOf(const FitProblem& problem, double cost, double scatter) {
+    if (problem.scatter > 0.0 || !problem.hasPriors()) return cost;
+    return cost / (scatter * scatter) + problem.residualCount() * std::log(scatter);
+}
+
+std::string nameOf(const FitProblem& problem, const FitParameter& p) {
+    if (p.experiment < 0) return p.name;
+    return fmt::format("{} of '{}'", p.name, problem.experiments[static_cast<std::size_t>(p.experiment)].name);
+}
+
+/// What the data and the priors say of each other.
+void addPriorRemarks(const FitProblem& problem, FitResult& result) {
+    constexpr double asGood = 0.98;  // of its standard deviation
+    for (std::size_t i = 0; i < problem.parameters.size(); ++i) {
+        const FitParameter& p = problem.parameters[i];
+        const FitEstimate& estimate = result.estimates[i];
+        if (!p.prior) continue;
+        const double distance = p.prior->distance(estimate.value);
+        const std::string name = nameOf(problem, p);
+        if (std::abs(distance) > NormalPrior::contradiction)
+            result.remarks.push_back(fmt::format(
+                "{} = {:.6g} lies {:.1f} standard deviations from its prior {:.6g} ± {:.3g}: the data contradict what "
+                "was known",
+                name, estimate.value, std::abs(distance), p.prior->mean, p.prior->deviation));
+        else if (estimate.standardError > asGood * p.prior->deviation)
+            result.remarks.push_back(fmt::format("{} is known from its prior alone: the data add nothing", name));
+    }
+}
+
 void addRemarks(const FitProblem& problem, const Descent& best, const Uncertainty& uncertainty, FitResult& result) {
     for (std::size_t i = 0; i < problem.parameters.size(); ++i) {
         const FitParameter& p = problem.parameters[i];
@@ -217,6 +252,7 @@ void addRemarks(const FitProblem& problem, const Descent& best, const Uncertaint
             fmt::format("{} rests at its {} bound {:.6g}", p.name, value <= p.min ? "lower" : "upper", value));
     }
     result.remarks.insert(result.remarks.end(), uncertainty.remarks.begin(), uncertainty.remarks.end());
+    addPriorRemarks(problem, result);
     if (result.failedSimulations > 0) {
         result.remarks.push_back(fmt::format("{} of {} simulations failed and were passed over",
                                              result.failedSimulations, result.simulations));
@@ -250,12 +286,15 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
             linearise(problem, result.values, true, best.plans, options.simulation, isLong ? progress : Progress{});
         if (isLong && progress.stopRequested()) break;
     }
+    result.scatter = best.scatter;
+    const PriorResiduals priors = priorResiduals(problem, result.values, best.scatter);
     // The search has looked at the optimum as closely as can be, unless a robust loss bends what it saw.
     const bool isReduced = best.reduced.ok && (options.loss == RobustLoss::None || !result.optimum.ok);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     result.cost = isReduced           ? best.reduced.cost()
-                  : result.optimum.ok ? 0.5 * result.optimum.residuals.squaredNorm()
+                  : result.optimum.ok ? 0.5 * (result.optimum.residuals.squaredNorm() + priors.squares())
                                       : nan;  // even the best point failed
+    result.objective = objectiveOf(problem, result.cost, best.scatter);
 
     const auto K = static_cast<Eigen::Index>(problem.parameters.size());
     Uncertainty uncertainty;
@@ -263,24 +302,19 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
     uncertainty.covariance = uncertainty.correlation = Eigen::MatrixXd::Constant(K, K, nan);
     if ((result.optimum.ok || isReduced) && K > 0) {
         std::vector<std::string> names;
-        for (const FitParameter& p : problem.parameters) {
-            names.push_back(p.experiment < 0
-                                ? p.name
-                                : fmt::format("{} of '{}'", p.name,
-                                              problem.experiments[static_cast<std::size_t>(p.experiment)].name));
-        }
+        for (const FitParameter& p : problem.parameters) names.push_back(nameOf(problem, p));
         const auto freedom = static_cast<double>(problem.residualCount() - K);
-        double variance = freedom > 0 ? 2.0 * result.cost / freedom : 1.0;
+        double variance = freedom > 0 ? std::max(0.0, 2.0 * result.cost - priors.squares()) / freedom : 1.0;
         if (options.loss != RobustLoss::None) variance = best.lossScale * best.lossScale;
         if (problem.weightsAreNoise) variance = std::max(variance, 1.0);
         const ReducedMisfit reduced =
-            isReduced ? best.reduced : reduce(result.optimum.jacobian, result.optimum.residuals);
+            isReduced ? best.reduced : withPriors(reduce(result.optimum.jacobian, result.optimum.residuals), priors);
         uncertainty = uncertaintyOf(reduced.jacobian, variance, names);
         result.variance = variance;
     }
     Eigen::VectorXd robustErrors = Eigen::VectorXd::Constant(K, nan);
     if (options.findsRobustErrors && result.optimum.ok && K > 0)
-        robustErrors = robustErrorsOf(problem, result.optimum, uncertainty.covariance / result.variance);
+        robustErrors = robustErrorsOf(problem, result.optimum, uncertainty.covariance / result.variance, best.scatter);
     if (!options.keepsOptimum) {
         std::string failure = std::move(result.optimum.failure);
         result.optimum = {};
@@ -299,6 +333,7 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
         estimate.atBound = i < best.minimum.atBound.size() && best.minimum.atBound[i];
         estimate.experiment = p.experiment;
         estimate.robustError = robustErrors[index];
+        estimate.prior = p.prior;
         result.estimates.push_back(std::move(estimate));
     }
     addRemarks(problem, best, uncertainty, result);
@@ -336,9 +371,10 @@ FitResult fit(const FitProblem& problem, const FitOptions& options, const Progre
         if (progress.stopRequested() && index > 0) return;
         descents[s] = descend(problem, starts[s], options, progress);
     });
+    const auto objective = [&](const Descent& d) { return objectiveOf(problem, d.minimum.cost, d.scatter); };
     std::size_t best = 0;
     for (std::size_t s = 0; s < descents.size(); ++s) {
-        if (descents[s].minimum.cost < descents[best].minimum.cost) best = s;
+        if (objective(descents[s]) < objective(descents[best])) best = s;
         result.simulations += descents[s].simulations;
         result.failedSimulations += descents[s].failedSimulations;
     }

@@ -57,6 +57,7 @@ struct FitEstimate {
     int experiment{-1};
     double robustError{std::numeric_limits<double>::quiet_NaN()};  // holds for residuals correlated in time, too
     std::optional<ConfidenceInterval> interval{};                  // where it was asked for
+    std::optional<NormalPrior> prior{};                            // what was known of it
 };
 
 struct FitResult {
@@ -66,8 +67,12 @@ struct FitResult {
     Eigen::VectorXd values;
     Eigen::MatrixXd covariance;  // of the values; NaN rows where not determined
     Eigen::MatrixXd correlation;
-    double cost{};       // 1/2 sum of squares
+    double cost{};       // 1/2 sum of squares, priors among them
     double variance{1};  // of a weighted residual, as the standard errors take it
+    double scatter{1};   // of a weighted residual, as the priors weigh against it
+    /// What fits compare by: the cost, or, where priors weighed against a scatter that each found itself, the negative
+    /// logarithm of the posterior.
+    double objective{};
     double startCost{};
     int iterations{};
     int simulations{};

@@ -37,7 +37,10 @@ Misfit::Misfit(const FitProblem& problem, const FitOptions& options, const Progr
     // Starts take the threads first, then the experiments.
     threads_ = std::max(1, options.threads / std::max(1, options.starts));
     constexpr int few = 1000;  // residuals: below, nothing is gained
-    isLong_ = problem.residualCount() >= few;
+    isLong_ = problem.residualCount() >= few && !problem.hasClocks();
+    // The data speak first (weighed by range, as if they scattered by a hundredth of it): a prior that they contradict
+    // must not hide behind the misfit that it causes itself.
+    scatter_ = problem.scatter > 0.0 ? problem.scatter : problem.weightsAreNoise ? 1.0 : 0.01;
 }
 
 bool Misfit::maySumUp() const {
@@ -79,11 +82,15 @@ Linearisation Misfit::simulate(const Eigen::VectorXd& values, bool withJacobian)
 
 /// False: the sums are not exact enough here.
 bool Misfit::summed(const Eigen::VectorXd& values, ReducedMisfit& reduced) {
-    const MisfitSums sums = sum(values, true);
+    MisfitSums sums = sum(values, true);
     if (!sums.ok) {
         reduced = {};
         return true;
     }
+    const PriorResiduals priors = priorsAt(values);
+    sums.hessian += priors.jacobian.transpose() * priors.jacobian;
+    sums.gradient += priors.jacobian.transpose() * priors.residuals;
+    sums.squares += priors.squares();
     std::optional<ReducedMisfit> found = reduce(sums.hessian, sums.gradient, sums.squares);
     if (found) reduced = std::move(*found);
     isIllConditioned_ = !found;
@@ -154,7 +161,7 @@ void Misfit::evaluate(const Eigen::VectorXd& values, ReducedMisfit& reduced) {
     Linearisation line = simulate(values, true);
     if (!line.ok) return;
     applyLoss(line.residuals, &line.jacobian);
-    reduced = reduce(line.jacobian, line.residuals);
+    reduced = withPriors(reduce(line.jacobian, line.residuals), priorsAt(values));
     line.ok = options_.loss == RobustLoss::None;
     if (reduced.ok) note(values, reduced.cost(), std::move(line));
 }
@@ -163,13 +170,14 @@ double Misfit::cost(const Eigen::VectorXd& values) {
     if (maySumUp()) {
         const MisfitSums sums = sum(values, false);
         if (!sums.ok) return std::numeric_limits<double>::infinity();
-        note(values, 0.5 * sums.squares);
-        return 0.5 * sums.squares;
+        const double cost = 0.5 * (sums.squares + priorsAt(values).squares());
+        note(values, cost);
+        return cost;
     }
     Linearisation line = simulate(values, false);
     if (!line.ok) return std::numeric_limits<double>::infinity();
     applyLoss(line.residuals, nullptr);
-    const double cost = 0.5 * line.residuals.squaredNorm();
+    const double cost = 0.5 * (line.residuals.squaredNorm() + priorsAt(values).squares());
     note(values, cost);
     return cost;
 }
@@ -183,6 +191,24 @@ void Misfit::rescaleLoss(const Eigen::VectorXd& values) {
     std::nth_element(sizes.data(), middle, sizes.data() + sizes.size());
     lossScale_ = std::max(*middle / 0.6745, 1e-300);
     forgetBest();
+}
+
+bool Misfit::rescalePriors(const Eigen::VectorXd& values) {
+    if (problem_.scatter > 0.0 || !problem_.hasPriors()) return false;
+    double scatter = lossScale_;
+    if (options_.loss == RobustLoss::None) {
+        const ReducedMisfit& here = reduced(values);
+        const auto freedom = problem_.residualCount() - static_cast<Eigen::Index>(problem_.parameters.size());
+        if (!here.ok || freedom <= 0) return false;
+        const double squares = std::max(0.0, 2.0 * here.cost() - priorsAt(values).squares());
+        scatter = std::sqrt(squares / static_cast<double>(freedom));
+    }
+    if (problem_.weightsAreNoise) scatter = std::max(scatter, 1.0);
+    constexpr double close = 0.02;  // what the data say of their scatter is not known better
+    if (!(scatter > 0.0) || std::abs(scatter - scatter_) <= close * scatter_) return false;
+    scatter_ = scatter;
+    forgetBest();
+    return true;
 }
 
 std::vector<GridPlan> Misfit::plansFor(const Eigen::VectorXd& values, double looseness) const {

@@ -8,6 +8,7 @@
 
 #include "core/fit/coordinates.hpp"
 #include "core/fit/fit.hpp"
+#include "core/fit/priors.hpp"
 #include "core/fit/reduced_misfit.hpp"
 
 namespace analogon {
@@ -32,6 +33,8 @@ public:
     bool refinePlan(const Eigen::VectorXd& values);
     /// Robust losses are measured against the scatter of the residuals here.
     void rescaleLoss(const Eigen::VectorXd& values);
+    /// Priors weigh against the scatter of the residuals here; true when it has changed.
+    bool rescalePriors(const Eigen::VectorXd& values);
 
     bool hasBest() const { return bestCost_ < std::numeric_limits<double>::infinity(); }
     const Eigen::VectorXd& best() const { return best_; }
@@ -46,6 +49,7 @@ public:
     int failedSimulations() const { return failedSimulations_; }
     const std::string& failure() const { return failure_; }  // of the last simulation that failed
     double lossScale() const { return lossScale_; }
+    double scatter() const { return scatter_; }  // against which priors weigh
     bool isCancelled() const { return progress_.stopRequested(); }
     /// How far a minimiser is, with the best values so far.
     void report(std::string detail, double fraction) const;
@@ -60,6 +64,7 @@ private:
     /// Without a robust loss and in records of some length, sums do where they are exact enough.
     bool maySumUp() const;
     bool summed(const Eigen::VectorXd& values, ReducedMisfit& reduced);
+    PriorResiduals priorsAt(const Eigen::VectorXd& values) const { return priorResiduals(problem_, values, scatter_); }
     template <class Evaluate>
     auto attempt(const Eigen::VectorXd& values, const Evaluate& evaluate);
     MisfitSums sum(const Eigen::VectorXd& values, bool withJacobian);
@@ -78,7 +83,9 @@ private:
     double bestCost_{std::numeric_limits<double>::infinity()};
     Linearisation bestLine_;
     double lossScale_{1};
-    bool isLong_{}, isIllConditioned_{};
+    double scatter_{1};
+    bool isLong_{};  // and every output can be summed up sample by sample
+    bool isIllConditioned_{};
     int threads_{1};
     int simulations_{}, failedSimulations_{};
     std::string failure_;

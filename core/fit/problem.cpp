@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <limits>
 #include <memory>
 
 #include "core/base/parallel.hpp"
+#include "core/fit/clock.hpp"
 #include "core/fit/normal_equations.hpp"
 #include "core/simulate/all_finite.hpp"
 
@@ -99,12 +101,43 @@ std::string describe(const SimulationFailure& failure, const std::string& experi
     return text;
 }
 
+/// What the clock of an output is ahead by at these values, and which fit parameter it is (-1: none).
+struct ClockAt {
+    int output{};
+    double offset{};
+    int parameter{-1};
+};
+
+std::vector<ClockAt> clocksAt(const FitProblem& problem, const FitExperiment& experiment,
+                              const Eigen::VectorXd& values) {
+    std::vector<ClockAt> clocks;
+    for (const ChannelClock& clock : experiment.clocks) {
+        const std::string name = clockOf(experiment.system->outputs()[static_cast<std::size_t>(clock.output)].name);
+        ClockAt at{clock.output, clock.offset, -1};
+        for (std::size_t i = 0; i < problem.parameters.size(); ++i) {
+            if (problem.parameters[i].name != name) continue;
+            at.parameter = static_cast<int>(i);
+            at.offset = values[static_cast<Eigen::Index>(i)];
+        }
+        clocks.push_back(at);
+    }
+    return clocks;
+}
+
 /// Writes the rows of one experiment while its samples pass by, and keeps the outputs.
 class RowWriter final : public SampleSink {
 public:
     RowWriter(const FitExperiment& experiment, const std::vector<Eigen::Index>& columns, Eigen::Index firstRow,
-              bool withJacobian, Linearisation& result)
-        : experiment_(experiment), columns_(columns), withJacobian_(withJacobian), result_(result) {
+              bool withJacobian, const std::vector<ClockAt>& clocks, Linearisation& result)
+        : experiment_(experiment),
+          columns_(columns),
+          withJacobian_(withJacobian),
+          clocks_(clocks),
+          result_(result),
+          slopes_(experiment.measured.rows()) {
+        for (const ClockAt& clock : clocks_)
+            slopes_[static_cast<std::size_t>(clock.output)].resize(withJacobian ? columns.size() : 0,
+                                                                   experiment.measured.cols());
         outputs.setConstant(experiment.measured.rows(), experiment.measured.cols(),
                             std::numeric_limits<double>::quiet_NaN());
         for (Eigen::Index o = 0; o < experiment.measured.rows(); ++o) {
@@ -113,6 +146,8 @@ public:
             output.index = o;
             output.firstRow = firstRow;
             output.isComplete = !hasGaps(experiment, o);
+            output.hasClock =
+                std::any_of(clocks.begin(), clocks.end(), [&](const ClockAt& c) { return c.output == o; });
             for (Eigen::Index k = 0; k < experiment.measured.cols() && !output.isComplete; ++k)
                 output.rows.push_back(std::isnan(experiment.measured(o, k)) ? -1 : firstRow++);
             if (output.isComplete) firstRow += experiment.measured.cols();
@@ -123,8 +158,8 @@ public:
     void take(int sample, const double* y, const double* dy) override {
         outputs.col(sample) = Eigen::Map<const Eigen::VectorXd>(y, outputs.rows());
         for (const Output& output : fitted_)
-            write(output, sample, 1, y + output.index,
-                  dy ? dy + output.index * static_cast<Eigen::Index>(columns_.size()) : nullptr, 0);
+            pass(output, sample, 1, y + output.index,
+                 dy ? dy + output.index * static_cast<Eigen::Index>(columns_.size()) : nullptr, 0);
     }
 
     void takeRows(int first, int count, const double* rows, const RowLayout& layout, int) override {
@@ -133,44 +168,89 @@ public:
                 Eigen::Map<const Eigen::VectorXd>(rows + j * layout.resultSize() + layout.value(0), outputs.rows());
         for (const Output& output : fitted_) {
             const int o = static_cast<int>(output.index);
-            write(output, first, count, rows + layout.value(o), rows + layout.tangent(o), layout.resultSize());
+            pass(output, first, count, rows + layout.value(o), rows + layout.tangent(o), layout.resultSize());
         }
     }
     void restart() override {}
+
+    /// When all samples are there: what has a clock of its own is taken where that clock stamps it.
+    void applyClocks() {
+        const std::vector<double>& time = experiment_.inputs.time;
+        for (const ClockAt& clock : clocks_) {
+            const Eigen::MatrixXd& slopes = slopes_[static_cast<std::size_t>(clock.output)];
+            Eigen::RowVectorXd shifted(outputs.cols()), rates(outputs.cols());
+            Eigen::MatrixXd shiftedSlopes = Eigen::MatrixXd::Zero(slopes.rows(), slopes.cols());
+            for (Eigen::Index k = 0; k < outputs.cols(); ++k) {
+                const TimeStencil stencil = stencilAt(time, time[static_cast<std::size_t>(k)] - clock.offset);
+                const auto value = [&](int sample) { return outputs(clock.output, sample); };
+                shifted[k] = stencil.value(value);
+                rates[k] = stencil.slope(value);
+                for (int j = 0; j < stencil.count && slopes.cols() > 0; ++j)
+                    shiftedSlopes.col(k) +=
+                        stencil.weights[static_cast<std::size_t>(j)] * slopes.col(stencil.first + j);
+            }
+            outputs.row(clock.output) = shifted;
+            for (const Output& output : fitted_) {
+                if (output.index != clock.output) continue;
+                write(output, 0, static_cast<int>(shifted.size()), shifted.data(), 1, shiftedSlopes.data(),
+                      shiftedSlopes.rows());
+                if (withJacobian_ && clock.parameter >= 0) writeClock(output, rates, clock.parameter);
+            }
+        }
+    }
 
     Eigen::MatrixXd outputs;  // rows: outputs, columns: samples; NaN where it did not get to
 
 private:
     struct Output {
         Eigen::Index index{}, firstRow{};
-        bool isComplete{};
+        bool isComplete{}, hasClock{};
         std::vector<Eigen::Index> rows;  // of each sample, unless complete; -1: not measured
     };
 
-    void write(const Output& output, int first, int count, const double* y, const double* dy, Eigen::Index stride) {
+    static Eigen::Index rowOf(const Output& output, Eigen::Index sample) {
+        return output.isComplete ? output.firstRow + sample : output.rows[static_cast<std::size_t>(sample)];
+    }
+
+    /// Written at once, or kept until the clock can be applied.
+    void pass(const Output& output, int first, int count, const double* y, const double* dy, Eigen::Index stride) {
+        if (!output.hasClock) return write(output, first, count, y, stride, dy, stride);
+        Eigen::MatrixXd& kept = slopes_[static_cast<std::size_t>(output.index)];
+        for (int j = 0; j < count && kept.rows() > 0; ++j)
+            kept.col(first + j) = Eigen::Map<const Eigen::VectorXd>(dy + j * stride, kept.rows());
+    }
+
+    void write(const Output& output, int first, int count, const double* y, Eigen::Index yStride, const double* dy,
+               Eigen::Index stride) {
         const double weight = experiment_.weights[output.index];
-        const auto rowOf = [&](int j) {
-            return output.isComplete ? output.firstRow + first + j : output.rows[static_cast<std::size_t>(first + j)];
-        };
         for (int j = 0; j < count; ++j) {
-            const Eigen::Index row = rowOf(j);
+            const Eigen::Index row = rowOf(output, first + j);
             if (row >= 0)
-                result_.residuals[row] = weight * (y[j * stride] - experiment_.measured(output.index, first + j));
+                result_.residuals[row] = weight * (y[j * yStride] - experiment_.measured(output.index, first + j));
         }
         for (std::size_t k = 0; withJacobian_ && k < columns_.size(); ++k) {
             double* const column = result_.jacobian.data() + columns_[k] * result_.jacobian.rows();
             const double* slope = dy + k;
             for (int j = 0; j < count; ++j, slope += stride) {
-                const Eigen::Index row = rowOf(j);
+                const Eigen::Index row = rowOf(output, first + j);
                 if (row >= 0) column[row] = weight * *slope;
             }
+        }
+    }
+
+    void writeClock(const Output& output, const Eigen::RowVectorXd& rates, int parameter) {
+        for (Eigen::Index k = 0; k < rates.size(); ++k) {
+            const Eigen::Index row = rowOf(output, k);
+            if (row >= 0) result_.jacobian(row, parameter) = -experiment_.weights[output.index] * rates[k];
         }
     }
 
     const FitExperiment& experiment_;
     const std::vector<Eigen::Index>& columns_;
     bool withJacobian_{};
+    const std::vector<ClockAt>& clocks_;
     Linearisation& result_;
+    std::vector<Eigen::MatrixXd> slopes_;  // of outputs with a clock: rows: directions, columns: samples
     std::vector<Output> fitted_;
 };
 
@@ -192,6 +272,15 @@ Eigen::VectorXd FitProblem::startValues() const {
     Eigen::VectorXd values(static_cast<Eigen::Index>(parameters.size()));
     for (Eigen::Index k = 0; k < values.size(); ++k) values[k] = parameters[static_cast<std::size_t>(k)].start;
     return values;
+}
+
+bool FitProblem::hasPriors() const {
+    return std::any_of(parameters.begin(), parameters.end(), [](const FitParameter& p) { return p.prior.has_value(); });
+}
+
+bool FitProblem::hasClocks() const {
+    return std::any_of(experiments.begin(), experiments.end(),
+                       [](const FitExperiment& e) { return !e.clocks.empty(); });
 }
 
 GridPlan planFor(const FitProblem& problem, int experiment, const Eigen::VectorXd& values,
@@ -218,11 +307,13 @@ Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values
         const FitExperiment& experiment = problem.experiments[e];
         std::vector<Eigen::Index> columns;  // column of the Jacobian of each direction
         const SimulationTask task = taskFor(problem, static_cast<int>(e), values, withJacobian ? &columns : nullptr);
-        RowWriter writer(experiment, columns, row, withJacobian, result);
+        const std::vector<ClockAt> clocks = clocksAt(problem, experiment, values);
+        RowWriter writer(experiment, columns, row, withJacobian, clocks, result);
         const GridPlan* const plan = e < plans.size() ? &plans[e] : nullptr;
         result.trajectories.push_back(simulated(problem, task, plan, options, progress, writer));
         Trajectory& trajectory = result.trajectories.back();
         if (options.engine == Engine::Adaptive) pour(trajectory, static_cast<int>(task.directions.cols()), writer);
+        if (!trajectory.failure.failed) writer.applyClocks();
         trajectory.outputs = std::move(writer.outputs);  // also of what failed: NaN where it did not get to
         if (trajectory.failure.failed) {
             result.failure = describe(trajectory.failure, experiment.name);

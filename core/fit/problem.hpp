@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,18 @@
 namespace analogon {
 
 enum class ParameterScale { Automatic, Linear, Logarithmic };
+
+/// What was known of a parameter beforehand: normally distributed in its own unit, on whatever scale it is searched.
+struct NormalPrior {
+    double mean{};
+    double deviation{};  // standard deviation, > 0
+
+    static constexpr double contradiction = 3.0;  // standard deviations beyond which data and prior contradict
+
+    /// How many standard deviations a value lies from the mean.
+    double distance(double value) const { return (value - mean) / deviation; }
+    friend bool operator==(const NormalPrior&, const NormalPrior&) = default;
+};
 
 /// One unknown of a fit. Its value enters the system parameter of the same name in every experiment, or, when
 /// `experiment` >= 0, in that one alone (a fitted start value).
@@ -21,6 +34,13 @@ struct FitParameter {
     double max{1e300};
     ParameterScale scale{ParameterScale::Automatic};  // automatic: logarithmic where min > 0 and max/min > 10
     int experiment{-1};
+    std::optional<NormalPrior> prior{};
+};
+
+/// The clock of one output's own logger, ahead by this; a fit parameter of the name clockOf(output) overrides it.
+struct ChannelClock {
+    int output{};
+    double offset{};  // [s]
 };
 
 /// One recording against which the system is simulated.
@@ -28,27 +48,34 @@ struct FitExperiment {
     std::string name;
     SystemPtr system;
     SampledInputs inputs;
-    Eigen::MatrixXd measured;        // rows: system outputs, columns: samples; NaN: not measured there
-    Eigen::VectorXd weights;         // per output: 1/sigma (0: output is not fitted)
-    std::vector<double> parameters;  // the system's parameters; fitted ones are overwritten
-    bool isInterpreted{};            // never run machine code
+    Eigen::MatrixXd measured;            // rows: system outputs, columns: samples; NaN: not measured there
+    Eigen::VectorXd weights;             // per output: 1/sigma (0: output is not fitted)
+    std::vector<double> parameters;      // the system's parameters; fitted ones are overwritten
+    bool isInterpreted{};                // never run machine code
+    std::vector<ChannelClock> clocks{};  // of the outputs that do not share the clock of the inputs
 
     bool isFitted(Eigen::Index output) const { return output < weights.size() && weights[output] > 0.0; }
 };
 
 /// minimise 1/2 sum ((y - measured) * weight)^2 over all experiments, outputs and samples
-/// (mean square error, eqs. 11 to 13 of the 2014 paper, with one weight per channel).
+/// (mean square error, eqs. 11 to 13 of the 2014 paper, with one weight per channel), plus one more square
+/// (scatter * (p - mean) / deviation)^2 for each parameter with a prior.
 struct FitProblem {
     std::vector<FitExperiment> experiments;
     std::vector<FitParameter> parameters;
     /// The weights are 1 / (standard deviation of the noise). False: they only balance the channels, so the
     /// scatter is judged by the residuals themselves.
     bool weightsAreNoise{true};
+    /// Standard deviation of a weighted residual, against which priors weigh. 0: the fit finds it (1 where the weights
+    /// are the noise and the model leaves no more than that).
+    double scatter{};
     /// Sees every simulation before it runs, from any thread: may change it, or refuse it by throwing.
     std::function<void(SimulationTask&, SimulationOptions&)> beforeSimulation{};
 
     int residualCount() const;            // measured values that are not NaN, with weight > 0
     Eigen::VectorXd startValues() const;  // of the parameters
+    bool hasPriors() const;
+    bool hasClocks() const;
 };
 
 /// All residuals and, when asked, their Jacobian with respect to the parameters in their own units (not
@@ -80,8 +107,8 @@ struct MisfitSums {
     std::string failure;
 };
 
-/// As linearise(), sample by sample (not for the adaptive engine). Experiments run side by side on up to `threads`
-/// threads; the result does not depend on their number.
+/// As linearise(), sample by sample (not for the adaptive engine, nor for clocks of their own). Experiments run side by
+/// side on up to `threads` threads; the result does not depend on their number.
 MisfitSums sumUp(const FitProblem& problem, const Eigen::VectorXd& values, bool withJacobian,
                  const std::vector<GridPlan>& plans, const SimulationOptions& options = {},
                  const Progress& progress = {}, int threads = 1);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/parallel.hpp"
+#include "core/fit/clock.hpp"
 #include "core/fit/coordinates.hpp"
 
 namespace analogon {
@@ -16,8 +17,9 @@ constexpr double threshold = 3.841458820694124;  // 95 % of chi-square with one 
 constexpr int mostPoints = 40;                   // of one side
 
 /// The problem without one of its parameters, which is held at a value.
-FitProblem held(const FitProblem& problem, int parameter, double value, const Eigen::VectorXd& others) {
+FitProblem held(const FitProblem& problem, int parameter, double value, const Eigen::VectorXd& others, double scatter) {
     FitProblem rest = problem;
+    rest.scatter = scatter;
     const FitParameter p = problem.parameters[static_cast<std::size_t>(parameter)];
     rest.parameters.erase(rest.parameters.begin() + parameter);
     for (std::size_t i = 0; i < rest.parameters.size(); ++i) {
@@ -27,6 +29,9 @@ FitProblem held(const FitProblem& problem, int parameter, double value, const Ei
     for (std::size_t e = 0; e < rest.experiments.size(); ++e) {
         if (p.experiment >= 0 && p.experiment != static_cast<int>(e)) continue;
         FitExperiment& experiment = rest.experiments[e];
+        for (ChannelClock& clock : experiment.clocks)
+            if (clockOf(experiment.system->outputs()[static_cast<std::size_t>(clock.output)].name) == p.name)
+                clock.offset = value;
         const int index = experiment.system->parameterIndex(p.name);
         if (index >= 0) experiment.parameters[static_cast<std::size_t>(index)] = value;
     }
@@ -119,12 +124,13 @@ private:
     /// The others are fitted from where they were at the point before. NaN: no fit.
     Point at(double q) {
         const FitParameter& p = problem_.parameters[index()];
-        const FitResult fitted =
-            fit(held(problem_, parameter_, std::clamp(value(q), p.min, p.max), others_), options_, progress_);
+        const double here = std::clamp(value(q), p.min, p.max);
+        const FitResult fitted = fit(held(problem_, parameter_, here, others_, best_.scatter), options_, progress_);
         const bool isFit = fitted.status == FitStatus::Converged || fitted.status == FitStatus::IterationLimit;
         if (!isFit || !std::isfinite(fitted.cost)) return {q, std::nan("")};
         if (fitted.values.size() > 0) others_ = fitted.values;
-        return {q, 2.0 * (fitted.cost - best_.cost) / best_.variance};
+        const double known = p.prior ? best_.scatter * p.prior->distance(here) : 0.0;
+        return {q, (2.0 * (fitted.cost - best_.cost) + known * known) / best_.variance};
     }
 
     /// The root of the rise is nearly straight: a secant step, and one more where it is not.

@@ -165,8 +165,8 @@ double suitableWindow(const Eigen::MatrixXd& rows) {
     return 1.1447 * std::cbrt(above / below * static_cast<double>(count));
 }
 
-Eigen::VectorXd robustErrorsOf(const FitProblem& problem, const Linearisation& optimum,
-                               const Eigen::MatrixXd& inverse) {
+Eigen::VectorXd robustErrorsOf(const FitProblem& problem, const Linearisation& optimum, const Eigen::MatrixXd& inverse,
+                               double scatter) {
     const Eigen::Index K = inverse.rows();
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(K, K);
     Eigen::Index row = 0;
@@ -176,6 +176,10 @@ Eigen::VectorXd robustErrorsOf(const FitProblem& problem, const Linearisation& o
         const double window = std::clamp(std::ceil(suitableWindow(scores)), 1.0, most);
         sum += longRunCovariance(scores, static_cast<Eigen::Index>(window));
     }
+    // The score of a prior scatters as its mean may lie elsewhere: by one standard deviation.
+    for (Eigen::Index i = 0; i < K; ++i)
+        if (const auto& prior = problem.parameters[static_cast<std::size_t>(i)].prior)
+            sum(i, i) += std::pow(scatter, 4) / (prior->deviation * prior->deviation);
     const Eigen::MatrixXd known = inverse.array().isNaN().select(0.0, inverse);
     Eigen::VectorXd errors = (known * sum * known).diagonal().cwiseMax(0.0).cwiseSqrt();
     for (Eigen::Index i = 0; i < K; ++i)
@@ -183,26 +187,48 @@ Eigen::VectorXd robustErrorsOf(const FitProblem& problem, const Linearisation& o
     return errors;
 }
 
+Eigen::MatrixXd predictionBand(const FitProblem& problem, int experiment, const Eigen::VectorXd& values,
+                               const Eigen::MatrixXd& covariance, const GridPlan* plan,
+                               const SimulationOptions& options, const Progress& progress) {
+    // One experiment at a time, and of its parameters alone: the slopes of all would take too much memory.
+    FitProblem one;
+    one.beforeSimulation = problem.beforeSimulation;
+    one.experiments.push_back(problem.experiments[static_cast<std::size_t>(experiment)]);
+    FitExperiment& only = one.experiments.front();
+    only.measured.setZero();
+    for (double& weight : only.weights) weight = weight > 0.0 ? 1.0 : 0.0;
+    std::vector<Eigen::Index> acting;
+    for (std::size_t i = 0; i < problem.parameters.size(); ++i) {
+        FitParameter p = problem.parameters[i];
+        if (p.experiment >= 0 && p.experiment != experiment) continue;
+        if (p.experiment >= 0) p.experiment = 0;
+        acting.push_back(static_cast<Eigen::Index>(i));
+        one.parameters.push_back(std::move(p));
+    }
+    const Eigen::MatrixXd own = covariance(acting, acting);
+    std::vector<GridPlan> plans;
+    if (plan) plans.push_back(*plan);
+    const Linearisation line = linearise(one, values(acting), true, plans, options, progress);
+    Eigen::MatrixXd band(only.measured.rows(), only.measured.cols());
+    band.setConstant(std::numeric_limits<double>::quiet_NaN());
+    Eigen::Index row = 0;
+    for (Eigen::Index o = 0; line.ok && o < band.rows(); ++o) {
+        if (!only.isFitted(o)) continue;
+        const auto slopes = line.jacobian.middleRows(row, band.cols());
+        band.row(o) = (slopes * own).cwiseProduct(slopes).rowwise().sum().cwiseSqrt().transpose();
+        row += band.cols();
+    }
+    return band;
+}
+
 std::vector<Eigen::MatrixXd> predictionBands(const FitProblem& problem, const FitResult& result,
                                              const SimulationOptions& options, const Progress& progress) {
-    // Every output as it is: what was measured of it, and how it weighs, plays no part here.
     FitProblem all = problem;
-    for (FitExperiment& experiment : all.experiments) {
-        experiment.measured.setZero();
-        experiment.weights.setOnes();
-    }
-    const Linearisation line = linearise(all, result.values, true, result.plans, options, progress);
+    for (FitExperiment& experiment : all.experiments) experiment.weights.setOnes();
     std::vector<Eigen::MatrixXd> bands;
-    Eigen::Index row = 0;
-    for (const FitExperiment& experiment : all.experiments) {
-        Eigen::MatrixXd band(experiment.measured.rows(), experiment.measured.cols());
-        band.setConstant(std::numeric_limits<double>::quiet_NaN());
-        for (Eigen::Index o = 0; line.ok && o < band.rows(); ++o, row += band.cols()) {
-            const auto slopes = line.jacobian.middleRows(row, band.cols());
-            band.row(o) = (slopes * result.covariance).cwiseProduct(slopes).rowwise().sum().cwiseSqrt().transpose();
-        }
-        bands.push_back(std::move(band));
-    }
+    for (std::size_t e = 0; e < all.experiments.size(); ++e)
+        bands.push_back(predictionBand(all, static_cast<int>(e), result.values, result.covariance,
+                                       e < result.plans.size() ? &result.plans[e] : nullptr, options, progress));
     return bands;
 }
 

@@ -23,8 +23,9 @@ Uncertainty uncertaintyOf(const Eigen::MatrixXd& jacobian, double variance, cons
 
 /// Standard errors that hold for residuals correlated in time, too, from the "sandwich" (JᵀJ)^-1 S (JᵀJ)^-1 (White
 /// 1980) with the long-run covariance S of the scores Jᵀr of each sample. `inverse`: (JᵀJ)^-1, NaN where not
-/// determined.
-Eigen::VectorXd robustErrorsOf(const FitProblem& problem, const Linearisation& optimum, const Eigen::MatrixXd& inverse);
+/// determined. `scatter`: against which the priors weighed (FitResult::scatter).
+Eigen::VectorXd robustErrorsOf(const FitProblem& problem, const Linearisation& optimum, const Eigen::MatrixXd& inverse,
+                               double scatter = 1.0);
 
 /// Sum of the autocovariances of the rows (not centred: scores sum to zero) with Bartlett's weights 1 - lag / window
 /// (Newey & West, Econometrica 55, 1987). It cannot be negative.
@@ -34,9 +35,15 @@ Eigen::MatrixXd longRunCovariance(const Eigen::MatrixXd& rows, Eigen::Index wind
 /// first-order autoregression in each column.
 double suitableWindow(const Eigen::MatrixXd& rows);
 
-/// How far each output is uncertain since the parameters are: standard deviations by the delta method, sqrt(y' C y'ᵀ)
-/// with the slopes y' and the covariance C of the fit. One matrix an experiment; rows: outputs, columns: samples.
-/// The noise of a measurement is not in it. NaN: the simulation failed, or a parameter is not determined.
+/// How far the outputs of one experiment that have a weight are uncertain since the parameters are: standard deviations
+/// by the delta method, sqrt(y' C y'ᵀ) with the slopes y' and the covariance C of the parameters at these values. Rows:
+/// outputs, columns: samples. The noise of a measurement is not in it. NaN: the simulation failed, a parameter is not
+/// determined, or the output has no weight. `plan` null: made here.
+Eigen::MatrixXd predictionBand(const FitProblem& problem, int experiment, const Eigen::VectorXd& values,
+                               const Eigen::MatrixXd& covariance, const GridPlan* plan,
+                               const SimulationOptions& options = {}, const Progress& progress = {});
+
+/// The same of all experiments and outputs of a fit, whatever was measured.
 std::vector<Eigen::MatrixXd> predictionBands(const FitProblem& problem, const FitResult& result,
                                              const SimulationOptions& options = {}, const Progress& progress = {});
 

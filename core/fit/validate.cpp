@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "core/fit/clock.hpp"
 #include "core/fit/fit.hpp"
 
 namespace analogon {
@@ -64,6 +66,9 @@ void checkParameter(const FitProblem& problem, const FitParameter& p, Diagnostic
     if (p.scale == ParameterScale::Logarithmic && p.start <= 0.0) {
         fault(fmt::format("{}: a logarithmic scale needs a start value above 0, not {:.6g}", p.name, p.start));
     }
+    if (p.prior && !(std::isfinite(p.prior->mean) && p.prior->deviation > 0.0 && std::isfinite(p.prior->deviation)))
+        fault(fmt::format("{}: the prior {:.6g} ± {:.6g} is none", p.name, p.prior->mean, p.prior->deviation),
+              "a prior has a mean and a standard deviation above 0");
     if (p.experiment >= static_cast<int>(problem.experiments.size())) {
         fault(fmt::format("{}: there is no experiment number {}", p.name, p.experiment));
         return;
@@ -75,6 +80,8 @@ void checkParameter(const FitProblem& problem, const FitParameter& p, Diagnostic
         const SystemPtr& system = problem.experiments[e].system;
         if (!system) continue;
         isKnown = isKnown || system->parameterIndex(p.name) >= 0;
+        for (const ChannelClock& clock : problem.experiments[e].clocks)
+            isKnown = isKnown || clockOf(system->outputs()[static_cast<std::size_t>(clock.output)].name) == p.name;
         for (const SignalInfo& info : system->parameters()) names.push_back(info.name);
     }
     if (isKnown) return;
@@ -99,9 +106,11 @@ Diagnostics validate(const FitProblem& problem) {
     }
     if (hasError(faults)) return faults;
     const int count = problem.residualCount();
+    const auto known = static_cast<int>(
+        std::count_if(problem.parameters.begin(), problem.parameters.end(), [](const auto& p) { return p.prior; }));
     if (count == 0) {
         faults.push_back(error("nothing is measured: no output has values and a weight above 0"));
-    } else if (count < static_cast<int>(problem.parameters.size())) {
+    } else if (count + known < static_cast<int>(problem.parameters.size())) {
         faults.push_back(
             error(fmt::format("{} measured values cannot determine {} parameters", count, problem.parameters.size()),
                   {}, "fix some parameters or add measurements"));

@@ -16,6 +16,10 @@ struct ChannelMapping {
     double scale{1};
     double offset{0};
     double weight{1};  // of an output in the fit
+    double clock{0};   // [s] by which the channel's own logger is ahead of the others
+    bool fitsClock{};  // that is to be found by the fit (of an output)
+
+    friend bool operator==(const ChannelMapping&, const ChannelMapping&) = default;
 };
 
 /// A column in the unit of the model. `unit` empty: taken as it is.

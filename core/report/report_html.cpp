@@ -129,7 +129,7 @@ private:
         out_ += percentText(after) + "</div></div>";
     }
 
-    void openTable(std::initializer_list<std::pair<const char*, bool>> heads) {
+    void openTable(const std::vector<std::pair<const char*, bool>>& heads) {
         out_ += "<div class=\"card table\"><table><thead><tr>";
         for (const auto& [head, isNumber] : heads)
             out_ += fmt::format("<th{}>{}</th>", isNumber ? " class=\"n\"" : "", head);
@@ -281,7 +281,12 @@ private:
         out_ +=
             "<h2>Measured and simulated</h2>\n<div class=\"legend\"><span><i class=\"i-measured\"></i>measured</span>";
         if (isChanged_) out_ += "<span><i class=\"i-before\"></i>model before</span>";
-        out_ += fmt::format("<span><i class=\"i-after\"></i>{}</span></div>\n", isChanged_ ? "model after" : "model");
+        out_ += fmt::format("<span><i class=\"i-after\"></i>{}</span>", isChanged_ ? "model after" : "model");
+        if (hasBands(after_))
+            out_ +=
+                "<span><i class=\"i-band\"></i>95 % band: the parameters are uncertain</span>"
+                "<span><i class=\"i-band noise\"></i>… and what the model leaves (a measurement)</span>";
+        out_ += "</div>\n";
         int count = 0;
         for (const ExperimentState& experiment : before_.experiments)
             count += static_cast<int>(experiment.outputs.size());
@@ -312,6 +317,7 @@ private:
             plot.signals.push_back({"after", then->simulated});
             plot.residuals.push_back({"after", residual(*then)});
         }
+        addBands(then ? *then : output, plot);
         out_ += fmt::format(
             "<div class=\"card\"><div class=\"plothead\"><h3>{} · {}</h3><span class=\"soft\">{}{}</span></div>",
             escapeHtml(experiment.name), code(output.name),
@@ -320,14 +326,31 @@ private:
         out_ += svgPlot(plot) + "</div>\n";
     }
 
+    /// Where 95 % lie: of the model's own value, and of what a logger would measure of it.
+    void addBands(const OutputState& output, SignalPlot& plot) const {
+        if (!hasBand(output)) return;
+        constexpr double quantile = 1.959963984540054;
+        for (const double noise : {scatterOf(after_, output.name), 0.0}) {
+            if (std::isnan(noise)) continue;
+            const Eigen::VectorXd reach =
+                quantile * (output.deviation.array().square() + noise * noise).sqrt().matrix();
+            plot.bands.push_back(
+                {noise > 0.0 ? "noise" : "parameters", output.simulated - reach, output.simulated + reach});
+        }
+    }
+
     void parameters() {
         if (after_.parameters.empty()) return;
         out_ += "<h2>Parameters</h2>\n";
-        if (isChanged_) {
-            openTable({{"Parameter", false}, {"Before", true}, {"After", true}, {"Unit", false}, {"", false}});
-        } else {
-            openTable({{"Parameter", false}, {"Value", true}, {"Unit", false}, {"", false}});
-        }
+        std::vector<std::pair<const char*, bool>> heads{{"Parameter", false}};
+        if (isChanged_) heads.emplace_back("Before", true);
+        heads.emplace_back(isChanged_ ? "After" : "Value", true);
+        heads.emplace_back("Unit", false);
+        const bool hasPriors = std::any_of(after_.parameters.begin(), after_.parameters.end(),
+                                           [](const FitEstimate& e) { return e.prior.has_value(); });
+        if (hasPriors) heads.insert(heads.end(), {{"Prior", true}, {"Distance", true}});
+        heads.emplace_back("", false);
+        openTable(heads);
         const auto cell = [](const FitEstimate* estimate) {
             return number(estimate ? html(valueText(estimate->value, estimate->standardError)) : "–");
         };
@@ -340,8 +363,11 @@ private:
                 fmt::format("<tr><td>{}{}</td>", code(estimate.name),
                             experiment.empty() ? "" : " <span class=\"soft\">in " + escapeHtml(experiment) + "</span>");
             if (isChanged_) out_ += cell(old);
-            out_ += cell(&estimate) + fmt::format("<td>{}</td><td>", escapeHtml(estimate.unit));
+            out_ += cell(&estimate) + fmt::format("<td>{}</td>", escapeHtml(estimate.unit));
+            if (hasPriors) priorCells(estimate);
+            out_ += "<td>";
             if (estimate.atBound) out_ += chip("at its bound", "warn") + ' ';
+            if (contradictsPrior(estimate)) out_ += chip("contradicts its prior", "warn") + ' ';
             if (context_.command != "simulate" && !std::isfinite(estimate.standardError))
                 out_ += chip("not determined", "warn") + ' ';
             if (isChanged_ && !old) out_ += chip("new", "");
@@ -359,6 +385,24 @@ private:
         profiles();
     }
 
+    /// What was known of a parameter, and how far from it the fit ended.
+    void priorCells(const FitEstimate& estimate) {
+        if (!estimate.prior) {
+            out_ += "<td></td><td></td>";
+            return;
+        }
+        const NormalPrior& prior = *estimate.prior;
+        out_ += number(html(valueText(prior.mean, prior.deviation)));
+        const double distance = prior.distance(estimate.value);
+        out_ += number(std::isfinite(distance) ? html(fmt::format("{:+.1f} std", distance)) : "–");
+    }
+
+    static const char* openWord(const ConfidenceInterval& interval) {
+        if (interval.remark.find("flat valley") != std::string::npos) return "flat valley";
+        if (interval.isOpenBelow && interval.isOpenAbove) return "no limits";
+        return interval.isOpenBelow ? "no lower limit" : "no upper limit";
+    }
+
     /// Where the data limit each parameter, as far as it was asked.
     void profiles() {
         std::string cards;
@@ -366,10 +410,21 @@ private:
             if (!estimate.interval) continue;
             const ConfidenceInterval& interval = *estimate.interval;
             const auto end = [](bool isOpen, double value) { return isOpen ? "open" : numberText(value, 5); };
+            ProfilePlot plot;
+            plot.title = fmt::format("profile of {}: fall of twice the log-likelihood over its value", estimate.name);
+            plot.label = estimate.unit.empty() ? estimate.name : fmt::format("{} [{}]", estimate.name, estimate.unit);
+            plot.values = interval.values;
+            plot.rises = interval.rises;
+            plot.estimate = estimate.value;
+            plot.lower = interval.lower;
+            plot.upper = interval.upper;
+            plot.isOpenBelow = interval.isOpenBelow;
+            plot.isOpenAbove = interval.isOpenAbove;
             cards += fmt::format("<div>{} <span class=\"soft\">{} … {} {}</span>{}", code(estimate.name),
                                  html(end(interval.isOpenBelow, interval.lower)),
                                  html(end(interval.isOpenAbove, interval.upper)), escapeHtml(estimate.unit),
-                                 svgProfile("profile of " + estimate.name, interval.values, interval.rises));
+                                 svgProfile(plot));
+            if (interval.isOpenBelow || interval.isOpenAbove) cards += chip(openWord(interval), "warn") + ' ';
             if (!interval.remark.empty()) cards += "<small>" + escapeHtml(interval.remark) + "</small>";
             cards += "</div>";
         }

@@ -33,6 +33,10 @@ Json parametersJson(const ModelState& state) {
                   {"unit", estimate.unit},
                   {"at_bound", estimate.atBound}};
         if (std::isfinite(estimate.robustError)) json["std_robust"] = estimate.robustError;
+        if (estimate.prior)
+            json["prior"] = {{"mean", estimate.prior->mean},
+                             {"std", estimate.prior->deviation},
+                             {"distance", number(estimate.prior->distance(estimate.value))}};
         if (estimate.interval) json["interval"] = intervalJson(*estimate.interval);
         const std::string experiment = experimentOf(state, estimate);
         if (!experiment.empty()) json["experiment"] = experiment;

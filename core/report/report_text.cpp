@@ -89,6 +89,11 @@ std::string parameterTable(const ModelState& state) {
     for (const FitEstimate& estimate : state.parameters) {
         std::string unit = estimate.unit;
         if (estimate.atBound) unit += unit.empty() ? "at its bound" : "  at its bound";
+        if (estimate.prior)
+            unit += fmt::format("{}prior {}, {:+.1f} std{}", unit.empty() ? "" : "  ",
+                                valueText(estimate.prior->mean, estimate.prior->deviation),
+                                estimate.prior->distance(estimate.value),
+                                contradictsPrior(estimate) ? ": the data contradict it" : "");
         rows.push_back({labelOf(state, estimate), valueText(estimate.value, estimate.standardError), unit});
     }
     return state.parameters.empty() ? std::string() : '\n' + aligned(rows, 3);
@@ -153,12 +158,21 @@ std::string tracesCsv(const Finding& finding) {
             const std::string label = !both && std::string_view(kind) == "before" ? "simulated" : kind;
             text += ',' + csvCell(fmt::format("{} {}{}", output, label, unit.empty() ? "" : " [" + unit + "]"));
         }
+    // Standard deviations of the last model, behind everything else: of its value, and of a measurement of it.
+    const ModelState& last = both ? finding.final : finding.baseline;
+    const bool bands = hasBands(last);
+    for (const auto& [output, unit] : outputs)
+        for (const char* const kind : {"std of model", "std of measurement"})
+            if (bands)
+                text += ',' + csvCell(fmt::format("{} {}{}", output, kind, unit.empty() ? "" : " [" + unit + "]"));
     text += '\n';
-    const auto append = [&](const Eigen::VectorXd* values, std::size_t row) {
+    const auto appendNumber = [&](double value) {
         text += ',';
+        if (std::isfinite(value)) fmt::format_to(std::back_inserter(text), "{:.9g}", value);
+    };
+    const auto append = [&](const Eigen::VectorXd* values, std::size_t row) {
         const auto index = static_cast<Eigen::Index>(row);
-        if (values && index < values->size() && std::isfinite((*values)[index]))
-            fmt::format_to(std::back_inserter(text), "{:.9g}", (*values)[index]);
+        appendNumber(values && index < values->size() ? (*values)[index] : std::nan(""));
     };
     for (const ExperimentState& experiment : finding.baseline.experiments) {
         const ExperimentState* const after = both ? find(finding.final, experiment.name) : nullptr;
@@ -171,6 +185,14 @@ std::string tracesCsv(const Finding& finding) {
                 append(output ? &output->measured : nullptr, row);
                 append(output ? &output->simulated : nullptr, row);
                 if (both) append(then ? &then->simulated : nullptr, row);
+            }
+            for (const auto& [name, unit] : outputs) {
+                if (!bands) break;
+                const OutputState* const output = find(find(last, experiment.name), name);
+                const bool isKnown = output && hasBand(*output) && row < experiment.time.size();
+                const double own = isKnown ? output->deviation[static_cast<Eigen::Index>(row)] : std::nan("");
+                appendNumber(own);
+                appendNumber(std::hypot(own, scatterOf(last, name)));
             }
             text += '\n';
         }

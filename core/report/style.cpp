@@ -81,7 +81,13 @@ td .chip { margin-right: 4px; }
 .plot .after { stroke: var(--after); }
 .plot .residual .trace { stroke-width: 1; }
 .profiles { display: flex; flex-wrap: wrap; gap: 20px; }
-.profiles > div { width: 240px; }
+.plot .band { stroke: none; fill: var(--after); fill-opacity: 0.14; }
+.plot .band.noise { fill-opacity: 0.09; }
+.plot .limit { stroke: var(--after); stroke-width: 1; stroke-dasharray: 3 3; }
+.plot .estimate { fill: var(--after); }
+.legend i.i-band { height: 11px; border-top: 0; background: var(--after); opacity: 0.3; border-radius: 0; }
+.legend i.i-band.noise { opacity: 0.12; }
+.profiles > div { width: 300px; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: 4px 20px; margin: 10px 0 0; }
 dt { color: var(--soft); }
 dd { margin: 0; font-variant-numeric: tabular-nums; }

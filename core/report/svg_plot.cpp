@@ -109,6 +109,21 @@ std::string line(const Panel& panel, const std::vector<double>& time, const Plot
     return svg + "\"/>";
 }
 
+/// Along the upper edge and back along the lower one.
+std::string area(const Panel& panel, const std::vector<double>& time, const PlotBand& band, int columns) {
+    std::string path;
+    const auto add = [&](std::size_t i, const Eigen::VectorXd& values) {
+        const double value = values[static_cast<Eigen::Index>(i)];
+        if (!std::isfinite(value)) return;
+        const double y = std::clamp(panel.yAt(value), panel.top - 1000, panel.top + panel.height + 1000);
+        fmt::format_to(std::back_inserter(path), "{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', panel.xAt(time[i]), y);
+    };
+    for (const std::size_t i : thinned(time, band.upper, columns)) add(i, band.upper);
+    const std::vector<std::size_t> back = thinned(time, band.lower, columns);
+    for (auto i = back.rbegin(); i != back.rend(); ++i) add(*i, band.lower);
+    return path.empty() ? path : fmt::format("<path class=\"band {}\" d=\"{}Z\"/>", band.kind, path);
+}
+
 std::string clip(const std::string& id, const Panel& panel) {
     return fmt::format(
         "<clipPath id=\"{}\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/></clipPath>", id,
@@ -207,6 +222,7 @@ std::string svgPlot(const SignalPlot& plot) {
     svg += fmt::format("<text class=\"axis\" x=\"{}\" y=\"{}\" text-anchor=\"end\">time [s]</text>",
                        pageWidth - rightMargin, pageHeight - 8);
     svg += fmt::format("<g clip-path=\"url(#{}a)\">", plot.id);
+    for (const PlotBand& band : plot.bands) svg += area(upper, plot.time, band, plot.columns);
     for (const PlotTrace& trace : plot.signals) svg += line(upper, plot.time, trace, plot.columns);
     svg += fmt::format("</g><g class=\"residual\" clip-path=\"url(#{}b)\">", plot.id);
     svg += fmt::format("<line class=\"zero\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>", lower.left,
@@ -215,24 +231,48 @@ std::string svgPlot(const SignalPlot& plot) {
     return svg + "</g></svg>";
 }
 
-std::string svgProfile(const std::string& title, const std::vector<double>& values, const std::vector<double>& rises) {
-    constexpr double width = 240, height = 110, base = 90, left = 8, threshold = 3.84, most = 1.3 * threshold;
+std::string svgProfile(const ProfilePlot& plot) {
+    constexpr double width = 300, top = 16, base = 116, left = 8, height = 150, threshold = 3.84,
+                     most = 1.3 * threshold;
     Range range;
-    for (const double value : values) range.include(value);
+    for (const double value : plot.values) range.include(value);
     if (range.isEmpty() || range.size() == 0) return {};
     const auto x = [&](double value) { return left + (value - range.low) / range.size() * (width - 2 * left); };
-    const auto y = [&](double rise) { return base - std::clamp(rise, 0.0, most) / most * (base - 6); };
-    std::string svg = fmt::format(
-        "<svg class=\"plot profile\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">"
-        "<line class=\"zero\" x1=\"{}\" y1=\"{:.1f}\" x2=\"{}\" y2=\"{:.1f}\"/><polyline class=\"trace after\" "
-        "points=\"",
-        width, height, escapeHtml(title), left, y(threshold), width - left, y(threshold));
-    for (std::size_t i = 0; i < values.size() && i < rises.size(); ++i)
-        if (std::isfinite(values[i]) && std::isfinite(rises[i]))
-            svg += fmt::format("{:.1f},{:.1f} ", x(values[i]), y(rises[i]));
-    svg += fmt::format("\"/><text class=\"tick\" x=\"{}\" y=\"{}\">{}</text>", left, height - 5, numberText(range.low));
-    return svg + fmt::format("<text class=\"tick\" x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text></svg>", width - left,
-                             height - 5, numberText(range.high));
+    const auto y = [&](double rise) { return base - std::clamp(rise, 0.0, most) / most * (base - top); };
+    std::string svg = fmt::format("<svg class=\"plot profile\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">",
+                                  width, height, escapeHtml(plot.title));
+    const double from = plot.isOpenBelow ? range.low : plot.lower, to = plot.isOpenAbove ? range.high : plot.upper;
+    svg += fmt::format("<rect class=\"band after\" x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\"/>", x(from),
+                       top, std::max(0.0, x(to) - x(from)), base - top);
+    const auto mark = [&](const char* kind, double value) {
+        svg += fmt::format("<line class=\"{}\" x1=\"{:.1f}\" y1=\"{}\" x2=\"{:.1f}\" y2=\"{}\"/>", kind, x(value), top,
+                           x(value), base);
+    };
+    if (!plot.isOpenBelow) mark("limit", plot.lower);
+    if (!plot.isOpenAbove) mark("limit", plot.upper);
+    svg += fmt::format(
+        "<line class=\"zero\" x1=\"{}\" y1=\"{:.1f}\" x2=\"{}\" y2=\"{:.1f}\"/>"
+        "<text class=\"tick\" x=\"{}\" y=\"{:.1f}\">95 %</text>",
+        left, y(threshold), width - left, y(threshold), left, y(threshold) - 4);
+    svg +=
+        fmt::format("<line class=\"frame\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>", left, base, width - left, base);
+    std::string points;
+    for (std::size_t i = 0; i < plot.values.size() && i < plot.rises.size(); ++i)
+        if (std::isfinite(plot.values[i]) && std::isfinite(plot.rises[i]))
+            points += fmt::format("{:.1f},{:.1f} ", x(plot.values[i]), y(plot.rises[i]));
+    svg += "<polyline class=\"trace after\" points=\"" + points + "\"/>";
+    if (plot.estimate >= range.low && plot.estimate <= range.high)
+        svg += fmt::format("<circle class=\"estimate\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\"/>", x(plot.estimate), y(0));
+    const auto text = [&](double at, double height_, const char* anchor, const std::string& words) {
+        svg += fmt::format("<text class=\"tick\" x=\"{:.1f}\" y=\"{}\" text-anchor=\"{}\">{}</text>", at, height_,
+                           anchor, escapeHtml(words));
+    };
+    if (plot.isOpenBelow) text(left, top - 5, "start", "← open");
+    if (plot.isOpenAbove) text(width - left, top - 5, "end", "open →");
+    text(left, base + 14, "start", minus(numberText(range.low)));
+    text(width - left, base + 14, "end", minus(numberText(range.high)));
+    text(width / 2, height - 4, "middle", plot.label);
+    return svg + "</svg>";
 }
 
 std::string escapeHtml(std::string_view text) {

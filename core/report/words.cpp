@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 
@@ -173,6 +174,25 @@ std::string statusWords(FitStatus status) {
             return "failed";
     }
     return {};
+}
+
+bool hasBand(const OutputState& output) {
+    return output.deviation.size() > 0 && output.deviation.size() == output.simulated.size();
+}
+
+bool hasBands(const ModelState& state) {
+    for (const ExperimentState& experiment : state.experiments)
+        if (std::any_of(experiment.outputs.begin(), experiment.outputs.end(), hasBand)) return true;
+    return false;
+}
+
+double scatterOf(const ModelState& state, const std::string& output) {
+    const auto found = state.residual.find(output);
+    return found == state.residual.end() ? std::nan("") : found->second.standardDeviation;
+}
+
+bool contradictsPrior(const FitEstimate& estimate) {
+    return estimate.prior && std::abs(estimate.prior->distance(estimate.value)) > NormalPrior::contradiction;
 }
 
 }  // namespace analogon

@@ -30,4 +30,14 @@ std::string experimentOf(const ModelState& state, const FitEstimate& estimate);
 
 std::string statusWords(FitStatus status);
 
+/// Whether it is known how far an output, or any of a model, is uncertain since the parameters are.
+bool hasBand(const OutputState& output);
+bool hasBands(const ModelState& state);
+
+/// Standard deviation of what a model leaves of an output over the fitted experiments; NaN: not known.
+double scatterOf(const ModelState& state, const std::string& output);
+
+/// Whether a value lies more than three standard deviations from what was known of it.
+bool contradictsPrior(const FitEstimate& estimate);
+
 }  // namespace analogon

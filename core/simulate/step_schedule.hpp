@@ -20,7 +20,8 @@ std::optional<GridPlan> scheduleSteps(Dynamics& dynamics, const SampledInputs& i
 double costOfImplicitStep(Dynamics& dynamics);
 
 /// Largest magnitude of the eigenvalues of a row-major n x n matrix, from above, within a quarter: the norm of its
-/// 64th power (Gelfand's formula). `matrix` and `scratch` (both n x n) are overwritten.
-double spectralRadius(double* matrix, double* scratch, int n);
+/// 64th power (Gelfand's formula). Norms of lower powers lie above it: where one of them is no more than `enough` it is
+/// returned at once. `matrix` and `scratch` (both n x n) are overwritten.
+double spectralRadius(double* matrix, double* scratch, int n, double enough = 0.0);
 
 }  // namespace analogon

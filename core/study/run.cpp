@@ -5,6 +5,7 @@
 #include <chrono>
 #include <fstream>
 
+#include "core/fit/clock.hpp"
 #include "core/report/report.hpp"
 #include "core/study/confidence.hpp"
 
@@ -24,6 +25,7 @@ Study completedStudy(const Study& study, const Finding& finding) {
         if (e.experiment < 0) {
             StudyParameter& p = completed.parameters[e.name];
             p.value.reset();  // the model's text holds it now
+            if (isClock(e.name)) p.value = e.value;
         }
     for (const AddedEffect& e : finding.effects)
         if (!e.newInput.empty())

@@ -38,6 +38,7 @@ struct StudyParameter {
     std::optional<double> value;  // overrides the model's own
     std::optional<double> min, max;
     ParameterScale scale{ParameterScale::Automatic};
+    std::optional<NormalPrior> prior{};  // what an expert knows of it
 };
 
 struct StudyFile {

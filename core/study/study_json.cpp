@@ -203,8 +203,13 @@ private:
             fault(node.member("scale"), fmt::format("{}: a scale of 0 wipes the column out", path(node)));
         if (mapping.weight < 0)
             fault(node.member("weight"), fmt::format("{}: a weight cannot be negative", path(node)));
+        if (const Node clock = node.member("clock")) {
+            mapping.fitsClock = clock.value->is_string() && clock.value->get_ref<const std::string&>() == "fit";
+            if (clock.value->is_number()) mapping.clock = clock.value->get<double>();
+            if (!mapping.fitsClock && !clock.value->is_number()) expected(clock, "a number of seconds, or \"fit\"");
+        }
         Json kept;
-        keepUnknown(node, {"column", "unit", "scale", "offset", "weight"}, "a mapped column", kept);
+        keepUnknown(node, {"column", "unit", "scale", "offset", "weight", "clock"}, "a mapped column", kept);
         return mapping;
     }
 
@@ -227,7 +232,7 @@ private:
             if (!isObject(node, "an object, as {\"fit\": true, \"min\": 0}")) continue;
             study_.parameters[name] = readParameter(node);
             Json kept;
-            keepUnknown(node, {"fit", "value", "min", "max", "scale"}, "a parameter", kept);
+            keepUnknown(node, {"fit", "value", "min", "max", "scale", "prior"}, "a parameter", kept);
             if (!kept.empty()) extra_["parameters"][name] = kept;
         }
     }
@@ -246,6 +251,7 @@ private:
             if (text != "lin" && text != "log") expected(scale, "\"lin\" or \"log\"");
             parameter.scale = text == "log" ? ParameterScale::Logarithmic : ParameterScale::Linear;
         }
+        if (const Node prior = node.member("prior")) parameter.prior = readPrior(prior);
         if (parameter.min && parameter.max && *parameter.min >= *parameter.max)
             fault(node.member("min"), fmt::format("{}: the lower bound {} is not below the upper bound {}", path(node),
                                                   *parameter.min, *parameter.max));
@@ -253,6 +259,20 @@ private:
             fault(node.member("min"), fmt::format("{}: a logarithmic scale needs a lower bound above 0", path(node)),
                   "Raise \"min\", or use \"scale\": \"lin\".");
         return parameter;
+    }
+
+    std::optional<NormalPrior> readPrior(const Node& node) {
+        if (!isObject(node, "what is known, as {\"mean\": 3.2, \"std\": 0.1}")) return std::nullopt;
+        for (const char* const name : {"mean", "std"})
+            if (!node.member(name)) missing(node, name, "A prior is {\"mean\": …, \"std\": …}.");
+        const std::optional<double> mean = number(node.member("mean")), deviation = number(node.member("std"));
+        Json kept;
+        keepUnknown(node, {"mean", "std"}, "a prior", kept);
+        if (!mean || !deviation) return std::nullopt;
+        if (*deviation > 0) return NormalPrior{*mean, *deviation};
+        fault(node.member("std"), fmt::format("{}: a standard deviation must be above 0", path(node)),
+              "A parameter that is known for sure is not fitted: \"fit\": false.");
+        return std::nullopt;
     }
 
     void readLibrary(const Node& root) {
@@ -284,15 +304,18 @@ std::string reason(const std::string& what) {
 }
 
 Json mappingJson(const ChannelMapping& mapping) {
-    const ChannelMapping plain;
-    if (mapping.unit.empty() && mapping.scale == plain.scale && mapping.offset == plain.offset &&
-        mapping.weight == plain.weight)
-        return mapping.column;
+    ChannelMapping plain;
+    plain.column = mapping.column;
+    if (mapping == plain) return mapping.column;
     Json json{{"column", mapping.column}};
     if (!mapping.unit.empty()) json["unit"] = mapping.unit;
     if (mapping.scale != plain.scale) json["scale"] = mapping.scale;
     if (mapping.offset != plain.offset) json["offset"] = mapping.offset;
     if (mapping.weight != plain.weight) json["weight"] = mapping.weight;
+    if (mapping.fitsClock)
+        json["clock"] = "fit";
+    else if (mapping.clock != plain.clock)
+        json["clock"] = mapping.clock;
     return json;
 }
 
@@ -325,6 +348,7 @@ Json parameterJson(const StudyParameter& parameter) {
     if (parameter.value) json["value"] = *parameter.value;
     if (parameter.min) json["min"] = *parameter.min;
     if (parameter.max) json["max"] = *parameter.max;
+    if (parameter.prior) json["prior"] = {{"mean", parameter.prior->mean}, {"std", parameter.prior->deviation}};
     if (parameter.scale == ParameterScale::Linear) json["scale"] = "lin";
     if (parameter.scale == ParameterScale::Logarithmic) json["scale"] = "log";
     return json;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/unit.hpp"
+#include "core/fit/clock.hpp"
 #include "core/flat/flat_model.hpp"
 #include "core/study/json_places.hpp"
 #include "core/study/study.hpp"
@@ -85,6 +87,7 @@ public:
         readParameters();
         for (std::size_t i = 0; i < study_.experiments.size(); ++i)
             readExperiment(study_.experiments[i], fmt::format("/experiments/{}", i));
+        addFittedClocks();
         if (!faults_.empty()) return faults_;
         return {std::move(task_), std::move(warnings_)};
     }
@@ -118,6 +121,10 @@ private:
     void readParameters() {
         for (const auto& [name, parameter] : study_.parameters) {
             const std::string pointer = "/parameters/" + JsonPlaces::escape(name);
+            if (isClock(name)) {
+                checkClock(signalOfClock(name), pointer);
+                continue;
+            }
             const FlatVariable* variable = settable(name, pointer);
             if (!variable) continue;
             if (parameter.fit) {
@@ -140,6 +147,7 @@ private:
         fitted.unit = variable.unit;
         fitted.start = *start;
         fitted.scale = parameter.scale;
+        fitted.prior = parameter.prior;
         if (const auto min = parameter.min ? parameter.min : variable.min) fitted.min = *min;
         if (const auto max = parameter.max ? parameter.max : variable.max) fitted.max = *max;
         // A start that was itself fitted to a bound may lie beyond it by the last digit.
@@ -155,6 +163,109 @@ private:
                          fmt::format("'{}' starts at {}, where a logarithmic scale has no place", name, *start),
                          "Start above 0, or use \"scale\": \"lin\".");
         task_.parameters.push_back(std::move(fitted));
+    }
+
+    bool isClockAsked(const std::string& output) const {
+        return std::any_of(study_.experiments.begin(), study_.experiments.end(), [&](const StudyExperiment& e) {
+            const auto mapping = e.outputs.find(output);
+            return mapping != e.outputs.end() && mapping->second.fitsClock;
+        });
+    }
+
+    void checkClock(const std::string& output, const std::string& pointer) {
+        if (!isClockAsked(output))
+            fault(pointer, fmt::format("no experiment asks for the clock of the output '{}'", output),
+                  "Map the output as {\"column\": …, \"clock\": \"fit\"}.");
+    }
+
+    /// The setting of a fitted clock: its start, bounds and prior may stand among the parameters.
+    StudyParameter clockSetting(const std::string& output) const {
+        const auto setting = study_.parameters.find(clockOf(output));
+        return setting == study_.parameters.end() ? StudyParameter{} : setting->second;
+    }
+
+    /// One offset for all experiments that ask for it under the name of one output: it is the same logger.
+    void addFittedClocks() {
+        for (const std::string& output : signals_.outputNames) {
+            const StudyParameter setting = clockSetting(output);
+            if (!isClockAsked(output) || !setting.fit) continue;
+            const double reach = clockReach(output);
+            FitParameter clock;
+            clock.name = clockOf(output);
+            clock.unit = "s";
+            clock.start = setting.value.value_or(0.0);
+            clock.min = setting.min.value_or(std::min(-reach, clock.start - reach));
+            clock.max = setting.max.value_or(std::max(reach, clock.start + reach));
+            clock.scale = ParameterScale::Linear;
+            clock.prior = setting.prior;
+            if (clock.start < clock.min || clock.start > clock.max || !(clock.min < clock.max))
+                fault("/parameters/" + JsonPlaces::escape(clock.name),
+                      fmt::format("the start value {} of '{}' lies outside its bounds {} … {}", clock.start, clock.name,
+                                  clock.min, clock.max),
+                      "Widen the bounds, or give another start as \"value\".");
+            const bool isFitted =
+                std::any_of(task_.recordings.begin(), task_.recordings.end(), [&](const Recording& r) {
+                    return r.role == Role::Fit && std::any_of(r.clocks.begin(), r.clocks.end(), [&](const auto& c) {
+                               return c.output == output && isFittedIn(r.name, output);
+                           });
+                });
+            if (isFitted) task_.parameters.push_back(std::move(clock));
+        }
+    }
+
+    /// How far a clock is looked for: a hundred samples, but no more than a twentieth of the shortest recording.
+    double clockReach(const std::string& output) const {
+        double reach = std::numeric_limits<double>::infinity();
+        for (const Recording& r : task_.recordings) {
+            if (r.time.size() < 2 || !isFittedIn(r.name, output)) continue;
+            const double span = r.time.back() - r.time.front();
+            reach = std::min({reach, 0.05 * span, 100.0 * span / static_cast<double>(r.time.size() - 1)});
+        }
+        return std::isfinite(reach) ? reach : 1.0;
+    }
+
+    bool isFittedIn(const std::string& experiment, const std::string& output) const {
+        for (const StudyExperiment& e : study_.experiments) {
+            const auto mapping = e.outputs.find(output);
+            if (e.name == experiment && mapping != e.outputs.end()) return mapping->second.fitsClock;
+        }
+        return false;
+    }
+
+    void readClocks(const StudyExperiment& experiment, const std::string& pointer, Recording& recording) {
+        for (const std::string& output : recording.outputNames) {
+            const ChannelMapping& mapping = experiment.outputs.at(output);
+            if (mapping.fitsClock)
+                recording.clocks.push_back({output, clockSetting(output).value.value_or(0.0)});
+            else if (mapping.clock != 0.0)
+                recording.clocks.push_back({output, mapping.clock});
+        }
+        for (std::size_t i = 0; i < recording.inputNames.size(); ++i) {
+            const ChannelMapping& mapping = experiment.inputs.at(recording.inputNames[i]);
+            if (mapping.fitsClock)
+                fault(fmt::format("{}/inputs/{}/clock", pointer, JsonPlaces::escape(recording.inputNames[i])),
+                      fmt::format("experiment '{}': the clock of an input cannot be fitted", experiment.name),
+                      "Give its offset in seconds, or fit the clocks of the outputs.");
+            if (mapping.clock == 0.0 || recording.inputs.cols() == 0) continue;
+            auto row = recording.inputs.row(static_cast<Eigen::Index>(i));
+            row = linearAt(recording.time, row, mapping.clock);
+        }
+    }
+
+    /// A column as it was at the true times, stamped by a clock that is ahead; on the lines between its samples, as
+    /// inputs run.
+    static Eigen::RowVectorXd linearAt(const std::vector<double>& time, const Eigen::RowVectorXd& column,
+                                       double ahead) {
+        Eigen::RowVectorXd shifted(column.size());
+        std::size_t k = 0;
+        for (Eigen::Index j = 0; j < column.size(); ++j) {
+            const double stamp = std::clamp(time[static_cast<std::size_t>(j)] + ahead, time.front(), time.back());
+            while (k + 2 < time.size() && time[k + 1] <= stamp) ++k;
+            const auto left = static_cast<Eigen::Index>(k);
+            const double part = (stamp - time[k]) / (time[k + 1] - time[k]);
+            shifted[j] = column[left] + part * (column[left + 1] - column[left]);
+        }
+        return shifted;
     }
 
     void readExperiment(const StudyExperiment& experiment, const std::string& pointer) {
@@ -182,6 +293,7 @@ private:
         recording.weights.resize(static_cast<Eigen::Index>(recording.outputNames.size()));
         for (std::size_t i = 0; i < recording.outputNames.size(); ++i)
             recording.weights[static_cast<Eigen::Index>(i)] = experiment.outputs.at(recording.outputNames[i]).weight;
+        if (complete && read && recording.time.size() > 1) readClocks(experiment, pointer, recording);
         readStarts(table, experiment, pointer, recording);
         addSpares(table, experiment, recording);
         if (complete && read) task_.recordings.push_back(std::move(recording));

@@ -12,13 +12,11 @@ namespace analogon::ui {
 namespace {
 
 bool isSame(const StudyParameter& a, const StudyParameter& b) {
-    return a.fit == b.fit && a.value == b.value && a.min == b.min && a.max == b.max && a.scale == b.scale;
+    return a.fit == b.fit && a.value == b.value && a.min == b.min && a.max == b.max && a.scale == b.scale &&
+           a.prior == b.prior;
 }
 
-bool isSame(const ChannelMapping& a, const ChannelMapping& b) {
-    return a.column == b.column && a.unit == b.unit && a.scale == b.scale && a.offset == b.offset &&
-           a.weight == b.weight;
-}
+bool isSame(const ChannelMapping& a, const ChannelMapping& b) { return a == b; }
 
 bool isSame(const StudyStart& a, const StudyStart& b) {
     if (a.index() != b.index()) return false;

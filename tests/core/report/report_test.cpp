@@ -178,6 +178,71 @@ TEST(Traces, EscapeFormulasAndLeaveGapsEmpty) {
     EXPECT_THAT(csv, HasSubstr("\"'@SUM(A1)\",0,,"));
 }
 
+TEST(Report, ShowsPriorsAndSaysWhenTheDataContradictThem) {
+    Finding finding = fitOnly();
+    FitEstimate& estimate = finding.baseline.parameters[0];
+    estimate.prior = NormalPrior{estimate.value + 0.4, 0.1};
+    finding.final = finding.baseline;
+    const ReportContext context{"x", "fit", "1"};
+    const auto json = nlohmann::json::parse(reportJson(finding, context));
+    const auto& prior = json["baseline"]["parameters"][estimate.name]["prior"];
+    EXPECT_EQ(prior["std"], 0.1);
+    EXPECT_NEAR(prior["distance"].get<double>(), -4.0, 1e-9);
+    EXPECT_FALSE(json["baseline"]["parameters"][finding.baseline.parameters[1].name].contains("prior"));
+    const std::string html = reportHtml(finding, context);
+    EXPECT_THAT(html, HasSubstr(">−4.0 std</td>"));
+    EXPECT_THAT(html, HasSubstr("contradicts its prior"));
+    EXPECT_THAT(summaryText(finding), HasSubstr("-4.0 std: the data contradict it"));
+    finding.final.parameters[0].prior->mean = estimate.value;
+    finding.baseline = finding.final;
+    EXPECT_THAT(reportHtml(finding, context), Not(HasSubstr("contradicts its prior")));
+    EXPECT_THAT(reportHtml(fitOnly(), context), Not(HasSubstr(">Prior</th>")));
+}
+
+TEST(Report, ShadesThe95PercentBandsWhereTheyAreKnown) {
+    Finding finding = fitOnly();
+    const ReportContext context{"x", "fit", "1"};
+    EXPECT_THAT(reportHtml(finding, context), Not(HasSubstr("class=\"band")));
+    OutputState& output = finding.baseline.experiments[0].outputs[0];
+    output.deviation = Eigen::VectorXd::Constant(output.simulated.size(), 0.03);
+    finding.baseline.residual[output.name].standardDeviation = 0.04;
+    finding.final = finding.baseline;
+    const std::string html = reportHtml(finding, context);
+    EXPECT_EQ(occurrences(html, "class=\"band parameters\""), 1u);
+    EXPECT_EQ(occurrences(html, "class=\"band noise\""), 1u);
+    EXPECT_THAT(html, HasSubstr("95 % band"));
+
+    std::istringstream lines(tracesCsv(finding));
+    std::string header, first;
+    std::getline(lines, header);
+    std::getline(lines, first);
+    EXPECT_THAT(header, HasSubstr("T_element simulated [K],i_mod std of model [A],i_mod std of measurement [A]"));
+    EXPECT_THAT(first, HasSubstr(",0.03,0.05,"));
+    EXPECT_EQ(std::count(header.begin(), header.end(), ','), std::count(first.begin(), first.end(), ','));
+}
+
+TEST(Report, DrawsAProfileAndCallsAValleyFlat) {
+    Finding finding = fitOnly();
+    ConfidenceInterval interval;
+    interval.lower = 1.0;
+    interval.upper = 9.0;
+    interval.isOpenAbove = true;
+    interval.values = {0.5, 3.0, 9.0};
+    interval.rises = {4.0, 0.0, 0.01};
+    interval.remark = "these data set no upper limit to R: up to 9 the misfit hardly rises (a flat valley)";
+    finding.baseline.parameters[0].interval = interval;
+    finding.final = finding.baseline;
+    const ReportContext context{"x", "fit", "1"};
+    const std::string html = reportHtml(finding, context);
+    EXPECT_THAT(html, HasSubstr("class=\"plot profile\""));
+    EXPECT_THAT(html, HasSubstr(">flat valley</span>"));
+    EXPECT_THAT(html, HasSubstr("open →"));
+    const auto json = nlohmann::json::parse(reportJson(finding, context));
+    const auto& written = json["baseline"]["parameters"][finding.baseline.parameters[0].name]["interval"];
+    EXPECT_EQ(written["profile"]["rises"].size(), 3u);
+    EXPECT_TRUE(written["upper"].is_null());
+}
+
 TEST(Summary, AlignsTheTableAndTellsTheFinding) {
     const std::string text = summaryText(sampleFinding());
     EXPECT_THAT(text,

@@ -79,13 +79,62 @@ TEST(Plot, BreaksTheLineAtAGap) {
     EXPECT_EQ(std::count(path.begin(), path.end(), 'M'), 2);
 }
 
+TEST(Plot, ShadesABandBehindTheTraces) {
+    SignalPlot plot;
+    plot.id = "p1";
+    plot.time = times(5);
+    const Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(5, 1.0, 2.0);
+    plot.signals = {{"measured", values}};
+    plot.bands = {{"parameters", values.array() - 0.1, values.array() + 0.1}};
+    const std::string svg = svgPlot(plot);
+    const std::size_t at = svg.find("class=\"band parameters\"");
+    ASSERT_NE(at, std::string::npos);
+    EXPECT_LT(at, svg.find("class=\"trace measured\""));
+    const std::string path = svg.substr(at, svg.find("/>", at) - at);
+    EXPECT_EQ(std::count(path.begin(), path.end(), 'M'), 1);
+    EXPECT_EQ(std::count(path.begin(), path.end(), 'L'), 9);  // along five samples, and back
+    EXPECT_EQ(std::count(path.begin(), path.end(), 'Z'), 1);
+    plot.bands = {{"parameters", values * std::nan(""), values * std::nan("")}};
+    EXPECT_EQ(svgPlot(plot).find("class=\"band"), std::string::npos);
+}
+
+ProfilePlot profileOf(std::vector<double> values, std::vector<double> rises) {
+    ProfilePlot plot;
+    plot.title = "R <1>";
+    plot.label = "R [Ohm]";
+    plot.estimate = values.front();
+    plot.lower = values.front();
+    plot.upper = values.back();
+    plot.values = std::move(values);
+    plot.rises = std::move(rises);
+    return plot;
+}
+
 TEST(ProfilePlot, DrawsEveryPointThatIsANumber) {
-    const std::string svg = svgProfile("R <1>", {1.0, 2.0, 3.0, 4.0}, {4.0, 0.0, std::nan(""), 4.2});
+    const std::string svg = svgProfile(profileOf({1.0, 2.0, 3.0, 4.0}, {4.0, 0.0, std::nan(""), 4.2}));
     EXPECT_THAT(svg, ::testing::HasSubstr("R &lt;1&gt;"));
+    EXPECT_THAT(svg, ::testing::HasSubstr(">R [Ohm]</text>"));
+    EXPECT_THAT(svg, ::testing::HasSubstr(">95 %</text>"));
     const std::string points = svg.substr(svg.find("points="));
     EXPECT_EQ(std::count(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(points.find("/>")), ','), 3);
     EXPECT_THAT(svg, Not(::testing::HasSubstr("nan")));
-    EXPECT_TRUE(svgProfile("R", {1.0}, {0.0}).empty());
+    EXPECT_TRUE(svgProfile(profileOf({1.0}, {0.0})).empty());
+}
+
+TEST(ProfilePlot, MarksTheIntervalAndSaysWhichSideIsOpen) {
+    const auto limits = [](const std::string& svg) {
+        std::size_t count = 0;
+        for (std::size_t at = svg.find("class=\"limit\""); at != std::string::npos;
+             at = svg.find("class=\"limit\"", at + 1))
+            ++count;
+        return count;
+    };
+    ProfilePlot plot = profileOf({1.0, 2.0, 3.0}, {4.0, 0.0, 4.0});
+    EXPECT_EQ(limits(svgProfile(plot)), 2u);
+    EXPECT_THAT(svgProfile(plot), Not(::testing::HasSubstr("open")));
+    plot.isOpenAbove = true;
+    EXPECT_EQ(limits(svgProfile(plot)), 1u);
+    EXPECT_THAT(svgProfile(plot), ::testing::HasSubstr("open →"));
 }
 
 TEST(Html, IsEscaped) { EXPECT_EQ(escapeHtml("a<b>&\"'\x01"), "a&lt;b&gt;&amp;&quot;&#39;"); }

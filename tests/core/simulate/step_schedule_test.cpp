@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 
 #include "tests/core/simulate/text_models.hpp"
 
@@ -133,6 +134,23 @@ TEST(StepSchedule, BoundsTheSpectralRadiusFromAbove) {
     EXPECT_LE(ofTurn, 8.75);
     double nothing[] = {0};
     EXPECT_EQ(spectralRadius(nothing, scratch, 1), 0.0);
+}
+
+TEST(StepSchedule, StopsAtABoundOfTheSpectralRadiusThatIsEnough) {
+    // What is decided by an early bound is what the last one would have decided.
+    for (int n = 1; n <= 10; ++n)
+        for (unsigned seed = 0; seed < 50; ++seed) {
+            std::srand(seed);
+            const Eigen::MatrixXd matrix = Eigen::MatrixXd::Random(n, n);
+            Eigen::MatrixXd full = matrix, scratch(n, n);
+            const double radius = spectralRadius(full.data(), scratch.data(), n);
+            for (const double share : {0.5, 0.99, 1.01, 2.0, 10.0}) {
+                Eigen::MatrixXd early = matrix;
+                const double bound = spectralRadius(early.data(), scratch.data(), n, share * radius);
+                EXPECT_GE(bound, radius * (1.0 - 1e-12));
+                EXPECT_EQ(bound <= share * radius, share > 1.0) << n << ' ' << seed;
+            }
+        }
 }
 
 }  // namespace

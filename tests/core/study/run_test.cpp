@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <sstream>
 
 #include "study_fixture.hpp"
@@ -75,6 +76,70 @@ end Heater;
     const Outcome<RunResult> result = runSimulate(read(), {}, {});
     ASSERT_FALSE(result);
     EXPECT_THAT(format(result.diagnostics()), HasSubstr("\"warm-up\" stopped at t = "));
+}
+
+/// A heater whose current follows a swinging voltage and its own temperature, recorded by a logger 37 ms ahead.
+class LateCurrent : public Run {
+protected:
+    void SetUp() override {
+        Run::SetUp();
+        std::ostringstream csv;
+        csv << "t [s],u_heater [V],T_air [K],current [A]\n";
+        const auto voltage = [](double t) { return 10.0 + 3.0 * std::sin(2.0 * t) + std::sin(5.3 * t); };
+        std::mt19937 random(4);
+        std::normal_distribution<double> normal(0.0, 0.005);
+        double temperature = 293.15;
+        std::vector<double> current;  // every millisecond
+        for (int j = 0; j < 40000; ++j) {
+            const double u = voltage(1e-3 * j), i = u / (1.6 * (1.0 + 0.004 * (temperature - 293.15)));
+            current.push_back(i);
+            temperature += 1e-3 * (u * i - 0.2 * (temperature - 293.15)) / 30.0;
+        }
+        for (int k = 0; k < 2000; ++k)
+            csv << 0.02 * k << ',' << voltage(0.02 * k) << ",293.15,"
+                << current[static_cast<std::size_t>(std::max(0, 20 * k - 37))] + normal(random) << '\n';
+        put("train.csv", csv.str());
+        change("\"current\"", "{\"column\": \"current\", \"clock\": \"fit\"}");
+        change("\"max\": 20.0", "\"max\": 20.0, \"prior\": {\"mean\": 1.6, \"std\": 0.01}");
+    }
+};
+
+TEST_F(LateCurrent, IsReportedAndWrittenIntoTheCompletedStudy) {
+    const Outcome<RunResult> result = runFit(read(), {});
+    ASSERT_TRUE(result) << format(result.diagnostics());
+    bool isFound = false;
+    for (const FitEstimate& e : result->finding.final.parameters) {
+        const double truth = e.name == "R" ? 1.6 : e.name == "C" ? 30.0 : 0.037;
+        EXPECT_NEAR(e.value, truth, 4.0 * e.standardError) << e.name;
+        if (e.name == "clock i") {
+            isFound = true;
+            EXPECT_EQ(e.unit, "s");
+            EXPECT_LT(e.standardError, 1e-3);
+        }
+        EXPECT_EQ(e.prior.has_value(), e.name == "R");
+    }
+    EXPECT_TRUE(isFound);
+    const OutputState& output = result->finding.final.experiments[0].outputs[0];
+    EXPECT_LT(output.figures.rmse, 0.006);
+    EXPECT_EQ(output.measured.array().isNaN().count(), 2);  // stamped 0 and 20 ms: before the recording
+    ASSERT_EQ(output.deviation.size(), output.simulated.size());
+    EXPECT_GT(output.deviation.maxCoeff(), 0.0);
+    EXPECT_LT(output.deviation.maxCoeff(), 0.002);
+    ASSERT_TRUE(writeResults(*result, "fit", directory_ / "out"));
+    const Outcome<Study> completed = readStudy(directory_ / "out" / "study");
+    ASSERT_TRUE(completed) << format(completed.diagnostics());
+    EXPECT_TRUE(completed->experiments[0].outputs.at("i").fitsClock);
+    EXPECT_NEAR(*completed->parameters.at("clock i").value, 0.037, 0.002);
+    EXPECT_EQ(completed->parameters.at("R").prior, (NormalPrior{1.6, 0.01}));
+    EXPECT_EQ(get(directory_ / "out" / "study" / "model.mo").find("clock"), std::string::npos);
+    EXPECT_TRUE(estimationTask(*completed));
+}
+
+TEST_F(LateCurrent, IsNoMissingEffect) {
+    const Outcome<RunResult> result = runDiscover(read(), {});
+    ASSERT_TRUE(result) << format(result.diagnostics());
+    EXPECT_EQ(result->finding.kind, FindingKind::Adequate);
+    EXPECT_TRUE(result->finding.effects.empty());
 }
 
 TEST_F(Run, WritesTheBlockOfALawBesideTheReport) {

@@ -56,7 +56,8 @@ TEST(StudyJson, WritesWhatItReads) {
       "experiments": [{"name": "a", "role": "fit", "file": "a.csv", "time": "t", "range": [1, 2], "rig": 4,
         "inputs": {"u": {"column": "U", "unit": "mV", "scale": 0.1}}, "outputs": {"y": "Y"},
         "initial": {"b.T": "fit", "b.w": 3.25, "b.x": "T"}}],
-      "parameters": {"b.R": {"fit": true, "min": 1e-12, "max": 20, "scale": "log", "why": "data sheet"}}})";
+      "parameters": {"b.R": {"fit": true, "min": 1e-12, "max": 20, "scale": "log", "why": "data sheet",
+        "prior": {"mean": 3.2, "std": 0.1}}}})";
     const Outcome<Study> first = parse(text);
     ASSERT_TRUE(first.hasValue()) << format(first.diagnostics());
     const std::string written = studyJson(*first);
@@ -65,6 +66,7 @@ TEST(StudyJson, WritesWhatItReads) {
     EXPECT_EQ(studyJson(*second), written);
     EXPECT_EQ(second->experiments[0].inputs.at("u").scale, 0.1);
     EXPECT_EQ(*second->parameters.at("b.R").min, 1e-12);
+    EXPECT_EQ(second->parameters.at("b.R").prior, (NormalPrior{3.2, 0.1}));
     for (const char* kept : {"\"note\"", "\"rig\": 4", "\"data sheet\"", "\"y\": \"Y\""})
         EXPECT_THAT(written, HasSubstr(kept));
 }
@@ -110,6 +112,39 @@ TEST(StudyJson, RefusesBoundsThatCannotBe) {
     EXPECT_THAT(faultOf(withParameter("{\"min\": 0, \"scale\": \"log\"}")).message, HasSubstr("above 0"));
     EXPECT_THAT(faultOf(withParameter("{\"scale\": \"square\"}")).message, HasSubstr("\"lin\" or \"log\""));
     EXPECT_EQ(faultOf(withParameter("{\"fit\": 1}")).place.line, 2);
+}
+
+TEST(StudyJson, KeepsTheClockOfAChannel) {
+    const std::string text = R"({"format": "analogon-study-1", "class": "M",
+      "experiments": [{"name": "a", "role": "fit", "file": "a.csv", "time": "t",
+        "inputs": {"u": {"column": "U", "clock": -0.25}}, "outputs": {"y": {"column": "Y", "clock": "fit"}}}],
+      "parameters": {"clock y": {"fit": true, "value": 0.03}}})";
+    const Outcome<Study> first = parse(text);
+    ASSERT_TRUE(first.hasValue()) << format(first.diagnostics());
+    const Outcome<Study> study = parse(studyJson(*first));
+    ASSERT_TRUE(study.hasValue()) << format(study.diagnostics());
+    EXPECT_EQ(study->experiments[0].inputs.at("u").clock, -0.25);
+    EXPECT_FALSE(study->experiments[0].inputs.at("u").fitsClock);
+    EXPECT_TRUE(study->experiments[0].outputs.at("y").fitsClock);
+    EXPECT_EQ(*study->parameters.at("clock y").value, 0.03);
+    const Diagnostic wrong = faultOf(std::string(text).replace(text.find("\"fit\"}}"), 5, "\"fi?\""));
+    EXPECT_THAT(wrong.message, HasSubstr("expected a number of seconds, or \"fit\""));
+    EXPECT_EQ(wrong.place.line, 3);
+}
+
+TEST(StudyJson, RefusesAPriorThatIsNone) {
+    const auto withPrior = [](const std::string& text) {
+        return "{\"format\": \"analogon-study-1\", \"class\": \"M\", \"experiments\": [],\n"
+               "\"parameters\": {\"R\": {\"fit\": true,\n\"prior\": " +
+               text + "}}}";
+    };
+    const Diagnostic zero = faultOf(withPrior("{\"mean\": 3, \"std\": 0}"));
+    EXPECT_THAT(zero.message, HasSubstr("parameters/R/prior: a standard deviation must be above 0"));
+    EXPECT_EQ(zero.place.line, 3);
+    EXPECT_FALSE(zero.hint.empty());
+    EXPECT_THAT(faultOf(withPrior("{\"mean\": \"3\", \"std\": 1}")).message, HasSubstr("expected a number"));
+    EXPECT_THAT(faultOf(withPrior("{\"mean\": 3}")).message, HasSubstr("the member \"std\" is missing"));
+    EXPECT_THAT(faultOf(withPrior("3")).message, HasSubstr("{\"mean\": 3.2, \"std\": 0.1}"));
 }
 
 TEST(StudyJson, RefusesTwoExperimentsOfOneName) {

@@ -84,6 +84,68 @@ TEST_F(StudyTask, ReadsStartValuesOfAnExperiment) {
     EXPECT_NEAR(starts[2].value, 293.15, 1e-9);
 }
 
+TEST_F(StudyTask, TakesPriors) {
+    putHeater();
+    change("\"max\": 20.0", "\"max\": 20.0, \"prior\": {\"mean\": 3.2, \"std\": 0.1}");
+    const Outcome<EstimationTask> task = estimationTask(read());
+    ASSERT_TRUE(task.hasValue()) << format(task.diagnostics());
+    for (const FitParameter& p : task->parameters) {
+        EXPECT_EQ(p.prior.has_value(), p.name == "R");
+        EXPECT_EQ(p.prior.value_or(NormalPrior{3.2, 0.1}), (NormalPrior{3.2, 0.1}));
+    }
+}
+
+TEST_F(StudyTask, TakesTheClockOfAnOutputAsAParameter) {
+    putHeater();
+    change("\"current\"", "{\"column\": \"current\", \"clock\": \"fit\"}");
+    Outcome<EstimationTask> task = estimationTask(read());
+    ASSERT_TRUE(task.hasValue()) << format(task.diagnostics());
+    ASSERT_EQ(task->recordings[0].clocks.size(), 1u);
+    const auto clock = std::find_if(task->parameters.begin(), task->parameters.end(),
+                                    [](const FitParameter& p) { return p.name == "clock i"; });
+    ASSERT_NE(clock, task->parameters.end());
+    EXPECT_EQ(clock->unit, "s");
+    EXPECT_NEAR(clock->max, 0.05 * 1.5, 1e-12);  // a twentieth of the recording
+    EXPECT_NEAR(clock->min, -clock->max, 1e-12);
+    // Its start, bounds and prior may be set as those of any parameter.
+    change("\"parameters\": {", "\"parameters\": {\"clock i\": {\"value\": 0.2, \"min\": 0, \"max\": 0.3},");
+    task = estimationTask(read());
+    ASSERT_TRUE(task.hasValue()) << format(task.diagnostics());
+    for (const FitParameter& p : task->parameters) {
+        if (p.name != "clock i") continue;
+        EXPECT_EQ(p.start, 0.2);
+        EXPECT_EQ(p.max, 0.3);
+    }
+    // What it may stamp before the recording is left out.
+    const Outcome<PreparedTask> prepared = prepare(*task);
+    ASSERT_TRUE(prepared.hasValue()) << format(prepared.diagnostics());
+    const int output = prepared->system->outputIndex("i");
+    EXPECT_TRUE(std::isnan(prepared->problem.experiments[0].measured(output, 0)));
+    EXPECT_FALSE(std::isnan(prepared->problem.experiments[0].measured(output, 1)));
+}
+
+TEST_F(StudyTask, ShiftsAnInputWithAClockOfItsOwn) {
+    putHeater();
+    change("\"u_heater\"", "{\"column\": \"u_heater\", \"clock\": 0.25}");
+    const Outcome<EstimationTask> task = estimationTask(read());
+    ASSERT_TRUE(task.hasValue()) << format(task.diagnostics());
+    const Recording& recording = task->recordings[0];  // 0, 1, 1, 2 V every 0.5 s, stamped 0.25 s late
+    const auto row =
+        std::find(recording.inputNames.begin(), recording.inputNames.end(), "u") - recording.inputNames.begin();
+    EXPECT_NEAR(recording.inputs(row, 0), 0.5, 1e-12);
+    EXPECT_NEAR(recording.inputs(row, 2), 1.5, 1e-12);
+    EXPECT_NEAR(recording.inputs(row, 3), 2.0, 1e-12);
+}
+
+TEST_F(StudyTask, RefusesAClockThatCannotBeFitted) {
+    putHeater();
+    change("\"u_heater\"", "{\"column\": \"u_heater\", \"clock\": \"fit\"}");
+    EXPECT_THAT(taskFault().message, HasSubstr("the clock of an input cannot be fitted"));
+    putHeater();
+    change("\"parameters\": {", "\"parameters\": {\"clock i\": {\"fit\": true},");
+    EXPECT_THAT(taskFault().message, HasSubstr("no experiment asks for the clock of the output 'i'"));
+}
+
 TEST_F(StudyTask, CutsToTheRange) {
     putHeater();
     change("\"time\": \"t\"", "\"time\": \"t\", \"range\": [0.4, 1.2]");
