@@ -1709,6 +1709,18 @@ Relativer Standardfehler %1 %</translation>
 <context>
     <name>PlotPanel</name>
     <message>
+        <source>with %1</source>
+        <translation>mit %1</translation>
+    </message>
+    <message>
+        <source>There is nothing to fit yet: check parameters in the list.</source>
+        <translation>Noch gibt es nichts anzupassen: Parameter in der Liste anhaken.</translation>
+    </message>
+    <message>
+        <source>%1 does nothing there that the data show.</source>
+        <translation>%1 bewirkt dort nichts, was die Daten zeigen.</translation>
+    </message>
+    <message>
         <source>best so far</source>
         <translation>bisher bester Stand</translation>
     </message>

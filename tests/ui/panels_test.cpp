@@ -353,6 +353,49 @@ TEST_F(Panels, LeadsFromAProblemOfAFileToItsRow) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return import->problems().contains("2502"); }, 10000))
         << import->problems().toStdString();
     EXPECT_FALSE(import->acceptButton()->isEnabled());
+TEST_F(Panels, ShowsWhatAnEffectWouldBringWhileThePointerIsOnIt) {
+    openLambda();
+    run(RunKind::Discover);
+    auto* results = panel<ResultPanel>();
+    auto* scene = panel<DiagramScene>();
+    QTreeWidget* list = results->candidates();
+    ASSERT_TRUE(list);
+    ASSERT_GT(list->topLevelItemCount(), 1);
+    const auto legend = [&] { return panel<PlotPanel>()->plots().front()->legendText(TraceRole::After); };
+    const QString result = legend();
+    const auto enter = [&](int row) {
+        QTest::mouseMove(list->viewport(), list->visualItemRect(list->topLevelItem(row)).center());
+    };
+    const auto leave = [&] {
+        QEvent event(QEvent::Leave);
+        QCoreApplication::sendEvent(list->viewport(), &event);
+    };
+    enter(0);
+    EXPECT_FALSE(scene->pointedOut().empty());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().preview() != nullptr; }, 20000));
+    EXPECT_TRUE(legend().contains(list->topLevelItem(0)->text(0))) << legend().toStdString();
+    // what was found is the first of the list: looking at it shows the figure that the search came to
+    EXPECT_NEAR(document().preview()->traces.experiments.front().errorPercent,
+                document().finding()->final.experiments.front().errorPercent, 0.02);
+    leave();
+    EXPECT_EQ(document().preview(), nullptr);
+    EXPECT_EQ(legend(), result);
+    EXPECT_TRUE(scene->pointedOut().empty());
+    enter(0);
+    EXPECT_NE(document().preview(), nullptr) << "known by now";
+    enter(1);
+    leave();  // before anything was worked out
+    QTest::qWait(400);
+    EXPECT_EQ(document().preview(), nullptr);
+    list->setCurrentItem(list->topLevelItem(0));  // as the keyboard does; stays when the pointer comes and goes
+    EXPECT_NE(document().preview(), nullptr);
+    enter(1);
+    leave();
+    EXPECT_NE(document().preview(), nullptr);
+    EXPECT_EQ(document().history().size(), 1u) << "looking leaves nothing behind";
+    EXPECT_TRUE(document().undoStack().isClean());
+}
+
     const int row = import->model()->showLine(2502);
     ASSERT_GE(row, 0) << "the lines around are shown as they stand in the file";
     EXPECT_EQ(import->model()->index(row, 0).data().toString(), "2500,20,broken");

@@ -222,7 +222,7 @@ void PlotPanel::rebuild() {
         to_ = last_;
     }
     setTimeRange(from_, to_);
-    if (document_.liveTraces()) showLive();
+    if (document_.liveTraces() || document_.preview()) showLive();
     const StudyExperiment* shown = shownExperiment();
     untrim_->setVisible(shown && shown->range);
     pages_->setCurrentWidget(area_);
@@ -230,13 +230,15 @@ void PlotPanel::rebuild() {
 
 void PlotPanel::showLive() {
     const SimulatedTraces* live = document_.liveTraces();
-    if (!live) return rebuild();
-    for (const SimulatedExperiment& experiment : live->experiments) {
+    const Document::Preview* preview = live ? nullptr : document_.preview();
+    if (!live && !preview) return rebuild();
+    const QString word = live ? tr("best so far") : tr("with %1").arg(preview->name);
+    for (const SimulatedExperiment& experiment : (live ? *live : preview->traces).experiments) {
         if (QString::fromStdString(experiment.name) != shown_) continue;
         for (const SimulatedTrace& trace : experiment.outputs)
             for (OutputPlot* plot : plots_)
                 if (plot->content().name == QString::fromStdString(trace.output))
-                    plot->showAfter(trace.values, tr("best so far") + " " + percent(trace.errorPercent));
+                    plot->showAfter(trace.values, word + " " + percent(trace.errorPercent));
     }
 }
 

@@ -406,6 +406,12 @@ void MainWindow::connectPanels() {
     connect(results_, &ResultPanel::trialWanted, this, [this](const QString& kind) {
         if (document_->canRun()) controller_->tryKind(kind.toStdString());
     });
+    connect(controller_, &RunController::parametersWanted, this, [this] {
+        scene_->clearSelection();  // those of every block
+        parameterDock_->show();
+        parameterDock_->raise();
+        parameters_->table()->setFocus();
+    });
     connect(results_, &ResultPanel::placePointedAt, this,
             [this](const QString& place) { scene_->pointOut(place.toStdString()); });
     connect(messages_, &MessagePanel::placeChosen, this, &MainWindow::showPlace);
@@ -427,6 +433,8 @@ void MainWindow::connectPanels() {
     connect(start_, &StartPage::exampleChosen, this, &MainWindow::open);
     connect(start_, &StartPage::generateWanted, this, &MainWindow::showGenerate);
     connect(generate_, &GeneratePage::cancelled, this, &MainWindow::showStudy);
+    connect(results_, &ResultPanel::effectLookedAt, controller_, &RunController::lookAtEffect);
+    connect(results_, &ResultPanel::effectLeft, controller_, &RunController::leaveEffect);
     connect(generate_, &GeneratePage::generated, this, [this](const GeneratedStudy& made) {
         leaveThen([this, made] {
             document_->startWith(made.study);
