@@ -1694,10 +1694,6 @@ Relativer Standardfehler %1 %</translation>
         <translation>Hier erscheinen die Parameter der offenen Studie.</translation>
     </message>
     <message>
-        <source>%1 has no parameters.</source>
-        <translation>%1 hat keine Parameter.</translation>
-    </message>
-    <message>
         <source>No parameter matches. Clear the search or the filter.</source>
         <translation>Kein Parameter passt. Suche oder Filter leeren.</translation>
     </message>
@@ -1709,6 +1705,10 @@ Relativer Standardfehler %1 %</translation>
 <context>
     <name>PlotPanel</name>
     <message>
+        <source>best so far</source>
+        <translation>bisher bester Stand</translation>
+    </message>
+    <message>
         <source>with %1</source>
         <translation>mit %1</translation>
     </message>
@@ -1719,10 +1719,6 @@ Relativer Standardfehler %1 %</translation>
     <message>
         <source>%1 does nothing there that the data show.</source>
         <translation>%1 bewirkt dort nichts, was die Daten zeigen.</translation>
-    </message>
-    <message>
-        <source>best so far</source>
-        <translation>bisher bester Stand</translation>
     </message>
     <message>
         <source>Experiments</source>

@@ -37,6 +37,7 @@
 #include "ui/canvas/diagram_scene.hpp"
 #include "ui/canvas/diagram_view.hpp"
 #include "ui/document/document.hpp"
+#include "ui/document/composer.hpp"
 #include "ui/document/recovery.hpp"
 #include "ui/effect/report_pdf.hpp"
 #include "ui/effect/result_panel.hpp"
@@ -46,12 +47,15 @@
 #include "ui/inspector/parameter_model.hpp"
 #include "ui/inspector/parameter_panel.hpp"
 #include "ui/measurement/import_panel.hpp"
+#include "ui/library/library_model.hpp"
+#include "ui/library/library_panel.hpp"
 #include "ui/messages/message_panel.hpp"
 #include "ui/plot/plot_panel.hpp"
 #include "ui/plot/residual_plot.hpp"
 #include "ui/style/translator.hpp"
 #include "ui/text/text_view.hpp"
 #include "ui/window/generate_page.hpp"
+#include "ui/window/compose_actions.hpp"
 #include "ui/window/guide_page.hpp"
 #include "ui/window/main_window.hpp"
 #include "ui/window/settings.hpp"
@@ -275,6 +279,47 @@ TEST_F(Panels, ShowsAParameterInAnotherUnitAndWhereItLiesInItsBounds) {
 }
 
 TEST_F(Panels, LeadsFromAFaultOfTheDataToItsLine) {
+TEST_F(Panels, ShowsAllParametersWhereTheSelectedBlockHasNone) {
+    openLambda();
+    auto* model = panel<ParameterPanel>()->model();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return model->rowOf("heater.R") >= 0; }, 5000));
+    const int all = model->rowCount();
+    panel<DiagramScene>()->select("heater");
+    EXPECT_LT(model->rowCount(), all);
+    EXPECT_TRUE(model->isOfComponent());
+    panel<DiagramScene>()->select("i_mod");
+    EXPECT_EQ(model->rowCount(), all);
+    EXPECT_FALSE(model->isOfComponent());
+}
+
+TEST_F(Panels, LeadsToTheParametersWhenThereIsNothingToFit) {
+    openLambda();
+    StudySettings settings = document().settings();
+    for (auto& [name, parameter] : settings.parameters) parameter.fit = false;
+    document().applySettings(std::move(settings), "none");
+    panel<DiagramScene>()->select("heater");
+    window.findChild<QDockWidget*>("parameters")->hide();
+    window.controller().start(RunKind::Fit);
+    EXPECT_FALSE(window.controller().isRunning());
+    EXPECT_TRUE(window.statusBar()->currentMessage().contains("check parameters"));
+    EXPECT_EQ(window.focusWidget(), panel<ParameterPanel>()->table());
+    EXPECT_FALSE(panel<ParameterPanel>()->model()->isOfComponent());
+}
+
+TEST_F(Panels, KeepsTheLibraryInPlaceWhenTheStudyHasClassesOfItsOwn) {
+    openLambda();
+    const auto topLevel = [&] {
+        QStringList names;
+        const LibraryModel* model = panel<LibraryPanel>()->model();
+        for (int i = 0; i < model->rowCount(); ++i) names << model->index(i, 0).data().toString();
+        return names;
+    };
+    const QStringList before = topLevel();
+    ASSERT_TRUE(before.contains("Thermal"));
+    window.compose().composer().group({"heater", "element"}, "Probe");
+    EXPECT_EQ(topLevel(), QStringList("Probe") + before);
+}
+
     openLambda();
     Place place;
     place.file = document().study().experiments.front().file;

@@ -173,19 +173,17 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
 void ParameterPanel::showComponent(const QString& component) {
     component_ = component;
     model_->setComponent(component);
-    chip_->setText(component);
-    chip_->setVisible(!component.isEmpty());
     updateState();
 }
 
 void ParameterPanel::updateState() {
+    chip_->setText(component_);
+    chip_->setVisible(model_->isOfComponent());
     if (model_->rowCount() > 0) return pages_->setCurrentWidget(table_);
     if (!document_.isOpen())
         empty_->setText(tr("The parameters of the open study appear here."));
     else if (document_.definition() && document_.diagram().blocks.empty())
         empty_->setText(tr("Place a block: its parameters appear here."));
-    else if (!component_.isEmpty())
-        empty_->setText(tr("%1 has no parameters.").arg(component_));
     else if (!search_->text().isEmpty() || onlyFitted_->isChecked())
         empty_->setText(tr("No parameter matches. Clear the search or the filter."));
     else
