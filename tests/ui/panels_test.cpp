@@ -8,6 +8,7 @@
 #include <QDialog>
 #include <QDir>
 #include <QDirIterator>
+#include <QDockWidget>
 #include <QDropEvent>
 #include <QElapsedTimer>
 #include <QImage>
@@ -36,8 +37,8 @@
 #include "tests/ui/sample_finding.hpp"
 #include "ui/canvas/diagram_scene.hpp"
 #include "ui/canvas/diagram_view.hpp"
-#include "ui/document/document.hpp"
 #include "ui/document/composer.hpp"
+#include "ui/document/document.hpp"
 #include "ui/document/recovery.hpp"
 #include "ui/effect/report_pdf.hpp"
 #include "ui/effect/result_panel.hpp"
@@ -46,16 +47,16 @@
 #include "ui/fit/run_controller.hpp"
 #include "ui/inspector/parameter_model.hpp"
 #include "ui/inspector/parameter_panel.hpp"
-#include "ui/measurement/import_panel.hpp"
 #include "ui/library/library_model.hpp"
 #include "ui/library/library_panel.hpp"
+#include "ui/measurement/import_panel.hpp"
 #include "ui/messages/message_panel.hpp"
 #include "ui/plot/plot_panel.hpp"
 #include "ui/plot/residual_plot.hpp"
 #include "ui/style/translator.hpp"
 #include "ui/text/text_view.hpp"
-#include "ui/window/generate_page.hpp"
 #include "ui/window/compose_actions.hpp"
+#include "ui/window/generate_page.hpp"
 #include "ui/window/guide_page.hpp"
 #include "ui/window/main_window.hpp"
 #include "ui/window/settings.hpp"
@@ -278,7 +279,6 @@ TEST_F(Panels, ShowsAParameterInAnotherUnitAndWhereItLiesInItsBounds) {
         QTest::qWaitFor([&] { return bar().size() == 3 && std::abs(bar()[0].toDouble() - expected) < 1e-9; }, 5000));
 }
 
-TEST_F(Panels, LeadsFromAFaultOfTheDataToItsLine) {
 TEST_F(Panels, ShowsAllParametersWhereTheSelectedBlockHasNone) {
     openLambda();
     auto* model = panel<ParameterPanel>()->model();
@@ -320,6 +320,7 @@ TEST_F(Panels, KeepsTheLibraryInPlaceWhenTheStudyHasClassesOfItsOwn) {
     EXPECT_EQ(topLevel(), QStringList("Probe") + before);
 }
 
+TEST_F(Panels, LeadsFromAFaultOfTheDataToItsLine) {
     openLambda();
     Place place;
     place.file = document().study().experiments.front().file;
@@ -350,6 +351,49 @@ TEST_F(Panels, TriesAnEffectOfTheList) {
     ASSERT_EQ(document().history().size(), 2u);
     for (const CandidateResult& c : document().finding()->candidates)
         EXPECT_TRUE(c.kind == "thermal.resistance" || c.kind.starts_with("proposal.")) << c.kind;
+}
+
+TEST_F(Panels, ShowsWhatAnEffectWouldBringWhileThePointerIsOnIt) {
+    openLambda();
+    run(RunKind::Discover);
+    auto* results = panel<ResultPanel>();
+    auto* scene = panel<DiagramScene>();
+    QTreeWidget* list = results->candidates();
+    ASSERT_TRUE(list);
+    ASSERT_GT(list->topLevelItemCount(), 1);
+    const auto legend = [&] { return panel<PlotPanel>()->plots().front()->legendText(TraceRole::After); };
+    const QString result = legend();
+    const auto enter = [&](int row) {
+        QTest::mouseMove(list->viewport(), list->visualItemRect(list->topLevelItem(row)).center());
+    };
+    const auto leave = [&] {
+        QEvent event(QEvent::Leave);
+        QCoreApplication::sendEvent(list->viewport(), &event);
+    };
+    enter(0);
+    EXPECT_FALSE(scene->pointedOut().empty());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().preview() != nullptr; }, 20000));
+    EXPECT_TRUE(legend().contains(list->topLevelItem(0)->text(0))) << legend().toStdString();
+    // what was found is the first of the list: looking at it shows the figure that the search came to
+    EXPECT_NEAR(document().preview()->traces.experiments.front().errorPercent,
+                document().finding()->final.experiments.front().errorPercent, 0.02);
+    leave();
+    EXPECT_EQ(document().preview(), nullptr);
+    EXPECT_EQ(legend(), result);
+    EXPECT_TRUE(scene->pointedOut().empty());
+    enter(0);
+    EXPECT_NE(document().preview(), nullptr) << "known by now";
+    enter(1);
+    leave();  // before anything was worked out
+    QTest::qWait(400);
+    EXPECT_EQ(document().preview(), nullptr);
+    list->setCurrentItem(list->topLevelItem(0));  // as the keyboard does; stays when the pointer comes and goes
+    EXPECT_NE(document().preview(), nullptr);
+    enter(1);
+    leave();
+    EXPECT_NE(document().preview(), nullptr);
+    EXPECT_EQ(document().history().size(), 1u) << "looking leaves nothing behind";
+    EXPECT_TRUE(document().undoStack().isClean());
 }
 
 TEST_F(Panels, SaysWhatToMindWhatIsProposedAndWhatToMeasureNext) {
@@ -398,49 +442,6 @@ TEST_F(Panels, LeadsFromAProblemOfAFileToItsRow) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return import->problems().contains("2502"); }, 10000))
         << import->problems().toStdString();
     EXPECT_FALSE(import->acceptButton()->isEnabled());
-TEST_F(Panels, ShowsWhatAnEffectWouldBringWhileThePointerIsOnIt) {
-    openLambda();
-    run(RunKind::Discover);
-    auto* results = panel<ResultPanel>();
-    auto* scene = panel<DiagramScene>();
-    QTreeWidget* list = results->candidates();
-    ASSERT_TRUE(list);
-    ASSERT_GT(list->topLevelItemCount(), 1);
-    const auto legend = [&] { return panel<PlotPanel>()->plots().front()->legendText(TraceRole::After); };
-    const QString result = legend();
-    const auto enter = [&](int row) {
-        QTest::mouseMove(list->viewport(), list->visualItemRect(list->topLevelItem(row)).center());
-    };
-    const auto leave = [&] {
-        QEvent event(QEvent::Leave);
-        QCoreApplication::sendEvent(list->viewport(), &event);
-    };
-    enter(0);
-    EXPECT_FALSE(scene->pointedOut().empty());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return document().preview() != nullptr; }, 20000));
-    EXPECT_TRUE(legend().contains(list->topLevelItem(0)->text(0))) << legend().toStdString();
-    // what was found is the first of the list: looking at it shows the figure that the search came to
-    EXPECT_NEAR(document().preview()->traces.experiments.front().errorPercent,
-                document().finding()->final.experiments.front().errorPercent, 0.02);
-    leave();
-    EXPECT_EQ(document().preview(), nullptr);
-    EXPECT_EQ(legend(), result);
-    EXPECT_TRUE(scene->pointedOut().empty());
-    enter(0);
-    EXPECT_NE(document().preview(), nullptr) << "known by now";
-    enter(1);
-    leave();  // before anything was worked out
-    QTest::qWait(400);
-    EXPECT_EQ(document().preview(), nullptr);
-    list->setCurrentItem(list->topLevelItem(0));  // as the keyboard does; stays when the pointer comes and goes
-    EXPECT_NE(document().preview(), nullptr);
-    enter(1);
-    leave();
-    EXPECT_NE(document().preview(), nullptr);
-    EXPECT_EQ(document().history().size(), 1u) << "looking leaves nothing behind";
-    EXPECT_TRUE(document().undoStack().isClean());
-}
-
     const int row = import->model()->showLine(2502);
     ASSERT_GE(row, 0) << "the lines around are shown as they stand in the file";
     EXPECT_EQ(import->model()->index(row, 0).data().toString(), "2500,20,broken");
@@ -648,6 +649,34 @@ TEST(TimePlotSpeed, StaysFluidWithAMillionSamples) {
     EXPECT_LT(live, 20) << "[ms]";
     std::cout << "zoom and repaint of two traces of 1e6 samples: " << times[7] << " ms\n";
     EXPECT_LT(times[7], 10) << "[ms]";
+}
+
+/// A laptop of 1280 x 720 pixels at 150 % leaves 853 x 480, less what its desktop keeps for itself.
+TEST(SmallScreen, HasRoomForEveryPanel) {
+    for (const char* language : {"en", "de"}) {
+        Translator translator;
+        if (translator.loadLanguage(language)) QCoreApplication::installTranslator(&translator);
+        const QSize room(853, 440);
+        {
+            MainWindow window;
+            window.resize(room);
+            window.show();
+            window.open(ANALOGON_ROOT "/examples/lambda-sensor-heating");
+            ASSERT_TRUE(
+                QTest::qWaitFor([&] { return window.document().isOpen() && window.document().before(); }, 20000));
+            for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+                dock->raise();
+                QTest::qWait(50);
+                EXPECT_EQ(window.size(), room) << language << " " << dock->objectName().toStdString();
+                EXPECT_GT(dock->geometry().intersected(window.rect()).height(), 100)
+                    << dock->objectName().toStdString();
+                window.grab().save(
+                    QStringLiteral(ANALOGON_PICTURES "/small-%1-%2.png").arg(language, dock->objectName()));
+            }
+            EXPECT_GT(window.findChild<DiagramView*>()->height(), 120);
+        }
+        QCoreApplication::removeTranslator(&translator);
+    }
 }
 
 /// Every text of the screen that is marked for translation has a German one.

@@ -133,7 +133,7 @@ public:
             if (action->shortcut() == QKeySequence(QKeySequence::HelpContents)) action->trigger();
         settle(2500);  // its pictures come a moment later
         take(window, "14-guide");
-        return takeGroup(examples.front().path) && isWhole_;
+        return takeGroup(examples.front().path) && takeSmall(examples.front().path) && isWhole_;
     }
 
 private:
@@ -148,6 +148,16 @@ private:
         settle(1000);
         take(window, "15-inside-a-group");
         return !document.levels().empty();
+    }
+    bool takeSmall(const QString& example) {
+        MainWindow window;
+        window.resize(853, 480);
+        window.show();
+        window.open(example);
+        if (!waitFor([&] { return window.document().isOpen() && window.document().before(); })) return false;
+        settle(300);
+        take(window, "16-small-screen");
+        return true;
     }
     void take(MainWindow& window, const QString& name) {
         window.statusBar()->clearMessage();  // it tells how fast this machine is: no part of the picture
