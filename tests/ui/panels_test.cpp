@@ -17,6 +17,7 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScrollBar>
 #include <QSpinBox>
 #include <QStandardPaths>
 #include <QStatusBar>
@@ -354,6 +355,7 @@ TEST_F(Panels, TriesAnEffectOfTheList) {
 }
 
 TEST_F(Panels, ShowsWhatAnEffectWouldBringWhileThePointerIsOnIt) {
+    window.resize(1020, 800);
     openLambda();
     run(RunKind::Discover);
     auto* results = panel<ResultPanel>();
@@ -363,8 +365,14 @@ TEST_F(Panels, ShowsWhatAnEffectWouldBringWhileThePointerIsOnIt) {
     ASSERT_GT(list->topLevelItemCount(), 1);
     const auto legend = [&] { return panel<PlotPanel>()->plots().front()->legendText(TraceRole::After); };
     const QString result = legend();
+    results->verticalScrollBar()->setValue(list->y());
     const auto enter = [&](int row) {
-        QTest::mouseMove(list->viewport(), list->visualItemRect(list->topLevelItem(row)).center());
+        const QPoint at = list->visualItemRect(list->topLevelItem(row)).center();
+        const QPointF onScreen = list->viewport()->mapToGlobal(at);
+        QEnterEvent event(at, at, onScreen);
+        QCoreApplication::sendEvent(list->viewport(), &event);
+        QMouseEvent move(QEvent::MouseMove, at, onScreen, Qt::NoButton, Qt::NoButton, {});  // also to where it was
+        QCoreApplication::sendEvent(list->viewport(), &move);
     };
     const auto leave = [&] {
         QEvent event(QEvent::Leave);
@@ -374,6 +382,9 @@ TEST_F(Panels, ShowsWhatAnEffectWouldBringWhileThePointerIsOnIt) {
     EXPECT_FALSE(scene->pointedOut().empty());
     ASSERT_TRUE(QTest::qWaitFor([&] { return document().preview() != nullptr; }, 20000));
     EXPECT_TRUE(legend().contains(list->topLevelItem(0)->text(0))) << legend().toStdString();
+    QTest::qWait(20);
+    const QWidget* plot = panel<PlotPanel>()->plots().front();
+    EXPECT_LE(plot->width(), plot->parentWidget()->parentWidget()->width()) << "however long the name, nothing is cut";
     // what was found is the first of the list: looking at it shows the figure that the search came to
     EXPECT_NEAR(document().preview()->traces.experiments.front().errorPercent,
                 document().finding()->final.experiments.front().errorPercent, 0.02);

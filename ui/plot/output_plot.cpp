@@ -19,9 +19,10 @@ public:
         setFocusPolicy(Qt::TabFocus);
         setCursor(Qt::PointingHandCursor);
         setToolTip(tr("Click to hide or show this trace"));
-        setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+        setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);  // a long name gives way, the plot keeps its place
     }
     TraceRole role() const { return role_; }
+    QSize minimumSizeHint() const override { return sizeHint().boundedTo({least, sizeHint().height()}); }
     QSize sizeHint() const override {
         const QFontMetrics metrics(font());
         return {metrics.horizontalAdvance(text()) + swatch + 3 * style::unit, metrics.height() + style::unit};
@@ -38,7 +39,9 @@ protected:
         const double middle = height() / 2.0;
         painter.drawLine(QPointF(2, middle), QPointF(swatch - 2, middle));
         painter.setPen(ink);
-        painter.drawText(rect().adjusted(swatch + style::unit, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, text());
+        const QRect room = rect().adjusted(swatch + style::unit, 0, 0, 0);
+        painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft,
+                         fontMetrics().elidedText(text(), Qt::ElideMiddle, room.width()));  // the figure stands last
         if (hasFocus()) {
             painter.setPen(style::accent(palette()));
             painter.drawLine(swatch + style::unit, height() - 1, width() - 2 * style::unit, height() - 1);
@@ -46,7 +49,7 @@ protected:
     }
 
 private:
-    static constexpr int swatch = 18;
+    static constexpr int swatch = 18, least = 56;
     TraceRole role_;
 };
 
