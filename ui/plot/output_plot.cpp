@@ -19,11 +19,13 @@ public:
         setFocusPolicy(Qt::TabFocus);
         setCursor(Qt::PointingHandCursor);
         setToolTip(tr("Click to hide or show this trace"));
-        setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);  // a long name gives way, the plot keeps its place
+        // the last one may have a long name: it takes what is left, and the plot keeps its place
+        setSizePolicy(role == TraceRole::After ? QSizePolicy::Preferred : QSizePolicy::Maximum, QSizePolicy::Fixed);
     }
     TraceRole role() const { return role_; }
-    QSize minimumSizeHint() const override { return sizeHint().boundedTo({least, sizeHint().height()}); }
-    QSize sizeHint() const override {
+    QSize minimumSizeHint() const override { return wholeSize().boundedTo({least, wholeSize().height()}); }
+    QSize sizeHint() const override { return role_ == TraceRole::After ? minimumSizeHint() : wholeSize(); }
+    QSize wholeSize() const {
         const QFontMetrics metrics(font());
         return {metrics.horizontalAdvance(text()) + swatch + 3 * style::unit, metrics.height() + style::unit};
     }
@@ -67,7 +69,7 @@ OutputPlot::OutputPlot(QWidget* parent)
     for (const TraceRole role : {TraceRole::Measured, TraceRole::Before, TraceRole::After}) {
         auto* entry = new LegendEntry(role, this);
         legend_.push_back(entry);
-        heading->addWidget(entry);
+        heading->addWidget(entry, role == TraceRole::After ? 1000 : 0);
         connect(entry, &QAbstractButton::toggled, this, [this, role](bool isShown) {
             values_->setVisible(role, isShown);
             residual_->setVisible(role, isShown);
@@ -103,6 +105,7 @@ void OutputPlot::setLegend(TraceRole role, const QString& text) {
         if (entry->role() != role) continue;
         entry->setText(text);
         entry->setVisible(!text.isEmpty());
+        entry->setMaximumWidth(entry->wholeSize().width());
         entry->updateGeometry();
     }
 }
