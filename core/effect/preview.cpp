@@ -9,9 +9,9 @@
 namespace analogon {
 namespace {
 
-constexpr int iterations = 12;
-constexpr double tolerance = 1e-6;
-constexpr long mostSamples = 6000;  // that are fitted; the traces are simulated on all
+constexpr int firstLookIterations = 12;
+constexpr double firstLookTolerance = 1e-6;
+constexpr long mostFittedSamples = 6000;  // that are fitted; the traces are simulated on all
 
 Outcome<Candidate> candidateOf(const Variant& variant, const EffectChoice& choice) {
     Outcome<std::vector<EffectClass>> catalogue = effectCatalogue(variant.task.library);
@@ -28,12 +28,12 @@ Outcome<Candidate> candidateOf(const Variant& variant, const EffectChoice& choic
 
 Outcome<ModelState> stateWith(const EstimationTask& task, const EffectChoice& choice, const DiscoverOptions& options,
                               const Progress& progress) {
-    const Variant base{thinned(task, thinningFor(task, mostSamples)), {}, {}};
+    const Variant base{thinned(task, thinningFor(task, mostFittedSamples)), {}, {}};
     const Outcome<Candidate> candidate = candidateOf(base, choice);
     if (!candidate) return candidate.diagnostics();
     FitOptions quick = options.fit;
-    quick.maxIterations = iterations;
-    quick.costTolerance = tolerance;
+    quick.maxIterations = firstLookIterations;
+    quick.costTolerance = firstLookTolerance;
     const Outcome<NullModel> null = fitNull(base, {}, NoiseLevel::Estimate, quick, progress);
     if (!null) return null.diagnostics();
     quick.simulation = limited(*null, quick.simulation);
