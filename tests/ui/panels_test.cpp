@@ -600,6 +600,21 @@ TEST_F(Panels, TakesDroppedRecordingsAsTheBeginningOfAStudy) {
     EXPECT_EQ(document().study().experiments.size(), 2u);
 }
 
+TEST_F(Panels, GivesTheGuideTheWholeHeightWhileItIsRead) {
+    openLambda();
+    auto* traces = window.findChild<QDockWidget*>("traces");
+    auto* centre = window.findChild<QTabWidget*>("centre");
+    QTest::keyClick(&window, Qt::Key_F1);
+    EXPECT_TRUE(traces->isHidden());
+    centre->setCurrentIndex(0);
+    EXPECT_FALSE(traces->isHidden());
+    QTest::keyClick(&window, Qt::Key_F1);
+    EXPECT_TRUE(traces->isHidden());
+    Q_EMIT panel<GuidePage>()->left();
+    EXPECT_FALSE(traces->isHidden());
+    EXPECT_FALSE(window.findChild<QDockWidget*>("messages")->isHidden());
+}
+
 TEST_F(Panels, OpensTheGuideWithItsPictures) {
     ASSERT_FALSE(guideFile().isEmpty());
     QTest::keyClick(&window, Qt::Key_F1);

@@ -412,6 +412,17 @@ void MainWindow::connectPanels() {
         parameterDock_->raise();
         parameters_->table()->setFocus();
     });
+    // The guide is read over the whole height.
+    connect(centre_, &QTabWidget::currentChanged, this, [this] {
+        const bool isReading = guide_ && centre_->currentWidget() == guide_;
+        if (isReading == isReadingGuide_) return;
+        isReadingGuide_ = isReading;
+        if (isReading) besideGuide_.clear();
+        for (QDockWidget* dock : {plotDock_, messageDock_})
+            if (isReading && !dock->isHidden() && !dock->isFloating()) besideGuide_ << dock;
+        for (QDockWidget* dock : besideGuide_) dock->setVisible(!isReading);
+        if (!isReading && besideGuide_.contains(plotDock_)) plotDock_->raise();
+    });
     connect(measurements_, &MeasurementPanel::experimentChosen, plots_, &PlotPanel::showExperiment);
     connect(scene_, &DiagramScene::blockSelected, this,
             [this](const QString& block) { parameters_->showComponent(wholeName(block)); });

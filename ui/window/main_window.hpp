@@ -131,6 +131,8 @@ private:
     PlotPanel* plots_{};
     MessagePanel* messages_{};
     RunBar* runBar_{};
+    QList<QDockWidget*> besideGuide_;  // what comes back when it is left
+    bool isReadingGuide_{};
     bool isCompact_{};  // as the docks were arranged
     bool isLayoutFresh_{true};
     QDockWidget *libraryDock_{}, *measurementDock_{}, *parameterDock_{}, *resultDock_{}, *runDock_{}, *plotDock_{},
