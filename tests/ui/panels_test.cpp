@@ -772,8 +772,10 @@ TEST_F(Panels, SurvivesRandomEvents) {
         ASSERT_FALSE(targets.isEmpty());
         QPointer<QWidget> target = targets[static_cast<qsizetype>(random() % static_cast<unsigned>(targets.size()))];
         const auto point = [&] {
-            return QPoint(static_cast<int>(random() % static_cast<unsigned>(target->width())),
-                          static_cast<int>(random() % static_cast<unsigned>(target->height())));
+            const auto below = [&](int size) {  // a press may have folded the target up
+                return static_cast<int>(random() % static_cast<unsigned>(std::max(1, size)));
+            };
+            return QPoint(below(target->width()), below(target->height()));
         };
         const Qt::KeyboardModifiers modifiers = random() % 5 == 0   ? Qt::ControlModifier
                                                 : random() % 7 == 0 ? Qt::ShiftModifier
