@@ -1694,10 +1694,6 @@ Relativer Standardfehler %1 %</translation>
         <translation>Hier erscheinen die Parameter der offenen Studie.</translation>
     </message>
     <message>
-        <source>%1 has no parameters.</source>
-        <translation>%1 hat keine Parameter.</translation>
-    </message>
-    <message>
         <source>No parameter matches. Clear the search or the filter.</source>
         <translation>Kein Parameter passt. Suche oder Filter leeren.</translation>
     </message>
@@ -1711,6 +1707,18 @@ Relativer Standardfehler %1 %</translation>
     <message>
         <source>best so far</source>
         <translation>bisher bester Stand</translation>
+    </message>
+    <message>
+        <source>with %1</source>
+        <translation>mit %1</translation>
+    </message>
+    <message>
+        <source>There is nothing to fit yet: check parameters in the list.</source>
+        <translation>Noch gibt es nichts anzupassen: Parameter in der Liste anhaken.</translation>
+    </message>
+    <message>
+        <source>%1 does nothing there that the data show.</source>
+        <translation>%1 bewirkt dort nichts, was die Daten zeigen.</translation>
     </message>
     <message>
         <source>Experiments</source>

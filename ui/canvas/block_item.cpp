@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QGraphicsScene>
 #include <QGraphicsSceneHoverEvent>
+#include <QPaintEngine>
 #include <QPainter>
 #include <QStyleOptionGraphicsItem>
 #include <cmath>
@@ -103,6 +104,7 @@ BlockItem::BlockItem(const Block& block) : block_(block) {
     nameAt_ = {body_.center().x(), body_.bottom() + outlineGap};
     auto& primitives = block_.icon.primitives;
     for (const Primitive& p : primitives) {
+        if (p.kind == Primitive::Kind::Text && p.fontSize > 0) staysInside_ = false;
         if (p.kind != Primitive::Kind::Text || p.text != "%name") continue;
         const QPointF at = boundsOf({p}, transform_).center();
         isNameAbove_ = at.y() < body_.center().y();
@@ -119,9 +121,10 @@ BlockItem::BlockItem(const Block& block) : block_(block) {
 void BlockItem::setLabelPlace(LabelPlace place) {
     prepareGeometryChange();
     labelPlace_ = place;
-    bounds_ = body_ | boundsOf(block_.icon.primitives, transform_);
-    for (const PortShape& port : ports_) bounds_ |= port.rect;
-    bounds_.adjust(-outlineGap - 2, -outlineGap - 2, outlineGap + 2, outlineGap + 2);
+    shapes_ = body_ | boundsOf(block_.icon.primitives, transform_);
+    for (const PortShape& port : ports_) shapes_ |= port.rect;
+    shapes_.adjust(-2, -2, 2, 2);  // the width of their lines
+    bounds_ = shapes_.adjusted(-outlineGap, -outlineGap, outlineGap, outlineGap);
     bounds_ |= labelRect(place);
 }
 
@@ -239,19 +242,50 @@ void BlockItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option,
     }
     if (!label_) paintName(*painter, palette);
     if (!block_.isResolved) return paintUnresolved(*painter, palette);
+    paintIcon(*painter, palette);
+    if (!hovered_) return;
+    painter->setPen(QPen(accent, 2 * pixel));
+    painter->setBrush(Qt::NoBrush);
+    painter->drawEllipse(hovered_->rect.center(), hovered_->rect.width() * 0.9, hovered_->rect.height() * 0.9);
+}
+
+/// Of hundreds of blocks few change from one picture of the diagram to the next: each keeps the picture of its icon.
+void BlockItem::paintIcon(QPainter& painter, const QPalette& palette) {
+    const QTransform toDevice = painter.deviceTransform();
+    const QRect pixels = toDevice.mapRect(shapes_).toAlignedRect().adjusted(-1, -1, 1, 1);
+    constexpr qint64 most = 128 * 128;  // larger ones are few at a time, and would take much memory
+    const bool isOnScreen = painter.paintEngine()->type() == QPaintEngine::Raster;
+    if (!isOnScreen || !staysInside_ || qint64{pixels.width()} * pixels.height() > most)
+        return paintShapes(painter, palette);
+    const auto shifted = [](const QTransform& t, QPoint by) { return t * QTransform::fromTranslate(by.x(), by.y()); };
+    const qreal ratio = painter.device()->devicePixelRatio();
+    const PictureKey key{shifted(toDevice, -pixels.topLeft()), ratio, palette.cacheKey(), painter.font()};
+    if (!(key == pictureKey_)) {
+        picture_ = QPixmap(pixels.size());
+        picture_.setDevicePixelRatio(ratio);
+        picture_.fill(Qt::transparent);
+        QPainter drawing(&picture_);
+        drawing.setRenderHint(QPainter::Antialiasing);
+        drawing.setFont(painter.font());
+        drawing.setWorldTransform(key.toDevice * QTransform::fromScale(1 / ratio, 1 / ratio));
+        paintShapes(drawing, palette);
+        pictureKey_ = key;
+    }
+    painter.save();
+    painter.resetTransform();
+    painter.drawPixmap(painter.deviceTransform().inverted().map(QPointF(pixels.topLeft())), picture_);
+    painter.restore();
+}
+
+void BlockItem::paintShapes(QPainter& painter, const QPalette& palette) const {
     const auto macros = [this](const QString& name) { return macro(name); };
-    paintPrimitives(*painter, block_.icon.primitives, transform_, macros, palette);
+    paintPrimitives(painter, block_.icon.primitives, transform_, macros, palette);
     for (const PortShape& port : ports_) {
         // A port is a place to connect to; its name would only clutter the block.
         std::vector<Primitive> shapes;
         for (const Primitive& p : port.port->icon.primitives)
             if (p.kind != Primitive::Kind::Text) shapes.push_back(p);
-        paintPrimitives(*painter, shapes, port.transform, macros, palette);
-        if (&port == hovered_) {
-            painter->setPen(QPen(accent, 2 * pixel));
-            painter->setBrush(Qt::NoBrush);
-            painter->drawEllipse(port.rect.center(), port.rect.width() * 0.9, port.rect.height() * 0.9);
-        }
+        paintPrimitives(painter, shapes, port.transform, macros, palette);
     }
 }
 

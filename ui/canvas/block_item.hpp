@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QGraphicsItem>
+#include <QPixmap>
 #include <QTransform>
 
 #include "core/diagram/diagram.hpp"
@@ -47,6 +48,16 @@ private:
         QTransform transform;
         QRectF rect;
     };
+    /// What a picture of the icon depends on.
+    struct PictureKey {
+        QTransform toDevice;  // without whole pixels
+        qreal ratio{};
+        qint64 palette{};
+        QFont font;
+        bool operator==(const PictureKey&) const = default;
+    };
+    void paintIcon(QPainter& painter, const QPalette& palette);
+    void paintShapes(QPainter& painter, const QPalette& palette) const;
     void paintUnresolved(QPainter& painter, const QPalette& palette) const;
     void paintName(QPainter& painter, const QPalette& palette) const;
     void paintParameters(QPainter& painter, const QPalette& palette, QRectF nameBox, double zoom) const;
@@ -58,15 +69,18 @@ private:
 
     Block block_;
     QTransform transform_;
-    QRectF body_, bounds_;
+    QRectF body_, bounds_, shapes_;
     QPointF nameAt_;  // where the icon wants the component's name: its edge next to the body
     bool isNameAbove_{};
+    bool staysInside_{true};  // no text of its icon is larger than its place
     LabelPlace labelPlace_;
     QStringList values_;  // "R = 2.452"
     std::vector<PortShape> ports_;
     const PortShape* hovered_{};
     EffectLabel* label_{};
     bool isHovered_{};
+    QPixmap picture_;  // of the icon with its ports
+    PictureKey pictureKey_;
 };
 
 }  // namespace analogon::ui

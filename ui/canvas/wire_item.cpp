@@ -21,11 +21,16 @@ WireItem::WireItem(const Wire& wire) : wire_(wire) {
 
 void WireItem::setPath(const std::vector<Point>& points) {
     path_ = {};
+    lines_.clear();
+    isOrthogonal_ = true;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (i == 0)
+        if (i == 0) {
             path_.moveTo(toScene(points[i]));
-        else
-            path_.lineTo(toScene(points[i]));
+            continue;
+        }
+        path_.lineTo(toScene(points[i]));
+        lines_ << QLineF(toScene(points[i - 1]), toScene(points[i]));
+        isOrthogonal_ = isOrthogonal_ && (points[i].x == points[i - 1].x || points[i].y == points[i - 1].y);
     }
 }
 
@@ -61,9 +66,14 @@ void WireItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, 
     const bool isStrong = isMarked_ || isHovered_ || (option->state & QStyle::State_Selected);
     const QColor colour = isStrong ? style::accent(palette) : style::onCanvas(toColour(wire_.colour), palette);
     const double width = std::max(wire_.thickness * 1.6, (isStrong ? 2.2 : 1.3) * pixel);
-    painter->setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter->setBrush(Qt::NoBrush);
-    painter->drawPath(path_);
+    if (isOrthogonal_) {  // lines with square ends are drawn many times faster than a path, and meet in a corner
+        painter->setPen(QPen(colour, width, Qt::SolidLine, Qt::SquareCap));
+        painter->drawLines(lines_);
+    } else {
+        painter->setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter->drawPath(path_);
+    }
     painter->setPen(Qt::NoPen);
     painter->setBrush(colour);
     for (const QPointF& p : junctions_) painter->drawEllipse(p, 1.1 + width / 4, 1.1 + width / 4);

@@ -34,6 +34,8 @@ private:
 
     Wire wire_;
     QPainterPath path_;
+    QVector<QLineF> lines_;  // of the same way
+    bool isOrthogonal_{true};
     std::vector<QPointF> junctions_;
     bool isMarked_{}, isHovered_{};
 };

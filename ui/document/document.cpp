@@ -139,6 +139,7 @@ void Document::adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory>
     undo_.clear();
     simulated_.reset();
     live_.reset();
+    preview_.reset();
     result_.reset();
     history_.clear();
     resultStudy_.reset();
@@ -354,6 +355,12 @@ void Document::setSimulated(ModelState state) {
 void Document::setLiveTraces(std::optional<SimulatedTraces> traces) {
     if (!traces && !live_) return;
     live_ = std::move(traces);
+    Q_EMIT liveTracesChanged();
+}
+
+void Document::setPreview(std::optional<Preview> preview) {
+    if (!preview && !preview_) return;
+    preview_ = std::move(preview);
     Q_EMIT liveTracesChanged();
 }
 

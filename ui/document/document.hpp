@@ -122,6 +122,13 @@ public:
     /// While a fit runs: the fitted experiments with the best values so far; null: none.
     void setLiveTraces(std::optional<SimulatedTraces> traces);
     const SimulatedTraces* liveTraces() const { return live_ ? &*live_ : nullptr; }
+    /// What the traces would be with something that is only looked at.
+    struct Preview {
+        QString name;
+        SimulatedTraces traces;
+    };
+    void setPreview(std::optional<Preview> preview);
+    const Preview* preview() const { return preview_ ? &*preview_ : nullptr; }
     /// Changes whenever the traces to show do.
     unsigned long tracesVersion() const { return 2 * tracesVersion_ + (isResultStale() ? 1 : 0); }
 
@@ -142,7 +149,7 @@ Q_SIGNALS:
     void saved(bool isDone);
     void modifiedChanged();
     void resultChanged();
-    void liveTracesChanged();
+    void liveTracesChanged();  // or the preview
     void messagesChanged();
 
 private:
@@ -168,6 +175,7 @@ private:
     Diagnostics modelFaults_;  // found while reading the diagram
     std::optional<ModelState> simulated_;
     std::optional<SimulatedTraces> live_;
+    std::optional<Preview> preview_;
     std::shared_ptr<const RunResult> result_;
     std::vector<RunRecord> history_;
     std::optional<Study> resultStudy_;  // the study the result was computed for

@@ -1,6 +1,7 @@
 #include "ui/effect/result_panel.hpp"
 
 #include <QCoreApplication>
+#include <QEvent>
 #include <QFrame>
 #include <QGridLayout>
 #include <QHeaderView>
@@ -201,7 +202,23 @@ void ResultPanel::addHeading(const QString& content) {
     column_->addWidget(label);
 }
 
+/// The row under the pointer, else the marked one: its place in the diagram, and what it would bring.
+void ResultPanel::lookAt(const QTreeWidgetItem* candidate) {
+    Q_EMIT placePointedAt(candidate ? candidate->data(1, Qt::UserRole).toString() : QString());
+    if (!candidate || document_.isResultStale()) return Q_EMIT effectLeft();
+    const EffectChoice choice{candidate->data(2, Qt::UserRole).toString().toStdString(),
+                              candidate->data(3, Qt::UserRole).toString().toStdString()};
+    Q_EMIT effectLookedAt(choice, candidate->text(0));
+}
+
+bool ResultPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (candidates_ && watched == candidates_->viewport() && event->type() == QEvent::Leave)
+        lookAt(candidates_->currentItem());
+    return QScrollArea::eventFilter(watched, event);
+}
+
 void ResultPanel::refresh() {
+    if (candidates_) lookAt(nullptr);  // its rows are about to go
     headline_ = nullptr;
     candidates_ = comparison_ = nullptr;
     try_ = nullptr;
@@ -424,6 +441,8 @@ void ResultPanel::addCandidates(const Finding& finding) {
                           c.deltaBic ? evidenceText(*c.deltaBic) : QString(), verdictText(c.verdict)});
         item->setData(0, Qt::UserRole, text(c.kind));
         item->setData(1, Qt::UserRole, placeOf(text(c.at)));
+        item->setData(2, Qt::UserRole, text(c.className));
+        item->setData(3, Qt::UserRole, text(c.at));
         item->setToolTip(0, QStringList{item->text(0), text(c.kind), text(c.className)}.join('\n'));
         item->setToolTip(1, item->text(1));
         alignRight(item, {2, 3});
@@ -443,8 +462,8 @@ void ResultPanel::addCandidates(const Finding& finding) {
     candidates_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     candidates_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     candidates_->setMouseTracking(true);
-    connect(candidates_, &QTreeWidget::itemEntered, this,
-            [this](QTreeWidgetItem* item) { Q_EMIT placePointedAt(item->data(1, Qt::UserRole).toString()); });
+    candidates_->viewport()->installEventFilter(this);
+    connect(candidates_, &QTreeWidget::itemEntered, this, &ResultPanel::lookAt);
     candidates_->setSelectionMode(QAbstractItemView::SingleSelection);
     candidates_->setFocusPolicy(Qt::StrongFocus);
     candidates_->setAccessibleName(tr("What was tried"));
@@ -464,7 +483,7 @@ void ResultPanel::addCandidates(const Finding& finding) {
     };
     connect(candidates_, &QTreeWidget::currentItemChanged, this, [this, kindOf](QTreeWidgetItem* item) {
         try_->setEnabled(!kindOf(item).isEmpty() && !document_.isResultStale());
-        if (item) Q_EMIT placePointedAt(item->data(1, Qt::UserRole).toString());
+        lookAt(item);
     });
     const auto tryIt = [this, kindOf] {
         const QString kind = kindOf(candidates_->currentItem());

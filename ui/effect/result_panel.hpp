@@ -3,9 +3,12 @@
 #include <QScrollArea>
 #include <QTimer>
 
+#include "core/effect/preview.hpp"
+
 class QLabel;
 class QPushButton;
 class QTreeWidget;
+class QTreeWidgetItem;
 class QVBoxLayout;
 
 namespace analogon {
@@ -34,11 +37,18 @@ public:
 
 Q_SIGNALS:
     void effectChosen(const QString& instance);
-    void placePointedAt(const QString& place);  // a block or connector of the diagram
+    void placePointedAt(const QString& place);  // a block or connector of the diagram; empty: none
+    /// What the traces would be with this effect is to be shown, until effectLeft().
+    void effectLookedAt(const analogon::EffectChoice& choice, const QString& name);
+    void effectLeft();
     void trialWanted(const QString& effectKind);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void refresh();
+    void lookAt(const QTreeWidgetItem* candidate);
     void addEmptyState();
     void addHeadline(const Finding& finding);
     void addAdoption();

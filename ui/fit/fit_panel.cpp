@@ -93,7 +93,11 @@ FitPanel::FitPanel(Document& document, RunController& controller, QWidget* paren
     form->setHorizontalSpacing(3 * style::unit);
     form->setVerticalSpacing(2 * style::unit);
     form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
-    for (QComboBox* box : {method_, loss_}) box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    for (QComboBox* box : {method_, loss_}) {
+        box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // the list is as wide as its texts
+        box->setMinimumContentsLength(12);
+    }
     form->addRow(tr("Method"), method_);
     form->addRow(tr("Misfit"), loss_);
     form->addRow(tr("Starts"), starts_);

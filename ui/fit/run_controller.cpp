@@ -1,5 +1,6 @@
 #include "ui/fit/run_controller.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace analogon::ui {
@@ -19,6 +20,29 @@ Outcome<RunResult> run(RunKind kind, const Study& study, const RunOptions& optio
 }
 
 constexpr int livePause = 200;  // [ms] between two views of a fit that runs
+constexpr int lookPause = 250;  // [ms] that the pointer rests on an effect before work begins
+constexpr std::size_t keptLooks = 12;
+
+bool hasFitted(const Study& study) {
+    const auto isFitted = [](const auto& entry) { return entry.second.fit; };
+    const auto isFree = [](const auto& entry) { return std::holds_alternative<FittedStart>(entry.second); };
+    return std::any_of(study.parameters.begin(), study.parameters.end(), isFitted) ||
+           std::any_of(study.experiments.begin(), study.experiments.end(), [&](const StudyExperiment& e) {
+               return std::any_of(e.initial.begin(), e.initial.end(), isFree);
+           });
+}
+
+SimulatedTraces tracesOf(const ModelState& state) {
+    SimulatedTraces traces;
+    for (const ExperimentState& e : state.experiments) {
+        SimulatedExperiment experiment{e.name, {}, e.errorPercent};
+        for (const OutputState& o : e.outputs)
+            experiment.outputs.push_back(
+                {o.name, {o.simulated.data(), o.simulated.data() + o.simulated.size()}, o.figures.errorPercent});
+        traces.experiments.push_back(std::move(experiment));
+    }
+    return traces;
+}
 
 QElapsedTimer startedClock() {
     QElapsedTimer clock;
@@ -71,6 +95,8 @@ RunController::RunController(Document& document, QObject* parent) : QObject(pare
     connect(&run_, &JobRunner::finished, this, &RunController::stopWatching);
     liveDelay_.setSingleShot(true);
     connect(&liveDelay_, &QTimer::timeout, this, &RunController::simulateBest);
+    lookDelay_.setSingleShot(true);
+    connect(&lookDelay_, &QTimer::timeout, this, &RunController::previewEffect);
     previewDelay_.setSingleShot(true);
     previewDelay_.setInterval(150);
     connect(&previewDelay_, &QTimer::timeout, this, &RunController::preview);
@@ -78,7 +104,10 @@ RunController::RunController(Document& document, QObject* parent) : QObject(pare
     connect(&document, &Document::modelChanged, this, soon);
     connect(&document, &Document::parametersChanged, this, soon);
     connect(&document, &Document::experimentsChanged, this, soon);
-    connect(&document, &Document::opened, this, [this] { run_.drop(); });
+    connect(&document, &Document::opened, this, [this] {
+        run_.drop();
+        leaveEffect();
+    });
 }
 
 void RunController::tryKind(const std::string& effectKind) {
@@ -90,6 +119,11 @@ void RunController::tryKind(const std::string& effectKind) {
 
 void RunController::start(RunKind kind, const RunOptions& options) {
     if (!document_.isOpen() || run_.isBusy()) return;
+    if (kind == RunKind::Fit && !hasFitted(document_.study())) {
+        Q_EMIT parametersWanted();
+        return Q_EMIT concluded(tr("There is nothing to fit yet: check parameters in the list."));
+    }
+    leaveEffect();
     document_.setRunMessages({});
     if (document_.before()) preview_.drop();  // else its traces are what a fit is watched against
     simulator_.reset();
@@ -145,6 +179,49 @@ void RunController::stopWatching() {
     best_.clear();
     simulator_.reset();
     document_.setLiveTraces(std::nullopt);
+}
+
+void RunController::lookAtEffect(const EffectChoice& choice, const QString& name) {
+    if (!document_.canRun() || run_.isBusy()) return;
+    if (wanted_ && wanted_->choice == choice && wanted_->revision == document_.revision()) return;
+    look_.drop();
+    wanted_ = Look{choice, name, document_.revision(), {}};
+    std::erase_if(looks_, [this](const Look& l) { return l.revision != document_.revision(); });
+    for (const Look& known : looks_)
+        if (known.choice == choice) {
+            lookDelay_.stop();
+            return document_.setPreview(known.traces ? std::optional<Document::Preview>({name, *known.traces})
+                                                     : std::nullopt);
+        }
+    lookDelay_.start(lookPause);
+}
+
+void RunController::leaveEffect() {
+    lookDelay_.stop();
+    look_.drop();
+    wanted_.reset();
+    document_.setPreview(std::nullopt);
+}
+
+void RunController::previewEffect() {
+    if (!wanted_ || !document_.canRun() || run_.isBusy()) return;
+    look_.start<Look>(
+        tr("Simulation"),
+        [look = *wanted_, study = document_.study(), options = options_](const Progress& progress) mutable {
+            const Outcome<EstimationTask> task = taskOf(study, options);
+            if (!task) return look;
+            if (const Outcome<ModelState> state = stateWith(*task, look.choice, options.discover, progress))
+                look.traces = tracesOf(*state);
+            return look;
+        },
+        [this](Look look) {
+            if (look.revision != document_.revision() || !wanted_ || !(wanted_->choice == look.choice)) return;
+            document_.setPreview(look.traces ? std::optional<Document::Preview>({look.name, *look.traces})
+                                             : std::nullopt);
+            if (!look.traces) Q_EMIT concluded(tr("%1 does nothing there that the data show.").arg(look.name));
+            if (looks_.size() >= keptLooks) looks_.erase(looks_.begin());
+            looks_.push_back(std::move(look));
+        });
 }
 
 void RunController::cancel() { run_.cancel(); }

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include "core/effect/preview.hpp"
 #include "ui/document/document.hpp"
 #include "ui/job/job.hpp"
 
@@ -20,6 +21,9 @@ public:
     void start(RunKind kind) { start(kind, options_); }
     /// A discovery that knows this kind of effect alone: what the model would be with it.
     void tryKind(const std::string& effectKind);
+    /// Works out what the traces would be with this effect and shows them until leaveEffect(); nothing is kept.
+    void lookAtEffect(const EffectChoice& choice, const QString& name);
+    void leaveEffect();
     void cancel();
     bool isRunning() const { return run_.isBusy(); }
     const JobRunner& job() const { return run_; }
@@ -30,10 +34,13 @@ Q_SIGNALS:
     void progressed(const analogon::Progress::Report& report);
     /// For the status line: "Fitted in 1.2 s".
     void concluded(const QString& sentence);
+    /// A fit was asked for, and no parameter is checked for it.
+    void parametersWanted();
 
 private:
     void start(RunKind kind, const RunOptions& options);
     void preview();
+    void previewEffect();
     /// Simulates the best values a fit has reported, a few times a second and beside it.
     void watch(const Progress::Report& report);
     void simulateBest();
@@ -51,6 +58,16 @@ private:
     QTimer liveDelay_;
     std::vector<Progress::Value> best_;                         // as last reported and not simulated yet
     std::shared_ptr<const Outcome<TraceSimulator>> simulator_;  // of the run; null: not compiled yet
+    JobRunner look_;                                            // works out what an effect would bring
+    QTimer lookDelay_;
+    struct Look {
+        EffectChoice choice;
+        QString name;
+        unsigned long revision{};               // of the study
+        std::optional<SimulatedTraces> traces;  // none: the effect does nothing there
+    };
+    std::optional<Look> wanted_;
+    std::vector<Look> looks_;  // the last ones
 };
 
 QString runName(RunKind kind);

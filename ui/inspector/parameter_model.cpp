@@ -57,9 +57,14 @@ void ParameterModel::setOnlyFitted(bool onlyFitted) {
 
 void ParameterModel::refresh() {
     std::vector<Row> rows;
+    isOfComponent_ = false;
     if (document_.isOpen()) {
+        const std::string own = component_.toStdString();
+        const auto isOwn = [&](const ParameterFact& f) { return f.name == own || f.name.starts_with(own + "."); };
+        const auto& facts = document_.facts().parameters;
+        isOfComponent_ = !own.empty() && std::any_of(facts.begin(), facts.end(), isOwn);
         const ModelState* after = document_.after();
-        for (const ParameterFact& fact : document_.facts().parameters) {
+        for (const ParameterFact& fact : facts) {
             Row row{fact.name, fact.unit, fact.description, document_.parameterValue(fact.name), {}, nullptr};
             const auto setting = document_.study().parameters.find(fact.name);
             if (setting != document_.study().parameters.end()) row.setting = setting->second;
@@ -67,7 +72,7 @@ void ParameterModel::refresh() {
                 for (const FitEstimate& e : after->parameters)
                     if (e.name == fact.name && e.experiment < 0) row.estimate = &e;
             const QString name = QString::fromStdString(fact.name);
-            const bool isShown = (component_.isEmpty() || name.startsWith(component_ + ".") || name == component_) &&
+            const bool isShown = (!isOfComponent_ || isOwn(fact)) &&
                                  (filter_.isEmpty() || name.contains(filter_, Qt::CaseInsensitive)) &&
                                  (!onlyFitted_ || (row.setting && row.setting->fit));
             if (isShown) rows.push_back(std::move(row));

@@ -22,8 +22,9 @@ public:
 
     explicit ParameterModel(Document& document, QObject* parent = nullptr);
 
-    /// Only the parameters of this component; empty: all.
+    /// Only the parameters of this component; empty, or where it has none: all.
     void setComponent(const QString& component);
+    bool isOfComponent() const { return isOfComponent_; }
     /// Only names that contain the text.
     void setFilter(const QString& text);
     void setOnlyFitted(bool onlyFitted);
@@ -61,7 +62,7 @@ private:
     std::vector<Row> rows_;
     std::map<std::string, std::string> units_;  // parameter: the unit the user chose to see it in
     QString component_, filter_;
-    bool onlyFitted_{};
+    bool onlyFitted_{}, isOfComponent_{};
 };
 
 /// A number as an engineer writes it: 5 significant digits, no trailing zeros.

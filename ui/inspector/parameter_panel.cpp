@@ -173,19 +173,35 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
 void ParameterPanel::showComponent(const QString& component) {
     component_ = component;
     model_->setComponent(component);
-    chip_->setText(component);
-    chip_->setVisible(!component.isEmpty());
     updateState();
 }
 
+/// Names give way to figures; where even then not all figures are seen, the table scrolls and nothing gives way.
+void ParameterPanel::fitColumns() {
+    QHeaderView* header = table_->horizontalHeader();
+    int figures = 0;
+    for (int c = 1; c < header->count(); ++c) figures += header->sectionSize(c);
+    const int names = static_cast<QAbstractItemView*>(table_)->sizeHintForColumn(0);
+    const bool scrolls = table_->viewport()->width() - figures < names / 2;
+    header->setSectionResizeMode(0, scrolls ? QHeaderView::ResizeToContents : QHeaderView::Stretch);
+}
+
+void ParameterPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitColumns();
+}
+
 void ParameterPanel::updateState() {
-    if (model_->rowCount() > 0) return pages_->setCurrentWidget(table_);
+    chip_->setText(component_);
+    chip_->setVisible(model_->isOfComponent());
+    if (model_->rowCount() > 0) {
+        fitColumns();
+        return pages_->setCurrentWidget(table_);
+    }
     if (!document_.isOpen())
         empty_->setText(tr("The parameters of the open study appear here."));
     else if (document_.definition() && document_.diagram().blocks.empty())
         empty_->setText(tr("Place a block: its parameters appear here."));
-    else if (!component_.isEmpty())
-        empty_->setText(tr("%1 has no parameters.").arg(component_));
     else if (!search_->text().isEmpty() || onlyFitted_->isChecked())
         empty_->setText(tr("No parameter matches. Clear the search or the filter."));
     else

@@ -24,8 +24,12 @@ public:
     QTableView* table() const { return table_; }
     ParameterModel* model() const { return model_; }
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void updateState();
+    void fitColumns();
 
     Document& document_;
     ParameterModel* model_;

@@ -99,10 +99,17 @@ void LibraryModel::setLibrary(const Library& library, const std::string& hidden)
         for (std::size_t i = 0; i < node.children.size(); ++i) node.children[i]->row = static_cast<int>(i);
     };
     tidy(*root_);
-    if (root_->children.size() == 1 && root_->children.front()->isPackage) {
-        auto only = std::move(root_->children.front());
-        root_ = std::move(only);
-        root_->parent = nullptr;
+    auto& top = root_->children;
+    const auto shipped =
+        std::find_if(top.begin(), top.end(), [](const auto& n) { return n->isPackage && n->className == "Analogon"; });
+    if (shipped != top.end()) {  // the study's own classes stand before it
+        const auto package = std::move(*shipped);
+        top.erase(shipped);
+        for (auto& child : package->children) {
+            child->parent = root_.get();
+            top.push_back(std::move(child));
+        }
+        for (std::size_t i = 0; i < top.size(); ++i) top[i]->row = static_cast<int>(i);
     }
     endResetModel();
 }

@@ -19,10 +19,13 @@ public:
         setFocusPolicy(Qt::TabFocus);
         setCursor(Qt::PointingHandCursor);
         setToolTip(tr("Click to hide or show this trace"));
-        setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+        // the last one may have a long name: it takes what is left, and the plot keeps its place
+        setSizePolicy(role == TraceRole::After ? QSizePolicy::Preferred : QSizePolicy::Maximum, QSizePolicy::Fixed);
     }
     TraceRole role() const { return role_; }
-    QSize sizeHint() const override {
+    QSize minimumSizeHint() const override { return wholeSize().boundedTo({least, wholeSize().height()}); }
+    QSize sizeHint() const override { return role_ == TraceRole::After ? minimumSizeHint() : wholeSize(); }
+    QSize wholeSize() const {
         const QFontMetrics metrics(font());
         return {metrics.horizontalAdvance(text()) + swatch + 3 * style::unit, metrics.height() + style::unit};
     }
@@ -38,7 +41,9 @@ protected:
         const double middle = height() / 2.0;
         painter.drawLine(QPointF(2, middle), QPointF(swatch - 2, middle));
         painter.setPen(ink);
-        painter.drawText(rect().adjusted(swatch + style::unit, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, text());
+        const QRect room = rect().adjusted(swatch + style::unit, 0, 0, 0);
+        painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft,
+                         fontMetrics().elidedText(text(), Qt::ElideMiddle, room.width()));  // the figure stands last
         if (hasFocus()) {
             painter.setPen(style::accent(palette()));
             painter.drawLine(swatch + style::unit, height() - 1, width() - 2 * style::unit, height() - 1);
@@ -46,7 +51,7 @@ protected:
     }
 
 private:
-    static constexpr int swatch = 18;
+    static constexpr int swatch = 18, least = 56;
     TraceRole role_;
 };
 
@@ -64,7 +69,7 @@ OutputPlot::OutputPlot(QWidget* parent)
     for (const TraceRole role : {TraceRole::Measured, TraceRole::Before, TraceRole::After}) {
         auto* entry = new LegendEntry(role, this);
         legend_.push_back(entry);
-        heading->addWidget(entry);
+        heading->addWidget(entry, role == TraceRole::After ? 1000 : 0);
         connect(entry, &QAbstractButton::toggled, this, [this, role](bool isShown) {
             values_->setVisible(role, isShown);
             residual_->setVisible(role, isShown);
@@ -100,6 +105,7 @@ void OutputPlot::setLegend(TraceRole role, const QString& text) {
         if (entry->role() != role) continue;
         entry->setText(text);
         entry->setVisible(!text.isEmpty());
+        entry->setMaximumWidth(entry->wholeSize().width());
         entry->updateGeometry();
     }
 }

@@ -92,12 +92,16 @@ PlotPanel::PlotPanel(Document& document, QWidget* parent)
     connect(traceView_, &QToolButton::clicked, this, [this] { showView(false); });
     connect(residualView_, &QToolButton::clicked, this, [this] { showView(true); });
     connect(export_, &QToolButton::clicked, this, &PlotPanel::askWhereToExport);
-    auto* bar = new QHBoxLayout;
-    bar->setContentsMargins(0, 0, 2 * style::unit, 0);
-    bar->setSpacing(style::unit);
-    bar->addWidget(experiments_, 1);
-    for (QToolButton* b : {traceView_, residualView_, trim_, untrim_, export_}) bar->addWidget(b);
-    layout->addLayout(bar);
+    bar_ = new QHBoxLayout;
+    bar_->setContentsMargins(0, 0, 2 * style::unit, 0);
+    bar_->setSpacing(style::unit);
+    bar_->addWidget(experiments_, 1);
+    buttons_ = new QHBoxLayout;
+    buttons_->setSpacing(style::unit);
+    for (QToolButton* b : {traceView_, residualView_, trim_, untrim_, export_}) buttons_->addWidget(b);
+    buttons_->addStretch(1);
+    bar_->addLayout(buttons_);
+    layout->addLayout(bar_);
     layout->addLayout(pages_, 1);
     pages_->addWidget(empty_);
     pages_->addWidget(area_);
@@ -109,6 +113,21 @@ PlotPanel::PlotPanel(Document& document, QWidget* parent)
         if (names_.empty()) rebuild();
     });
     refresh();
+}
+
+QSize PlotPanel::minimumSizeHint() const {
+    return {buttons_->minimumSize().width() + 2 * style::unit, QWidget::minimumSizeHint().height()};
+}
+
+void PlotPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    arrangeBar();
+}
+
+/// Where tabs and buttons have no room side by side, the buttons stand below.
+void PlotPanel::arrangeBar() {
+    const bool fits = experiments_->minimumSizeHint().width() + buttons_->minimumSize().width() + 20 <= width();
+    bar_->setDirection(fits ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
 
 void PlotPanel::showExperiment(const QString& name) {
@@ -138,6 +157,7 @@ void PlotPanel::refresh() {
     for (QWidget* w : std::initializer_list<QWidget*>{experiments_, traceView_, residualView_, trim_, export_})
         w->setVisible(!names_.empty());
     rebuild();
+    arrangeBar();
 }
 
 void PlotPanel::rebuild() {
@@ -222,7 +242,7 @@ void PlotPanel::rebuild() {
         to_ = last_;
     }
     setTimeRange(from_, to_);
-    if (document_.liveTraces()) showLive();
+    if (document_.liveTraces() || document_.preview()) showLive();
     const StudyExperiment* shown = shownExperiment();
     untrim_->setVisible(shown && shown->range);
     pages_->setCurrentWidget(area_);
@@ -230,13 +250,15 @@ void PlotPanel::rebuild() {
 
 void PlotPanel::showLive() {
     const SimulatedTraces* live = document_.liveTraces();
-    if (!live) return rebuild();
-    for (const SimulatedExperiment& experiment : live->experiments) {
+    const Document::Preview* preview = live ? nullptr : document_.preview();
+    if (!live && !preview) return rebuild();
+    const QString word = live ? tr("best so far") : tr("with %1").arg(preview->name);
+    for (const SimulatedExperiment& experiment : (live ? *live : preview->traces).experiments) {
         if (QString::fromStdString(experiment.name) != shown_) continue;
         for (const SimulatedTrace& trace : experiment.outputs)
             for (OutputPlot* plot : plots_)
                 if (plot->content().name == QString::fromStdString(trace.output))
-                    plot->showAfter(trace.values, tr("best so far") + " " + percent(trace.errorPercent));
+                    plot->showAfter(trace.values, word + " " + percent(trace.errorPercent));
     }
 }
 

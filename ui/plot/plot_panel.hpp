@@ -8,6 +8,7 @@
 #include "ui/job/job.hpp"
 #include "ui/plot/time_plot.hpp"
 
+class QHBoxLayout;
 class QLabel;
 class QToolButton;
 class QScrollArea;
@@ -43,13 +44,18 @@ public:
     QToolButton* trimButton() const { return trim_; }
     /// What is shown as a picture (png, svg) or as numbers (csv), by the ending of the file; tells how it went.
     void exportTo(const QString& file);
+    QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
     void told(const QString& sentence);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void refresh();
     void rebuild();
+    void arrangeBar();
     /// The best so far of a fit that runs, a few times a second: only the trace that moves is drawn anew.
     void showLive();
     void setTimeRange(double from, double to);
@@ -67,6 +73,7 @@ private:
 
     Document& document_;
     QTabBar* experiments_;
+    QHBoxLayout *bar_, *buttons_;
     QStackedLayout* pages_;
     QLabel* empty_;
     QScrollArea* area_;

@@ -5,6 +5,8 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMenuBar>
+#include <QScreen>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabWidget>
@@ -68,6 +70,17 @@ private:
     bool isCollapsed_{};
 };
 
+/// A panel that is as high as its content wants, or scrolls.
+QScrollArea* scrolling(QWidget* panel) {
+    auto* area = new QScrollArea;
+    area->setWidget(panel);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setMinimumWidth(panel->minimumSizeHint().width());
+    return area;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(QWidget* parent)
@@ -87,8 +100,8 @@ MainWindow::MainWindow(QWidget* parent)
     createMenus();
     createToolBar();
     connectPanels();
-    resize(1440, 900);
-    resetLayout();
+    resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
+    arrangeDocks();
     restoreLayout();
     showStudy();
 }
@@ -128,7 +141,7 @@ void MainWindow::createPanels() {
     parameterDock_ = addDock("parameters", tr("Parameters"), parameters_, Qt::RightDockWidgetArea);
     resultDock_ = addDock("result", tr("Result"), results_, Qt::RightDockWidgetArea);
     runs_ = new FitPanel(*document_, *controller_);
-    runDock_ = addDock("runs", tr("Runs"), runs_, Qt::RightDockWidgetArea);
+    runDock_ = addDock("runs", tr("Runs"), scrolling(runs_), Qt::RightDockWidgetArea);
     plotDock_ = addDock("traces", tr("Measured and simulated"), plots_, Qt::BottomDockWidgetArea);
     messageDock_ = addDock("messages", tr("Messages"), messages_, Qt::BottomDockWidgetArea);
 }
@@ -393,6 +406,23 @@ void MainWindow::connectPanels() {
     });
     connect(controller_, &RunController::concluded, statusBar(),
             [this](const QString& s) { statusBar()->showMessage(s); });
+    connect(controller_, &RunController::parametersWanted, this, [this] {
+        scene_->clearSelection();  // those of every block
+        parameterDock_->show();
+        parameterDock_->raise();
+        parameters_->table()->setFocus();
+    });
+    // The guide is read over the whole height.
+    connect(centre_, &QTabWidget::currentChanged, this, [this] {
+        const bool isReading = guide_ && centre_->currentWidget() == guide_;
+        if (isReading == isReadingGuide_) return;
+        isReadingGuide_ = isReading;
+        if (isReading) besideGuide_.clear();
+        for (QDockWidget* dock : {plotDock_, messageDock_})
+            if (isReading && !dock->isHidden() && !dock->isFloating()) besideGuide_ << dock;
+        for (QDockWidget* dock : besideGuide_) dock->setVisible(!isReading);
+        if (!isReading && besideGuide_.contains(plotDock_)) plotDock_->raise();
+    });
     connect(measurements_, &MeasurementPanel::experimentChosen, plots_, &PlotPanel::showExperiment);
     connect(scene_, &DiagramScene::blockSelected, this,
             [this](const QString& block) { parameters_->showComponent(wholeName(block)); });
@@ -408,6 +438,8 @@ void MainWindow::connectPanels() {
     });
     connect(results_, &ResultPanel::placePointedAt, this,
             [this](const QString& place) { scene_->pointOut(place.toStdString()); });
+    connect(results_, &ResultPanel::effectLookedAt, controller_, &RunController::lookAtEffect);
+    connect(results_, &ResultPanel::effectLeft, controller_, &RunController::leaveEffect);
     connect(messages_, &MessagePanel::placeChosen, this, &MainWindow::showPlace);
     connect(messages_, &MessagePanel::countChanged, this, [this](int errors, int others) {
         const int count = errors + others;
@@ -444,13 +476,24 @@ void MainWindow::connectPanels() {
             [this](const Recovered& recovered) { document_->openRecovered(recovered.file, recovered.path); });
 }
 
-void MainWindow::resetLayout() {
+/// A screen of 1280 x 720 pixels at 150 % leaves 853 x 480.
+bool MainWindow::isSmall() const { return width() < 1000 || height() < 640; }
+
+/// Where there is little room, panels that else stand one above the other share one place by tabs.
+void MainWindow::arrangeDocks() {
+    isCompact_ = isSmall();
+    const auto join = [this](QDockWidget* first, QDockWidget* second) {
+        if (isCompact_)
+            tabifyDockWidget(first, second);
+        else
+            splitDockWidget(first, second, Qt::Vertical);
+    };
     addDockWidget(Qt::LeftDockWidgetArea, libraryDock_);
     addDockWidget(Qt::LeftDockWidgetArea, measurementDock_);
-    splitDockWidget(libraryDock_, measurementDock_, Qt::Vertical);
+    join(libraryDock_, measurementDock_);
     addDockWidget(Qt::RightDockWidgetArea, parameterDock_);
     addDockWidget(Qt::RightDockWidgetArea, resultDock_);
-    splitDockWidget(parameterDock_, resultDock_, Qt::Vertical);
+    join(parameterDock_, resultDock_);
     addDockWidget(Qt::BottomDockWidgetArea, plotDock_);
     addDockWidget(Qt::BottomDockWidgetArea, messageDock_);
     tabifyDockWidget(plotDock_, messageDock_);
@@ -458,29 +501,41 @@ void MainWindow::resetLayout() {
     addDockWidget(Qt::RightDockWidgetArea, runDock_);
     tabifyDockWidget(resultDock_, runDock_);
     resultDock_->raise();
+    libraryDock_->raise();
     isLayoutFresh_ = true;
+}
+
+void MainWindow::resetLayout() {
+    arrangeDocks();
     if (document_->isOpen()) showStudy();
 }
 
 /// Sizes only hold for docks that are shown, so they wait for the first study.
 void MainWindow::sizeDocks() {
-    const int left = std::max(264, measurements_->minimumSizeHint().width());
-    resizeDocks({measurementDock_, parameterDock_}, {left, std::clamp(width() - left - 600, 360, 640)}, Qt::Horizontal);
-    resizeDocks({libraryDock_, measurementDock_}, {2, 3}, Qt::Vertical);
-    resizeDocks({plotDock_}, {410}, Qt::Vertical);
-    resizeDocks({parameterDock_, resultDock_}, {2, 3}, Qt::Vertical);
+    const int left = std::max(isCompact_ ? 0 : 264, measurements_->minimumSizeHint().width());
+    const int right = isCompact_ ? width() - left - 380 : std::clamp(width() - left - 600, 360, 640);
+    resizeDocks({measurementDock_, parameterDock_}, {left, right}, Qt::Horizontal);
+    resizeDocks({plotDock_}, {std::min(410, height() * 45 / 100)}, Qt::Vertical);
+    if (!isCompact_) {
+        resizeDocks({libraryDock_, measurementDock_}, {2, 3}, Qt::Vertical);
+        resizeDocks({parameterDock_, resultDock_}, {2, 3}, Qt::Vertical);
+    }
     isLayoutFresh_ = false;
 }
 
+/// A laptop that is plugged into a large screen has two layouts.
+QString MainWindow::layoutKey() const { return isCompact_ ? "window/small-state" : "window/state"; }
+
 void MainWindow::restoreLayout() {
     restoreGeometry(settings_.value("window/geometry").toByteArray());
-    if (restoreState(settings_.value("window/state").toByteArray(), layoutVersion)) isLayoutFresh_ = false;
+    if (isSmall() != isCompact_) arrangeDocks();
+    if (restoreState(settings_.value(layoutKey()).toByteArray(), layoutVersion)) isLayoutFresh_ = false;
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (document_->isOpen()) {  // the start page hides the docks: nothing worth remembering
         settings_.setValue("window/geometry", saveGeometry());
-        settings_.setValue("window/state", saveState(layoutVersion));
+        settings_.setValue(layoutKey(), saveState(layoutVersion));
     }
     if (document_->isModified() && !mayClose_) {
         event->ignore();
@@ -532,6 +587,7 @@ void MainWindow::startNew() { document_->startNew(tr("Untitled")); }
 void MainWindow::showStudy() {
     const bool isOpen = document_->isOpen();
     pages_->setCurrentWidget(isOpen ? static_cast<QWidget*>(centre_) : start_);
+    if (isOpen && isLayoutFresh_ && isSmall() != isCompact_) arrangeDocks();
     for (QDockWidget* dock : docks()) dock->setVisible(isOpen);
     if (isOpen) {
         if (isLayoutFresh_) sizeDocks();

@@ -74,7 +74,10 @@ private:
     void connectPanels();
     void restoreLayout();
     void resetLayout();
+    bool isSmall() const;
+    void arrangeDocks();
     void sizeDocks();
+    QString layoutKey() const;
 
     void updateActions();
     void updateTitle();
@@ -128,6 +131,9 @@ private:
     PlotPanel* plots_{};
     MessagePanel* messages_{};
     RunBar* runBar_{};
+    QList<QDockWidget*> besideGuide_;  // what comes back when it is left
+    bool isReadingGuide_{};
+    bool isCompact_{};  // as the docks were arranged
     bool isLayoutFresh_{true};
     QDockWidget *libraryDock_{}, *measurementDock_{}, *parameterDock_{}, *resultDock_{}, *runDock_{}, *plotDock_{},
         *messageDock_{};

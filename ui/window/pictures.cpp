@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSettings>
 #include <QStatusBar>
 #include <QTabWidget>
@@ -21,6 +22,7 @@
 #include "ui/canvas/diagram_view.hpp"
 #include "ui/document/composer.hpp"
 #include "ui/document/document.hpp"
+#include "ui/effect/result_panel.hpp"
 #include "ui/fit/fit_panel.hpp"
 #include "ui/fit/run_controller.hpp"
 #include "ui/measurement/import_panel.hpp"
@@ -103,6 +105,7 @@ public:
         settle();
         take(window, "09-found");
         if (!document.finding()) return false;
+        takePreview(window);
         document.adoptCompleted("picture");
         const std::string added =
             document.finding()->effects.empty() ? "" : document.finding()->effects.front().instance;
@@ -133,10 +136,24 @@ public:
             if (action->shortcut() == QKeySequence(QKeySequence::HelpContents)) action->trigger();
         settle(2500);  // its pictures come a moment later
         take(window, "14-guide");
-        return takeGroup(examples.front().path) && isWhole_;
+        return takeGroup(examples.front().path) && takeSmall(examples.front().path) && isWhole_;
     }
 
 private:
+    /// The second of the effects that were tried, as one looks at it.
+    void takePreview(MainWindow& window) {
+        auto* results = window.findChild<ResultPanel*>();
+        QTreeWidget* list = results->candidates();
+        if (!list || list->topLevelItemCount() < 2) return;
+        list->setCurrentItem(list->topLevelItem(1));
+        waitFor([&] { return window.document().preview() != nullptr; }, 20000);
+        results->verticalScrollBar()->setValue(list->y() - results->viewport()->height() / 3);
+        settle();
+        take(window, "09-preview");
+        list->setCurrentItem(nullptr);
+        results->verticalScrollBar()->setValue(0);
+        settle();
+    }
     bool takeGroup(const QString& example) {
         MainWindow window;
         window.resize(1440, 900);
@@ -148,6 +165,16 @@ private:
         settle(1000);
         take(window, "15-inside-a-group");
         return !document.levels().empty();
+    }
+    bool takeSmall(const QString& example) {
+        MainWindow window;
+        window.resize(853, 480);
+        window.show();
+        window.open(example);
+        if (!waitFor([&] { return window.document().isOpen() && window.document().before(); })) return false;
+        settle(300);
+        take(window, "16-small-screen");
+        return true;
     }
     void take(MainWindow& window, const QString& name) {
         window.statusBar()->clearMessage();  // it tells how fast this machine is: no part of the picture

@@ -1,0 +1,50 @@
+#include "core/effect/preview.hpp"
+
+#include <algorithm>
+
+#include "core/effect/model_state.hpp"
+#include "core/effect/thin.hpp"
+#include "core/effect/trial.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr int firstLookIterations = 12;
+constexpr double firstLookTolerance = 1e-6;
+constexpr long mostFittedSamples = 6000;  // that are fitted; the traces are simulated on all
+
+Outcome<Candidate> candidateOf(const Variant& variant, const EffectChoice& choice) {
+    Outcome<std::vector<EffectClass>> catalogue = effectCatalogue(variant.task.library);
+    if (!catalogue) return catalogue.diagnostics();
+    std::erase_if(*catalogue, [&](const EffectClass& e) { return e.className != choice.className; });
+    Outcome<std::vector<Candidate>> candidates = candidatesFor(variant, *catalogue);
+    if (!candidates) return candidates.diagnostics();
+    for (Candidate& c : *candidates)
+        if (c.place.at == choice.at) return std::move(c);
+    return error("this effect has no such place in the model");
+}
+
+}  // namespace
+
+Outcome<ModelState> stateWith(const EstimationTask& task, const EffectChoice& choice, const DiscoverOptions& options,
+                              const Progress& progress) {
+    const Variant base{thinned(task, thinningFor(task, mostFittedSamples)), {}, {}};
+    const Outcome<Candidate> candidate = candidateOf(base, choice);
+    if (!candidate) return candidate.diagnostics();
+    FitOptions quick = options.fit;
+    quick.maxIterations = firstLookIterations;
+    quick.costTolerance = firstLookTolerance;
+    const Outcome<NullModel> null = fitNull(base, {}, NoiseLevel::Estimate, quick, progress);
+    if (!null) return null.diagnostics();
+    quick.simulation = limited(*null, quick.simulation);
+    const Screened screened = screen(*null, *candidate, quick.simulation, progress);
+    if (!screened.failure.empty()) return numericalError(screened.failure, {});
+    const Trial trial = refit(*null, screened, quick, 1, progress);
+    if (!trial.ok)
+        return numericalError(trial.failure.empty() ? "the data do not show this effect" : trial.failure, {});
+    Outcome<Variant> whole = withEffects(Variant{task, {}, {}}, trial.variant.effects, trial.variant.values);
+    if (!whole) return whole.diagnostics();
+    return stateOf(*whole, trial.fit, options.fit.simulation, progress);
+}
+
+}  // namespace analogon
