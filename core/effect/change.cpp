@@ -84,19 +84,17 @@ std::optional<Change> fitted(const NullModel& null, const Change& likely, const 
     step.experiment = moment.experiment = likely.experiment;
     variant.task.parameters.push_back(step);
     variant.task.parameters.push_back(moment);
-    Outcome<PreparedTask> prepared = prepareAt(variant, null.noise);
-    if (!prepared) return std::nullopt;
-    FitResult result = fit(prepared->problem, options, progress);
-    if (!result.optimum.ok) return std::nullopt;
+    std::optional<FitResult> result = fitBeside(null, variant, options, progress);
+    if (!result) return std::nullopt;
     Change change = likely;
-    for (const FitEstimate& e : result.estimates) {
+    for (const FitEstimate& e : result->estimates) {
         if (e.name == likely.parameter) change.before = e.value;
         if (e.name == step.name) change.after = e.value;
         if (e.name == moment.name) change.time = e.value;
     }
     change.after += change.before;
-    change.explained = null.sumOfSquares() - result.optimum.residuals.squaredNorm();
-    change.fit = std::move(result);
+    change.explained = null.sumOfSquares() - result->optimum.residuals.squaredNorm();
+    change.fit = std::move(*result);
     return change;
 }
 

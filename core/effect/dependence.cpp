@@ -84,17 +84,15 @@ std::optional<Dependence> fitted(const NullModel& null, const Channel& channel, 
     slope.name = slopeOf(estimate.name);
     slope.start = likely.slope;
     variant.task.parameters.push_back(slope);
-    Outcome<PreparedTask> prepared = prepareAt(variant, null.noise);
-    if (!prepared) return std::nullopt;
-    FitResult result = fit(prepared->problem, options, progress);
-    if (!result.optimum.ok) return std::nullopt;
+    std::optional<FitResult> result = fitBeside(null, variant, options, progress);
+    if (!result) return std::nullopt;
     Dependence dependence{estimate.name, channel.name, 0, 0, channel.middle, channel.range, 0, {}};
-    for (const FitEstimate& e : result.estimates) {
+    for (const FitEstimate& e : result->estimates) {
         if (e.name == estimate.name) dependence.value = e.value;
         if (e.name == slope.name) dependence.slope = e.value;
     }
-    dependence.explained = null.sumOfSquares() - result.optimum.residuals.squaredNorm();
-    dependence.fit = std::move(result);
+    dependence.explained = null.sumOfSquares() - result->optimum.residuals.squaredNorm();
+    dependence.fit = std::move(*result);
     return dependence;
 }
 

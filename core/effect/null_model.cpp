@@ -59,6 +59,15 @@ Outcome<NullModel> fitNull(const Variant& start, const std::vector<Eigen::Vector
     return null;
 }
 
+std::optional<FitResult> fitBeside(const NullModel& null, const Variant& variant, const FitOptions& options,
+                                   const Progress& progress) {
+    const Outcome<PreparedTask> prepared = prepareAt(variant, null.noise);
+    if (!prepared) return std::nullopt;
+    FitResult result = fit(prepared->problem, options, progress);
+    if (!result.optimum.ok) return std::nullopt;
+    return result;
+}
+
 double levelOf(const FitResult& fit) {
     return std::sqrt(fit.optimum.residuals.squaredNorm() / static_cast<double>(fit.optimum.residuals.size()));
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "core/base/progress.hpp"
 #include "core/effect/score.hpp"
 #include "core/effect/variant.hpp"
@@ -37,6 +39,10 @@ enum class NoiseLevel { Keep, Estimate };
 /// Fits a variant from its values. `noise`: standard deviations as in NullModel; empty: not known yet.
 Outcome<NullModel> fitNull(const Variant& start, const std::vector<Eigen::VectorXd>& noise, NoiseLevel level,
                            const FitOptions& options, const Progress& progress);
+
+/// A variant fitted beside the noise of a model; nothing where that cannot be done.
+std::optional<FitResult> fitBeside(const NullModel& null, const Variant& variant, const FitOptions& options,
+                                   const Progress& progress);
 
 /// What a fit leaves, in units of the noise.
 double levelOf(const FitResult& fit);
