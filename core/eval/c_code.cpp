@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "core/eval/c/equations_text.hpp"
+#include "core/eval/equations_text.hpp"
 #include "core/eval/system_builder.hpp"
 
 namespace analogon {
