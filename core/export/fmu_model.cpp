@@ -185,7 +185,8 @@ std::string modelDocumentation(const FmuModel& model) {
         "<h2>Use</h2>\n<p>Between two communication points inputs are held, or run linearly where their first "
         "derivatives are given (fmi2SetRealInputDerivatives), as they do between the samples of a recording. The step "
         "is integrated with a step size control of its own (RODAS, L-stable, order 4) to the tolerance of the "
-        "experiment.</p>\n";
+        "experiment; it stops where relations switch, and follows them where they hold the motion (dry friction at "
+        "rest).</p>\n";
     if (!model.hasModelExchange)
         text +=
             "<p>The equations need the past of a signal or the rate of an input, which Model Exchange does not "

@@ -21,6 +21,20 @@ typedef struct {
     double *time, *value;
 } History;
 
+/* The surfaces on which relations switch and that hold the motion between them. */
+typedef struct {
+    int count, hasDistances;
+    int root[AT_LEAST_ONE(ROOTS)];        /* its place among the root functions */
+    double distance[AT_LEAST_ONE(ROOTS)]; /* |r| at which the relations are clearly decided */
+    double share[AT_LEAST_ONE(ROOTS)];    /* of the far side in the mean */
+    double gradient[AT_LEAST_ONE(ROOTS * STATES)], back[AT_LEAST_ONE(ROOTS * STATES)];
+    double change[AT_LEAST_ONE(ROOTS * STATES)], matrix[AT_LEAST_ONE(ROOTS * ROOTS)];
+    double r[AT_LEAST_ONE(ROOTS)], along[AT_LEAST_ONE(ROOTS)], scale[AT_LEAST_ONE(ROOTS)];
+    double above[AT_LEAST_ONE(ROOTS)], below[AT_LEAST_ONE(ROOTS)];
+    double onto[AT_LEAST_ONE(STATES)], beside[AT_LEAST_ONE(STATES)], rate[AT_LEAST_ONE(STATES)];
+    int pivots[AT_LEAST_ONE(ROOTS)];
+} Sliding;
+
 /* Who runs the instance. */
 typedef struct {
     fmi2CallbackFunctions callbacks;
@@ -48,6 +62,7 @@ typedef struct {
     History inputs[AT_LEAST_ONE(DELAYS > 0 ? INPUTS : 0)], taps[AT_LEAST_ONE(TAPS)];
 
     double step; /* of the integrator, as the last one suggests */
+    Sliding sliding;
     double jacobian[AT_LEAST_ONE(STATES * STATES)], matrix[AT_LEAST_ONE(STATES * STATES)];
     double scale[AT_LEAST_ONE(STATES)];
     int pivots[AT_LEAST_ONE(STATES)];
@@ -55,6 +70,7 @@ typedef struct {
     double rate[AT_LEAST_ONE(STATES)], moved[AT_LEAST_ONE(STATES)], at[AT_LEAST_ONE(STATES)];
     double along[AT_LEAST_ONE(STATES)], next[AT_LEAST_ONE(STATES)];
     double rootBefore[AT_LEAST_ONE(ROOTS)], rootAfter[AT_LEAST_ONE(ROOTS)];
+    unsigned char isTouched[AT_LEAST_ONE(ROOTS)]; /* switched at the end of a step or on the way */
 } Instance;
 
 /* ---- messages and memory ---- */
@@ -210,9 +226,187 @@ static int prepare(Instance* m) {
     return 1;
 }
 
-static int ratesAt(Instance* m, double t, const double* x, double* xdot) {
+static int fieldAt(Instance* m, double t, const double* x, double* xdot) {
     setSlots(m, t);
     return derivatives(&m->equations, t, x, m->slots, xdot);
+}
+
+static int relationsAt(Instance* m, double t, const double* x, double* values) {
+    setSlots(m, t);
+    return roots(&m->equations, t, x, m->slots, values);
+}
+
+/* ---- motion along switching surfaces (Co-Simulation) ----
+   A brake that holds, a thermostat that would chatter: where the field on either side leads back to the surface, the
+   motion follows the mean of both that stays on it (Filippov, Differential Equations with Discontinuous Righthand
+   Sides, 1988). With several surfaces at a time the field on the side r > 0 of all is taken, and what crossing each of
+   them alone changes. */
+
+/* The point on all surfaces, moved to the side r > 0 of them; of one (-1: none) to the other side. */
+static const double* besideSurfaces(Sliding* s, int other) {
+    int i, j;
+    for (i = 0; i < STATES; ++i) {
+        s->beside[i] = s->onto[i];
+        for (j = 0; j < s->count; ++j) s->beside[i] += (j == other ? -1 : 1) * s->distance[j] * s->back[j * STATES + i];
+    }
+    return s->beside;
+}
+
+/* Distances at which every relation is seen from its side in spite of rounding. */
+static int findDistances(Instance* m, double t) {
+    Sliding* const s = &m->sliding;
+    int i, j, other, tries;
+    for (j = 0; j < s->count; ++j) {
+        double size = 0;
+        for (i = 0; i < STATES; ++i) size += fabs(s->gradient[j * STATES + i]) * (fabs(s->onto[i]) + stateNominal[i]);
+        s->distance[j] = 64 * DBL_EPSILON * size;
+    }
+    for (tries = 0; tries < 8; ++tries) {
+        int isClear = 1;
+        for (other = -1; other < s->count; ++other) {
+            if (!relationsAt(m, t, besideSurfaces(s, other), s->above)) return 0;
+            for (j = 0; j < s->count; ++j)
+                if ((j == other ? -1 : 1) * s->above[s->root[j]] < 0.25 * s->distance[j]) {
+                    isClear = 0;
+                    s->distance[j] *= 8;
+                }
+        }
+        if (isClear) return 1;
+    }
+    return 0;
+}
+
+/* The mean field; its shares and the point on the surfaces stay in m->sliding. What is left of r by rounding dies
+   away. */
+static int slidingField(Instance* m, double t, const double* x, double* mean) {
+    static const double decay = 100; /* [1/s] */
+    Sliding* const s = &m->sliding;
+    const int n = s->count;
+    const double shift = 1e-6 * fmax(fabs(t), 1e-3);
+    int i, j, k;
+    memcpy(s->beside, x, sizeof s->beside);
+    for (i = 0; i < STATES; ++i) {
+        /* Central differences: exact but for rounding where r is linear in the states, as it mostly is. */
+        const double size = ldexp(1.0, (int)floor(log2(fmax(fabs(x[i]), stateNominal[i])) + 0.5) - 10);
+        s->beside[i] = x[i] + size;
+        if (!relationsAt(m, t, s->beside, s->above)) return 0;
+        s->beside[i] = x[i] - size;
+        if (!relationsAt(m, t, s->beside, s->below)) return 0;
+        s->beside[i] = x[i];
+        for (j = 0; j < n; ++j)
+            s->gradient[j * STATES + i] = (s->above[s->root[j]] - s->below[s->root[j]]) / (2 * size);
+    }
+    if (!relationsAt(m, t + shift, x, s->above) || !relationsAt(m, t - shift, x, s->below)) return 0;
+    for (j = 0; j < n; ++j) s->along[j] = (s->above[s->root[j]] - s->below[s->root[j]]) / (2 * shift);
+    if (!relationsAt(m, t, x, s->above)) return 0;
+    for (j = 0; j < n; ++j) s->r[j] = s->above[s->root[j]];
+    /* The way back onto the surfaces, shortest in nominal values. */
+    for (j = 0; j < n; ++j)
+        for (k = 0; k < n; ++k) {
+            double sum = 0;
+            for (i = 0; i < STATES; ++i)
+                sum += s->gradient[j * STATES + i] * stateNominal[i] * stateNominal[i] * s->gradient[k * STATES + i];
+            s->matrix[j * n + k] = sum;
+        }
+    if (!factorise(s->matrix, s->pivots, s->scale, n)) return 0;
+    for (i = 0; i < STATES; ++i) {
+        for (j = 0; j < n; ++j) s->above[j] = stateNominal[i] * stateNominal[i] * s->gradient[j * STATES + i];
+        substitute(s->matrix, s->pivots, s->above, n);
+        s->onto[i] = x[i];
+        for (j = 0; j < n; ++j) {
+            s->back[j * STATES + i] = s->above[j];
+            s->onto[i] -= s->above[j] * s->r[j];
+        }
+    }
+    if (!s->hasDistances && !(s->hasDistances = findDistances(m, t))) return 0;
+
+    if (!fieldAt(m, t, besideSurfaces(s, -1), mean)) return 0;
+    for (j = 0; j < n; ++j) {
+        if (!fieldAt(m, t, besideSurfaces(s, j), s->rate)) return 0;
+        for (i = 0; i < STATES; ++i) s->change[j * STATES + i] = s->rate[i] - mean[i];
+    }
+    for (j = 0; j < n; ++j) {
+        s->share[j] = -s->along[j];
+        for (i = 0; i < STATES; ++i) s->share[j] -= s->gradient[j * STATES + i] * mean[i];
+        for (k = 0; k < n; ++k) {
+            double sum = 0;
+            for (i = 0; i < STATES; ++i) sum += s->gradient[j * STATES + i] * s->change[k * STATES + i];
+            s->matrix[j * n + k] = sum;
+            if (j == k && !(sum > 0)) return 0; /* leads away: no motion on the surface */
+        }
+    }
+    if (!factorise(s->matrix, s->pivots, s->scale, n)) return 0;
+    substitute(s->matrix, s->pivots, s->share, n);
+    for (i = 0; i < STATES; ++i)
+        for (j = 0; j < n; ++j)
+            mean[i] += s->share[j] * s->change[j * STATES + i] - decay * s->back[j * STATES + i] * s->r[j];
+    return allFinite(s->share, n) && allFinite(mean, STATES);
+}
+
+static int ratesAt(Instance* m, double t, const double* x, double* xdot) {
+    return m->sliding.count > 0 ? slidingField(m, t, x, xdot) : fieldAt(m, t, x, xdot);
+}
+
+/* The root functions; those of held surfaces are positive while the motion stays on them. */
+static int rootsAt(Instance* m, double t, const double* x, double* values) {
+    static const double leaveBeyond = 1e-8; /* a share this far beyond its end: the field clearly leads away */
+    double unused[AT_LEAST_ONE(STATES)];
+    Sliding* const s = &m->sliding;
+    int j;
+    if (!relationsAt(m, t, x, values)) return 0;
+    if (s->count == 0) return 1;
+    if (!slidingField(m, t, x, unused)) return 0;
+    for (j = 0; j < s->count; ++j) values[s->root[j]] = fmin(s->share[j], 1 - s->share[j]) + leaveBeyond;
+    return 1;
+}
+
+static int isHeld(const Sliding* s, int root) {
+    int j;
+    for (j = 0; j < s->count; ++j)
+        if (s->root[j] == root) return 1;
+    return 0;
+}
+
+/* Leaves the surfaces whose mean has come to one side; the state goes there, clear of the others. */
+static void leaveSurfaces(Instance* m, double t) {
+    static const double clearOf = 256;
+    double unused[AT_LEAST_ONE(STATES)];
+    Sliding* const s = &m->sliding;
+    const int count = s->count;
+    int i, j;
+    if (count == 0) return;
+    if (!slidingField(m, t, m->x, unused)) {
+        s->count = 0;
+        return;
+    }
+    s->count = 0;
+    for (j = 0; j < count; ++j) {
+        const double share = s->share[j];
+        if (share > 0 && share < 1) {
+            s->root[s->count++] = s->root[j];
+            continue;
+        }
+        for (i = 0; i < STATES; ++i)
+            m->x[i] += (share <= 0 ? 1 : -1) * clearOf * s->distance[j] * s->back[j * STATES + i];
+    }
+    s->hasDistances = 0;
+}
+
+/* Takes a surface among those that hold the motion, if it attracts from both sides. */
+static void joinSurface(Instance* m, double t, int root) {
+    double unused[AT_LEAST_ONE(STATES)];
+    Sliding* const s = &m->sliding;
+    int j, holds;
+    if (isHeld(s, root) || s->count == ROOTS) return;
+    s->root[s->count++] = root;
+    s->hasDistances = 0;
+    holds = slidingField(m, t, m->x, unused);
+    for (j = 0; j < s->count; ++j) holds = holds && s->share[j] > 0 && s->share[j] < 1;
+    if (holds)
+        memcpy(m->x, s->onto, sizeof m->x);
+    else
+        --s->count;
+    s->hasDistances = s->hasDistances && holds;
 }
 
 /* A delayed signal of the model's own is kept as it is now; before the start it has always been what it is there. */
@@ -278,32 +472,33 @@ static const double rodasC[6][5] = {
 static const double rodasTime[6] = {0, 0.386, 0.21, 0.63, 1, 1};
 static const double rodasD[6] = {0.25, -0.1043, 0.1035, -0.0362, 0, 0};
 
-static int rootsAt(Instance* m, double t, const double* x, double* values) {
-    setSlots(m, t);
-    return roots(&m->equations, t, x, m->slots, values);
+static int isCrossed(const Instance* m, int root) {
+    return m->rootBefore[root] != 0 && (m->rootBefore[root] > 0) != (m->rootAfter[root] > 0);
 }
 
-static int isSwitched(const Instance* m) {
+/* Notes the relations that are on their other side at a point of a step, those of held surfaces left out. */
+static int touch(Instance* m, double t, const double* x, int* isTouched) {
     int i;
+    *isTouched = 0;
+    if (ROOTS == 0) return 1;
+    if (!relationsAt(m, t, x, m->rootAfter)) return 0;
     for (i = 0; i < ROOTS; ++i)
-        if (m->rootBefore[i] != 0 && (m->rootBefore[i] > 0) != (m->rootAfter[i] > 0)) return 1;
-    return 0;
+        if (isCrossed(m, i) && !isHeld(&m->sliding, i)) *isTouched = m->isTouched[i] = 1;
+    return 1;
 }
 
 /* Jacobian and the rate of the rates in time, at (t, x) where the rates are m->rate. Differences stay on
    this side of every switch: across one they would say that the model is infinitely stiff. */
 static int linearise(Instance* m, double t, double h) {
     const double root = sqrt(DBL_EPSILON);
-    int i, j;
+    int i, j, isAcross;
     double later = t + root * fmax(fabs(t), h);
     memcpy(m->moved, m->x, sizeof m->moved);
     for (j = 0; j < STATES; ++j) {
         const double size = root * fmax(fabs(m->x[j]), stateNominal[j]);
         m->moved[j] = m->x[j] + (m->x[j] < 0 ? -size : size);
-        if (ROOTS > 0) {
-            if (!rootsAt(m, t, m->moved, m->rootAfter)) return 0;
-            if (isSwitched(m)) m->moved[j] = m->x[j] - (m->moved[j] - m->x[j]);
-        }
+        if (!touch(m, t, m->moved, &isAcross)) return 0;
+        if (isAcross) m->moved[j] = m->x[j] - (m->moved[j] - m->x[j]);
         if (!ratesAt(m, t, m->moved, m->along)) return 0;
         for (i = 0; i < STATES; ++i) m->jacobian[i * STATES + j] = (m->along[i] - m->rate[i]) / (m->moved[j] - m->x[j]);
         m->moved[j] = m->x[j];
@@ -315,7 +510,8 @@ static int linearise(Instance* m, double t, double h) {
 
 /* One step from (t, x) to m->next; *error: its estimated error over what is tolerated. */
 static int tryStep(Instance* m, double t, double h, double* error) {
-    int i, j, k;
+    int i, j, k, isAcross;
+    memset(m->isTouched, 0, sizeof m->isTouched);
     for (i = 0; i < STATES; ++i)
         for (j = 0; j < STATES; ++j)
             m->matrix[i * STATES + j] = (i == j ? 1 / (h * rodasGamma) : 0) - m->jacobian[i * STATES + j];
@@ -332,7 +528,7 @@ static int tryStep(Instance* m, double t, double h, double* error) {
         }
         if (k == 0)
             memcpy(stage, m->rate, sizeof m->rate);
-        else if (!ratesAt(m, t + rodasTime[k] * h, m->at, stage))
+        else if (!touch(m, t + rodasTime[k] * h, m->at, &isAcross) || !ratesAt(m, t + rodasTime[k] * h, m->at, stage))
             return 0;
         for (i = 0; i < STATES; ++i) {
             stage[i] += h * rodasD[k] * m->along[i];
@@ -350,9 +546,33 @@ static int tryStep(Instance* m, double t, double h, double* error) {
     return allFinite(m->next, STATES) && isfinite(*error);
 }
 
+/* The end of a step that was tried: its root functions and all that switched. */
+static int touchEnd(Instance* m, double t, int* isSwitched) {
+    int i;
+    *isSwitched = 0;
+    if (ROOTS == 0 || STATES == 0) return 1;
+    if (!rootsAt(m, t, m->next, m->rootAfter)) return 0;
+    for (i = 0; i < ROOTS; ++i) {
+        if (isCrossed(m, i)) m->isTouched[i] = 1;
+        if (m->isTouched[i]) *isSwitched = 1;
+    }
+    return 1;
+}
+
+/* After a step that switched: surfaces are left, and taken where they hold the motion. */
+static int meetSurfaces(Instance* m, double t) {
+    int i, isLeft = 0;
+    for (i = 0; i < ROOTS; ++i)
+        if (m->isTouched[i] && isHeld(&m->sliding, i)) isLeft = 1, m->isTouched[i] = 0;
+    if (isLeft) leaveSurfaces(m, t);
+    for (i = 0; i < ROOTS; ++i)
+        if (m->isTouched[i]) joinSurface(m, t, i);
+    return rootsAt(m, t, m->x, m->rootAfter);
+}
+
 /* Where the next point of a delayed input arrives: the integrator steps onto it. */
 static double nextArrival(const Instance* m, double t, double end) {
-    const double least = 1e-9 * (end - t);
+    const double least = fmax(1e-9 * (end - t), 64 * DBL_EPSILON * fabs(end));
     double next = end;
     int d;
     for (d = 0; d < DELAYS; ++d) {
@@ -389,8 +609,8 @@ static int rememberTapsWithin(Instance* m, double t, double h, const double* bef
 #endif
 }
 
-/* From m->time to the end. Where a relation switches, steps are halved until one just crosses it; where it would
-   switch again and again (rest under dry friction), the search for the instant is given up for steps of a fixed size.
+/* From m->time to the end. Where a relation switches, steps are halved until one just crosses it; where it still would
+   switch again and again, the search for the instant is given up for steps of a fixed size.
  */
 static int integrate(Instance* m, double end) {
     enum { mostSwitches = 50 };
@@ -399,9 +619,10 @@ static int integrate(Instance* m, double end) {
     double t = m->time, error = 0;
     int switches = 0, mayGrow = 1;
     if (!(m->step > 0)) m->step = 0.01 * span;
+    leaveSurfaces(m, t); /* inputs and parameters may have jumped */
     if (!ratesAt(m, t, m->x, m->rate)) return 0;
     if (ROOTS > 0 && !rootsAt(m, t, m->x, m->rootBefore)) return 0;
-    while (t < end) {
+    while (end - t > 16 * DBL_EPSILON * fabs(end)) {
         const double floor = fmax(switches > mostSwitches ? 1e-4 * span
                                   : ROOTS > 0             ? 0.1 * finest
                                                           : 0,
@@ -412,11 +633,17 @@ static int integrate(Instance* m, double end) {
         if (STATES == 0) h = stop - t;
         while (!isDone) {
             const int reaches = t + h * (1 + 1e-6) >= stop;
-            int isGood;
+            int isGood, isSwitched = 0;
             if (reaches) h = stop - t;
             isGood = STATES == 0 || (isLinearised && tryStep(m, t, h, &error));
-            isGood = isGood && (ROOTS == 0 || rootsAt(m, reaches ? stop : t + h, m->next, m->rootAfter));
+            isGood = isGood && touchEnd(m, reaches ? stop : t + h, &isSwitched);
             if (!isGood) {
+                if (h <= floor && m->sliding.count > 0) {
+                    m->sliding.count = 0;
+                    ++switches;
+                    if (!ratesAt(m, t, m->x, m->rate) || !rootsAt(m, t, m->x, m->rootBefore)) return 0;
+                    break;
+                }
                 if (h <= floor) {
                     m->time = t;
                     return 0;
@@ -426,7 +653,7 @@ static int integrate(Instance* m, double end) {
             } else if (error > 1 && h > floor) {
                 m->step = h = fmax(h * fmax(0.2, 0.9 * pow(error, -0.25)), floor);
                 mayGrow = 0;
-            } else if (STATES > 0 && isSwitched(m) && h > fmax(finest, floor) && switches <= mostSwitches) {
+            } else if (isSwitched && h > fmax(finest, floor) && switches <= mostSwitches) {
                 m->step = h = fmax(0.5 * h, fmax(finest, floor));
                 mayGrow = 0;
             } else {
@@ -434,13 +661,14 @@ static int integrate(Instance* m, double end) {
                 const double from = t;
                 memcpy(before, m->x, sizeof before);
                 memcpy(rateBefore, m->rate, sizeof rateBefore);
-                if (ROOTS > 0 && (isSwitched(m) || h <= finest)) ++switches;
-                memcpy(m->rootBefore, m->rootAfter, sizeof m->rootBefore);
                 if (STATES > 0) memcpy(m->x, m->next, sizeof m->x);
                 /* A step cut short by the end says nothing against the one before it. */
                 if (!reaches || grown > m->step) m->step = grown;
                 t = reaches ? stop : t + h;
                 m->time = t;
+                if (ROOTS > 0 && (isSwitched || h <= finest)) ++switches;
+                if (isSwitched && switches <= mostSwitches && !meetSurfaces(m, t)) return 0;
+                memcpy(m->rootBefore, m->rootAfter, sizeof m->rootBefore);
                 if (!ratesAt(m, t, m->x, m->rate)) return 0;
                 if (!rememberTapsWithin(m, from, t - from, before, rateBefore)) return 0;
                 mayGrow = isDone = 1;
@@ -462,6 +690,7 @@ static void toStart(Instance* m) {
     m->tolerance = defaultTolerance;
     m->hasStopTime = 0;
     m->step = 0;
+    m->sliding.count = 0;
     memset(&m->equations, 0, sizeof m->equations);
     memset(m->slope, 0, sizeof m->slope);
     if (PARAMETERS > 0) memcpy(m->p, parameterStart, sizeof m->p);

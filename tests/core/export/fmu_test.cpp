@@ -425,6 +425,15 @@ equation
   der(w) = u - 0.8*sign(w) - 0.1*w;
 end M;)";
 
+const std::string brakes = R"(model M
+  input Real u;
+  output Real v1(start = 1, fixed = true);
+  output Real v2(start = 0, fixed = true);
+equation
+  der(v1) = 2*u - 2*sign(v1 - v2);
+  der(v2) = 2*sign(v1 - v2) - sign(v2) - 0.2*v2;
+end M;)";
+
 const std::string nonlinear = R"(model M
   parameter Real R = 2;
   parameter Real g = 0.3;
@@ -564,7 +573,7 @@ protected:
 };
 
 TEST_F(FmuBinary, SourcesCompileWithoutWarnings) {
-    for (const std::string& text : {dryFriction, hardSwitch, nonlinear, tables, delays, inputRate}) {
+    for (const std::string& text : {dryFriction, hardSwitch, brakes, nonlinear, tables, delays, inputRate}) {
         const Unpacked fmu = exported(studyOf(text));
         const std::string command = fmt::format("cc -std=c99 -Wall -Wextra -Werror -fsyntax-only {}",
                                                 (fmu.directory / "sources" / "fmu.c").string());
@@ -605,6 +614,13 @@ TEST_F(FmuBinary, StaysAtRestWhereFrictionHolds) {
     expectSameCoSimulation(fmu, reference, "rest", Engine::Adaptive, 1e-8);
 }
 
+TEST_F(FmuBinary, HoldsAndSlipsBetweenTwoBrakes) {
+    const Unpacked fmu = exported(studyOf(brakes));
+    EXPECT_EQ(fmu.structure.at("InitialUnknowns").size(), 4u) << "an output that is a state is listed once";
+    const Reference reference = referenceOf(brakes, {}, 10, 201);
+    expectSameCoSimulation(fmu, reference, "two brakes", Engine::Adaptive, 1e-8);
+}
+
 TEST_F(FmuBinary, SolvesNonlinearBlocksAsWeDo) {
     const Unpacked fmu = exported(studyOf(nonlinear));
     const Reference reference = referenceOf(nonlinear, {"R", "g"}, 10, 201);
@@ -626,6 +642,20 @@ TEST_F(FmuBinary, RemembersWhatIsDelayed) {
     expectSameCoSimulation(fmu, referenceOf(delays, {"T_u", "T_y", "a"}, 10, 201), "delays", Engine::Adaptive, 1e-8);
     Instance exchange(fmu, fmi2ModelExchange);
     EXPECT_FALSE(exchange.isThere());
+}
+
+TEST_F(FmuBinary, RemembersHeldInputsOverManySteps) {
+    const Unpacked fmu = exported(studyOf(delays));
+    Instance instance(fmu, fmi2CoSimulation);
+    ASSERT_TRUE(instance.isThere());
+    instance.start(0);
+    const double step = 0.004;
+    for (int k = 0; k < 10000; ++k) {
+        instance.set("u", std::sin(0.01 * k));
+        ASSERT_EQ(instance("fmi2DoStep", k * step, step, fmi2Boolean(1)), fmi2OK) << k;
+        if (k < 2) continue;
+        ASSERT_NEAR(instance.get("z") - instance.get("x"), std::sin(0.01 * (k - 2)), 1e-12) << "0.01 s before, " << k;
+    }
 }
 
 TEST_F(FmuBinary, TakesTheRateOfAnInput) {
