@@ -17,7 +17,8 @@ struct Fmu {
 
 /// The study's model with its present values: modelDescription.xml, C sources and a page of documentation. Parameters
 /// with a value of their own are tunable; those that are exactly 0 and not fitted are part of the equations, as in a
-/// simulation. Faults: those of reading the model, or of its first experiment.
+/// simulation. Start values that an experiment has for itself alone are not part of it. Faults: those of reading the
+/// model, or of its first experiment.
 Outcome<Fmu> fmuOf(const Study& study);
 
 /// Writes the FMU with a binary for this platform, made by the C compiler on PATH. Without one, or on a platform for

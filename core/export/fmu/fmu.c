@@ -609,24 +609,23 @@ static int rememberTapsWithin(Instance* m, double t, double h, const double* bef
 #endif
 }
 
-/* From m->time to the end. Where a relation switches, steps are halved until one just crosses it; where it still would
-   switch again and again, the search for the instant is given up for steps of a fixed size.
- */
+/* From m->time to the end. Where a relation switches, steps are halved until one just crosses it. Where that, or the
+   error, asks for ever more steps in a hundredth of the way (a field that jumps without saying so), steps of a fixed
+   size lead on. */
 static int integrate(Instance* m, double end) {
-    enum { mostSwitches = 50 };
+    enum { mostSwitches = 50, mostTries = 2000 };
     const double span = end - m->time, finest = 1e-6 * span;
     double before[AT_LEAST_ONE(STATES)], rateBefore[AT_LEAST_ONE(STATES)];
-    double t = m->time, error = 0;
-    int switches = 0, mayGrow = 1;
+    double t = m->time, counted = t, error = 0;
+    int switches = 0, tries = 0, mayGrow = 1;
     if (!(m->step > 0)) m->step = 0.01 * span;
     leaveSurfaces(m, t); /* inputs and parameters may have jumped */
     if (!ratesAt(m, t, m->x, m->rate)) return 0;
     if (ROOTS > 0 && !rootsAt(m, t, m->x, m->rootBefore)) return 0;
     while (end - t > 16 * DBL_EPSILON * fabs(end)) {
-        const double floor = fmax(switches > mostSwitches ? 1e-4 * span
-                                  : ROOTS > 0             ? 0.1 * finest
-                                                          : 0,
-                                  16 * DBL_EPSILON * fmax(fabs(t), span));
+        const int isStuck = switches > mostSwitches || tries > mostTries;
+        const double least = isStuck ? 1e-4 * span : ROOTS > 0 ? 0.1 * finest : 0;
+        const double floor = fmax(least, 16 * DBL_EPSILON * fmax(fabs(t), span));
         double stop = nextArrival(m, t, end), h = fmax(m->step, floor);
         const int isLinearised = STATES == 0 || linearise(m, t, h);
         int isDone = 0;
@@ -634,6 +633,7 @@ static int integrate(Instance* m, double end) {
         while (!isDone) {
             const int reaches = t + h * (1 + 1e-6) >= stop;
             int isGood, isSwitched = 0;
+            ++tries;
             if (reaches) h = stop - t;
             isGood = STATES == 0 || (isLinearised && tryStep(m, t, h, &error));
             isGood = isGood && touchEnd(m, reaches ? stop : t + h, &isSwitched);
@@ -653,7 +653,7 @@ static int integrate(Instance* m, double end) {
             } else if (error > 1 && h > floor) {
                 m->step = h = fmax(h * fmax(0.2, 0.9 * pow(error, -0.25)), floor);
                 mayGrow = 0;
-            } else if (isSwitched && h > fmax(finest, floor) && switches <= mostSwitches) {
+            } else if (isSwitched && h > fmax(finest, floor) && !isStuck) {
                 m->step = h = fmax(0.5 * h, fmax(finest, floor));
                 mayGrow = 0;
             } else {
@@ -667,11 +667,15 @@ static int integrate(Instance* m, double end) {
                 t = reaches ? stop : t + h;
                 m->time = t;
                 if (ROOTS > 0 && (isSwitched || h <= finest)) ++switches;
-                if (isSwitched && switches <= mostSwitches && !meetSurfaces(m, t)) return 0;
+                if (isSwitched && !isStuck && !meetSurfaces(m, t)) return 0;
                 memcpy(m->rootBefore, m->rootAfter, sizeof m->rootBefore);
                 if (!ratesAt(m, t, m->x, m->rate)) return 0;
                 if (!rememberTapsWithin(m, from, t - from, before, rateBefore)) return 0;
                 mayGrow = isDone = 1;
+                if (t - counted > 0.01 * span) {
+                    counted = t;
+                    switches = tries = 0;
+                }
             }
         }
     }
@@ -1054,6 +1058,7 @@ FMI2_FUNCTION(fmi2Status, fmi2DoStep)
                    currentCommunicationPoint);
     if (m->hasStopTime && end > m->stopTime + slack)
         return say(&m->host, fmi2Error, "fmi2DoStep: the step ends after the stop time of %g s", m->stopTime);
+    m->equations.failure = NULL;
     if (!prepare(m) || !rememberInputs(m, m->time)) return notSolved(m, fmi2Error);
     isSolved = integrate(m, end);
     if (isSolved) m->time = end;

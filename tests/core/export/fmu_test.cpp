@@ -614,6 +614,19 @@ TEST_F(FmuBinary, StaysAtRestWhereFrictionHolds) {
     expectSameCoSimulation(fmu, reference, "rest", Engine::Adaptive, 1e-8);
 }
 
+TEST_F(FmuBinary, ComesThroughAFieldThatJumpsWithoutAnEvent) {
+    std::string hidden = rest;
+    hidden.replace(hidden.find("sign(w)"), 7, "noEvent(sign(w))");
+    const Unpacked fmu = exported(studyOf(hidden));
+    EXPECT_EQ(fmu.eventIndicators, 0);
+    Instance instance(fmu, fmi2CoSimulation);
+    ASSERT_TRUE(instance.isThere());
+    instance.set("u", 0.5);
+    instance.start(0);
+    ASSERT_EQ(instance("fmi2DoStep", 0.0, 5.0, fmi2Boolean(1)), fmi2OK);
+    EXPECT_NEAR(instance.get("w"), 0, 1e-3) << "held by a friction of 0.8";
+}
+
 TEST_F(FmuBinary, HoldsAndSlipsBetweenTwoBrakes) {
     const Unpacked fmu = exported(studyOf(brakes));
     EXPECT_EQ(fmu.structure.at("InitialUnknowns").size(), 4u) << "an output that is a state is listed once";
