@@ -600,6 +600,54 @@ TEST_F(FmuBinary, FollowsOurSimulationWithDryFriction) {
     expectSameModelExchange(fmu, reference, "dry friction");
 }
 
+TEST_F(FmuBinary, IsIntegratedByAnImporterOfModelExchange) {
+    const Unpacked fmu = exported(studyOf(dryFriction));
+    const Reference reference = referenceOf(dryFriction, {"J", "k"}, 10, 201);
+    const std::vector<double>& time = reference.inputs.time;
+    Instance instance(fmu, fmi2ModelExchange);
+    ASSERT_TRUE(instance.isThere());
+    instance.set("u", reference.inputs.values(0, 0));
+    instance.start(0);
+    fmi2EventInfo info;
+    ASSERT_EQ(instance("fmi2NewDiscreteStates", &info), fmi2OK);
+    EXPECT_FALSE(info.newDiscreteStatesNeeded);
+    ASSERT_EQ(instance("fmi2EnterContinuousTimeMode"), fmi2OK);
+    const std::size_t n = fmu.derivatives().size();
+    Eigen::VectorXd x(static_cast<Eigen::Index>(n)), rate(x.size());
+    ASSERT_EQ(instance("fmi2GetContinuousStates", x.data(), n), fmi2OK);
+    const auto go = [&](double t, const Eigen::VectorXd& at, double u) {
+        instance("fmi2SetTime", t);
+        instance.set("u", u);
+        instance("fmi2SetContinuousStates", at.data(), n);
+    };
+    const auto rates = [&](double t, const Eigen::VectorXd& at, double u) {
+        go(t, at, u);
+        EXPECT_EQ(instance("fmi2GetDerivatives", rate.data(), n), fmi2OK);
+        return rate;
+    };
+    Eigen::MatrixXd outputs(1, reference.inputs.values.cols());
+    constexpr int substeps = 40;  // classic Runge-Kutta
+    for (Eigen::Index k = 0; k < outputs.cols(); ++k) {
+        const auto sample = static_cast<std::size_t>(k);
+        go(time[sample], x, reference.inputs.values(0, k));
+        outputs(0, k) = instance.get("w");
+        if (k + 1 == outputs.cols()) break;
+        const double h = (time[sample + 1] - time[sample]) / substeps;
+        const auto at = [&](double s, const Eigen::VectorXd& state) {
+            const double u0 = reference.inputs.values(0, k), u1 = reference.inputs.values(0, k + 1);
+            return rates(time[sample] + s * h, state, u0 + s / substeps * (u1 - u0));
+        };
+        for (int s = 0; s < substeps; ++s) {
+            const Eigen::VectorXd a = at(s, x), b = at(s + 0.5, x + 0.5 * h * a), c = at(s + 0.5, x + 0.5 * h * b),
+                                  d = at(s + 1, x + h * c);
+            x += h / 6 * (a + 2 * b + 2 * c + d);
+        }
+    }
+    const double found = difference(outputs, reference.run(Engine::Adaptive, 1e-8).outputs);
+    std::printf("model exchange by an importer differs by %.1e of the range\n", found);
+    EXPECT_LT(found, 1e-5);
+}
+
 TEST_F(FmuBinary, FollowsOurSimulationAcrossEvents) {
     const Unpacked fmu = exported(studyOf(hardSwitch));
     EXPECT_EQ(fmu.eventIndicators, 2);
