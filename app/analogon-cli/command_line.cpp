@@ -190,13 +190,16 @@ void describe(CLI::App& app, Options& options) {
         ->delimiter(',')
         ->type_name("KIND,…");
 
-    CLI::App* exporting = command(Command::Export, "The model as stand-alone Modelica, its traces as CSV");
+    CLI::App* exporting = command(Command::Export, "The model as an FMU or as stand-alone Modelica, its traces as CSV");
     exporting->add_option("study", options.input, "The study: a directory, its study.json or an .analogon file")
         ->required()
         ->type_name("STUDY");
     exporting->add_option("--modelica", options.modelicaFile, "Receives the model with every class it uses")
         ->type_name("FILE");
-    exporting->add_option("--fmu", options.fmuFile, "Not available yet")->type_name("FILE");
+    exporting
+        ->add_option("--fmu", options.fmuFile,
+                     "Receives the model with its fitted values as an FMU (FMI 2.0, Co-Simulation and Model Exchange)")
+        ->type_name("FILE");
     exporting->add_option("--csv", options.csvFile, "Receives measured and simulated traces")->type_name("FILE");
     addCommon(*exporting, options);
 

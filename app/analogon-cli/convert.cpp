@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "core/archive/archive.hpp"
+#include "core/export/fmu.hpp"
 #include "core/export/modelica.hpp"
 #include "core/report/report.hpp"
 #include "core/study/run.hpp"
@@ -70,12 +71,8 @@ int unpack(const Options& options, std::ostream& out, std::ostream& err) {
 }
 
 int exportStudy(const Options& options, std::ostream& out, std::ostream& err) {
-    if (!options.fmuFile.empty()) {
-        err << "error: export --fmu is not available yet; --modelica writes a model that other tools read" << std::endl;
-        return inputAtFault;
-    }
-    if (options.modelicaFile.empty() && options.csvFile.empty())
-        return fails({fileError("export what? Give --modelica FILE or --csv FILE", "")}, err);
+    if (options.fmuFile.empty() && options.modelicaFile.empty() && options.csvFile.empty())
+        return fails({fileError("export what? Give --fmu FILE, --modelica FILE or --csv FILE", "")}, err);
     Outcome<OpenedStudy> opened = openStudy(options.input);
     if (!opened) return fails(opened.diagnostics(), err);
     tell(opened.diagnostics(), err);
@@ -86,6 +83,15 @@ int exportStudy(const Options& options, std::ostream& out, std::ostream& err) {
         if (const auto written = writeWhole(options.modelicaFile, *text); !written)
             return fails(written.diagnostics(), err);
         out << "model: " << options.modelicaFile.string() << std::endl;
+    }
+    if (!options.fmuFile.empty()) {
+        const Outcome<Fmu> fmu = fmuOf(opened->study);
+        if (!fmu) return fails(namedAs(fmu.diagnostics(), *opened), err);
+        const Outcome<Done> written = writeFmu(*fmu, options.fmuFile);
+        if (!written) return fails(written.diagnostics(), err);
+        tell(written.diagnostics(), err);
+        out << "FMU: " << options.fmuFile.string() << " ("
+            << (fmu->hasModelExchange ? "Co-Simulation and Model Exchange" : "Co-Simulation") << ")" << std::endl;
     }
     if (!options.csvFile.empty()) {
         const Outcome<RunResult> result = runSimulate(opened->study, {});

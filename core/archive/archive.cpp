@@ -150,8 +150,8 @@ bool putEntry(QuaZip& zip, const std::string& name, QIODevice& from, bool isStor
     return to.getZipError() == ZIP_OK;
 }
 
-/// The files of a directory as a zip file, on the disk when this returns.
-Outcome<Done> writeZip(const fs::path& directory, const fs::path& target, const fs::path& shown) {
+/// The files of a directory as a zip file, on the disk when this returns; the type (null: none) stands first.
+Outcome<Done> writeZip(const fs::path& directory, const fs::path& target, const fs::path& shown, const char* mimetype) {
     QFile file(qString(target));
     if (!file.open(QIODevice::ReadWrite | QIODevice::Truncate)) return cannotWrite(shown, file.errorString());
     QuaZip zip(&file);
@@ -159,8 +159,8 @@ Outcome<Done> writeZip(const fs::path& directory, const fs::path& target, const 
     zip.setUtf8Enabled(true);
     zip.setDataDescriptorWritingEnabled(false);  // sizes stand before the data, so the type is at a fixed place
     bool isWritten = zip.open(QuaZip::mdCreate);
-    if (isWritten) {
-        QByteArray type(archiveType);
+    if (isWritten && mimetype) {
+        QByteArray type(mimetype);
         QBuffer buffer(&type);
         isWritten = buffer.open(QIODevice::ReadOnly) && putEntry(zip, "mimetype", buffer, true);
     }
@@ -190,17 +190,13 @@ fs::path besideOf(const fs::path& target) {
     return target.parent_path() / ("." + target.filename().string() + ".writing");
 }
 
-Outcome<Done> saveArchive(const Study& study, const fs::path& path) {
+Outcome<Done> zipWhole(const fs::path& directory, const fs::path& path, const char* mimetype) {
     std::error_code code;
     fs::path target = fs::absolute(path, code);
     if (fs::is_symlink(target, code)) target = fs::canonical(target, code);
     if (fs::is_directory(target, code)) return cannotWrite(target, "a directory has this name");
-    Outcome<std::shared_ptr<const TemporaryDirectory>> files = TemporaryDirectory::make();
-    if (!files) return files.diagnostics();
-    const fs::path directory = (*files)->path() / "study";
-    if (Outcome<Done> done = writeStudy(study, directory); !done) return done;
     const fs::path beside = besideOf(target);
-    if (Outcome<Done> done = writeZip(directory, beside, target); !done) {
+    if (Outcome<Done> done = writeZip(directory, beside, target, mimetype); !done) {
         fs::remove(beside, code);
         return done;
     }
@@ -210,6 +206,14 @@ Outcome<Done> saveArchive(const Study& study, const fs::path& path) {
     if (code) return cannotWrite(target, QString::fromStdString(code.message()));
     syncDirectory(target.parent_path());
     return Done{};
+}
+
+Outcome<Done> saveArchive(const Study& study, const fs::path& path) {
+    Outcome<std::shared_ptr<const TemporaryDirectory>> files = TemporaryDirectory::make();
+    if (!files) return files.diagnostics();
+    const fs::path directory = (*files)->path() / "study";
+    if (Outcome<Done> done = writeStudy(study, directory); !done) return done;
+    return zipWhole(directory, path, archiveType);
 }
 
 }  // namespace
@@ -235,6 +239,10 @@ Outcome<OpenedStudy> openStudy(const fs::path& path) {
 
 Outcome<Done> saveStudy(const Study& study, const fs::path& path) {
     return path.extension() == archiveEnding ? saveArchive(study, path) : writeStudy(study, path);
+}
+
+Outcome<Done> zipDirectory(const fs::path& directory, const fs::path& file) {
+    return zipWhole(directory, file, nullptr);
 }
 
 Outcome<Done> unpackArchive(const fs::path& archive, const fs::path& directory) {

@@ -35,6 +35,9 @@ Outcome<OpenedStudy> openStudy(const std::filesystem::path& path);
 /// between, the file is the old one or the new one, whole.
 Outcome<Done> saveStudy(const Study& study, const std::filesystem::path& path);
 
+/// The files below a directory as a plain zip file, for formats of other tools. Atomic as saveStudy.
+Outcome<Done> zipDirectory(const std::filesystem::path& directory, const std::filesystem::path& file);
+
 /// The files of an archive, byte for byte, in a directory that does not exist yet or is empty. All or nothing.
 Outcome<Done> unpackArchive(const std::filesystem::path& archive, const std::filesystem::path& directory);
 

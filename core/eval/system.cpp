@@ -11,6 +11,7 @@
 #include <optional>
 #include <tuple>
 
+#include "core/eval/c_code.hpp"
 #include "core/eval/program_code.hpp"
 #include "core/eval/recurrence.hpp"
 #include "core/eval/row_code.hpp"
@@ -150,6 +151,7 @@ bool System::isSmooth() const {
 }
 const std::shared_ptr<const void>& System::identity() const { return impl_->identity; }
 std::string System::print() const { return analogon::print(impl_->programs); }
+CCode System::cCode() const { return analogon::cCode(impl_->programs); }
 
 namespace {
 

@@ -12,6 +12,8 @@
 
 namespace analogon {
 
+struct CCode;
+
 /// A named quantity of the compiled system.
 struct SignalInfo {
     std::string name;
@@ -184,6 +186,9 @@ public:
 
     /// The program, one instruction a line.
     std::string print() const;
+
+    /// The programs as C source, for whoever simulates the model without us.
+    CCode cCode() const;
 
     ~System();
 

@@ -6,9 +6,7 @@
 #include <map>
 #include <set>
 
-#include "core/diagram/edit.hpp"
-#include "core/flat/flat_model.hpp"
-#include "core/syntax/printer.hpp"
+#include "core/export/present_values.hpp"
 
 namespace analogon {
 
@@ -153,39 +151,10 @@ private:
 /// Name of a class's outermost package, or of itself.
 std::string topOf(const std::string& qualifiedName) { return qualifiedName.substr(0, qualifiedName.find('.')); }
 
-/// The study with the start values of study.json written into its model.
-Outcome<Study> withValues(const Study& study) {
-    Study result = study;
-    for (const auto& [name, parameter] : study.parameters) {
-        if (!parameter.value) continue;
-        const Outcome<Library> library = studyLibrary(result);
-        if (!library) return library.diagnostics();
-        const LibraryClass* cls = library->find(result.className);
-        if (!cls) continue;
-        ModelEdit edit(*cls->definition, nullptr, &*library);
-        if (name.find('[') != std::string::npos) {
-            Outcome<FlatModel> flat = flatten(*library, result.className);
-            if (!flat) return flat.diagnostics();
-            edit.valuesOf([model = std::move(*flat)](const std::string& element) {
-                const VariableId id = model.find(element);
-                const std::optional<double> value = id.valid() ? model.parameterValue(id) : std::nullopt;
-                return value ? std::optional(syntax::printNumber(*value)) : std::nullopt;
-            });
-        }
-        edit.setParameter(name, syntax::printNumber(*parameter.value));
-        const Outcome<syntax::TextEdit> change = edit.finish("value");
-        if (!change) return change.diagnostics();
-        std::string& text = result.models[result.modelFile];
-        text = syntax::apply(text, *change).text;
-        result.parameters[name].value.reset();
-    }
-    return result;
-}
-
 }  // namespace
 
 Outcome<std::string> modelicaText(const Study& given) {
-    const Outcome<Study> study = withValues(given);
+    const Outcome<Study> study = withPresentValues(given);
     if (!study) return study.diagnostics();
     const Outcome<Library> library = studyLibrary(*study);
     if (!library) return library.diagnostics();

@@ -128,7 +128,7 @@ TEST_F(CommandLine, RefusesWhatItDoesNotKnow) {
     EXPECT_EQ(run({"fit", study(lag).string()}).status, inputAtFault) << "--out is missing";
     EXPECT_EQ(run({"fit", study(lag).string(), "--out", "x", "--method", "guess"}).status, inputAtFault);
     EXPECT_EQ(run({"pack", "a", "b"}).status, inputAtFault);
-    EXPECT_THAT(run({"export", "a", "--fmu", "b"}).err, HasSubstr("not available yet"));
+    EXPECT_EQ(run({"export", "nowhere", "--fmu", "b"}).status, inputAtFault);
 }
 
 TEST_F(CommandLine, ChecksAStudyAndAModel) {
@@ -331,6 +331,16 @@ end Lag;
         << R"({"library": ["../Own"],)" << text.substr(text.find('{') + 1);
     const Result checked = run({"check", directory});
     EXPECT_EQ(checked.status, done) << checked.err;
+}
+
+TEST_F(CommandLine, ExportsAnFmu) {
+    const fs::path file = scratch / "lag.fmu";
+    const Result exported = run({"export", study(lag).string(), "--fmu", file.string()});
+    EXPECT_EQ(exported.status, done) << exported.err;
+    EXPECT_THAT(exported.out, HasSubstr("Co-Simulation and Model Exchange"));
+    EXPECT_EQ(contentOf(file).substr(0, 2), "PK");
+    EXPECT_EQ(run({"export", study(lag).string(), "--fmu", (scratch / "no" / "lag.fmu").string()}).status,
+              inputAtFault);
 }
 
 TEST_F(CommandLine, EndsSoonWhenInterrupted) {

@@ -62,6 +62,20 @@ TEST_F(Archive, StartsWithItsTypeAtAFixedPlace) {
     EXPECT_EQ(bytes.substr(38, std::string(archiveType).size()), archiveType);
 }
 
+TEST_F(Archive, ZipsADirectoryAsItIs) {
+    fs::create_directories(root / "from" / "sources");
+    std::ofstream(root / "from" / "sources" / "a.c") << "int a;\n";
+    std::ofstream(root / "from" / "b.xml") << "<b/>";
+    ASSERT_TRUE(zipDirectory(root / "from", root / "a.zip"));
+    const Outcome<std::vector<ZipEntry>> entries = readZipDirectory(root / "a.zip");
+    ASSERT_TRUE(entries) << format(entries.diagnostics());
+    ASSERT_EQ(entries->size(), 2u);
+    EXPECT_EQ((*entries)[0].name, "b.xml");
+    EXPECT_EQ((*entries)[1].name, "sources/a.c");
+    EXPECT_EQ((*entries)[1].size, 7u);
+    EXPECT_FALSE(zipDirectory(root / "from", root / "nowhere" / "a.zip"));
+}
+
 TEST_F(Archive, UnpacksByteForByteIntoANewDirectoryOnly) {
     ASSERT_TRUE(saveStudy(example(), root / "a.analogon"));
     ASSERT_TRUE(unpackArchive(root / "a.analogon", root / "out"));
