@@ -156,7 +156,7 @@ end Plate;
         for (int k = 0; k < samples; ++k) {
             const double here = 20 + 20 * excitation(0.02 * k), next = 20 + 20 * excitation(0.02 * (k + 1));
             csv << 0.5 * k << ',' << here << ',' << temperature + 0.1 * normal(random) << '\n';
-            draught = 0.97 * draught + 0.2 * normal(random);
+            draught = 0.96 * draught + 0.7 * normal(random);
             for (int i = 0; i < inner; ++i) {
                 const double power = here + (next - here) * (i + 0.5) / inner;
                 temperature += 0.5 / inner * (power + draught - 0.3 * (temperature - 300)) / 15;
@@ -168,7 +168,8 @@ end Plate;
 };
 
 TEST_F(DiscoveryInADraught, GivesItNoName) {
-    for (const unsigned seed : {1u, 2u}) {
+    // a drift of the sensor and a limit of the heater imitate the last two well
+    for (const unsigned seed : {1u, 20u, 54u}) {
         const Finding finding = search(seed);
         EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind << " for seed " << seed;
         EXPECT_EQ(finding.kind, FindingKind::Unexplained);
