@@ -21,7 +21,6 @@ namespace {
 
 constexpr double integrationShare = 2e-3, coarsestTolerance = 3e-5;  // of the noise, and of a channel's range at most
 constexpr double changeShare = 0.5, leastChange = 100;
-constexpr long mostSearchedSamples = 6000;
 
 /// Whether a parameter that changes (in mid run, or with a channel) accounts for most of what is above the noise, by a
 /// wide margin over chance, and is a better account of it than a disturbance and than the effects that were found:

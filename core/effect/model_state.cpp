@@ -118,7 +118,7 @@ std::vector<std::string> switchingRemarks(const FitProblem& problem, const Eigen
 }  // namespace
 
 Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const SimulationOptions& simulation,
-                            const Progress& progress) {
+                            const Progress& progress, Detail detail) {
     ModelState state;
     state.parameters = fit.estimates;
     state.status = fit.status;
@@ -138,14 +138,15 @@ Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const 
         if (problem.experiments.empty()) continue;
         const Eigen::VectorXd values = problem.startValues();
         const Linearisation l = linearise(problem, values, false, {}, simulation, progress);
-        const bool isFitted = fit.covariance.size() > 0;
-        const Eigen::MatrixXd covariance = isFitted ? covarianceIn(problem, role, fit) : Eigen::MatrixXd();
+        const bool hasBands = detail == Detail::Report && fit.covariance.size() > 0;
+        const Eigen::MatrixXd covariance = hasBands ? covarianceIn(problem, role, fit) : Eigen::MatrixXd();
         for (std::size_t e = 0; e < std::min(problem.experiments.size(), l.trajectories.size()); ++e) {
             ExperimentState experiment = experimentState(problem.experiments[e], role, l.trajectories[e]);
-            if (isFitted)
+            if (hasBands)
                 addDeviations(problem, static_cast<int>(e), values, covariance, simulation, progress, experiment);
             byRecording.emplace(prepared->fitRecordings[e], std::move(experiment));
         }
+        if (detail != Detail::Report) continue;
         for (std::string& remark : switchingRemarks(problem, values, simulation, progress))
             state.remarks.push_back(std::move(remark));
     }

@@ -9,10 +9,6 @@
 namespace analogon {
 namespace {
 
-constexpr int firstLookIterations = 12;
-constexpr double firstLookTolerance = 1e-6;
-constexpr long mostFittedSamples = 6000;  // that are fitted; the traces are simulated on all
-
 Outcome<Candidate> candidateOf(const Variant& variant, const EffectChoice& choice) {
     Outcome<std::vector<EffectClass>> catalogue = effectCatalogue(variant.task.library);
     if (!catalogue) return catalogue.diagnostics();
@@ -28,12 +24,10 @@ Outcome<Candidate> candidateOf(const Variant& variant, const EffectChoice& choic
 
 Outcome<ModelState> stateWith(const EstimationTask& task, const EffectChoice& choice, const DiscoverOptions& options,
                               const Progress& progress) {
-    const Variant base{thinned(task, thinningFor(task, mostFittedSamples)), {}, {}};
+    const Variant base{thinned(task, thinningFor(task, mostSearchedSamples)), {}, {}};
     const Outcome<Candidate> candidate = candidateOf(base, choice);
     if (!candidate) return candidate.diagnostics();
-    FitOptions quick = options.fit;
-    quick.maxIterations = firstLookIterations;
-    quick.costTolerance = firstLookTolerance;
+    FitOptions quick = trialOptions(options.fit, trialIterations);
     const Outcome<NullModel> null = fitNull(base, {}, NoiseLevel::Estimate, quick, progress);
     if (!null) return null.diagnostics();
     quick.simulation = limited(*null, quick.simulation);
@@ -44,7 +38,7 @@ Outcome<ModelState> stateWith(const EstimationTask& task, const EffectChoice& ch
         return numericalError(trial.failure.empty() ? "the data do not show this effect" : trial.failure, {});
     Outcome<Variant> whole = withEffects(Variant{task, {}, {}}, trial.variant.effects, trial.variant.values);
     if (!whole) return whole.diagnostics();
-    return stateOf(*whole, trial.fit, options.fit.simulation, progress);
+    return stateOf(*whole, trial.fit, options.fit.simulation, progress, Detail::Errors);
 }
 
 }  // namespace analogon

@@ -20,7 +20,6 @@ public:
 private:
     static constexpr double rivalShare = 0.3;  // of the winner's evidence, for a weaker candidate to be tried again
     static constexpr int startsPerTrial = 2;
-    static constexpr int trialIterations = 12;  // a trial shows what it is worth; the winner is fitted to convergence
 
     struct Step {
         Trial winner;

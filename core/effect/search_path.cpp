@@ -280,7 +280,7 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
             !(isDoubtful && !isBorneOut(*disturbance, *refitted, null.fit, freed))) {
             steps_[i].acceptance = missed;
             if (Outcome<ModelState> state =
-                    stateOf(refitted->variant, refitted->fit, search_.fit.simulation, progress_))
+                    stateOf(refitted->variant, refitted->fit, search_.fit.simulation, progress_, Detail::Errors))
                 steps_[i].errorWithout = errorPercentOf(*state, Role::Fit);
             ++i;
             continue;

@@ -77,7 +77,8 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
     if (hasProposal(null) && !isNoise(null)) disturbance.emplace(null, search_.fit.simulation, progress_);
     std::optional<ModelState> with;
     if (hasProposal(null))
-        if (Outcome<ModelState> state = stateOf(null.variant, null.fit, search_.fit.simulation, progress_))
+        if (Outcome<ModelState> state =
+                stateOf(null.variant, null.fit, search_.fit.simulation, progress_, Detail::Errors))
             with = std::move(*state);
     for (std::size_t i = steps_.size(); i-- > 0;) {
         const PlacedEffect& placed = null.variant.effects[i];

@@ -12,7 +12,6 @@ constexpr double twinCorrelation = 0.999;  // projected traces more alike than t
 constexpr double falseAlarmQuantile = 0.99;
 constexpr std::size_t mostRivals = 5, mostAlternatives = 6;
 constexpr int glanceIterations = 5;  // of the whole catalogue, to see who deserves a trial
-constexpr double trialTolerance = 1e-6;
 
 /// What a fit took, in steps of the explicit method.
 double workOf(const FitResult& fit) {
@@ -38,9 +37,7 @@ std::vector<Screened> Search::screenAll(const NullModel& null) {
 
 std::vector<Trial> Search::tryThese(const NullModel& null, const std::vector<const Screened*>& chosen, int iterations,
                                     int starts) {
-    FitOptions quick = search_.fit;
-    quick.maxIterations = iterations;
-    quick.costTolerance = trialTolerance;
+    FitOptions quick = trialOptions(search_.fit, iterations);
     quick.simulation = limited(null, quick.simulation);
     std::vector<Trial> trials(chosen.size());
     parallelFor(static_cast<int>(chosen.size()), options_.threads, [&](int i) {
@@ -101,9 +98,7 @@ std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>&
 /// Takes the trials that a short fit brought to the front further.
 void Search::continueBest(const NullModel& null, std::vector<Trial>& trials) {
     rank(null, trials);
-    FitOptions options = search_.fit;
-    options.maxIterations = 2 * trialIterations;
-    options.costTolerance = trialTolerance;
+    FitOptions options = trialOptions(search_.fit, 2 * trialIterations);
     options.simulation = limited(null, options.simulation);
     const int count = std::min<int>(options_.refitted, static_cast<int>(trials.size()));
     parallelFor(count, options_.threads, [&](int i) {

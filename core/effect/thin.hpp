@@ -4,6 +4,8 @@
 
 namespace analogon {
 
+constexpr long mostSearchedSamples = 6000;  // the fits before and after a search are on all
+
 /// The task with long recordings made shorter for a search: every `factor` neighbouring samples of the fitted
 /// recordings become their mean (time, inputs, outputs, spare channels; what was not measured is left out of it), so
 /// that the noise falls and nothing is aliased. The first sample stays, since the simulation starts there.

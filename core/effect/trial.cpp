@@ -11,6 +11,7 @@ namespace {
 constexpr double leastEvidence = 10;   // fall in BIC that an effect must bring
 constexpr std::size_t mostStarts = 8;  // that are weighed against each other
 constexpr double structureFactor = 3;
+constexpr double trialTolerance = 1e-6;
 constexpr double leastHeldOut = 0.5;
 constexpr double leastHeldOutOfMuch = 0.7;  // where other structure remains, which a wrong effect may feed on
 constexpr double muchLeft = 1.44;           // squared residual over squared noise
@@ -143,6 +144,12 @@ void takeBack(const NullModel& null, Start& start, const SimulationOptions& simu
 }
 
 }  // namespace
+
+FitOptions trialOptions(FitOptions options, int iterations) {
+    options.maxIterations = iterations;
+    options.costTolerance = trialTolerance;
+    return options;
+}
 
 Trial refit(const NullModel& null, const Screened& screened, const FitOptions& options, int starts,
             const Progress& progress) {

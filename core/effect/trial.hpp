@@ -17,6 +17,9 @@ struct Trial {
     int freed() const { return static_cast<int>(variant.effects.back().freed.size()); }
 };
 
+constexpr int trialIterations = 12;  // a trial shows what it is worth; the winner is fitted to convergence
+FitOptions trialOptions(FitOptions options, int iterations);
+
 /// Refits from the best probes (one start a distinct shape or secant, at most `starts`).
 Trial refit(const NullModel& null, const Screened& screened, const FitOptions& options, int starts,
             const Progress& progress);
