@@ -570,6 +570,14 @@ protected:
 #endif
         if (!hasCompiler()) GTEST_SKIP() << "there is no C compiler (cc) on PATH";
     }
+
+    static void expectSameBothWays(const std::string& text, const std::vector<std::string>& parameters,
+                                   const std::string& what) {
+        const Unpacked fmu = exported(studyOf(text));
+        const Reference reference = referenceOf(text, parameters, 10, 201);
+        expectSameCoSimulation(fmu, reference, what, Engine::Adaptive, 1e-8);
+        expectSameModelExchange(fmu, reference, what);
+    }
 };
 
 TEST_F(FmuBinary, SourcesCompileWithoutWarnings) {
@@ -593,12 +601,7 @@ TEST_F(FmuBinary, FollowsOurSimulationOfTheExamples) {
     }
 }
 
-TEST_F(FmuBinary, FollowsOurSimulationWithDryFriction) {
-    const Unpacked fmu = exported(studyOf(dryFriction));
-    const Reference reference = referenceOf(dryFriction, {"J", "k"}, 10, 201);
-    expectSameCoSimulation(fmu, reference, "dry friction", Engine::Adaptive, 1e-8);
-    expectSameModelExchange(fmu, reference, "dry friction");
-}
+TEST_F(FmuBinary, FollowsOurSimulationWithDryFriction) { expectSameBothWays(dryFriction, {"J", "k"}, "dry friction"); }
 
 TEST_F(FmuBinary, IsIntegratedByAnImporterOfModelExchange) {
     const Unpacked fmu = exported(studyOf(dryFriction));
@@ -682,19 +685,9 @@ TEST_F(FmuBinary, HoldsAndSlipsBetweenTwoBrakes) {
     expectSameCoSimulation(fmu, reference, "two brakes", Engine::Adaptive, 1e-8);
 }
 
-TEST_F(FmuBinary, SolvesNonlinearBlocksAsWeDo) {
-    const Unpacked fmu = exported(studyOf(nonlinear));
-    const Reference reference = referenceOf(nonlinear, {"R", "g"}, 10, 201);
-    expectSameCoSimulation(fmu, reference, "nonlinear blocks", Engine::Adaptive, 1e-8);
-    expectSameModelExchange(fmu, reference, "nonlinear blocks");
-}
+TEST_F(FmuBinary, SolvesNonlinearBlocksAsWeDo) { expectSameBothWays(nonlinear, {"R", "g"}, "nonlinear blocks"); }
 
-TEST_F(FmuBinary, LooksUpTablesAsWeDo) {
-    const Unpacked fmu = exported(studyOf(tables));
-    const Reference reference = referenceOf(tables, {"T"}, 10, 201);
-    expectSameCoSimulation(fmu, reference, "tables", Engine::Adaptive, 1e-8);
-    expectSameModelExchange(fmu, reference, "tables");
-}
+TEST_F(FmuBinary, LooksUpTablesAsWeDo) { expectSameBothWays(tables, {"T"}, "tables"); }
 
 TEST_F(FmuBinary, RemembersWhatIsDelayed) {
     const Unpacked fmu = exported(studyOf(delays));

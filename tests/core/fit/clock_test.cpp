@@ -8,11 +8,13 @@
 
 #include "core/fit/profile.hpp"
 #include "tests/core/fit/motor_problem.hpp"
+#include "tests/core/fit/slopes.hpp"
 
 namespace analogon {
 namespace {
 
 using test::compileText;
+using test::expectSlopesOf;
 using test::ownParameters;
 using test::parameter;
 using test::steps;
@@ -135,16 +137,7 @@ TEST(Clock, MovesTheResidualsAsItsSlopesSay) {
     const std::vector<GridPlan> plans{planFor(problem, 0, at)};
     const Linearisation line = linearise(problem, at, true, plans);
     ASSERT_TRUE(line.ok) << line.failure;
-    for (Eigen::Index i = 0; i < 4; ++i) {
-        Eigen::VectorXd up = at, down = at;
-        const double step = 1e-5 * at[i];
-        up[i] += step;
-        down[i] -= step;
-        const Eigen::VectorXd slope =
-            (linearise(problem, up, false, plans).residuals - linearise(problem, down, false, plans).residuals) /
-            (2.0 * step);
-        EXPECT_LT((line.jacobian.col(i) - slope).norm(), 5e-5 * slope.norm()) << i;
-    }
+    expectSlopesOf(problem, at, plans, line, 5e-5);
 }
 
 TEST(Clock, MayBeKnownInsteadOfFitted) {

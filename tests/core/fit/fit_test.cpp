@@ -10,11 +10,13 @@
 #include <random>
 
 #include "tests/core/fit/motor_problem.hpp"
+#include "tests/core/fit/slopes.hpp"
 
 namespace analogon {
 namespace {
 
 using test::compileText;
+using test::expectSlopesOf;
 using test::motorProblem;
 using test::ownParameters;
 using test::parameter;
@@ -58,16 +60,7 @@ TEST(Linearise, YieldsTheJacobianOfTheResiduals) {
     ASSERT_TRUE(line.ok) << line.failure;
     EXPECT_EQ(line.residuals.size(), 799);
     EXPECT_EQ(line.residuals.size(), problem.residualCount());
-    for (Eigen::Index i = 0; i < 2; ++i) {
-        Eigen::VectorXd up = at, down = at;
-        const double step = 1e-5 * at[i];
-        up[i] += step;
-        down[i] -= step;
-        const Eigen::VectorXd slope =
-            (linearise(problem, up, false, plans).residuals - linearise(problem, down, false, plans).residuals) /
-            (2.0 * step);
-        EXPECT_LT((line.jacobian.col(i) - slope).norm(), 1e-6 * slope.norm()) << i;
-    }
+    expectSlopesOf(problem, at, plans, line, 1e-6);
 }
 
 TEST(Fit, RecoversAKnownTimeConstantWithinItsStandardError) {
