@@ -50,7 +50,7 @@ std::vector<Change> likelyChanges(const NullModel& null) {
                 const ColumnScore score = scoreColumns(complement, residual, column, false);
                 if (score.visible > leastVisible && score.explained > best.explained)
                     best = {estimate.name,   experiment, moment, estimate.value, estimate.value + score.strengths[0],
-                            score.explained, {}};
+                            score.explained, {},         {}};
             };
             for (int k = 0; k <= coarse; ++k)
                 take(begin + span * (margin + (1 - 2 * margin) * k / static_cast<double>(coarse)));
@@ -94,6 +94,8 @@ std::optional<Change> fitted(const NullModel& null, const Change& likely, const 
     }
     change.after += change.before;
     change.explained = null.sumOfSquares() - result->optimum.residuals.squaredNorm();
+    variant.values = valuesOf(*result);
+    change.variant = std::move(variant);
     change.fit = std::move(*result);
     return change;
 }

@@ -15,7 +15,8 @@ struct Change {
     double before{};   // value
     double after{};
     double explained{};  // fall in the sum of squares, in units of the noise
-    FitResult fit;       // with the change
+    Variant variant;     // with the change, at the values of its fit
+    FitResult fit;
 };
 
 /// The best of the changes that are likely to first order, once each is fitted with all parameters of the model, its

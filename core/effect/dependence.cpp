@@ -86,12 +86,14 @@ std::optional<Dependence> fitted(const NullModel& null, const Channel& channel, 
     variant.task.parameters.push_back(slope);
     std::optional<FitResult> result = fitBeside(null, variant, options, progress);
     if (!result) return std::nullopt;
-    Dependence dependence{estimate.name, channel.name, 0, 0, channel.middle, channel.range, 0, {}};
+    Dependence dependence{estimate.name, channel.name, 0, 0, channel.middle, channel.range, 0, {}, {}};
     for (const FitEstimate& e : result->estimates) {
         if (e.name == estimate.name) dependence.value = e.value;
         if (e.name == slope.name) dependence.slope = e.value;
     }
     dependence.explained = null.sumOfSquares() - result->optimum.residuals.squaredNorm();
+    variant.values = valuesOf(*result);
+    dependence.variant = std::move(variant);
     dependence.fit = std::move(*result);
     return dependence;
 }

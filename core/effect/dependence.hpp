@@ -14,7 +14,8 @@ struct Dependence {
     double value{}, slope{};
     double middle{}, range{};  // of the channel over the fitted recordings, in its own unit
     double explained{};        // fall in the sum of squares, in units of the noise
-    FitResult fit;             // with the dependence
+    Variant variant;           // with the dependence, at the values of its fit
+    FitResult fit;
 };
 
 /// The best of the dependences that are likely to first order, once each is fitted with all parameters of the model.

@@ -27,7 +27,7 @@ constexpr double changeShare = 0.5, leastChange = 100;
 /// another structure, or all of them only to imitate it.
 template <class Change>
 bool isBetterThan(const NullModel& base, const NullModel& with, const Change& change,
-                  const std::function<const Disturbance&()>& disturbance) {
+                  const std::function<BesideDisturbance(const NullModel&)>& beside) {
     if (!(change.explained > changeShare * excess(base)) || !(change.explained > leastChange)) return false;
     const double left = sumInUnitsOf(base, with), leftByChange = change.fit.optimum.residuals.squaredNorm();
     const FitResult& nearer = left < leftByChange ? with.fit : change.fit;  // to the truth, as far as we know
@@ -40,7 +40,11 @@ bool isBetterThan(const NullModel& base, const NullModel& with, const Change& ch
     const double more = static_cast<double>(change.fit.estimates.size()) - with.parameterCount() + 1;
     if (!(gain - more * std::log(count) > equivalenceMargin)) return false;
     const int freed = static_cast<int>(change.fit.estimates.size()) - base.parameterCount();
-    return isNoise(base.channels, change.fit) || isBorneOut(disturbance(), base, change.fit, freed + 1);
+    if (isNoise(base.channels, change.fit)) return true;
+    NullModel changed = base;
+    changed.variant = change.variant;
+    changed.fit = change.fit;
+    return isBorneOut(beside(base), beside(changed), changed.fit.optimum.residuals.size(), freed + 1);
 }
 
 /// Puts proposals first among what is left; the strongest channel tells when it shows and what it moves with.
@@ -193,13 +197,11 @@ Outcome<Finding> Search::run() {
     // A parameter that changed in mid run is imitated by many slow effects; none of them is it.
     if (!isNoise(base) && !progress_.stopRequested()) change_ = bestChange(base, search_.fit, progress_);
     if (!isNoise(base) && !progress_.stopRequested()) dependence_ = bestDependence(base, search_.fit, progress_);
-    std::optional<Disturbance> disturbance;
-    const auto besideBase = [&]() -> const Disturbance& {
-        if (!disturbance) disturbance.emplace(base, search_.fit.simulation, progress_);
-        return *disturbance;
+    const auto beside = [&](const NullModel& model) {
+        return besideDisturbance(model, search_.fit.simulation, progress_);
     };
-    if (change_ && !isBetterThan(base, *null, *change_, besideBase)) change_.reset();
-    if (dependence_ && !isBetterThan(base, *null, *dependence_, besideBase)) dependence_.reset();
+    if (change_ && !isBetterThan(base, *null, *change_, beside)) change_.reset();
+    if (dependence_ && !isBetterThan(base, *null, *dependence_, beside)) dependence_.reset();
     if (change_ && dependence_) {
         if (change_->explained > dependence_->explained)
             dependence_.reset();

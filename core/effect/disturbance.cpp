@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/effect/score.hpp"
+#include "core/fit/coordinates.hpp"
 
 namespace analogon {
 namespace {
@@ -15,6 +17,9 @@ constexpr int piecesOfADisturbance = 100;
 constexpr double correlations[] = {0.2, 0.8, 0.97};         // of neighbouring pieces
 constexpr double leastVariance = 1e-3, varianceFactor = 3;  // of the flow's strongest trace, in units of the noise
 constexpr int varianceSteps = 24;
+constexpr int mostRounds = 10, stepsARound = 3;
+constexpr double leastFall = 2;             // of the misfit, for another step or round
+constexpr double likelyShare = 0.5;         // of what the likeliest place explains
 constexpr double leastInformation = 1e-10;  // of the best known direction of the parameters
 
 /// Root of the correlation of pieces that follow each other by a first-order Markov process.
@@ -27,22 +32,23 @@ Eigen::MatrixXd correlationRoot(Eigen::Index count, double neighbours) {
 
 }  // namespace
 
-Disturbance::Disturbance(const NullModel& null, const SimulationOptions& simulation, const Progress& progress)
-    : Disturbance(null.channels, flowResponses(null, piecesOfADisturbance, simulation, progress),
+Disturbance::Disturbance(const NullModel& model, const SimulationOptions& simulation, const Progress& progress,
+                         const std::set<std::string>& places)
+    : Disturbance(model.channels, flowResponses(model, piecesOfADisturbance, simulation, progress, places),
                   piecesOfADisturbance) {}
 
-Disturbance::Disturbance(std::vector<ResidualChannel> channels, const std::vector<FlowResponse>& responses, int pieces)
-    : channels_(std::move(channels)) {
+Disturbance::Disturbance(std::vector<ResidualChannel> channels, std::vector<FlowResponse> responses, int pieces)
+    : channels_(std::move(channels)), responses_(std::move(responses)) {
     const Eigen::Index count = pieces + 1;
-    for (const FlowResponse& r : responses) {
+    for (std::size_t i = 0; i < responses_.size(); ++i) {
+        const Eigen::MatrixXd squares = responses_[i].columns.transpose() * responses_[i].columns;
         for (const double correlation : correlations) {
             const Eigen::MatrixXd root = correlationRoot(count, correlation);
-            Eigen::MatrixXd columns = r.columns;
-            for (Eigen::Index k = 0; k + count <= columns.cols(); k += count)
-                columns.middleCols(k, count) = r.columns.middleCols(k, count) * root;
-            const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(columns.transpose() * columns);
+            Eigen::MatrixXd roots = Eigen::MatrixXd::Zero(squares.rows(), squares.rows());  // of each recording
+            for (Eigen::Index k = 0; k + count <= roots.cols(); k += count) roots.block(k, k, count, count) = root;
+            const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(roots.transpose() * squares * roots);
             if (!(eigen.eigenvalues().maxCoeff() > 0)) continue;
-            sources_.push_back({columns * eigen.eigenvectors(), eigen.eigenvalues().cwiseMax(0)});
+            sources_.push_back({i, roots * eigen.eigenvectors(), eigen.eigenvalues().cwiseMax(0)});
         }
     }
 }
@@ -61,63 +67,225 @@ Eigen::MatrixXd residualAndJacobian(const Linearisation& model) {
     return both;
 }
 
-/// How the parameters follow, from the products of residual and Jacobian in the metric of the noise, and the sum of
-/// squares that is left.
-struct Followed {
-    Eigen::VectorXd coefficients;  // of the residual (1) and the columns of the Jacobian
-    double sumOfSquares{};
-};
-
-Followed follow(const Eigen::MatrixXd& products) {
+/// How the parameters follow, from the products of residual and Jacobian in the metric of the noise.
+Eigen::VectorXd follow(const Eigen::MatrixXd& products, double damping) {
     const Eigen::Index count = products.cols() - 1;
-    Followed f{Eigen::VectorXd::Ones(count + 1), products(0, 0)};
-    if (count == 0) return f;
     Eigen::MatrixXd normal = products.bottomRightCorner(count, count);
+    normal.diagonal() *= 1 + damping;
     normal.diagonal().array() += leastInformation * std::max(normal.diagonal().maxCoeff(), 1e-300);
-    const Eigen::VectorXd right = products.bottomLeftCorner(count, 1);
-    f.coefficients.tail(count) = -normal.ldlt().solve(right);
-    f.sumOfSquares += right.dot(f.coefficients.tail(count));
-    return f;
+    return -normal.ldlt().solve(products.bottomLeftCorner(count, 1));
+}
+
+double misfitOf(double sumOfSquares, double rows) {
+    return rows * std::log(std::max(sumOfSquares, std::numeric_limits<double>::min()) / rows);
 }
 
 }  // namespace
 
-Disturbance::Estimate Disturbance::estimate(const Linearisation& model) const {
-    const Eigen::MatrixXd both = residualAndJacobian(model);
-    const Eigen::MatrixXd products = both.transpose() * both;
-    const double rows = static_cast<double>(both.rows());
-    const auto misfitOf = [&](const Followed& f) {
-        return rows * std::log(std::max(f.sumOfSquares, std::numeric_limits<double>::min()) / rows);
-    };
-    Followed best = follow(products);
-    Estimate estimate{misfitOf(best), 1};
-    const Source* likeliest = nullptr;
-    Eigen::VectorXd taken;  // of each column of the source, the part that is the flow's
-    for (const Source& source : sources_) {
-        const Eigen::MatrixXd onto = source.columns.transpose() * both;
-        double variance = leastVariance / source.squares.maxCoeff();
-        for (int step = 0; step < varianceSteps; ++step, variance *= varianceFactor) {
+template <class Visit>
+void Disturbance::visit(const Eigen::MatrixXd& both, const Visit& each) const {
+    const Eigen::MatrixXd plain = both.transpose() * both;
+    each(Metric{}, plain);
+    Eigen::MatrixXd pieces;
+    for (std::size_t s = 0; s < sources_.size(); ++s) {
+        const Source& source = sources_[s];
+        if (s == 0 || source.response != sources_[s - 1].response)
+            pieces = responses_[source.response].columns.transpose() * both;
+        const Eigen::MatrixXd onto = source.turn.transpose() * pieces;
+        Metric metric{static_cast<int>(s), leastVariance / source.squares.maxCoeff()};
+        for (int k = 0; k < varianceSteps; ++k, metric.variance *= varianceFactor)
             // (I + q A A')^-1 = I - A q/(1 + q s) A' where A'A is diagonal, s
-            const Eigen::VectorXd part = variance / (1 + variance * source.squares.array());
-            const Followed followed = follow(products - onto.transpose() * part.asDiagonal() * onto);
-            const double misfit = misfitOf(followed) + (variance * source.squares.array()).log1p().sum();
-            if (!(misfit < estimate.misfit)) continue;
-            estimate.misfit = misfit;
-            best = followed;
-            likeliest = &source;
-            taken = part;
-        }
+            each(metric, plain - onto.transpose() * source.part(metric.variance).asDiagonal() * onto);
     }
-    Eigen::VectorXd rest = both * best.coefficients;
-    if (likeliest) rest -= likeliest->columns * taken.cwiseProduct(likeliest->columns.transpose() * rest);
-    estimate.independent = effectiveCount(channels_, rest) / rows;
-    return estimate;
 }
 
-double Disturbance::evidence(const Linearisation& without, const Linearisation& with, int more) const {
-    const Estimate one = estimate(without), other = estimate(with);
-    const double count = other.independent * static_cast<double>(with.residuals.size());
-    return other.independent * (one.misfit - other.misfit) - more * std::log(count);
+Eigen::MatrixXd Disturbance::products(const Eigen::MatrixXd& both, const Metric& metric) const {
+    Eigen::MatrixXd result = both.transpose() * both;
+    if (metric.source < 0) return result;
+    const Source& source = sourceOf(metric);
+    const Eigen::MatrixXd onto = source.turn.transpose() * (responses_[source.response].columns.transpose() * both);
+    result -= onto.transpose() * source.part(metric.variance).asDiagonal() * onto;
+    return result;
+}
+
+double Disturbance::misfit(const Eigen::MatrixXd& products, const Metric& metric, double rows) const {
+    double sumOfSquares = products(0, 0);
+    if (products.cols() > 1) sumOfSquares += products.col(0).tail(products.cols() - 1).dot(follow(products, 0));
+    return misfitOf(sumOfSquares, rows) + (metric.source < 0 ? 0 : sourceOf(metric).spread(metric.variance));
+}
+
+Disturbance::Metric Disturbance::leastMisfit(const Eigen::MatrixXd& both) const {
+    Metric best;
+    best.misfit = std::numeric_limits<double>::infinity();
+    visit(both, [&](Metric metric, const Eigen::MatrixXd& products) {
+        metric.misfit = misfit(products, metric, static_cast<double>(both.rows()));
+        if (metric.misfit < best.misfit) best = metric;
+    });
+    return best;
+}
+
+Disturbance::Metric Disturbance::likeliest(const Eigen::VectorXd& residuals) const { return leastMisfit(residuals); }
+
+Disturbance::Metric Disturbance::likeliest(const Linearisation& model) const {
+    return leastMisfit(residualAndJacobian(model));
+}
+
+std::set<std::string> Disturbance::likelyPlaces(const Linearisation& model, double share) const {
+    const Eigen::MatrixXd both = residualAndJacobian(model);
+    double undisturbed = 0, least = std::numeric_limits<double>::infinity();
+    std::map<std::string, double> ofPlace;
+    visit(both, [&](const Metric& metric, const Eigen::MatrixXd& products) {
+        const double m = misfit(products, metric, static_cast<double>(both.rows()));
+        least = std::min(least, m);
+        if (metric.source < 0) {
+            undisturbed = m;
+        } else {
+            double& there = ofPlace.try_emplace(responses_[sourceOf(metric).response].place, m).first->second;
+            there = std::min(there, m);
+        }
+    });
+    std::set<std::string> likely;
+    for (const auto& [place, m] : ofPlace)
+        if (undisturbed - m > share * (undisturbed - least)) likely.insert(place);
+    return likely;
+}
+
+Eigen::VectorXd Disturbance::step(const Linearisation& model, const Metric& metric, double damping,
+                                  const std::vector<bool>& held) const {
+    Eigen::MatrixXd both = residualAndJacobian(model);
+    for (std::size_t j = 0; j < held.size(); ++j)
+        if (held[j]) both.col(static_cast<Eigen::Index>(j) + 1).setZero();
+    Eigen::VectorXd step = follow(products(both, metric), damping);
+    for (Eigen::Index j = 0; j < step.size(); ++j) {
+        const double length = model.jacobian.col(j).norm();
+        step[j] = length > 0 ? step[j] / length : 0;
+    }
+    return step;
+}
+
+Eigen::VectorXd Disturbance::gradient(const Linearisation& model, const Metric& metric) const {
+    return products(residualAndJacobian(model), metric).bottomLeftCorner(model.jacobian.cols(), 1);
+}
+
+double Disturbance::independentShare(const Eigen::VectorXd& residuals, const Metric& metric) const {
+    Eigen::VectorXd rest = residuals;
+    if (metric.source >= 0) {
+        const Source& source = sourceOf(metric);
+        const Eigen::MatrixXd& columns = responses_[source.response].columns;
+        const Eigen::VectorXd onto = source.turn.transpose() * (columns.transpose() * residuals);
+        rest -= columns * (source.turn * source.part(metric.variance).cwiseProduct(onto));
+    }
+    return effectiveCount(channels_, rest) / static_cast<double>(rest.size());
+}
+
+namespace {
+
+/// Levenberg and Marquardt's method in the metric of a disturbance, which is judged anew at every point; its responses
+/// are simulated anew after some steps.
+class Descent {
+public:
+    Descent(const NullModel& model, const SimulationOptions& simulation, const Progress& progress)
+        : simulation_(simulation),
+          progress_(progress),
+          here_(model),
+          prepared_(prepareAt(model.variant, model.noise)) {}
+
+    BesideDisturbance run() {
+        std::set<std::string> places;
+        int idle = 0;
+        for (int round = 0; round < mostRounds && idle < 2; ++round) {
+            disturbance_.emplace(here_, simulation_, progress_, places);
+            metric_ = disturbance_->likeliest(here_.fit.optimum.residuals);
+            idle = metric_.misfit < least_.misfit - leastFall ? 0 : idle + 1;
+            if (metric_.misfit < least_.misfit)
+                least_ = {metric_.misfit, disturbance_->independentShare(here_.fit.optimum.residuals, metric_)};
+            if (!prepared_ || progress_.stopRequested()) break;
+            if (round == 0) places = disturbance_->likelyPlaces(here_.fit.optimum, likelyShare);
+            if (places.empty() || !descend()) break;
+        }
+        return least_;
+    }
+
+private:
+    /// Beside these responses; false where no step leads down.
+    bool descend() {
+        const double begin = metric_.misfit;
+        double before = begin;
+        for (int k = 0; k < stepsARound && !progress_.stopRequested() && goDown(); ++k) {
+            if (before - metric_.misfit < leastFall) break;
+            before = metric_.misfit;
+        }
+        return begin - metric_.misfit > leastFall;
+    }
+
+    /// First as the parameters and the metric would go together, then down the slope of the metric that holds here.
+    bool goDown() {
+        const Linearisation& model = here_.fit.optimum;
+        const Eigen::VectorXd together = disturbance_->step(model, disturbance_->likeliest(model), 0);
+        for (const double part : {1.0, 0.3, 0.1})
+            if (accept(part * together)) return true;
+        const Eigen::VectorXd slope = disturbance_->gradient(model, metric_);
+        std::vector<bool> held;
+        for (std::size_t i = 0; i < prepared_->problem.parameters.size(); ++i) {
+            const FitParameter& p = prepared_->problem.parameters[i];
+            const auto index = static_cast<Eigen::Index>(i);
+            held.push_back((p.start <= p.min && slope[index] > 0) || (p.start >= p.max && slope[index] < 0));
+        }
+        for (const double damping : {0.0, 0.01, 1.0, 100.0})
+            if (accept(disturbance_->step(model, metric_, damping, held))) return true;
+        return false;
+    }
+
+    /// Goes that step if it lowers the misfit.
+    bool accept(const Eigen::VectorXd& step) {
+        std::vector<FitParameter>& parameters = prepared_->problem.parameters;
+        const Eigen::VectorXd values = stepped(parameters, prepared_->problem.startValues(), step);
+        Linearisation there = linearise(prepared_->problem, values, true, here_.fit.plans, simulation_, progress_);
+        if (!there.ok || !there.jacobian.allFinite()) return false;
+        const Disturbance::Metric metric = disturbance_->likeliest(there.residuals);
+        if (!(metric.misfit < metric_.misfit)) return false;
+        metric_ = metric;
+        here_.fit.optimum = std::move(there);
+        for (std::size_t i = 0; i < parameters.size(); ++i)
+            here_.variant.values[i].value = parameters[i].start = values[static_cast<Eigen::Index>(i)];
+        return true;
+    }
+
+    /// The parameters after a step: inside their bounds, none grown or fallen more than about threefold.
+    static Eigen::VectorXd stepped(const std::vector<FitParameter>& parameters, const Eigen::VectorXd& values,
+                                   const Eigen::VectorXd& step) {
+        const Coordinates coordinates(parameters);
+        Eigen::VectorXd next = values;
+        for (Eigen::Index i = 0; i < values.size(); ++i) {
+            const FitParameter& p = parameters[static_cast<std::size_t>(i)];
+            if (coordinates.isLogarithmic(static_cast<int>(i)))
+                next[i] *= std::exp(std::clamp(step[i] / values[i], -1.0, 1.0));
+            else
+                next[i] += step[i];
+            next[i] = std::clamp(next[i], p.min, p.max);
+        }
+        return next;
+    }
+
+    const SimulationOptions& simulation_;
+    const Progress& progress_;
+    NullModel here_;
+    Outcome<PreparedTask> prepared_;
+    std::optional<Disturbance> disturbance_;
+    Disturbance::Metric metric_;
+    BesideDisturbance least_{std::numeric_limits<double>::infinity(), 1};
+};
+
+}  // namespace
+
+BesideDisturbance besideDisturbance(const NullModel& model, const SimulationOptions& simulation,
+                                    const Progress& progress) {
+    return Descent(model, simulation, progress).run();
+}
+
+double evidenceBeside(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int more) {
+    const double count = with.independent * static_cast<double>(rows);
+    return with.independent * (without.misfit - with.misfit) - more * std::log(count);
 }
 
 }  // namespace analogon

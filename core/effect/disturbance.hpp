@@ -1,5 +1,10 @@
 #pragma once
 
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
 #include "core/effect/missing_flow.hpp"
 
 namespace analogon {
@@ -9,31 +14,69 @@ namespace analogon {
 /// then has the covariance V = s^2 (I + q A C A'), A the responses to pieces of the flow and C their correlation.
 class Disturbance {
 public:
-    /// The responses of a model; they serve for every model near it.
-    Disturbance(const NullModel& null, const SimulationOptions& simulation, const Progress& progress);
+    /// The responses of a model at its parameters; of these places alone (empty: of all).
+    Disturbance(const NullModel& model, const SimulationOptions& simulation, const Progress& progress,
+                const std::set<std::string>& places = {});
     /// `pieces` of a flow over every recording: one column more for each in the responses.
-    Disturbance(std::vector<ResidualChannel> channels, const std::vector<FlowResponse>& responses, int pieces);
+    Disturbance(std::vector<ResidualChannel> channels, std::vector<FlowResponse> responses, int pieces);
 
-    /// -2 ln of the likelihood of what a model leaves, but for a constant, in independent samples: the least over the
-    /// place, the variance and the correlation time of the flow. The parameters follow to first order (generalised
-    /// least squares by their Jacobian).
-    struct Estimate {
-        double misfit{};
-        double independent{};  // share of the samples, in what neither model nor flow explains
+    /// A place, a variance and a correlation time of the flow: a metric of what a model leaves.
+    struct Metric {
+        int source{-1};     // no flow
+        double variance{};  // in units of the noise
+        double misfit{};    // of what it was found for
     };
-    Estimate estimate(const Linearisation& model) const;
+    /// -2 ln of the likelihood of these residuals, but for a constant, in independent samples: the least over all
+    /// metrics, that one with it.
+    Metric likeliest(const Eigen::VectorXd& residuals) const;
+    /// The same where the parameters follow to first order (generalised least squares by their Jacobian).
+    Metric likeliest(const Linearisation& model) const;
+    /// Places where a flow explains at least this share of what it does at the likeliest one.
+    std::set<std::string> likelyPlaces(const Linearisation& model, double share) const;
 
-    /// Fall in BIC from one model to another that has `more` parameters, each beside the flow that is likeliest with
-    /// it.
-    double evidence(const Linearisation& without, const Linearisation& with, int more) const;
+    /// How the parameters follow in a metric; the normal equations are damped by that part of their diagonal, `held`
+    /// parameters stay.
+    Eigen::VectorXd step(const Linearisation& model, const Metric& metric, double damping,
+                         const std::vector<bool>& held = {}) const;
+    /// Slope of the sum of squares in a metric along each parameter.
+    Eigen::VectorXd gradient(const Linearisation& model, const Metric& metric) const;
+    /// Share of the samples that are independent, in what the flow does not explain.
+    double independentShare(const Eigen::VectorXd& residuals, const Metric& metric) const;
 
 private:
     struct Source {
-        Eigen::MatrixXd columns;  // A times the root of C, turned so that its columns are orthogonal
-        Eigen::VectorXd squares;  // their squared lengths
+        std::size_t response{};
+        Eigen::MatrixXd turn;     // from the pieces to amplitudes that are independent and whose traces are orthogonal
+        Eigen::VectorXd squares;  // squared lengths of these traces
+
+        Eigen::VectorXd part(double variance) const { return variance / (1 + variance * squares.array()); }
+        double spread(double variance) const { return (variance * squares.array()).log1p().sum(); }
     };
+    const Source& sourceOf(const Metric& metric) const { return sources_[static_cast<std::size_t>(metric.source)]; }
+    /// Visits every metric: f(metric, products of the columns of `both` in it).
+    template <class Visit>
+    void visit(const Eigen::MatrixXd& both, const Visit& each) const;
+    Eigen::MatrixXd products(const Eigen::MatrixXd& both, const Metric& metric) const;
+    double misfit(const Eigen::MatrixXd& products, const Metric& metric, double rows) const;
+    Metric leastMisfit(const Eigen::MatrixXd& both) const;
+
     std::vector<ResidualChannel> channels_;
-    std::vector<Source> sources_;
+    std::vector<FlowResponse> responses_;
+    std::vector<Source> sources_;  // in the order of the responses
 };
+
+/// A model beside the flow that is likeliest with it.
+struct BesideDisturbance {
+    double misfit{};       // -2 ln of the likelihood, but for a constant, in independent samples
+    double independent{};  // share of the samples, in what neither model nor flow explains
+};
+
+/// At the parameters that are likeliest with both, which plain least squares may miss by far: there they have given way
+/// to the flow, and so have the responses. By Levenberg and Marquardt's method.
+BesideDisturbance besideDisturbance(const NullModel& model, const SimulationOptions& simulation,
+                                    const Progress& progress);
+
+/// Fall in BIC from one model to another that has `more` parameters, each beside its disturbance; of `rows` samples.
+double evidenceBeside(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int more);
 
 }  // namespace analogon

@@ -24,8 +24,8 @@ int plausibility(const EffectClass& effect) { return effect.signalSide == "input
 
 bool isMissed(const Acceptance& a) { return a.isSignificant && a.isWorthwhile && a.heldOut > 0; }
 
-bool isBorneOut(const Disturbance& disturbance, const NullModel& without, const FitResult& with, int freed) {
-    return disturbance.evidence(without.fit.optimum, with.optimum, freed) > leastBesideDisturbance;
+bool isBorneOut(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int freed) {
+    return evidenceBeside(without, with, rows, freed) > leastBesideDisturbance;
 }
 
 bool isAtBound(const Trial& trial) {

@@ -25,7 +25,7 @@ bool isMissed(const Acceptance& a);
 
 /// Whether an effect is more than what a flow that nobody measured takes over, one that varies slowly at some node: a
 /// second mass or a small exponent imitates it well from one short block to the next.
-bool isBorneOut(const Disturbance& disturbance, const NullModel& without, const FitResult& with, int freed);
+bool isBorneOut(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int freed);
 
 /// Whether the strength rests at a bound: the effect then stands for something else.
 bool isAtBound(const Trial& trial);

@@ -464,8 +464,9 @@ std::vector<FlowLaw> likelyFlowLaws(const NullModel& null, int before, const Sim
 }
 
 std::vector<FlowResponse> flowResponses(const NullModel& null, int pieces, const SimulationOptions& simulation,
-                                        const Progress& progress) {
+                                        const Progress& progress, const std::set<std::string>& wanted) {
     std::vector<FlowResponse> responses;
+    const auto isWanted = [&](const std::string& place) { return wanted.empty() || wanted.contains(place); };
     Diagram diagram;
     const Outcome<ModelNodes> nodes = nodesOf(null.variant, diagram);
     const Outcome<PreparedTask> held = prepareHeld(null.variant, {}, null.noise);
@@ -476,6 +477,7 @@ std::vector<FlowResponse> flowResponses(const NullModel& null, int pieces, const
     for (ModelNodes::FlowNode& node : nodes->flowNodes()) {
         if (progress.stopRequested()) return responses;
         FlowProbe probe(null, std::move(node));
+        if (!isWanted(probe.place().at)) continue;
         probe.collectPieces(time.low, time.high, pieces);
         std::optional<Eigen::MatrixXd> columns = probe.traces(fitted.size() > 1, simulation, progress);
         if (columns && columns->allFinite()) responses.push_back({probe.place().at, true, std::move(*columns)});
@@ -495,9 +497,10 @@ std::vector<FlowResponse> flowResponses(const NullModel& null, int pieces, const
             columns(c.begin + row, before + k + 1) = at - k;
         }
     }
-    for (auto& [output, columns] : ofOutput)
-        responses.push_back(
-            {"output " + held->system->outputs()[static_cast<std::size_t>(output)].name, false, std::move(columns)});
+    for (auto& [output, columns] : ofOutput) {
+        std::string place = "output " + held->system->outputs()[static_cast<std::size_t>(output)].name;
+        if (isWanted(place)) responses.push_back({std::move(place), false, std::move(columns)});
+    }
     return responses;
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "core/effect/screen.hpp"
 
@@ -27,9 +30,10 @@ struct FlowResponse {
         columns;  // rows of the residual x hats of the flow, evenly over the time; of each recording its own
 };
 
-/// The responses of every node and output, each flow piecewise linear with as many `pieces` over a recording.
+/// The responses of the nodes and outputs that are `wanted` (empty: all), each flow piecewise linear with as many
+/// `pieces` over a recording.
 std::vector<FlowResponse> flowResponses(const NullModel& null, int pieces, const SimulationOptions& simulation,
-                                        const Progress& progress);
+                                        const Progress& progress, const std::set<std::string>& wanted = {});
 
 /// The place where an unknown flow explains most of the residual, whatever its course in time (piecewise linear, as
 /// many pieces everywhere): a connector, or "output y" where an error of that sensor alone explains as much. Empty:

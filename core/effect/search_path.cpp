@@ -16,7 +16,6 @@ constexpr double mostWork = 3e7;  // in steps of the trials, beyond which no oth
 constexpr std::size_t otherPaths = 2;
 constexpr double structuredResidual = 1.1;  // in units of the noise: something is left to find
 constexpr double leastGain = 1;             // in evidence, for which an effect is exchanged: exact twins are not
-constexpr double clearShare = 3;            // of what is left, from which on an effect needs no further witness
 constexpr int mostSharpenings = 2;
 constexpr double leastSharpening = 8;  // fall in the sum of squares, in units of the noise
 
@@ -261,10 +260,10 @@ void Search::setVerdict(const std::string& kind, const std::string& at, Verdict 
         }
 }
 
-/// Takes each effect out again and keeps only those that are missed. At the last, what explains little beside what
-/// nothing explains must be more than what a disturbance takes over.
+/// Takes each effect out again and keeps only those that are missed. At the last, where something is left that nothing
+/// explains, they must be more than what a disturbance takes over.
 void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
-    std::optional<Disturbance> disturbance;
+    std::optional<BesideDisturbance> beside;  // of the model as it stands
     for (std::size_t i = 0; i < steps_.size() && steps_.size() > least && !progress_.stopRequested();) {
         say("remove", null.variant.effects[i].effect.kind + " at " + null.variant.effects[i].place.at, -1);
         std::optional<NullModel> refitted = without(null, i);
@@ -274,10 +273,13 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
         }
         const int freed = static_cast<int>(null.variant.effects[i].freed.size());
         const Acceptance missed = examine(*refitted, null.fit, freed, 0);
-        const bool isDoubtful = isLast && !isNoise(null) && missed.share < clearShare;
-        if (isDoubtful && !disturbance) disturbance.emplace(null, search_.fit.simulation, progress_);
-        if (isMissed(missed) && isDetermined(null, i) &&
-            !(isDoubtful && !isBorneOut(*disturbance, *refitted, null.fit, freed))) {
+        const bool isDoubtful = isLast && !isNoise(null);
+        const auto isMore = [&] {
+            if (!beside) beside = besideDisturbance(null, search_.fit.simulation, progress_);
+            return isBorneOut(besideDisturbance(*refitted, search_.fit.simulation, progress_), *beside,
+                              null.fit.optimum.residuals.size(), freed);
+        };
+        if (isMissed(missed) && isDetermined(null, i) && (!isDoubtful || isMore())) {
             steps_[i].acceptance = missed;
             if (Outcome<ModelState> state =
                     stateOf(refitted->variant, refitted->fit, search_.fit.simulation, progress_, Detail::Errors))
@@ -289,6 +291,7 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
         setVerdict(unneeded.effect.kind, unneeded.place.at, Verdict::NotSignificant);
         if (hasProposal(null) && unneeded.effect.proposal.empty()) displaced_.push_back({unneeded, steps_[i]});
         null = std::move(*refitted);
+        beside.reset();
         steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
         i = 0;
     }

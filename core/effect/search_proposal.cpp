@@ -73,8 +73,7 @@ bool Search::addLaw(NullModel& null) {
 /// structure is offered only where it is more than a disturbance.
 std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
     std::vector<Remainder> found;
-    std::optional<Disturbance> disturbance;
-    if (hasProposal(null) && !isNoise(null)) disturbance.emplace(null, search_.fit.simulation, progress_);
+    const bool isDoubtful = hasProposal(null) && !isNoise(null);
     std::optional<ModelState> with;
     if (hasProposal(null))
         if (Outcome<ModelState> state =
@@ -103,8 +102,12 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
         }
         std::optional<NullModel> rest = without(null, i);
         if (!rest) continue;
-        if (!disturbance || isBorneOut(*disturbance, *rest, null.fit, static_cast<int>(placed.freed.size())))
-            found.push_back(std::move(r));
+        const auto isMore = [&] {
+            return isBorneOut(besideDisturbance(*rest, search_.fit.simulation, progress_),
+                              besideDisturbance(null, search_.fit.simulation, progress_),
+                              null.fit.optimum.residuals.size(), static_cast<int>(placed.freed.size()));
+        };
+        if (!isDoubtful || isMore()) found.push_back(std::move(r));
         null = std::move(*rest);
         steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
     }

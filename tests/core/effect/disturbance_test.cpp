@@ -6,6 +6,8 @@
 #include <numeric>
 #include <random>
 
+#include "core/library/library.hpp"
+
 namespace analogon {
 namespace {
 
@@ -63,7 +65,13 @@ protected:
         with.jacobian.resize(rows, 2);
         with.jacobian << without.jacobian, trace;
         with.residuals = residual - trace * (trace.dot(residual) / trace.squaredNorm());
-        return disturbance_.evidence(without, with, 1);
+        return evidenceBeside(beside(without), beside(with), rows, 1);
+    }
+
+    BesideDisturbance beside(const Linearisation& model) const {
+        const Disturbance::Metric metric = disturbance_.likeliest(model);
+        const Eigen::VectorXd left = model.residuals + model.jacobian * disturbance_.step(model, metric, 0);
+        return {metric.misfit, disturbance_.independentShare(left, metric)};
     }
 
     /// What an effect at the node does that follows from the inputs of the experiment: levels held for a while.
@@ -97,6 +105,89 @@ TEST_F(OneNode, TakesOverWhatAnEffectOnlyImitates) {
 TEST_F(OneNode, LeavesAnEffectThatStandsOutOfADisturbance) {
     const Eigen::VectorXd trace = effect();
     EXPECT_GT(evidenceOf(trace, noise() + 5 * through(wandering()) + 8 * trace), 30);
+}
+
+/// A body that is heated in steps and cools to 300 K, in a draught.
+class BodyInADraught : public testing::Test {
+protected:
+    static constexpr double capacity = 4, conductance = 0.2;  // [J/K], [W/K]
+
+    static EstimationTask task() {
+        EstimationTask task;
+        task.model = std::make_shared<Source>("model.mo", R"(model Body
+  Analogon.Interfaces.RealInput P(unit="W");
+  Analogon.Interfaces.RealOutput T(unit="K");
+  Analogon.Sources.PrescribedHeatFlow heater;
+  Analogon.Thermal.HeatCapacitor body(C=6, T_start=300);
+  Analogon.Thermal.ThermalConductor joint(G=0.3);
+  Analogon.Sources.FixedTemperature surroundings(T=300);
+  Analogon.Sensors.TemperatureSensor sensor;
+equation
+  connect(P, heater.Q_flow);
+  connect(heater.port, body.port);
+  connect(body.port, joint.port_a);
+  connect(joint.port_b, surroundings.port);
+  connect(body.port, sensor.port);
+  connect(sensor.T, T);
+end Body;
+)");
+        task.className = "Body";
+        if (Outcome<Library> library = builtInLibrary()->withSource(task.model)) task.library = std::move(*library);
+        task.parameters = {{"body.C", "J/K", 6, 0.1, 100}, {"joint.G", "W/K", 0.3, 0.001, 10}};
+        Recording r;
+        r.name = "steps";
+        r.inputNames = {"P"};
+        r.outputNames = {"T"};
+        constexpr int samples = 2000, inner = 20;
+        constexpr double step = 0.25;  // [s]
+        r.inputs.resize(1, samples);
+        r.outputs.resize(1, samples);
+        r.weights = Eigen::VectorXd::Ones(1);
+        std::mt19937 random(8);
+        std::normal_distribution<double> normal;
+        double temperature = 300, draught = 0;
+        for (int k = 0; k < samples; ++k) {
+            r.time.push_back(step * k);
+            r.inputs(0, k) = k % 500 < 250 ? 8 : 6;
+            r.outputs(0, k) = temperature + 0.05 * normal(random);
+            draught += -draught / 60 + 1.0 * std::sqrt(2.0 / 60) * normal(random);
+            const double power = k % 250 == 249 ? 7 : r.inputs(0, k);  // straight between samples
+            for (int i = 0; i < inner; ++i)
+                temperature += step / inner * (power + draught - conductance * (temperature - 300)) / capacity;
+        }
+        task.recordings = {r};
+        return task;
+    }
+
+    static NullModel fitted() {
+        const EstimationTask body = task();
+        Variant variant{body, {}, {}};
+        for (const FitParameter& p : body.parameters) variant.values.push_back({p.name, -1, p.start});
+        Outcome<NullModel> null = fitNull(variant, {}, NoiseLevel::Estimate, {}, {});
+        EXPECT_TRUE(null) << format(null.diagnostics());
+        return null ? std::move(*null) : NullModel{};
+    }
+
+    static NullModel at(NullModel model, const std::vector<double>& values) {
+        for (std::size_t i = 0; i < values.size(); ++i) model.variant.values[i].value = values[i];
+        const Outcome<PreparedTask> prepared = prepareAt(model.variant, model.noise);
+        EXPECT_TRUE(prepared) << format(prepared.diagnostics());
+        if (prepared)
+            model.fit.optimum =
+                linearise(prepared->problem, prepared->problem.startValues(), true, model.fit.plans, {}, {});
+        return model;
+    }
+};
+
+TEST_F(BodyInADraught, IsLikeliestNearTheTruthWhereverTheFitHasEnded) {
+    const NullModel model = fitted();
+    ASSERT_EQ(model.fit.values.size(), 2);
+    const double ofTruth = besideDisturbance(at(model, {capacity, conductance}), {}, {}).misfit;
+    for (const std::vector<double>& values : {std::vector<double>{9, 0.1}, std::vector<double>{2, 0.5}}) {
+        const NullModel bent = at(model, values);
+        EXPECT_GT(Disturbance(bent, {}, {}).likeliest(bent.fit.optimum.residuals).misfit, ofTruth + 100);
+        EXPECT_NEAR(besideDisturbance(bent, {}, {}).misfit, ofTruth, 3);
+    }
 }
 
 }  // namespace
