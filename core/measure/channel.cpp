@@ -23,7 +23,7 @@ Diagnostic unknownColumn(const Table& table, const std::string& name) {
 }
 
 /// The first cell that is not a finite number, and how many more there are.
-Diagnostic blankCell(const Table& table, const Column& column) {
+Diagnostic blankCell(const Table& table, const Column& column, EmptyCells empty) {
     const BlankCell& first = column.blanks.front();
     const bool isMissing = std::isnan(column.values[first.row]);
     std::string message = fmt::format("column '{}' has {} here (data row {}", column.name,
@@ -32,8 +32,22 @@ Diagnostic blankCell(const Table& table, const Column& column) {
         const int last = table.lines[column.blanks.back().row];
         message += fmt::format("; {} cells in all, the last in line {}", column.blanks.size(), last);
     }
+    const char* const allowed = empty == EmptyCells::Fault ? "Only outputs may have empty cells. " : "";
     return fileError(message + ")", table.file, table.lines[first.row], first.position,
-                     "Remove these rows, fill the cells, or leave them out with \"range\": [from, to] in the study.");
+                     fmt::format("{}Remove these rows, fill the cells, or leave them out with \"range\": [from, to] in "
+                                 "the study.",
+                                 allowed));
+}
+
+/// The cells in which an output was not measured.
+Diagnostic unmeasured(const Table& table, const Column& column) {
+    const BlankCell& first = column.blanks.front();
+    Diagnostic note = fileError(fmt::format("column '{}' was not measured in {} of {} rows, first in data row {}",
+                                            column.name, column.blanks.size(), column.values.size(), first.row + 1),
+                                table.file, table.lines[first.row], first.position,
+                                "What the model says there is compared with nothing.");
+    note.severity = Severity::Warning;
+    return note;
 }
 
 /// A table made in memory may hold such values without their places.
@@ -45,8 +59,13 @@ Column withBlanks(const Column& column) {
     return out;
 }
 
-bool allFinite(const std::vector<double>& values) {
-    return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+/// Whether every cell can be taken as it is.
+bool isReadable(const std::vector<double>& values, EmptyCells empty) {
+    const auto isNumber = [](double value) { return std::isfinite(value); };
+    if (empty == EmptyCells::Fault) return std::all_of(values.begin(), values.end(), isNumber);
+    const auto isInfinite = [](double value) { return std::isinf(value); };
+    return std::any_of(values.begin(), values.end(), isNumber) &&
+           std::none_of(values.begin(), values.end(), isInfinite);
 }
 
 Outcome<UnitConversion> conversion(const Table& table, const Column& column, const std::string& from,
@@ -99,17 +118,26 @@ Diagnostics gaps(const Table& table, const Column& column, const std::vector<dou
 
 }  // namespace
 
-Outcome<std::vector<double>> readChannel(const Table& table, const ChannelMapping& mapping, const std::string& unit) {
+Outcome<std::vector<double>> readChannel(const Table& table, const ChannelMapping& mapping, const std::string& unit,
+                                         EmptyCells empty) {
     const Column* const column = table.find(mapping.column);
     if (!column) return unknownColumn(table, mapping.column);
     const Outcome<UnitConversion> convert =
         conversion(table, *column, mapping.unit.empty() ? column->unit : mapping.unit, unit);
     if (!convert) return convert.diagnostics();
-    if (!allFinite(column->values)) return blankCell(table, withBlanks(*column));
+    Column known = withBlanks(*column);
+    if (!isReadable(known.values, empty)) {
+        const auto isInfiniteCell = [&](const BlankCell& cell) { return std::isinf(known.values[cell.row]); };
+        const bool isInfinite = std::any_of(known.blanks.begin(), known.blanks.end(), isInfiniteCell);
+        if (empty == EmptyCells::NotMeasured && isInfinite)  // those without a number are none
+            std::erase_if(known.blanks, [&](const BlankCell& cell) { return !isInfiniteCell(cell); });
+        return blankCell(table, known, empty);
+    }
     std::vector<double> values(column->values.size());
     for (std::size_t i = 0; i < values.size(); ++i)
         values[i] = mapping.scale * (*convert)(column->values[i]) + mapping.offset;
-    return values;
+    if (known.blanks.empty()) return values;
+    return {std::move(values), {unmeasured(table, known)}};
 }
 
 Outcome<std::vector<double>> readTime(const Table& table, const std::string& column) {

@@ -22,10 +22,15 @@ struct ChannelMapping {
     friend bool operator==(const ChannelMapping&, const ChannelMapping&) = default;
 };
 
+/// What a cell without a number means: a fault (an input drives the model at every moment), or that an output was not
+/// measured there (NaN, and a warning that counts them).
+enum class EmptyCells { Fault, NotMeasured };
+
 /// A column in the unit of the model. `unit` empty: taken as it is.
-/// Faults name file, column and line: unknown column (with a suggestion), unknown or inconvertible unit,
-/// NaN or infinite cells.
-Outcome<std::vector<double>> readChannel(const Table& table, const ChannelMapping& mapping, const std::string& unit);
+/// Faults name file, column and line: unknown column (with a suggestion), unknown or inconvertible unit, infinite
+/// cells, cells without a number where these are faults, and a column that has none at all.
+Outcome<std::vector<double>> readChannel(const Table& table, const ChannelMapping& mapping, const std::string& unit,
+                                         EmptyCells empty = EmptyCells::Fault);
 
 /// The time column in seconds. Faults: falling or repeated time stamps, with line. A gap (a step over 20 times
 /// the median step) is a warning with its line.

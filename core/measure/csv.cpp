@@ -293,7 +293,7 @@ private:
                 fmt::format("'{}' in column '{}' has a decimal {}, line {} has a decimal {}", cell.text, column,
                             other == ',' ? "comma" : "point", decimalLine_, other == ',' ? "point" : "comma"),
                 line_.number, cell.position, "Write the whole file with one decimal mark.", line_.text);
-        std::string hint = "Only numbers can be read; leave the cell empty where nothing was measured.";
+        std::string hint = "Only numbers can be read; leave the cell of an output empty where it was not measured.";
         if (cell.text.find(',') != std::string::npos && cell.text.find('.') != std::string::npos)
             hint = "Marks between thousands cannot be read: write 1234.5.";
         return fault(fmt::format("'{}' in column '{}' is not a number", cell.text.substr(0, 60), column), line_.number,

@@ -287,9 +287,9 @@ private:
         recording.inputNames = mapped(experiment.inputs, signals_.inputNames);
         recording.outputNames = mapped(experiment.outputs, signals_.outputNames);
         const bool read = readRows(table, experiment, recording.inputNames, experiment.inputs, signals_.inputs,
-                                   pointer + "/inputs", recording.inputs) &
+                                   pointer + "/inputs", EmptyCells::Fault, recording.inputs) &
                           readRows(table, experiment, recording.outputNames, experiment.outputs, signals_.outputs,
-                                   pointer + "/outputs", recording.outputs);
+                                   pointer + "/outputs", EmptyCells::NotMeasured, recording.outputs);
         recording.weights.resize(static_cast<Eigen::Index>(recording.outputNames.size()));
         for (std::size_t i = 0; i < recording.outputNames.size(); ++i)
             recording.weights[static_cast<Eigen::Index>(i)] = experiment.outputs.at(recording.outputNames[i]).weight;
@@ -381,7 +381,8 @@ private:
 
     bool readRows(const Table& table, const StudyExperiment& experiment, const std::vector<std::string>& names,
                   const std::map<std::string, ChannelMapping>& mappings,
-                  const std::map<std::string, std::string>& units, const std::string& pointer, Eigen::MatrixXd& rows) {
+                  const std::map<std::string, std::string>& units, const std::string& pointer, EmptyCells empty,
+                  Eigen::MatrixXd& rows) {
         rows.resize(static_cast<Eigen::Index>(names.size()), static_cast<Eigen::Index>(table.rows()));
         bool complete = true;
         for (std::size_t i = 0; i < names.size(); ++i) {
@@ -399,7 +400,7 @@ private:
                 complete = false;
                 continue;
             }
-            const Outcome<std::vector<double>> values = readChannel(table, mapping, units.at(names[i]));
+            const Outcome<std::vector<double>> values = readChannel(table, mapping, units.at(names[i]), empty);
             if (!keep(values)) {
                 complete = false;
                 continue;

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace analogon;
 using testing::DoubleNear;
 using testing::ElementsAre;
@@ -86,6 +88,27 @@ TEST(Channel, NamesTheFirstCellWithoutANumber) {
     EXPECT_EQ(fault.place.column, 3);
     EXPECT_EQ(fault.message, "column 'u' has no number here (data row 2; 2 cells in all, the last in line 5)");
     EXPECT_THAT(faultOf(readChannel(table("t,u\n0,inf\n"), column("u"), "")).message, HasSubstr("infinite"));
+}
+
+TEST(Channel, TakesEmptyCellsOfAnOutputForNotMeasured) {
+    const Table file = table("t,y\n0,1\n1,\n2,3\n3,nan\n");
+    const Outcome<std::vector<double>> read = readChannel(file, column("y"), "", EmptyCells::NotMeasured);
+    ASSERT_TRUE(read) << format(read.diagnostics());
+    EXPECT_EQ((*read)[2], 3);
+    EXPECT_TRUE(std::isnan((*read)[1]) && std::isnan((*read)[3]));
+    ASSERT_EQ(read.diagnostics().size(), 1u);
+    const Diagnostic& note = read.diagnostics().front();
+    EXPECT_EQ(note.severity, Severity::Warning);
+    EXPECT_EQ(note.message, "column 'y' was not measured in 2 of 4 rows, first in data row 2");
+    EXPECT_EQ(note.place.line, 3);
+    // of an input they stay a fault, whose hint says so
+    EXPECT_THAT(faultOf(readChannel(file, column("y"), "")).hint, HasSubstr("Only outputs may have empty cells"));
+    // a column of nothing measures nothing, and an infinite value is none
+    EXPECT_FALSE(readChannel(table("t,y\n0,\n1,\n"), column("y"), "", EmptyCells::NotMeasured));
+    const Diagnostic infinite =
+        faultOf(readChannel(table("t,y\n0,\n1,2\n2,inf\n"), column("y"), "", EmptyCells::NotMeasured));
+    EXPECT_THAT(infinite.message, HasSubstr("infinite"));
+    EXPECT_EQ(infinite.place.line, 4);
 }
 
 TEST(Channel, ForgetsBlankCellsThatWereCutOff) {
