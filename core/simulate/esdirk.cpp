@@ -78,6 +78,7 @@ bool Esdirk::attempt(int interval, double t, double h, const double* x, const do
     const auto n = static_cast<std::size_t>(n_);
     const std::size_t block = n * static_cast<std::size_t>(K_);
     const double hg = h * table.a[1][1];
+    culprit_ = -1;
     double* const du = du_.empty() ? nullptr : du_.data();
 
     slots_.at(interval, t, u_.data(), du);
@@ -158,6 +159,20 @@ double Esdirk::scaledNorm(const double* v) const {
     return norm;
 }
 
+/// The state whose equation is farthest from being met, where an iteration has given up.
+int Esdirk::largestDefect() const {
+    int worst = -1;
+    double largest = -1.0;
+    for (int i = 0; i < n_; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        const double size = std::abs(delta_[at]) / std::max(scale_[at], std::abs(stage_[at]));
+        if (!std::isfinite(size)) return i;
+        if (size > largest) worst = i;
+        largest = std::max(largest, size);
+    }
+    return worst;
+}
+
 /// out = M^-1 (base + hg f - X): the Newton step, whose size is also the measure of the defect (natural
 /// monotonicity: Deuflhard 2004, section 3.1).
 double Esdirk::defect(double hg, const double* stage, const double* slope, double* out) const {
@@ -199,6 +214,7 @@ bool Esdirk::dampedNewton(double t, double hg) {
     for (int iteration = 0; iteration < 60; ++iteration) {
         if (!factorise(jacobian_.data(), n_, hg)) return false;
         const double size = defect(hg, stage_.data(), slope_.data(), delta_.data());
+        culprit_ = largestDefect();
         if (!std::isfinite(size)) return false;
         if (size <= tolerance_) {
             for (std::size_t i = 0; i < delta_.size(); ++i) stage_[i] += delta_[i];

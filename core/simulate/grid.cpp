@@ -148,7 +148,10 @@ private:
             if (!x_.empty()) {
                 slots_.holdLines(time_ + 0.5 * h);
                 StepMethod& method = methodIn(k);
-                if (!method.step(k, time_, h, x_.data(), dx_.data())) return method.reason();
+                if (!method.step(k, time_, h, x_.data(), dx_.data())) {
+                    culprit_ = method.culprit();
+                    return method.reason();
+                }
                 slots_.releaseLines();
             }
             if (isLookedAt && !(interpolant_.setEnd(k, reached, x_.data(), dx_.data()) &&
@@ -171,6 +174,8 @@ private:
         result_.failure = {true, at, dynamics_.failure(), reason};
         if (result_.failure.reason == "cancelled" || result_.failure.reason == "time limit") {
             result_.failure.variable.clear();
+        } else if (result_.failure.variable.empty() && culprit_ >= 0) {
+            result_.failure.variable = dynamics_.shape().stateNames[static_cast<std::size_t>(culprit_)];
         }
     }
 
@@ -187,6 +192,7 @@ private:
     std::unique_ptr<StepMethod> explicit_, implicit_;
     std::vector<double> x_, dx_;
     double time_{};
+    int culprit_{-1};  // the state at which a step failed; -1: not known
 };
 
 }  // namespace

@@ -18,6 +18,8 @@ public:
     /// failure() of the dynamics or reason() says why.
     virtual bool step(int interval, double t, double h, double* x, double* dx) = 0;
     virtual const char* reason() const { return "not finite"; }
+    /// The state at which it failed; -1: none more than another, or failure() names one.
+    virtual int culprit() const { return -1; }
 };
 
 std::unique_ptr<StepMethod> makeStepMethod(GridMethod method, Dynamics& dynamics, InputSlots& slots,
@@ -50,6 +52,7 @@ public:
     Esdirk(Dynamics& dynamics, InputSlots& slots, const SimulationOptions& options);
     bool step(int interval, double t, double h, double* x, double* dx) override;
     const char* reason() const override { return reason_; }
+    int culprit() const override { return culprit_; }
 
     static constexpr int stages = 4;
     struct Tableau {
@@ -66,6 +69,7 @@ private:
     bool factorise(const double* jacobian, int stride, double hg);
     double defect(double hg, const double* stage, const double* slope, double* out) const;
     double scaledNorm(const double* v) const;
+    int largestDefect() const;
     bool stageTangents(int stage, double t, double hg);
 
     static constexpr int maxDepth_ = 10;
@@ -84,6 +88,7 @@ private:
     std::vector<double> tangentBase_, tangentSlopes_;  // n x K, stages x n x K
     std::vector<double> endTangents_, savedX_, savedDx_;
     const char* reason_{"not finite"};
+    int culprit_{-1};
 };
 
 }  // namespace analogon
