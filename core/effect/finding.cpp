@@ -1,5 +1,10 @@
 #include "core/effect/finding.hpp"
 
+#include <fmt/format.h>
+
+#include <cctype>
+#include <utility>
+
 namespace analogon {
 
 const char* name(Way way) {
@@ -48,6 +53,27 @@ const char* name(FindingKind kind) {
             return "unexplained";
     }
     return "";
+}
+
+/// An equation with the values of what it names: "y = min(u, y_max) with y_max = 4.2".
+std::string withValues(const std::string& equation, const std::vector<EffectValue>& values) {
+    const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.'; };
+    const auto names = [&](const std::string& name) {
+        for (std::size_t at = equation.find(name); at != std::string::npos; at = equation.find(name, at + 1)) {
+            const std::size_t end = at + name.size();
+            if ((at == 0 || !isPart(equation[at - 1])) && (end == equation.size() || !isPart(equation[end])))
+                return true;
+        }
+        return false;
+    };
+    std::string text = equation;
+    const char* before = " with ";
+    for (const EffectValue& v : values) {
+        if (!names(v.name)) continue;
+        text += fmt::format("{}{} = {:.4g}{}{}", std::exchange(before, ", "), v.name, v.value,
+                            v.unit.empty() ? "" : " ", v.unit);
+    }
+    return text;
 }
 
 }  // namespace analogon

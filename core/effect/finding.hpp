@@ -29,6 +29,7 @@ struct ExperimentState {
     std::vector<double> time;
     std::vector<OutputState> outputs;
     SimulationFailure failure;
+    std::vector<FitEstimate> starts{};  // its own start values, where they were estimated from this recording alone
 };
 
 /// A model with its values, held against every experiment.
@@ -108,7 +109,17 @@ struct Remainder {
     std::string proposedClass{};                     // block that has the equation; empty: none
     std::string proposedBlock{};                     // its text, where it is not of the library
     double errorFitWith{-1}, errorValidateWith{-1};  // [%] with all that is proposed; negative: not known
+    double errorValidateWithout{-1};                 // [%] of the model that is reported; negative: not known
+
+    /// Whether recordings that were not fitted speak against what is proposed.
+    bool worsensValidation() const {
+        constexpr double byMoreThanChance = 1.02;
+        return errorValidateWithout >= 0 && errorValidateWith > byMoreThanChance * errorValidateWithout;
+    }
 };
+
+/// An equation with the values of what it names: "y = min(u, y_max) with y_max = 4.2".
+std::string withValues(const std::string& equation, const std::vector<EffectValue>& values);
 
 enum class FindingKind { Adequate, Effect, Partial, Unexplained };
 const char* name(FindingKind kind);  // "adequate" …

@@ -6,10 +6,13 @@
 #include <cmath>
 
 #include "core/fit/clock.hpp"
+#include "core/fit/own_parameters.hpp"
 #include "core/fit/uncertainty.hpp"
 
 namespace analogon {
 namespace {
+
+constexpr double colourSignificance = 1e-3;
 
 OutputState outputState(const SignalInfo& info, const Eigen::RowVectorXd& simulated,
                         const Eigen::RowVectorXd& measured) {
@@ -51,6 +54,72 @@ Eigen::MatrixXd covarianceIn(const FitProblem& problem, Role role, const FitResu
         }
     return covariance;
 }
+
+/// Which of a problem's parameters belong to one experiment alone.
+std::vector<Eigen::Index> ownParameters(const FitProblem& problem, int experiment) {
+    std::vector<Eigen::Index> own;
+    for (std::size_t i = 0; i < problem.parameters.size(); ++i)
+        if (problem.parameters[i].experiment == experiment) own.push_back(static_cast<Eigen::Index>(i));
+    return own;
+}
+
+/// A standard error takes neighbouring samples for independent. Where what the model leaves is correlated in time they
+/// say the same again, and the error that reckons with that is reported where it is the larger one.
+void reckonWithColour(FitEstimate& estimate) {
+    if (!(estimate.robustError > estimate.standardError)) return;
+    estimate.whiteError = estimate.standardError;
+    estimate.standardError = estimate.robustError;
+}
+
+/// Whether so much autocorrelation is more than the chance of white noise.
+bool isColoured(const ResidualSummary& residual) { return residual.whiteProbability < colourSignificance; }
+
+bool isColoured(const ExperimentState& state) {
+    return std::any_of(state.outputs.begin(), state.outputs.end(),
+                       [](const OutputState& o) { return isColoured(summarise(o.simulated - o.measured)); });
+}
+
+/// Start values that a recording leaves open and no fit has found: of one that only validates, or of a model that is
+/// only simulated. Each is estimated from its own recording, the model held as it stands.
+class OpenStarts {
+public:
+    OpenStarts(const FitProblem& problem, Role role, const FitResult& fit, const SimulationOptions& simulation,
+               const Progress& progress) {
+        FitOptions options;
+        options.simulation = simulation;
+        options.findsRobustErrors = true;
+        values_ = problem.startValues();
+        for (int e = 0; e < static_cast<int>(problem.experiments.size()); ++e) {
+            const auto isFound = [&](const FitEstimate& known) { return known.experiment == e; };
+            if (role == Role::Fit && std::any_of(fit.estimates.begin(), fit.estimates.end(), isFound)) continue;
+            if (!hasOwnParameters(problem, e)) continue;
+            FitResult own = fitOwnParameters(problem, e, values_, options, progress);
+            if (!own.optimum.ok) continue;  // the simulation from the value given tells why
+            values_(ownParameters(problem, e)) = own.values;
+            found_.emplace(e, std::move(own));
+        }
+    }
+
+    const Eigen::VectorXd& values() const { return values_; }
+
+    void addTo(int experiment, ExperimentState& state) const {
+        const auto found = found_.find(experiment);
+        if (found == found_.end()) return;
+        state.starts = found->second.estimates;
+        if (isColoured(state)) std::for_each(state.starts.begin(), state.starts.end(), reckonWithColour);
+    }
+
+    void addTo(const FitProblem& problem, Eigen::MatrixXd& covariance) const {
+        for (const auto& [experiment, own] : found_) {
+            const std::vector<Eigen::Index> indices = ownParameters(problem, experiment);
+            if (own.covariance.allFinite()) covariance(indices, indices) = own.covariance;
+        }
+    }
+
+private:
+    Eigen::VectorXd values_;
+    std::map<int, FitResult> found_;
+};
 
 /// The variant with its clocks told: of a recording, only what they stamp outside it has to be left out then.
 Variant withClocksTold(Variant variant) {
@@ -136,12 +205,15 @@ Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const 
         if (!prepared) return prepared.diagnostics();
         FitProblem& problem = prepared->problem;
         if (problem.experiments.empty()) continue;
-        const Eigen::VectorXd values = problem.startValues();
+        const OpenStarts open(problem, role, fit, simulation, progress);
+        const Eigen::VectorXd& values = open.values();
         const Linearisation l = linearise(problem, values, false, {}, simulation, progress);
         const bool hasBands = detail == Detail::Report && fit.covariance.size() > 0;
-        const Eigen::MatrixXd covariance = hasBands ? covarianceIn(problem, role, fit) : Eigen::MatrixXd();
+        Eigen::MatrixXd covariance = hasBands ? covarianceIn(problem, role, fit) : Eigen::MatrixXd();
+        if (hasBands) open.addTo(problem, covariance);
         for (std::size_t e = 0; e < std::min(problem.experiments.size(), l.trajectories.size()); ++e) {
             ExperimentState experiment = experimentState(problem.experiments[e], role, l.trajectories[e]);
+            open.addTo(static_cast<int>(e), experiment);
             if (hasBands)
                 addDeviations(problem, static_cast<int>(e), values, covariance, simulation, progress, experiment);
             byRecording.emplace(prepared->fitRecordings[e], std::move(experiment));
@@ -152,7 +224,29 @@ Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const 
     }
     for (auto& [index, experiment] : byRecording) state.experiments.push_back(std::move(experiment));
     summariseResiduals(state);
+    if (std::any_of(state.residual.begin(), state.residual.end(), [](const auto& r) { return isColoured(r.second); }))
+        std::for_each(state.parameters.begin(), state.parameters.end(), reckonWithColour);
     return state;
+}
+
+Outcome<FlatModel> flattened(const EstimationTask& task, const std::string& textWithValues) {
+    Outcome<Library> library = task.library.withSource(std::make_shared<Source>(task.model->name(), textWithValues));
+    if (!library) return library.diagnostics();
+    return flatten(*library, task.className);
+}
+
+std::vector<EffectValue> derivedParameters(const FlatModel& model, const std::string& instance) {
+    std::vector<EffectValue> values;
+    const std::string prefix = instance + ".";
+    for (std::size_t v = 0; v < model.variables.size(); ++v) {
+        const FlatVariable& variable = model.variables[v];
+        if (!variable.isFinal || variable.isProtected || variable.variability != FlatVariability::Parameter ||
+            variable.type != FlatType::Real || variable.name.rfind(prefix, 0) != 0)
+            continue;
+        if (const std::optional<double> value = model.parameterValue({static_cast<std::uint32_t>(v)}))
+            values.push_back({variable.name.substr(prefix.size()), *value, 0, variable.unit});
+    }
+    return values;
 }
 
 double errorPercentOf(const ModelState& state, Role role) {

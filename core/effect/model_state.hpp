@@ -1,6 +1,8 @@
 #pragma once
 
+#include "core/effect/finding.hpp"
 #include "core/effect/variant.hpp"
+#include "core/flat/flat_model.hpp"
 
 namespace analogon {
 
@@ -12,6 +14,13 @@ enum class Detail { Errors, Report };
 /// nowhere else.
 Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const SimulationOptions& simulation,
                             const Progress& progress, Detail detail = Detail::Report);
+
+/// The equations of a model with its values written in.
+Outcome<FlatModel> flattened(const EstimationTask& task, const std::string& textWithValues);
+
+/// What an effect computes from its fitted parameters for people to read (the limit behind its reciprocal): its
+/// final parameters.
+std::vector<EffectValue> derivedParameters(const FlatModel& model, const std::string& instance);
 
 /// Root mean square of error_percent over the experiments of a role; 0 when there is none.
 double errorPercentOf(const ModelState& state, Role role);

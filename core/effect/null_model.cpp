@@ -47,7 +47,9 @@ Outcome<NullModel> fitNull(const Variant& start, const std::vector<Eigen::Vector
         if (prepared->problem.experiments.empty())
             return error("the study has no experiment with the role \"fit\"", {},
                          "give at least one experiment that role");
-        null.fit = fit(prepared->problem, options, progress);
+        FitOptions now = options;
+        now.findsRobustErrors = pass + 1 == passes && options.loss == RobustLoss::None;
+        null.fit = fit(prepared->problem, now, progress);
         if (!null.fit.optimum.ok)
             return numericalError(null.fit.message, "give other start values, or narrower bounds");
         null.variant.values = valuesOf(null.fit);
@@ -116,11 +118,15 @@ double quietest(const NullModel& null) {
     return least;
 }
 
-bool isDetermined(const NullModel& null, std::size_t effect) {
-    const std::string& strength = null.variant.effects[effect].freed.front().name;
-    return std::any_of(null.fit.estimates.begin(), null.fit.estimates.end(), [&](const FitEstimate& e) {
+bool isDetermined(const PlacedEffect& effect, const std::vector<FitEstimate>& estimates) {
+    const std::string& strength = effect.freed.front().name;
+    return std::any_of(estimates.begin(), estimates.end(), [&](const FitEstimate& e) {
         return e.name == strength && std::isfinite(e.standardError) && e.standardError < std::abs(e.value);
     });
+}
+
+bool isDetermined(const NullModel& null, std::size_t effect) {
+    return isDetermined(null.variant.effects[effect], null.fit.estimates);
 }
 
 bool hasProposal(const NullModel& null) {

@@ -66,6 +66,7 @@ double quietest(const NullModel& null);
 
 /// Whether the data fix the strength of an effect: a standard error, and one smaller than the value.
 bool isDetermined(const NullModel& null, std::size_t effect);
+bool isDetermined(const PlacedEffect& effect, const std::vector<FitEstimate>& estimates);
 
 /// Whether an equation without a name is among the effects of the model.
 bool hasProposal(const NullModel& null);

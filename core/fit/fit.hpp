@@ -58,6 +58,8 @@ struct FitEstimate {
     double robustError{std::numeric_limits<double>::quiet_NaN()};  // holds for residuals correlated in time, too
     std::optional<ConfidenceInterval> interval{};                  // where it was asked for
     std::optional<NormalPrior> prior{};                            // what was known of it
+    /// Where the robust error has taken the place of the standard error: what this would be of white residuals.
+    double whiteError{std::numeric_limits<double>::quiet_NaN()};
 };
 
 struct FitResult {

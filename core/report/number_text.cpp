@@ -38,6 +38,13 @@ std::string percentText(double value) {
     return fmt::format("{:.{}f} %", value, value == 0 ? 0 : decimals);
 }
 
+std::pair<std::string, std::string> percentTexts(double one, double other) {
+    std::pair<std::string, std::string> texts{percentText(one), percentText(other)};
+    for (int decimals = 3; texts.first == texts.second && one != other && decimals <= 4; ++decimals)
+        texts = {fmt::format("{:.{}f} %", one, decimals), fmt::format("{:.{}f} %", other, decimals)};
+    return texts;
+}
+
 std::string valueText(double value, double standardError) {
     if (!std::isfinite(value)) return "–";
     if (!std::isfinite(standardError) || standardError <= 0) return numberText(value);

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 /// Numbers for people.
 namespace analogon {
@@ -11,6 +12,8 @@ std::string numberText(double value, int digits = 4);
 
 /// "8.60 %" with three significant digits; "–" when not finite.
 std::string percentText(double value);
+/// Two of them with as many digits as tell them apart (up to four decimals).
+std::pair<std::string, std::string> percentTexts(double one, double other);
 
 /// Value and standard error with two digits of the error: "3.096 ± 0.021", "(2.10 ± 0.03)e-11". Without an error
 /// (not finite) the value alone.

@@ -340,7 +340,8 @@ private:
     }
 
     void parameters() {
-        if (after_.parameters.empty()) return;
+        const std::vector<ReportedEstimate> estimates = estimatesOf(after_), earlier = estimatesOf(before_);
+        if (estimates.empty()) return;
         out_ += "<h2>Parameters</h2>\n";
         std::vector<std::pair<const char*, bool>> heads{{"Parameter", false}};
         if (isChanged_) heads.emplace_back("Before", true);
@@ -354,11 +355,12 @@ private:
         const auto cell = [](const FitEstimate* estimate) {
             return number(estimate ? html(valueText(estimate->value, estimate->standardError)) : "–");
         };
-        for (const FitEstimate& estimate : after_.parameters) {
+        for (const auto& [each, experiment] : estimates) {
+            const FitEstimate& estimate = *each;
             const FitEstimate* old = nullptr;
-            for (const FitEstimate& candidate : before_.parameters)
-                if (candidate.name == estimate.name && candidate.experiment == estimate.experiment) old = &candidate;
-            const std::string experiment = experimentOf(after_, estimate);
+            for (const ReportedEstimate& candidate : earlier)
+                if (candidate.estimate->name == estimate.name && candidate.experiment == experiment)
+                    old = candidate.estimate;
             out_ +=
                 fmt::format("<tr><td>{}{}</td>", code(estimate.name),
                             experiment.empty() ? "" : " <span class=\"soft\">in " + escapeHtml(experiment) + "</span>");
@@ -380,8 +382,16 @@ private:
             end = message;  // "converged after 7 iterations"
         else if (!message.empty())
             end += " (" + message + ")";
-        out_ += fmt::format("<p class=\"soft\"><small>± one standard error. The fit {}; {} simulation{}.</small></p>\n",
-                            end, after_.simulations, after_.simulations == 1 ? "" : "s");
+        const char* const colour =
+            hasRobustErrors(after_)
+                ? " What is left is correlated in time: neighbouring samples say the same again, and the standard "
+                  "errors reckon with it (they would be smaller if it were white noise)."
+                : "";
+        std::string fit;
+        if (context_.command != "simulate")
+            fit = fmt::format(" The fit {}; {} simulation{}.", end, after_.simulations,
+                              after_.simulations == 1 ? "" : "s");
+        out_ += fmt::format("<p class=\"soft\"><small>± one standard error.{}{}</small></p>\n", colour, fit);
         profiles();
     }
 

@@ -27,18 +27,19 @@ Json intervalJson(const ConfidenceInterval& interval) {
 
 Json parametersJson(const ModelState& state) {
     Json parameters = Json::object();
-    for (const FitEstimate& estimate : state.parameters) {
+    for (const auto& [each, experiment] : estimatesOf(state)) {
+        const FitEstimate& estimate = *each;
         Json json{{"value", number(estimate.value)},
                   {"std", number(estimate.standardError)},
                   {"unit", estimate.unit},
                   {"at_bound", estimate.atBound}};
         if (std::isfinite(estimate.robustError)) json["std_robust"] = estimate.robustError;
+        if (std::isfinite(estimate.whiteError)) json["std_if_white"] = estimate.whiteError;
         if (estimate.prior)
             json["prior"] = {{"mean", estimate.prior->mean},
                              {"std", estimate.prior->deviation},
                              {"distance", number(estimate.prior->distance(estimate.value))}};
         if (estimate.interval) json["interval"] = intervalJson(*estimate.interval);
-        const std::string experiment = experimentOf(state, estimate);
         if (!experiment.empty()) json["experiment"] = experiment;
         // A start value has one estimate for each experiment.
         parameters[experiment.empty() ? estimate.name : fmt::format("{} ({})", estimate.name, experiment)] = json;
@@ -144,7 +145,9 @@ Json remainderJson(const Remainder& remainder) {
             {"proposed_block", remainder.proposedBlock},
             {"error_percent_with_proposal",
              {{"fit", number(remainder.errorFitWith < 0 ? std::nan("") : remainder.errorFitWith)},
-              {"validate", number(remainder.errorValidateWith < 0 ? std::nan("") : remainder.errorValidateWith)}}}};
+              {"validate", number(remainder.errorValidateWith < 0 ? std::nan("") : remainder.errorValidateWith)},
+              {"validate_without",
+               number(remainder.errorValidateWithout < 0 ? std::nan("") : remainder.errorValidateWithout)}}}};
 }
 
 }  // namespace

@@ -79,14 +79,16 @@ std::string effectLines(const Finding& finding) {
 }
 
 /// A parameter, and the experiment where it is the parameter of one alone.
-std::string labelOf(const ModelState& state, const FitEstimate& estimate) {
-    const std::string experiment = experimentOf(state, estimate);
-    return experiment.empty() ? estimate.name : fmt::format("{} ({})", estimate.name, experiment);
+std::string labelOf(const ReportedEstimate& reported) {
+    const std::string& name = reported.estimate->name;
+    return reported.experiment.empty() ? name : fmt::format("{} ({})", name, reported.experiment);
 }
 
 std::string parameterTable(const ModelState& state) {
     std::vector<std::vector<std::string>> rows{{"parameter", "value", "unit"}};
-    for (const FitEstimate& estimate : state.parameters) {
+    const std::vector<ReportedEstimate> estimates = estimatesOf(state);
+    for (const ReportedEstimate& reported : estimates) {
+        const FitEstimate& estimate = *reported.estimate;
         std::string unit = estimate.unit;
         if (estimate.atBound) unit += unit.empty() ? "at its bound" : "  at its bound";
         if (estimate.prior)
@@ -94,19 +96,23 @@ std::string parameterTable(const ModelState& state) {
                                 valueText(estimate.prior->mean, estimate.prior->deviation),
                                 estimate.prior->distance(estimate.value),
                                 contradictsPrior(estimate) ? ": the data contradict it" : "");
-        rows.push_back({labelOf(state, estimate), valueText(estimate.value, estimate.standardError), unit});
+        rows.push_back({labelOf(reported), valueText(estimate.value, estimate.standardError), unit});
     }
-    return state.parameters.empty() ? std::string() : '\n' + aligned(rows, 3);
+    if (estimates.empty()) return {};
+    return '\n' + aligned(rows, 3) +
+           (hasRobustErrors(state) ? "  What is left is correlated in time; the standard errors reckon with it.\n"
+                                   : "");
 }
 
 /// Where the data limit each parameter, by its profile.
 std::string intervalTable(const ModelState& state) {
     std::vector<std::vector<std::string>> rows{{"95 % interval", "from", "to"}};
     std::string remarks;
-    for (const FitEstimate& estimate : state.parameters) {
+    for (const ReportedEstimate& reported : estimatesOf(state)) {
+        const FitEstimate& estimate = *reported.estimate;
         if (!estimate.interval) continue;
         const ConfidenceInterval& interval = *estimate.interval;
-        rows.push_back({labelOf(state, estimate), interval.isOpenBelow ? "open" : numberText(interval.lower, 5),
+        rows.push_back({labelOf(reported), interval.isOpenBelow ? "open" : numberText(interval.lower, 5),
                         interval.isOpenAbove ? "open" : numberText(interval.upper, 5)});
         if (!interval.remark.empty()) remarks += "  " + interval.remark + '\n';
     }

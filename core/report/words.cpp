@@ -37,7 +37,9 @@ std::string errorWords(const Finding& finding) {
         if (!std::isfinite(before) || !std::isfinite(after)) continue;
         const char* const data = role == Role::Validate ? "validation data" : "the fitted data";
         const char* const verb = after < before ? "falls" : "goes";
-        return fmt::format("the error on {} {} from {} to {}", data, verb, percentText(before), percentText(after));
+        const auto [was, is] = percentTexts(before, after);
+        if (was == is) return fmt::format("the error on {} stays at {}", data, is);
+        return fmt::format("the error on {} {} from {} to {}", data, verb, was, is);
     }
     return "the model changes as listed below";
 }
@@ -50,6 +52,15 @@ std::string plainErrorWords(const ModelState& state) {
         text +=
             fmt::format("{}{} on validation data", text.empty() ? "Its error is " : " and ", percentText(validation));
     return text.empty() ? text : text + ".";
+}
+
+/// Name of the experiment that a fitted start value belongs to; empty for parameters of all experiments.
+std::string experimentOf(const ModelState& state, const FitEstimate& estimate) {
+    if (estimate.experiment < 0) return {};
+    int index = 0;
+    for (const ExperimentState& experiment : state.experiments)
+        if (experiment.role == Role::Fit && index++ == estimate.experiment) return experiment.name;
+    return fmt::format("experiment {}", estimate.experiment + 1);
 }
 
 }  // namespace
@@ -142,24 +153,35 @@ std::string remainderWords(const Remainder& remainder) {
         variables.push_back(fmt::format("{} (correlation {:.2f})", correlate.variable, correlate.correlation));
     if (!variables.empty()) text += "; it moves with " + listed(variables);
     text += '.';
-    if (!remainder.proposedEquation.empty()) text += " Proposed: " + remainder.proposedEquation;
+    const bool isWorse = remainder.worsensValidation();
+    if (!remainder.proposedEquation.empty())
+        text += (isWorse ? " Proposed, but not borne out by validation: " : " Proposed: ") + remainder.proposedEquation;
     if (!remainder.proposedClass.empty())
         text += fmt::format(" (block {}{})", remainder.proposedClass,
                             remainder.proposedBlock.empty() ? "" : ", written to proposed.mo");
     if (remainder.errorFitWith >= 0) {
         text += fmt::format("; with it the error would be {} on the fitted data", percentText(remainder.errorFitWith));
-        if (remainder.errorValidateWith >= 0)
-            text += fmt::format(" and {} on validation data", percentText(remainder.errorValidateWith));
+        const auto [without, with] = percentTexts(remainder.errorValidateWithout, remainder.errorValidateWith);
+        if (remainder.errorValidateWith >= 0) text += fmt::format(" and {} on validation data", with);
+        if (isWorse)
+            text += fmt::format(", worse than the {} without it: it describes the fitted recordings only", without);
     }
     return text;
 }
 
-std::string experimentOf(const ModelState& state, const FitEstimate& estimate) {
-    if (estimate.experiment < 0) return {};
-    int index = 0;
+std::vector<ReportedEstimate> estimatesOf(const ModelState& state) {
+    std::vector<ReportedEstimate> estimates;
+    for (const FitEstimate& estimate : state.parameters)
+        estimates.push_back({&estimate, experimentOf(state, estimate)});
     for (const ExperimentState& experiment : state.experiments)
-        if (experiment.role == Role::Fit && index++ == estimate.experiment) return experiment.name;
-    return fmt::format("experiment {}", estimate.experiment + 1);
+        for (const FitEstimate& start : experiment.starts) estimates.push_back({&start, experiment.name});
+    return estimates;
+}
+
+bool hasRobustErrors(const ModelState& state) {
+    const std::vector<ReportedEstimate> estimates = estimatesOf(state);
+    return std::any_of(estimates.begin(), estimates.end(),
+                       [](const ReportedEstimate& e) { return std::isfinite(e.estimate->whiteError); });
 }
 
 std::string statusWords(FitStatus status) {

@@ -25,8 +25,16 @@ std::string verdictWords(const CandidateResult& candidate);
 
 std::string remainderWords(const Remainder& remainder);
 
-/// Name of the experiment that a fitted start value belongs to; empty for parameters of all experiments.
-std::string experimentOf(const ModelState& state, const FitEstimate& estimate);
+/// An estimate, and the name of the experiment if it is a start value of that one alone; empty for all experiments.
+struct ReportedEstimate {
+    const FitEstimate* estimate{};
+    std::string experiment;
+};
+/// All estimates of a state: of the fit, and what single recordings had to tell of their own start.
+std::vector<ReportedEstimate> estimatesOf(const ModelState& state);
+
+/// Whether some standard error reckons with residuals that are correlated in time.
+bool hasRobustErrors(const ModelState& state);
 
 std::string statusWords(FitStatus status);
 

@@ -72,6 +72,8 @@ Diagnostics checkProfiled(const EstimationTask& task, const std::vector<std::str
 
 void addConfidence(const EstimationTask& task, const std::vector<std::string>& profiled, FitOptions options,
                    ModelState& state, const Progress& progress) {
+    const auto isKnown = [](const FitEstimate& e) { return std::isfinite(e.robustError); };
+    if (profiled.empty() && std::any_of(state.parameters.begin(), state.parameters.end(), isKnown)) return;
     const Outcome<FitProblem> problem = problemAt(task, state);
     if (!problem) return;
     options.method = FitMethod::LeastSquares;
@@ -83,7 +85,7 @@ void addConfidence(const EstimationTask& task, const std::vector<std::string>& p
         const FitEstimate& found = best.estimates[i];
         for (FitEstimate& estimate : state.parameters) {
             if (estimate.name != found.name || estimate.experiment != found.experiment) continue;
-            estimate.robustError = found.robustError;
+            if (!isKnown(estimate)) estimate.robustError = found.robustError;
             if (!isProfiled(found.name, profiled)) continue;
             progress.report(
                 {"profile", found.name, static_cast<double>(i) / static_cast<double>(best.estimates.size()), -1.0});

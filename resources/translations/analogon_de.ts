@@ -2193,6 +2193,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>%1 auf Validierungsdaten</translation>
     </message>
     <message>
+        <source>worse than the %1 without it</source>
+        <translation>schlechter als die %1 ohne sie</translation>
+    </message>
+    <message>
         <source>Caution</source>
         <translation>Zu beachten</translation>
     </message>

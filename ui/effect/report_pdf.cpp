@@ -9,6 +9,7 @@
 #include <QUrl>
 #include <cmath>
 
+#include "core/report/words.hpp"
 #include "ui/effect/result_panel.hpp"
 
 namespace analogon::ui {
@@ -69,8 +70,9 @@ QString bodyOf(const QString& title, RunKind kind, const Finding& finding, std::
         html += QStringLiteral("<p><img src='picture:%1' width='640'></p>").arg(i);
     html += "<h2>" + tr("Parameters") + "</h2>";
     HtmlTable parameters({tr("Parameter"), tr("Value"), QStringLiteral("±"), tr("Unit")});
-    for (const FitEstimate& e : finding.final.parameters)
-        parameters.add({text(e.name), number(e.value, 5), number(e.standardError, 2), text(e.unit)});
+    for (const auto& [e, experiment] : estimatesOf(finding.final))
+        parameters.add({text(experiment.empty() ? e->name : e->name + " (" + experiment + ")"), number(e->value, 5),
+                        number(e->standardError, 2), text(e->unit)});
     html += parameters.html();
     for (const AddedEffect& e : finding.effects) {
         html += "<h2>" + effectTitle(e).toHtmlEscaped() + "</h2>";

@@ -403,6 +403,8 @@ void ResultPanel::addProposal(const Remainder& remainder) {
         facts << tr("with it the error would be %1 on fitted data").arg(percent(remainder.errorFitWith));
     if (remainder.errorValidateWith >= 0)
         facts << tr("%1 on validation data").arg(percent(remainder.errorValidateWith));
+    if (remainder.worsensValidation())
+        facts << tr("worse than the %1 without it").arg(percent(remainder.errorValidateWithout));
     if (facts.isEmpty()) return;
     QLabel* label = addText(facts.join(", ") + ".", true);
     if (!remainder.proposedBlock.empty())  // written for this model alone: no library has it to look up

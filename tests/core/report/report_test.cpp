@@ -278,6 +278,25 @@ TEST(Words, TellEachKindOfFinding) {
     EXPECT_THAT(summaryWords(finding, "simulate"), HasSubstr("simulated as it stands"));
 }
 
+TEST(Words, SayWhenAProposalIsNotBorneOutByValidation) {
+    Remainder remainder;
+    remainder.output = "T";
+    remainder.proposedEquation = "y = u";
+    remainder.errorFitWith = 1.15;
+    remainder.errorValidateWith = 3.0;
+    remainder.errorValidateWithout = 4.31;
+    EXPECT_THAT(remainderWords(remainder), ::testing::Not(::testing::HasSubstr("worse")));
+    remainder.errorValidateWith = 5.17;
+    EXPECT_THAT(remainderWords(remainder), ::testing::HasSubstr("not borne out by validation: y = u"));
+    EXPECT_THAT(remainderWords(remainder), ::testing::HasSubstr("5.17 % on validation data, worse than the 4.31 %"));
+}
+
+TEST(Words, GiveTheValuesOfWhatAnEquationNames) {
+    const std::vector<EffectValue> values{{"s", 250, 1, ""}, {"y_max", 0.004, 0, "m"}, {"u_max", 3, 0, ""}};
+    EXPECT_EQ(withValues("y = min(u, y_max)", values), "y = min(u, y_max) with y_max = 0.004 m");
+    EXPECT_EQ(withValues("y = u", {}), "y = u");
+}
+
 TEST(Numbers, CarryTheDigitsTheyAreWorth) {
     EXPECT_EQ(numberText(0.03120), "0.0312");
     EXPECT_EQ(numberText(2.1e-11), "2.1e-11");
@@ -288,6 +307,8 @@ TEST(Numbers, CarryTheDigitsTheyAreWorth) {
     EXPECT_EQ(valueText(2.1034e-11, 3.1e-13), "(2.103 ± 0.031)e-11");
     EXPECT_EQ(valueText(1.5, std::nan("")), "1.5");
     EXPECT_EQ(percentText(8.6), "8.60 %");
+    EXPECT_EQ(percentTexts(0.5024, 0.4971), std::make_pair(std::string("0.502 %"), std::string("0.497 %")));
+    EXPECT_EQ(percentTexts(8.6, 1.1), std::make_pair(std::string("8.60 %"), std::string("1.10 %")));
     EXPECT_EQ(percentText(0.012345), "0.0123 %");
     EXPECT_EQ(percentText(123.4), "123 %");
 }

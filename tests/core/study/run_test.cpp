@@ -76,6 +76,7 @@ end Heater;
     const Outcome<RunResult> result = runSimulate(read(), {}, {});
     ASSERT_FALSE(result);
     EXPECT_THAT(format(result.diagnostics()), HasSubstr("\"warm-up\" stopped at t = "));
+    EXPECT_THAT(format(result.diagnostics()), HasSubstr("(x)"));
 }
 
 /// A heater whose current follows a swinging voltage and its own temperature, recorded by a logger 37 ms ahead.
@@ -140,6 +141,131 @@ TEST_F(LateCurrent, IsNoMissingEffect) {
     ASSERT_TRUE(result) << format(result.diagnostics());
     EXPECT_EQ(result->finding.kind, FindingKind::Adequate);
     EXPECT_TRUE(result->finding.effects.empty());
+}
+
+/// A body that cools down to the ambient temperature, from a start that nobody knew: 360 K, and 330 K to validate.
+class UnknownStart : public Run {
+protected:
+    void SetUp() override {
+        Run::SetUp();
+        put("model.mo", R"(model Heater
+  input Real u(unit="V"), T_amb(unit="K");
+  parameter Real R(unit="Ohm") = 2;
+  parameter Real C(unit="J/K") = 30;
+  parameter Real T_start(unit="K") = 293.15;
+  Real T(start=T_start, fixed=true);
+  output Real i(unit="K") "what is measured";
+equation
+  C*der(T) = u*u/R - 0.5*(T - T_amb);
+  i = T;
+end Heater;
+)");
+        put("train.csv", recorded(360, 0.0, 1));
+        put("check.csv", recorded(330, 0.0, 2));
+        put("study.json", R"({"format": "analogon-study-1", "class": "Heater", "experiments": [
+    {"name": "warm-up", "role": "fit", "file": "train.csv", "time": "t", "initial": {"T_start": "fit"},
+     "inputs": {"u": "u_heater", "T_amb": "T_air"}, "outputs": {"i": "T"}},
+    {"name": "check", "role": "validate", "file": "check.csv", "time": "t", "initial": {"T_start": "fit"},
+     "inputs": {"u": "u_heater", "T_amb": "T_air"}, "outputs": {"i": "T"}}],
+  "parameters": {"R": {"fit": true, "min": 0.1, "max": 20.0}, "C": {"fit": true, "min": 1, "max": 100}}})");
+    }
+
+    /// The truth: R = 1.6, C = 20. What is added is 0.1 K of noise, of which `memory` stays to the next sample.
+    static std::string recorded(double start, double memory, unsigned seed) {
+        std::mt19937 random(seed);
+        std::normal_distribution<double> normal(0.0, 0.1 * std::sqrt(1.0 - memory * memory));
+        std::ostringstream csv;
+        csv.precision(10);
+        csv << "t [s],u_heater [V],T_air [K],T [K]\n";
+        double temperature = start, noise = 0.0;
+        for (int k = 0; k < 800; ++k) {
+            const double u = k < 400 ? 2.0 : 8.0, level = 293.15 + u * u / 1.6 / 0.5;
+            noise = memory * noise + normal(random);
+            csv << 0.2 * k << ',' << u << ",293.15," << temperature + noise << '\n';
+            // inputs run linearly between samples: half of the step of the voltage counts
+            const double next = k == 399 ? 293.15 + (4.0 + 16.0 + 64.0) / 3.0 / 1.6 / 0.5 : level;
+            temperature = next + (temperature - next) * std::exp(-0.5 * 0.2 / 20.0);
+        }
+        return csv.str();
+    }
+
+    static const ExperimentState& check(const RunResult& result) { return result.finding.final.experiments.at(1); }
+};
+
+TEST_F(UnknownStart, OfAValidationIsEstimatedFromItAlone) {
+    const Outcome<RunResult> result = runFit(read(), {});
+    ASSERT_TRUE(result) << format(result.diagnostics());
+    ASSERT_EQ(check(*result).starts.size(), 1u);
+    const FitEstimate& start = check(*result).starts.front();
+    EXPECT_EQ(start.name, "T_start");
+    EXPECT_NEAR(start.value, 330, 4 * start.standardError + 0.1);
+    EXPECT_LT(start.standardError, 0.1);
+    EXPECT_NEAR(check(*result).outputs.at(0).figures.rmse, 0.1, 0.02);
+
+    // nothing else is made of that recording
+    put("check.csv", recorded(310, 0.0, 3));
+    const Outcome<RunResult> other = runFit(read(), {});
+    ASSERT_TRUE(other) << format(other.diagnostics());
+    EXPECT_NEAR(check(*other).starts.at(0).value, 310, 0.2);
+    const auto& parameters = result->finding.final.parameters;
+    ASSERT_EQ(parameters.size(), 3u);
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+        EXPECT_EQ(other->finding.final.parameters.at(i).value, parameters[i].value) << parameters[i].name;
+}
+
+TEST_F(UnknownStart, IsReportedAndStaysOpenInTheCompletedStudy) {
+    const Outcome<RunResult> result = runFit(read(), {});
+    ASSERT_TRUE(result) << format(result.diagnostics());
+    ASSERT_TRUE(writeResults(*result, "fit", directory_ / "out"));
+    const std::string json = get(directory_ / "out" / "report.json");
+    EXPECT_THAT(json, HasSubstr("\"T_start (warm-up)\""));
+    EXPECT_THAT(json, HasSubstr("\"T_start (check)\""));
+    const Outcome<Study> completed = readStudy(directory_ / "out" / "study");
+    ASSERT_TRUE(completed) << format(completed.diagnostics());
+    EXPECT_TRUE(std::holds_alternative<FittedStart>(completed->experiments.at(1).initial.at("T_start")));
+    // simulated as it stands then, it is as good as it was fitted
+    const Outcome<RunResult> again = runSimulate(*completed, {});
+    ASSERT_TRUE(again) << format(again.diagnostics());
+    for (const std::size_t e : {0u, 1u})
+        EXPECT_NEAR(again->finding.final.experiments.at(e).errorPercent,
+                    result->finding.final.experiments.at(e).errorPercent, 1e-3);
+}
+
+TEST_F(UnknownStart, HasStandardErrorsThatReckonWithTheColourOfTheResidual) {
+    const auto isRobust = [](const FitEstimate& e) { return std::isfinite(e.whiteError); };
+    const Outcome<RunResult> white = runFit(read(), {});
+    ASSERT_TRUE(white) << format(white.diagnostics());
+    for (const FitEstimate& e : white->finding.final.parameters) EXPECT_FALSE(isRobust(e)) << e.name;
+
+    put("train.csv", recorded(360, 0.9, 1));
+    put("check.csv", recorded(330, 0.9, 2));
+    const Outcome<RunResult> coloured = runFit(read(), {});
+    ASSERT_TRUE(coloured) << format(coloured.diagnostics());
+    for (const FitEstimate& e : coloured->finding.final.parameters) {
+        EXPECT_TRUE(isRobust(e)) << e.name;
+        EXPECT_EQ(e.standardError, e.robustError) << e.name;
+        EXPECT_GT(e.standardError, 1.5 * e.whiteError) << e.name;
+    }
+    EXPECT_TRUE(isRobust(check(*coloured).starts.at(0)));
+}
+
+TEST_F(Run, FitsWhereAnOutputWasNotMeasuredThroughout) {
+    std::string csv = get(directory_ / "train.csv");
+    const Outcome<RunResult> whole = runFit(read(), {});
+    ASSERT_TRUE(whole) << format(whole.diagnostics());
+    for (const char* const sample : {"\n10,12,293.15,", "\n20.5,12,293.15,"}) {
+        const std::size_t at = csv.find(sample);
+        ASSERT_NE(at, std::string::npos);
+        const std::size_t cell = at + std::string(sample).size();
+        csv.erase(cell, csv.find('\n', cell) - cell);
+    }
+    put("train.csv", csv);
+    const Outcome<RunResult> result = runFit(read(), {});
+    ASSERT_TRUE(result) << format(result.diagnostics());
+    EXPECT_THAT(format(result.diagnostics()), HasSubstr("'current' was not measured in 2 of 400 rows"));
+    for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_NEAR(result->finding.final.parameters.at(i).value / whole->finding.final.parameters.at(i).value, 1,
+                    1e-3);
 }
 
 TEST_F(Run, WritesTheBlockOfALawBesideTheReport) {

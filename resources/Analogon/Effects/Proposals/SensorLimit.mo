@@ -3,6 +3,7 @@ block SensorLimit "Upper limit of a measured channel"
   extends Analogon.Interfaces.PartialSignal;
   parameter Real s(min=0) = 0 "1/limit (0: no limit)"
     annotation (Dialog(group="Effect"));
+  final parameter Real y_max = if s > 0 then 1/s else 0 "Limit, in the unit of the signal (0 while there is none)";
   parameter Real y_e(min=1e-12) = 0.01 "Rounding of the corner"
     annotation (Dialog(group="Effect"));
   Real beyond "How far beyond the limit";
@@ -28,7 +29,7 @@ equation
     Documentation(info="<html>
 <p>A sensor or an amplifier that runs into its limit.</p>
 <pre>
-  y = min(u, 1/s)
+  y = min(u, y_max)   with y_max = 1/s
 </pre>
 </html>"));
 end SensorLimit;
