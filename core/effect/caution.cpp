@@ -6,11 +6,16 @@
 #include <cmath>
 
 #include "core/base/range.hpp"
+#include "core/residual/noise.hpp"
 
 namespace analogon {
 namespace {
 
 constexpr double worthSaying = 0.1;                  // of the fitted range
+constexpr double leastDifference = 1e-3;             // of a parameter between two recordings
+constexpr double clearlyWorse = 1.3, asGood = 1.15;  // of what is left in the fitted recordings
+constexpr double sigmas = 5.0;                       // by which more than chance is told from it
+constexpr double whiteSignificance = 1e-4;
 constexpr double mostOfExcess = 0.5, least = 100.0;  // of what is above the noise; in units of the noise, squared
 
 Range rangeIn(const Recording& recording, const std::vector<std::string>& names, const Eigen::MatrixXd& values,
@@ -18,6 +23,19 @@ Range rangeIn(const Recording& recording, const std::vector<std::string>& names,
     const auto at = std::find(names.begin(), names.end(), name);
     if (at == names.end() || values.cols() != static_cast<Eigen::Index>(recording.time.size())) return {};
     return rangeOf(values.row(at - names.begin()));
+}
+
+/// Whether a parameter that the data determine would have two values that differ and that it may have.
+bool isTwoValues(const NullModel& null, const FitEstimate& estimate, double one, double other) {
+    const double largest = std::max(std::abs(one), std::abs(other));
+    if (!std::isfinite(estimate.standardError) || !(std::abs(one - other) > leastDifference * largest)) return false;
+    const std::vector<FitParameter>& parameters = null.variant.task.parameters;
+    const auto own = std::find_if(parameters.begin(), parameters.end(),
+                                  [&](const FitParameter& p) { return p.name == estimate.name; });
+    const auto isAllowed = [&](double value) {
+        return own == parameters.end() || (value >= own->min && value <= own->max);
+    };
+    return isAllowed(one) && isAllowed(other);
 }
 
 /// Rows of one experiment of a column; the rest 0.
@@ -80,6 +98,7 @@ std::vector<std::string> driftBetweenRecordings(const NullModel& null) {
             if (!(score.visible > leastVisible) || !(score.explained > best.explained)) continue;
             const double step = score.strengths[0];
             const double elsewhere = estimate.value - step * complement.coefficients(column)[j];
+            if (!isTwoValues(null, estimate, elsewhere, elsewhere + step)) continue;
             best = {score.explained, elsewhere, elsewhere + step, estimate.name,
                     null.variant.task.recordings[static_cast<std::size_t>(recordings[e])].name};
         }
@@ -88,6 +107,108 @@ std::vector<std::string> driftBetweenRecordings(const NullModel& null) {
         fmt::format("{} seems to be another one in '{}' (about {:.4g}) than in the other recordings (about {:.4g}): "
                     "was the component, or its condition, the same?",
                     best.parameter, best.recording, best.after, best.before)};
+}
+
+namespace {
+
+/// What a validation recording shows of one output, sample by sample where it was measured.
+struct Miss {
+    Eigen::VectorXd simulated, measured;
+    double uncertain{};  // mean square of what the uncertain parameters leave open
+
+    explicit Miss(const OutputState& output) {
+        std::vector<Eigen::Index> there;
+        for (Eigen::Index k = 0; k < output.measured.size(); ++k)
+            if (std::isfinite(output.measured[k]) && std::isfinite(output.simulated[k])) there.push_back(k);
+        simulated = output.simulated(there);
+        measured = output.measured(there);
+        if (output.deviation.size() == output.measured.size() && !there.empty())
+            uncertain = output.deviation(there).squaredNorm() / static_cast<double>(there.size());
+    }
+    double count() const { return static_cast<double>(measured.size()); }
+    Eigen::VectorXd residual() const { return measured - simulated; }
+    double offset() const { return residual().mean(); }
+    double gain() const { return measured.dot(simulated) / simulated.squaredNorm(); }
+    double rms() const { return residual().norm() / std::sqrt(count()); }
+    double rmsBesideOffset() const { return (residual().array() - offset()).matrix().norm() / std::sqrt(count()); }
+    double rmsBesideGain() const { return (measured - gain() * simulated).norm() / std::sqrt(count()); }
+};
+
+/// Whether a miss is more than noise of this standard deviation and than the parameters leave open: not louder noise,
+/// but one side or with a structure.
+bool isMoreThanNoise(const Miss& miss, double noise, double correlated) {
+    const double ratio = miss.rms() * miss.rms() / (noise * noise);
+    const double independent = miss.count() / std::max(1.0, correlated);
+    const double byChance = 1.0 + sigmas * std::sqrt(2.0 / independent);
+    const double byParameters = sigmas * sigmas * miss.uncertain / (noise * noise);
+    if (!(ratio > std::max(clearlyWorse * clearlyWorse, byChance) + byParameters)) return false;
+    const bool isOneSided = std::abs(miss.offset()) > sigmas * miss.rms() / std::sqrt(independent);
+    return isOneSided || summarise(miss.residual()).whiteProbability < whiteSignificance;
+}
+
+/// What the miss looks like: the simplest that leaves about as little as there is in the fitted recordings.
+std::string lookOf(const Miss& miss, double noise, const std::string& unit) {
+    const double enough = asGood * std::sqrt(noise * noise + miss.uncertain);
+    const std::string shown = unit.empty() || unit == "1" ? "" : " " + unit;
+    const double offset = miss.rmsBesideOffset(), gain = miss.rmsBesideGain();
+    if (offset <= enough && offset <= gain)
+        return fmt::format("it looks like an offset of {:+.3g}{} in this recording alone ({:.3g}{} remain without it)",
+                           miss.offset(), shown, offset, shown);
+    if (gain <= enough)
+        return fmt::format("it looks like a gain of {:.4g} in this recording alone ({:.3g}{} remain without it)",
+                           miss.gain(), gain, shown);
+    return fmt::format(
+        "neither an offset ({:+.3g}{} at best, {:.3g}{} remain) nor a gain ({:.4g}, {:.3g}{} remain) accounts for it: "
+        "this recording shows what the fitted ones do not",
+        miss.offset(), shown, offset, shown, miss.gain(), gain, shown);
+}
+
+}  // namespace
+
+std::vector<std::string> poorValidations(const ModelState& state) {
+    std::vector<std::string> said;
+    for (const ExperimentState& e : state.experiments) {
+        if (e.role != Role::Validate || e.failure.failed) continue;
+        for (const OutputState& output : e.outputs) {
+            const auto fitted = state.residual.find(output.name);
+            const Miss miss(output);
+            if (fitted == state.residual.end() || miss.count() < 3) continue;
+            const double noise = fitted->second.standardDeviation;
+            if (!(noise > 0) || !isMoreThanNoise(miss, noise, fitted->second.autocorrelationTime)) continue;
+            said.push_back(
+                fmt::format("'{}': {} is off by {:.3g}{}{} (root mean square), {:.2g} times what is left in "
+                            "the fitted recordings; {}",
+                            e.name, output.name, miss.rms(), output.unit.empty() ? "" : " ", output.unit,
+                            miss.rms() / noise, lookOf(miss, noise, output.unit)));
+        }
+    }
+    return said;
+}
+
+std::vector<std::string> delaysBelowSampling(const EstimationTask& task, const std::vector<AddedEffect>& effects) {
+    std::vector<double> steps;
+    for (const Recording& r : task.recordings)
+        for (std::size_t k = 1; r.role == Role::Fit && k < r.time.size(); ++k)
+            steps.push_back(r.time[k] - r.time[k - 1]);
+    if (steps.empty()) return {};
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    const double interval = *middle;
+    std::vector<std::string> said;
+    for (const AddedEffect& effect : effects) {
+        if (!effect.kind.ends_with(".delay") || effect.parameters.empty()) continue;
+        const double delay = effect.parameters.front().value;
+        if (!(delay < interval)) continue;
+        const bool isHeld = effect.kind.starts_with("actuator") && std::abs(delay / interval - 0.5) < 0.25;
+        said.push_back(fmt::format(
+            "the dead time of {:.3g} s at {} is {:.2g} of a sample interval ({:.3g} s): {}", delay, effect.at,
+            delay / interval, interval,
+            isHeld
+                ? "a command that is held between its samples looks like half a sample of dead time, since inputs run "
+                  "linearly between theirs here"
+                : "when exactly within the interval each channel was sampled may be all there is to it"));
+    }
+    return said;
 }
 
 std::vector<std::string> boundHits(const FitResult& fit) {

@@ -15,6 +15,13 @@ std::vector<std::string> extrapolations(const EstimationTask& task);
 /// most of what is above the noise (Chow 1960, with recordings instead of moments).
 std::vector<std::string> driftBetweenRecordings(const NullModel& null);
 
+/// Channels of validation recordings that a model which leaves only noise of the fitted ones misses by clearly more:
+/// by how much, and whether an offset or a gain of that recording alone is what it looks like.
+std::vector<std::string> poorValidations(const ModelState& state);
+
+/// Dead times below one sample interval: how a channel is read between its samples may be all there is to them.
+std::vector<std::string> delaysBelowSampling(const EstimationTask& task, const std::vector<AddedEffect>& effects);
+
 /// Parameters that the fit left at a bound.
 std::vector<std::string> boundHits(const FitResult& fit);
 

@@ -94,27 +94,6 @@ Remainder remainderOf(const Dependence& d) {
                                 std::abs(d.slope / d.range), d.channel, d.middle));
 }
 
-/// The equations of a model with its values written in.
-Outcome<FlatModel> flattened(const EstimationTask& task, const std::string& textWithValues) {
-    Outcome<Library> library = task.library.withSource(std::make_shared<Source>(task.model->name(), textWithValues));
-    if (!library) return library.diagnostics();
-    return flatten(*library, task.className);
-}
-
-/// Adds what an effect computes from its fitted parameters for people to read (the limit behind its reciprocal): its
-/// final parameters.
-void appendDerived(const FlatModel& model, AddedEffect& effect) {
-    const std::string prefix = effect.instance + ".";
-    for (std::size_t v = 0; v < model.variables.size(); ++v) {
-        const FlatVariable& variable = model.variables[v];
-        if (!variable.isFinal || variable.isProtected || variable.variability != FlatVariability::Parameter ||
-            variable.type != FlatType::Real || variable.name.rfind(prefix, 0) != 0)
-            continue;
-        if (const std::optional<double> value = model.parameterValue({static_cast<std::uint32_t>(v)}))
-            effect.parameters.push_back({variable.name.substr(prefix.size()), *value, 0, variable.unit});
-    }
-}
-
 }  // namespace
 
 Search::Search(const EstimationTask& task, const DiscoverOptions& options, const Progress& progress)
@@ -125,7 +104,8 @@ Search::Search(const EstimationTask& task, const DiscoverOptions& options, const
       search_(options),
       progress_(progress) {}
 
-AddedEffect Search::describe(const NullModel& last, const PlacedEffect& placed, const Step& step) const {
+AddedEffect Search::describe(const NullModel& last, const ModelState& state, const PlacedEffect& placed,
+                             const Step& step) const {
     AddedEffect effect;
     effect.kind = placed.effect.kind;
     effect.className = placed.effect.className;
@@ -135,8 +115,12 @@ AddedEffect Search::describe(const NullModel& last, const PlacedEffect& placed, 
     effect.instance = placed.instance;
     effect.newInput = placed.newInput;
     effect.channel = placed.place.spare;
+    // an interrupted search may have a state of before the last refit
+    const std::string& strength = placed.freed.front().name;
+    const bool isInState = std::any_of(state.parameters.begin(), state.parameters.end(),
+                                       [&](const FitEstimate& e) { return e.name == strength; });
     for (const FitParameter& p : placed.freed)
-        for (const FitEstimate& e : last.fit.estimates)
+        for (const FitEstimate& e : isInState ? state.parameters : last.fit.estimates)
             if (e.name == p.name)
                 effect.parameters.push_back(
                     {p.name.substr(placed.instance.size() + 1), e.value, e.standardError, e.unit});
@@ -145,7 +129,7 @@ AddedEffect Search::describe(const NullModel& last, const PlacedEffect& placed, 
         effect.parameters.push_back({name, value, 0, unit == placed.effect.units.end() ? "" : unit->second});
     }
     effect.evidence.score = step.acceptance.explained;
-    effect.evidence.pValue = step.pValue;
+    effect.evidence.pValue = pValue(step.acceptance.explained, static_cast<int>(placed.freed.size()), step.tried);
     effect.evidence.deltaBic = -step.acceptance.evidence;
     effect.evidence.heldOut = step.acceptance.heldOut;
     effect.alternatives = step.alternatives;
@@ -230,28 +214,34 @@ Outcome<Finding> Search::run() {
     finding.nextExperiment = proposeExperiments(*null);
     const bool isOpen = proposed.empty() && !change_ && !dependence_ && !isNoise(*null);
     const std::string place = isOpen ? likeliestPlace(*null, search_.fit.simulation, progress_) : std::string();
-    if (onAll && steps_.empty()) null = *onAll;
-    if (!steps_.empty() && !progress_.stopRequested()) {
-        // the search was content with less: on every sample, and integrated as exactly as was asked for
+    // the search was content with less: on every sample, and integrated as exactly as was asked for
+    bool isFinal = steps_.empty();
+    while (!isFinal && !progress_.stopRequested()) {
         Outcome<Variant> whole = null->variant;
         if (onAll) whole = withEffects(full_, null->variant.effects, null->variant.values);
         if (!whole) return whole.diagnostics();
         Outcome<NullModel> fitted = fitNull(*whole, onAll ? onAll->noise : null->noise,
                                             onAll ? NoiseLevel::Estimate : NoiseLevel::Keep, options_.fit, progress_);
         if (!fitted) return fitted.diagnostics();
-        null = std::move(*fitted);
-    }
-    if (progress_.stopRequested()) {
-        if (path->state) finding.final = std::move(*path->state);
-    } else if (!steps_.empty()) {
-        Outcome<ModelState> after = stateOf(null->variant, null->fit, options_.fit.simulation, progress_);
+        if (progress_.stopRequested()) break;
+        Outcome<ModelState> after = stateOf(fitted->variant, fitted->fit, options_.fit.simulation, progress_);
         if (!after) return after.diagnostics();
+        if (dropIndistinct(*fitted, *after, *null)) {
+            isFinal = steps_.empty();
+            continue;
+        }
+        null = std::move(*fitted);
         finding.final = std::move(*after);
+        isFinal = true;
     }
+    if (steps_.empty()) null = onAll ? *onAll : base;
+    if (!isFinal && path->state) finding.final = std::move(*path->state);
     const Outcome<FlatModel> valued = flattened(null->variant.task, finding.final.modelText);
     for (std::size_t i = 0; i < steps_.size() && i < null->variant.effects.size(); ++i) {
-        AddedEffect effect = describe(*null, null->variant.effects[i], steps_[i]);
-        if (valued) appendDerived(*valued, effect);
+        AddedEffect effect = describe(*null, finding.final, null->variant.effects[i], steps_[i]);
+        if (valued)
+            for (EffectValue& v : derivedParameters(*valued, effect.instance))
+                effect.parameters.push_back(std::move(v));
         // what the model is without this effect, and with it; the others are there in both
         effect.evidence.errorPercentBefore =
             steps_[i].errorWithout >= 0 ? steps_[i].errorWithout : errorPercentOf(finding.baseline, Role::Fit);
@@ -273,6 +263,8 @@ Outcome<Finding> Search::run() {
     if (!finding.interrupted) {
         finding.remainders = remainders(*null, options_.fit.simulation);
         for (Remainder& r : finding.remainders) r.node = place;
+        for (Remainder& r : proposed)
+            if (r.errorValidateWith >= 0) r.errorValidateWithout = errorPercentOf(finding.final, Role::Validate);
         offer(std::move(proposed), finding.remainders);
         if (change_) {
             const double end = finding.final.experiments[static_cast<std::size_t>(change_->experiment)].time.back();
@@ -287,12 +279,15 @@ Outcome<Finding> Search::run() {
                                                    dependence_->parameter, dependence_->channel));
         }
     }
-    for (const auto& sentences : {extrapolations(full_.task), driftBetweenRecordings(*null), boundHits(null->fit)})
+    for (const auto& sentences : {extrapolations(full_.task), driftBetweenRecordings(*null), boundHits(null->fit),
+                                  delaysBelowSampling(full_.task, finding.effects)})
         finding.warnings.insert(finding.warnings.end(), sentences.begin(), sentences.end());
     // an interrupted search has not looked at what is left in detail, but must not call it noise
     const bool leavesStructure = !finding.remainders.empty() || (finding.interrupted && !isNoise(*null));
     finding.kind = !leavesStructure ? (finding.effects.empty() ? FindingKind::Adequate : FindingKind::Effect)
                                     : (finding.effects.empty() ? FindingKind::Unexplained : FindingKind::Partial);
+    if (!leavesStructure)
+        for (std::string& sentence : poorValidations(finding.final)) finding.warnings.push_back(std::move(sentence));
     finding.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return finding;
 }

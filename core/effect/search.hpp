@@ -24,7 +24,7 @@ private:
     struct Step {
         Trial winner;
         Acceptance acceptance;
-        double pValue{};
+        std::size_t tried{1};  // candidates from which it was chosen
         std::vector<Alternative> alternatives;
         std::vector<Candidate> rivals;  // what else explained a good part of the same
         int order{};                    // of all choices
@@ -87,7 +87,9 @@ private:
     std::string proposeExperiments(const NullModel& null);
     void setVerdict(const std::string& kind, const std::string& at, Verdict verdict);
     void note(const Screened& s, Verdict verdict, std::optional<double> deltaBic);
-    AddedEffect describe(const NullModel& last, const PlacedEffect& placed, const Step& step) const;
+    bool dropIndistinct(const NullModel& last, const ModelState& state, NullModel& null);
+    AddedEffect describe(const NullModel& last, const ModelState& state, const PlacedEffect& placed,
+                         const Step& step) const;
     void say(std::string stage, std::string detail, double fraction) const {
         progress_.report({std::move(stage), std::move(detail), fraction, bestError_});
     }

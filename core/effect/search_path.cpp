@@ -213,7 +213,7 @@ bool Search::replace(NullModel& null, std::size_t effect) {
     Step step;
     step.order = ++choices_;
     step.acceptance = examine(*rest, best.fit, best.freed(), 0);
-    step.pValue = pValue(step.acceptance.explained, best.freed(), screened.size());
+    step.tried = screened.size();
     step.alternatives.push_back(
         {old.effect.kind, old.place.at, -(best.evidence - gain), weight * gain < equivalenceMargin});
     for (std::size_t i = 1; i < trials.size(); ++i)
@@ -295,6 +295,22 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
         steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
         i = 0;
     }
+}
+
+/// Of the last refit, an effect whose strength as it would be reported is not distinguishable from 0 is taken out of
+/// the model of the search; false: there is none.
+bool Search::dropIndistinct(const NullModel& last, const ModelState& state, NullModel& null) {
+    const std::vector<PlacedEffect>& effects = last.variant.effects;
+    for (std::size_t i = 0; i < effects.size(); ++i) {
+        if (isDetermined(effects[i], state.parameters)) continue;
+        std::optional<NullModel> rest = without(null, i);
+        if (!rest) continue;
+        setVerdict(effects[i].effect.kind, effects[i].place.at, Verdict::NotSignificant);
+        null = std::move(*rest);
+        steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
+        return true;
+    }
+    return false;
 }
 
 /// What the newest effect rounds off for the sake of the integration (the change of sign of a friction, the corner of a

@@ -60,7 +60,7 @@ bool Search::addLaw(NullModel& null) {
         Step step;
         step.order = ++choices_;
         step.acceptance = acceptance;
-        step.pValue = pValue(acceptance.explained, trial.freed(), tried);
+        step.tried = tried;
         step.winner = std::move(trial);
         steps_.push_back(std::move(step));
         null = std::move(*next);
@@ -85,17 +85,17 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
         Remainder r;
         r.node = placed.place.at;
         r.evidence = steps_[i].acceptance.evidence;
-        r.proposedEquation = placed.effect.proposal;
         r.proposedClass = placed.effect.className;
         if (const auto law = laws_.find(placed.effect.className); law != laws_.end()) r.proposedBlock = law->second;
-        std::string values;
+        std::vector<EffectValue> values;
         for (const FitParameter& p : placed.freed)
             for (const FitEstimate& e : null.fit.estimates)
                 if (e.name == p.name)
-                    values += fmt::format("{}{} = {:.4g}{}{}", values.empty() ? "" : ", ",
-                                          p.name.substr(placed.instance.size() + 1), e.value, e.unit.empty() ? "" : " ",
-                                          e.unit);
-        if (!values.empty()) r.proposedEquation += " with " + values;
+                    values.push_back({p.name.substr(placed.instance.size() + 1), e.value, e.standardError, e.unit});
+        if (with)
+            if (const Outcome<FlatModel> valued = flattened(null.variant.task, with->modelText))
+                for (EffectValue& v : derivedParameters(*valued, placed.instance)) values.push_back(std::move(v));
+        r.proposedEquation = withValues(placed.effect.proposal, values);
         if (with) {
             r.errorFitWith = errorPercentOf(*with, Role::Fit);
             if (hasRole(*with, Role::Validate)) r.errorValidateWith = errorPercentOf(*with, Role::Validate);

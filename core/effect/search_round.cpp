@@ -232,7 +232,7 @@ Search::Step Search::stepOf(const Round& round) {
     s.order = ++choices_;
     s.winner = trials[chosen];
     s.acceptance = round.acceptance;
-    s.pValue = pValue(round.acceptance.explained, trials[chosen].freed(), round.screened.size());
+    s.tried = round.screened.size();
     for (const std::size_t m : round.members) {
         if (m == chosen) continue;
         s.alternatives.push_back(alternative(m, true));

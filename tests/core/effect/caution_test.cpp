@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <random>
 
 namespace analogon {
 namespace {
@@ -78,6 +80,82 @@ TEST(Caution, NamesAParameterThatIsAnotherOneInOneRecording) {
         values.push_back(std::stod(said.front().substr(at + 6)));
     EXPECT_THAT(values,
                 ::testing::UnorderedElementsAre(::testing::DoubleNear(2.6, 0.01), ::testing::DoubleNear(2.0, 0.01)));
+}
+
+TEST(Caution, NamesNoOtherValueWhereTheDataDetermineNone) {
+    NullModel null = proportional(2.6);
+    null.fit.estimates.front().standardError = std::nan("");
+    EXPECT_THAT(driftBetweenRecordings(null), IsEmpty());
+    // nor one that the parameter may not have
+    null = proportional(2.6);
+    FitParameter bounded;
+    bounded.name = "motor.R";
+    bounded.min = 0;
+    bounded.max = 2.3;
+    null.variant.task.parameters = {bounded};
+    EXPECT_THAT(driftBetweenRecordings(null), IsEmpty());
+    // nor a difference that no figure shows
+    null = proportional(2.6);
+    null.fit.estimates.front().value = 1e9;
+    EXPECT_THAT(driftBetweenRecordings(null), IsEmpty());
+}
+
+/// A fitted recording that leaves noise of 0.1, and one to validate of which this is measured where 'simulated' is.
+ModelState validated(const std::function<double(double simulated, double noise)>& measured) {
+    ModelState state;
+    std::mt19937 random(5);
+    std::normal_distribution<double> noise(0, 0.1);
+    ExperimentState check;
+    check.name = "check";
+    check.role = Role::Validate;
+    OutputState n;
+    n.name = "n";
+    n.unit = "rad/s";
+    n.simulated.resize(500);
+    n.measured.resize(500);
+    Eigen::VectorXd fitted(500);
+    for (int k = 0; k < 500; ++k) {
+        fitted[k] = noise(random);
+        n.simulated[k] = 5 + 3 * std::sin(0.05 * k);
+        n.measured[k] = measured(n.simulated[k], noise(random));
+    }
+    n.measured[7] = std::nan("");
+    check.outputs = {n};
+    state.experiments = {check};
+    state.residual["n"] = summarise(fitted);
+    return state;
+}
+
+TEST(Caution, SaysWhatAPoorValidationLooksLike) {
+    EXPECT_THAT(poorValidations(validated([](double y, double e) { return y + e; })), IsEmpty());
+    EXPECT_THAT(poorValidations(validated([](double y, double e) { return y + 0.25 + e; })),
+                ElementsAre(::testing::AllOf(HasSubstr("'check': n is off by 0.2"), HasSubstr("rad/s"),
+                                             HasSubstr("an offset of +0.24"))));
+    EXPECT_THAT(poorValidations(validated([](double y, double e) { return 0.9 * y + e; })),
+                ElementsAre(HasSubstr("a gain of 0.89")));
+    EXPECT_THAT(poorValidations(validated([](double y, double e) { return y + 0.2 * (y - 5) * (y - 5) + e; })),
+                ElementsAre(HasSubstr("neither an offset")));
+}
+
+TEST(Caution, TakesLouderNoiseAndUncertainParametersForNoise) {
+    EXPECT_THAT(poorValidations(validated([](double y, double e) { return y + 2 * e; })), IsEmpty());
+    ModelState state = validated([](double y, double e) { return y + 0.25 + e; });
+    state.experiments.front().outputs.front().deviation = Eigen::VectorXd::Constant(500, 0.2);
+    EXPECT_THAT(poorValidations(state), IsEmpty());
+}
+
+TEST(Caution, SaysWhenADeadTimeIsShorterThanTheSampling) {
+    EstimationTask task;
+    task.recordings = {recording("one", Role::Fit, 0, 1)};  // a sample each second
+    AddedEffect effect;
+    effect.kind = "actuator.delay";
+    effect.at = "input v";
+    effect.parameters = {{"T", 0.47, 0.01, "s"}};
+    EXPECT_THAT(delaysBelowSampling(task, {effect}), ElementsAre(HasSubstr("held between samples")));
+    effect.kind = "sensor.delay";
+    EXPECT_THAT(delaysBelowSampling(task, {effect}), ElementsAre(HasSubstr("0.47 of a sample interval")));
+    effect.parameters.front().value = 1.5;
+    EXPECT_THAT(delaysBelowSampling(task, {effect}), IsEmpty());
 }
 
 TEST(Caution, NamesWhatRestsAtABound) {

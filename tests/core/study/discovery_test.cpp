@@ -106,7 +106,13 @@ end Rotor;
         if (!study) return {};
         Outcome<RunResult> result = runDiscover(*study, {});
         EXPECT_TRUE(result) << format(result.diagnostics());
-        return result ? std::move(result->finding) : Finding{};
+        if (!result) return {};
+        for (const AddedEffect& e : result->finding.effects) {
+            // whatever is found, its strength is told from 0 and its chance belongs to its score
+            EXPECT_LT(e.parameters.at(0).standardError, std::abs(e.parameters.at(0).value)) << e.kind;
+            EXPECT_TRUE(e.evidence.score < 200 || e.evidence.pValue < 1e-20) << e.kind;
+        }
+        return std::move(result->finding);
     }
 
     fs::path directory_;
