@@ -245,7 +245,7 @@ TEST_F(CommandLine, NamesTheFaultOfTheInputOnceAndWritesNothing) {
     faulty(broken, {}, "model.mo:7:");
     faulty(lag, "t [s],u,z\n0,1,0\n1,1,1\n2,1,1\n", "\"y\"");
     faulty(lag, "t [s],u,y [parsec per moon]\n0,1,0\n1,1,1\n2,1,1\n", "parsec per moon");
-    faulty(lag, "t [s],u,y\n0,1,0\n1,1,NaN\n2,1,1\n", "step.csv:3");
+    faulty(lag, "t [s],u,y\n0,1,0\n1,NaN,1\n2,1,1\n", "step.csv:3");
     EXPECT_EQ(run({"fit", "/no/such/study", "--out", out.string()}).status, inputAtFault);
     EXPECT_FALSE(fs::exists(out));
 }

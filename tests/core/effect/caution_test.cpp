@@ -151,7 +151,7 @@ TEST(Caution, SaysWhenADeadTimeIsShorterThanTheSampling) {
     effect.kind = "actuator.delay";
     effect.at = "input v";
     effect.parameters = {{"T", 0.47, 0.01, "s"}};
-    EXPECT_THAT(delaysBelowSampling(task, {effect}), ElementsAre(HasSubstr("held between samples")));
+    EXPECT_THAT(delaysBelowSampling(task, {effect}), ElementsAre(HasSubstr("held between its samples")));
     effect.kind = "sensor.delay";
     EXPECT_THAT(delaysBelowSampling(task, {effect}), ElementsAre(HasSubstr("0.47 of a sample interval")));
     effect.parameters.front().value = 1.5;
