@@ -85,7 +85,13 @@ std::string effectWords(const AddedEffect& effect) {
 
 std::string summaryWords(const Finding& finding, const std::string& command) {
     const ModelState& state = finding.final.experiments.empty() ? finding.baseline : finding.final;
-    if (command == "simulate") return "The model was simulated as it stands. " + plainErrorWords(state);
+    if (command == "simulate") {
+        const bool hasOpenStarts = std::any_of(state.experiments.begin(), state.experiments.end(),
+                                               [](const ExperimentState& e) { return !e.starts.empty(); });
+        return fmt::format("The model was simulated as it stands{}. {}",
+                           hasOpenStarts ? ", from start values that each recording had to tell itself" : "",
+                           plainErrorWords(state));
+    }
     if (command == "fit") return "The parameters of the model were fitted. " + plainErrorWords(state);
     if (finding.interrupted && !hasChanged(finding))
         return "The search was interrupted before an effect was accepted. " + plainErrorWords(state);

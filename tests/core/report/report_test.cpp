@@ -102,6 +102,16 @@ TEST(ReportJson, KeepsStartValuesOfExperimentsApart) {
     EXPECT_TRUE(json["finding"].is_null());
 }
 
+TEST(ReportJson, ListsStartValuesThatOneRecordingAloneHadToTell) {
+    Finding finding = fitOnly();
+    ExperimentState& last = finding.final.experiments.back();
+    last.starts.push_back({"element.T_start", "K", 291, 0.1, false, 0});
+    const auto json = nlohmann::json::parse(reportJson(finding, {"x", "simulate", "1"}));
+    EXPECT_EQ(json["final"]["parameters"]["element.T_start (" + last.name + ")"]["value"], 291);
+    EXPECT_THAT(std::string(json["summary"]), ::testing::HasSubstr("each recording had to tell itself"));
+    EXPECT_THAT(reportHtml(finding, {"x", "simulate", "1"}), ::testing::HasSubstr("T_start</code>"));
+}
+
 TEST(ReportHtml, IsOneFileWithoutAnythingFromOutside) {
     const std::string html = reportHtml(sampleFinding(), discoverContext);
     EXPECT_THAT(html, HasSubstr("<!DOCTYPE html>"));
