@@ -184,7 +184,7 @@ Outcome<Finding> Search::run() {
     finding.final = finding.baseline;
     bestError_ = errorPercentOf(finding.baseline, Role::Fit);
 
-    const NullModel base = *null;
+    NullModel base = *null;
     search_.fit.simulation.relativeTolerance =
         std::clamp(integrationShare * quietest(base), options_.fit.simulation.relativeTolerance, coarsestTolerance);
     Outcome<Path> path = bestPath(base);
@@ -227,11 +227,13 @@ Outcome<Finding> Search::run() {
         if (leavesMuch) bringBackDisplaced(*null);
         removeUnneeded(*null, 0, true);  // what was seen only beside a proposal is not kept without it
     }
+    holdUnneededStarts(*null);
     finding.nextExperiment = proposeExperiments(*null);
     const bool isOpen = proposed.empty() && !change_ && !dependence_ && !isNoise(*null);
     const std::string place = isOpen ? likeliestPlace(*null, search_.fit.simulation, progress_) : std::string();
-    if (onAll && steps_.empty()) null = *onAll;
-    if (!steps_.empty() && !progress_.stopRequested()) {
+    const bool isAsGiven = steps_.empty() && freedStarts_.empty();
+    if (onAll && isAsGiven) null = *onAll;
+    if (!isAsGiven && !progress_.stopRequested()) {
         // the search was content with less: on every sample, and integrated as exactly as was asked for
         Outcome<Variant> whole = null->variant;
         if (onAll) whole = withEffects(full_, null->variant.effects, null->variant.values);
@@ -243,7 +245,7 @@ Outcome<Finding> Search::run() {
     }
     if (progress_.stopRequested()) {
         if (path->state) finding.final = std::move(*path->state);
-    } else if (!steps_.empty()) {
+    } else if (!isAsGiven) {
         Outcome<ModelState> after = stateOf(null->variant, null->fit, options_.fit.simulation, progress_);
         if (!after) return after.diagnostics();
         finding.final = std::move(*after);
@@ -287,7 +289,8 @@ Outcome<Finding> Search::run() {
                                                    dependence_->parameter, dependence_->channel));
         }
     }
-    for (const auto& sentences : {extrapolations(full_.task), driftBetweenRecordings(*null), boundHits(null->fit)})
+    for (const auto& sentences :
+         {startRemarks(*null), extrapolations(full_.task), driftBetweenRecordings(*null), boundHits(null->fit)})
         finding.warnings.insert(finding.warnings.end(), sentences.begin(), sentences.end());
     // an interrupted search has not looked at what is left in detail, but must not call it noise
     const bool leavesStructure = !finding.remainders.empty() || (finding.interrupted && !isNoise(*null));

@@ -7,6 +7,7 @@
 #include "core/effect/dependence.hpp"
 #include "core/effect/discover.hpp"
 #include "core/effect/judgement.hpp"
+#include "core/effect/start_value.hpp"
 
 namespace analogon {
 
@@ -67,7 +68,8 @@ private:
     void noteAll(const Round& round);
     Outcome<Done> goOn(Path& path, Round first);
     std::vector<std::size_t> otherBeginnings(const NullModel& null, const Round& round) const;
-    Outcome<Path> bestPath(const NullModel& base);
+    Outcome<Path> bestPath(NullModel& base);
+    Outcome<Path> bestPathFrom(NullModel& base);
     std::optional<Path> withLaw(Path begin);
     void exchange(Path& path);
     std::vector<std::size_t> equivalents(const NullModel& null, const std::vector<Trial>& trials,
@@ -82,6 +84,10 @@ private:
     void bringBackDisplaced(NullModel& null);
     bool replace(NullModel& null, std::size_t effect);
     void removeUnneeded(NullModel& null, std::size_t least, bool isLast = false);
+    bool freeStart(NullModel& null, const Round& round);
+    bool refitWith(NullModel& null, const ToldStart& start, bool isFitted);
+    void holdUnneededStarts(NullModel& null);
+    std::vector<std::string> startRemarks(const NullModel& null) const;
     void treatAlike(NullModel& null);
     void sharpen(NullModel& null);
     std::string proposeExperiments(const NullModel& null);
@@ -106,6 +112,8 @@ private:
     std::map<std::string, std::string> laws_;  // texts of the classes that were written for this model, by name
     std::optional<Change> change_;             // in mid run, that explains better than any effect
     std::optional<Dependence> dependence_;     // on a channel, that does
+    std::vector<ToldStart> freedStarts_;       // that were told wrongly
+    bool beginsAnew_{};                        // beside a start value that was freed in a later round
     bool writesLaws_{};                        // for what no class has, in every round
     int round_{}, choices_{};
     double work_{};  // of the trials so far

@@ -121,10 +121,10 @@ TEST_F(Discovery, AddsNothingToNoise) {
     EXPECT_TRUE(finding.remainders.empty());
 }
 
-/// A heated body in a draught that nobody measures.
+/// A heated body in a draught that nobody measures. Its model begins at 300 K.
 class DiscoveryInADraught : public Discovery {
 protected:
-    Finding search(unsigned seed) {
+    Finding search(unsigned seed, double strength = 0.7, double begin = 300) {
         std::ofstream(directory_ / "model.mo") << R"(model Plate
   Analogon.Interfaces.RealInput P(unit="W");
   Analogon.Interfaces.RealOutput T(unit="K");
@@ -152,11 +152,11 @@ end Plate;
         csv.precision(10);
         csv << "t [s],P [W],T [K]\n";
         constexpr int inner = 10;
-        double temperature = 300, draught = 0;  // [K], [W]
+        double temperature = begin, draught = 0;  // [K], [W]
         for (int k = 0; k < samples; ++k) {
             const double here = 20 + 20 * excitation(0.02 * k), next = 20 + 20 * excitation(0.02 * (k + 1));
             csv << 0.5 * k << ',' << here << ',' << temperature + 0.1 * normal(random) << '\n';
-            draught = 0.96 * draught + 0.7 * normal(random);
+            draught = 0.96 * draught + strength * normal(random);
             for (int i = 0; i < inner; ++i) {
                 const double power = here + (next - here) * (i + 0.5) / inner;
                 temperature += 0.5 / inner * (power + draught - 0.3 * (temperature - 300)) / 15;
@@ -176,6 +176,30 @@ TEST_F(DiscoveryInADraught, GivesItNoName) {
         ASSERT_FALSE(finding.remainders.empty());
         EXPECT_EQ(finding.remainders.front().node, "heater.port") << "one node with the plate's";
     }
+}
+
+TEST_F(DiscoveryInADraught, TakesAWrongStartForNoEffect) {
+    for (const double begin : {300.5, 312.0}) {
+        const Finding finding = search(3, 0, begin);
+        EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind << " for " << begin;
+        EXPECT_EQ(finding.kind, FindingKind::Adequate);
+        const auto start = std::find_if(finding.final.parameters.begin(), finding.final.parameters.end(),
+                                        [](const FitEstimate& e) { return e.name == "plate.T_start"; });
+        ASSERT_NE(start, finding.final.parameters.end());
+        EXPECT_EQ(start->experiment, 0);
+        EXPECT_NEAR(start->value, begin, 5 * start->standardError);
+        EXPECT_LT(start->standardError, 0.1);
+        const bool isTold = std::any_of(finding.warnings.begin(), finding.warnings.end(), [](const std::string& w) {
+            return w.find("'run' does not begin where the model was told: plate.T_start") != std::string::npos;
+        });
+        EXPECT_TRUE(isTold);
+    }
+}
+
+TEST_F(DiscoveryInADraught, LeavesARightStartAsItIsTold) {
+    const Finding finding = search(4, 0);
+    EXPECT_EQ(finding.kind, FindingKind::Adequate);
+    for (const FitEstimate& e : finding.final.parameters) EXPECT_LT(e.experiment, 0) << e.name;
 }
 
 TEST_F(Discovery, FindsTwoEffectsThatHideEachOther) {
