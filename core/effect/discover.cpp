@@ -148,7 +148,12 @@ AddedEffect Search::describe(const NullModel& last, const PlacedEffect& placed, 
     effect.evidence.pValue = step.pValue;
     effect.evidence.deltaBic = -step.acceptance.evidence;
     effect.evidence.heldOut = step.acceptance.heldOut;
-    effect.alternatives = step.alternatives;
+    // another class of the same kind at the same place is no other explanation, and each is named once
+    for (const Alternative& a : step.alternatives)
+        if ((a.kind != effect.kind || a.at != effect.at) &&
+            std::none_of(effect.alternatives.begin(), effect.alternatives.end(),
+                         [&](const Alternative& b) { return b.kind == a.kind && b.at == a.at; }))
+            effect.alternatives.push_back(a);
     return effect;
 }
 

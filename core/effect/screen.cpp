@@ -324,8 +324,10 @@ Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std:
         for (const EffectPlace& p : nodes->placesFor(e, spares)) {
             const bool isThere =
                 std::any_of(variant.effects.begin(), variant.effects.end(), [&](const PlacedEffect& x) {
-                    return x.effect.className == e.className &&
-                           (x.place == p || std::find(x.twins.begin(), x.twins.end(), p) != x.twins.end());
+                    // one kind has several classes where something of it may be known or not
+                    const bool isSame =
+                        x.effect.className == e.className || (x.effect.kind == e.kind && e.proposal.empty());
+                    return isSame && (x.place == p || std::find(x.twins.begin(), x.twins.end(), p) != x.twins.end());
                 });
             if (!isThere) candidates.push_back({e, p});
         }
