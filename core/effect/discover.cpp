@@ -236,15 +236,19 @@ Outcome<Finding> Search::run() {
     finding.nextExperiment = proposeExperiments(*null);
     const bool isOpen = proposed.empty() && !change_ && !dependence_ && !isNoise(*null);
     const std::string place = isOpen ? likeliestPlace(*null, search_.fit.simulation, progress_) : std::string();
-    const bool isAsGiven = steps_.empty() && freedStarts_.empty();
+    const bool isAsGiven = steps_.empty() && freedStarts_.empty() && noisyInputs_.empty();
+    // what is left with the inputs as recorded is their noise; it says nothing of the component
+    std::optional<NullModel> quiet;
+    if (!noisyInputs_.empty()) quiet = *null;
     if (onAll && isAsGiven) null = *onAll;
     if (!isAsGiven && !progress_.stopRequested()) {
         // the search was content with less: on every sample, and integrated as exactly as was asked for
+        const bool isOther = onAll || !noisyInputs_.empty();
         Outcome<Variant> whole = null->variant;
-        if (onAll) whole = withEffects(full_, null->variant.effects, null->variant.values);
+        if (isOther) whole = withEffects(full_, null->variant.effects, null->variant.values);
         if (!whole) return whole.diagnostics();
         Outcome<NullModel> fitted = fitNull(*whole, onAll ? onAll->noise : null->noise,
-                                            onAll ? NoiseLevel::Estimate : NoiseLevel::Keep, options_.fit, progress_);
+                                            isOther ? NoiseLevel::Estimate : NoiseLevel::Keep, options_.fit, progress_);
         if (!fitted) return fitted.diagnostics();
         null = std::move(*fitted);
     }
@@ -278,7 +282,7 @@ Outcome<Finding> Search::run() {
     finding.candidates = std::move(candidates_);
     finding.interrupted = progress_.stopRequested();
     if (!finding.interrupted) {
-        finding.remainders = remainders(*null, options_.fit.simulation);
+        finding.remainders = remainders(quiet ? *quiet : *null, options_.fit.simulation);
         for (Remainder& r : finding.remainders) r.node = place;
         offer(std::move(proposed), finding.remainders);
         if (change_) {
@@ -295,7 +299,7 @@ Outcome<Finding> Search::run() {
         }
     }
     for (const auto& sentences :
-         {startRemarks(*null), extrapolations(full_.task), driftBetweenRecordings(*null), boundHits(null->fit)})
+         {recordingRemarks(*null), extrapolations(full_.task), driftBetweenRecordings(*null), boundHits(null->fit)})
         finding.warnings.insert(finding.warnings.end(), sentences.begin(), sentences.end());
     // an interrupted search has not looked at what is left in detail, but must not call it noise
     const bool leavesStructure = !finding.remainders.empty() || (finding.interrupted && !isNoise(*null));

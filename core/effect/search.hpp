@@ -6,6 +6,7 @@
 #include "core/effect/change.hpp"
 #include "core/effect/dependence.hpp"
 #include "core/effect/discover.hpp"
+#include "core/effect/input_noise.hpp"
 #include "core/effect/judgement.hpp"
 #include "core/effect/start_value.hpp"
 
@@ -84,10 +85,11 @@ private:
     void bringBackDisplaced(NullModel& null);
     bool replace(NullModel& null, std::size_t effect);
     void removeUnneeded(NullModel& null, std::size_t least, bool isLast = false);
-    bool freeStart(NullModel& null, const Round& round);
+    bool allowForRecordings(NullModel& null, const Round& round);
+    bool refitQuiet(NullModel& null, Variant quiet, const std::vector<NoisyInput>& noisy);
     bool refitWith(NullModel& null, const ToldStart& start, bool isFitted);
     void holdUnneededStarts(NullModel& null);
-    std::vector<std::string> startRemarks(const NullModel& null) const;
+    std::vector<std::string> recordingRemarks(const NullModel& null) const;
     void treatAlike(NullModel& null);
     void sharpen(NullModel& null);
     std::string proposeExperiments(const NullModel& null);
@@ -113,7 +115,8 @@ private:
     std::optional<Change> change_;             // in mid run, that explains better than any effect
     std::optional<Dependence> dependence_;     // on a channel, that does
     std::vector<ToldStart> freedStarts_;       // that were told wrongly
-    bool beginsAnew_{};                        // beside a start value that was freed in a later round
+    std::vector<NoisyInput> noisyInputs_;      // that base_ has without their noise
+    bool beginsAnew_{};                        // what was allowed for in a later round
     bool writesLaws_{};                        // for what no class has, in every round
     int round_{}, choices_{};
     double work_{};  // of the trials so far

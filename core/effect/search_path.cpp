@@ -36,7 +36,7 @@ Outcome<Done> Search::goOn(Path& path, Round first) {
         Round round = round_ == 1 ? std::move(first) : tryAll(path.null);
         if (progress_.stopRequested()) break;
         if (round_ > 1) decide(path.null, round);
-        beginsAnew_ = round_ > 1 && freeStart(path.null, round);
+        beginsAnew_ = round_ > 1 && allowForRecordings(path.null, round);
         if (beginsAnew_) break;
         noteAll(round);
         if (!round.chosen) break;
@@ -79,15 +79,15 @@ std::vector<std::size_t> Search::otherBeginnings(const NullModel& null, const Ro
     return others;
 }
 
-/// What the best path ends with. What was chosen before a start value turned out to be wrong was chosen beside the
-/// wrong one: the search begins anew then.
+/// What the best path ends with. What was chosen before something turned out to be wrong with a recording was chosen
+/// beside that: the search begins anew then.
 Outcome<Search::Path> Search::bestPath(NullModel& base) {
     for (;;) {
         Outcome<Path> path = bestPathFrom(base);
         if (!path || !beginsAnew_ || progress_.stopRequested()) return path;
         beginsAnew_ = false;
         opening_.reset();
-        for (const ToldStart& start : freedStarts_) setFitted(base.variant.task, start, true);
+        base.variant.task.recordings = base_.task.recordings;
         Outcome<NullModel> next = fitNull(base.variant, base.noise, NoiseLevel::Estimate, search_.fit, progress_);
         if (!next) return next.diagnostics();
         base = std::move(*next);
@@ -100,7 +100,7 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
     Round first = tryAll(base);
     if (progress_.stopRequested()) return Path{base, {}, {}, {}, {}};
     decide(base, first);
-    while (freeStart(base, first)) {
+    while (allowForRecordings(base, first)) {
         first = tryAll(base);
         decide(base, first);
     }

@@ -124,7 +124,7 @@ TEST_F(Discovery, AddsNothingToNoise) {
 /// A heated body in a draught that nobody measures. Its model begins at 300 K.
 class DiscoveryInADraught : public Discovery {
 protected:
-    Finding search(unsigned seed, double strength = 0.7, double begin = 300) {
+    Finding search(unsigned seed, double strength = 0.7, double begin = 300, double inputNoise = 0) {
         std::ofstream(directory_ / "model.mo") << R"(model Plate
   Analogon.Interfaces.RealInput P(unit="W");
   Analogon.Interfaces.RealOutput T(unit="K");
@@ -155,7 +155,8 @@ end Plate;
         double temperature = begin, draught = 0;  // [K], [W]
         for (int k = 0; k < samples; ++k) {
             const double here = 20 + 20 * excitation(0.02 * k), next = 20 + 20 * excitation(0.02 * (k + 1));
-            csv << 0.5 * k << ',' << here << ',' << temperature + 0.1 * normal(random) << '\n';
+            csv << 0.5 * k << ',' << here + inputNoise * normal(random) << ',' << temperature + 0.1 * normal(random)
+                << '\n';
             draught = 0.96 * draught + strength * normal(random);
             for (int i = 0; i < inner; ++i) {
                 const double power = here + (next - here) * (i + 0.5) / inner;
@@ -194,6 +195,18 @@ TEST_F(DiscoveryInADraught, TakesAWrongStartForNoEffect) {
         });
         EXPECT_TRUE(isTold);
     }
+}
+
+TEST_F(DiscoveryInADraught, TakesTheNoiseOfAnInputForNoEffect) {
+    int told = 0;
+    for (const unsigned seed : {1u, 2u, 3u}) {
+        const Finding finding = search(seed, 0, 300, 15);
+        EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind << " for seed " << seed;
+        told += std::any_of(finding.warnings.begin(), finding.warnings.end(), [](const std::string& w) {
+            return w.find("the input 'P' of 'run' is recorded with noise") != std::string::npos;
+        });
+    }
+    EXPECT_GE(told, 2) << "where it shows at all";
 }
 
 TEST_F(DiscoveryInADraught, LeavesARightStartAsItIsTold) {

@@ -1,8 +1,10 @@
-/// Start values that recordings were told wrongly: what a wrong one leaves looks like an offset, a lag or a dead zone.
+/// What lies in the recordings and not in the component: start values that were told wrongly look like an offset, a lag
+/// or a dead zone, the noise of a recorded input like a limit or a play that cuts it off.
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "core/effect/input_noise.hpp"
 #include "core/effect/search.hpp"
 
 namespace analogon {
@@ -12,26 +14,45 @@ constexpr std::size_t mostStarts = 12;  // that are tried
 
 }  // namespace
 
-/// Lets the start value be fitted that explains more than what this round has chosen. True when there was one: the
-/// round is to be repeated beside it.
-bool Search::freeStart(NullModel& null, const Round& round) {
-    const Outcome<std::vector<ToldStart>> told = toldStarts(null.variant.task);
-    if (!told || told->size() > mostStarts) return false;
+/// Allows for what is wrong with a recording, where that explains more than what this round has chosen. True when it
+/// did: the round is to be repeated beside it.
+bool Search::allowForRecordings(NullModel& null, const Round& round) {
     double most = round.chosen ? round.acceptance.effective : 0;
-    std::optional<ToldStart> best;
-    for (const ToldStart& start : *told) {
+    const auto explainsMore = [&](const Variant& variant, int freed) {
         if (progress_.stopRequested()) return false;
-        say("reconsider", start.parameter, -1);
-        Variant freed = null.variant;
-        setFitted(freed.task, start, true);
-        const std::optional<FitResult> fit = fitBeside(null, freed, search_.fit, progress_);
-        if (!fit) continue;
-        const Acceptance gain = examine(null, *fit, 1, round.threshold);
-        if (!gain.isSignificant || !gain.isWorthwhile || !(gain.effective > most)) continue;
+        const std::optional<FitResult> fit = fitBeside(null, variant, search_.fit, progress_);
+        if (!fit) return false;
+        const Acceptance gain = examine(null, *fit, freed, round.threshold);
+        if (!gain.isSignificant || !gain.isWorthwhile || !(gain.effective > most)) return false;
         most = gain.effective;
-        best = start;
+        return true;
+    };
+    const Outcome<std::vector<ToldStart>> told = toldStarts(null.variant.task);
+    std::optional<ToldStart> best;
+    if (told && told->size() <= mostStarts)
+        for (const ToldStart& start : *told) {
+            say("reconsider", start.parameter, -1);
+            Variant freed = null.variant;
+            setFitted(freed.task, start, true);
+            if (explainsMore(freed, 1)) best = start;
+        }
+    Variant quiet = null.variant;
+    const std::vector<NoisyInput> noisy = noisyInputs_.empty() ? quieten(quiet.task) : std::vector<NoisyInput>();
+    if (!noisy.empty()) {
+        say("reconsider", "noise of the inputs", -1);
+        if (explainsMore(quiet, static_cast<int>(noisy.size()))) return refitQuiet(null, std::move(quiet), noisy);
     }
     return best && refitWith(null, *best, true);
+}
+
+/// The model beside inputs without their noise; so in all that the search fits from here on.
+bool Search::refitQuiet(NullModel& null, Variant quiet, const std::vector<NoisyInput>& noisy) {
+    Outcome<NullModel> next = fitNull(quiet, null.noise, NoiseLevel::Estimate, search_.fit, progress_);
+    if (!next || progress_.stopRequested()) return false;
+    null = std::move(*next);
+    quieten(base_.task);
+    noisyInputs_ = noisy;
+    return true;
 }
 
 /// The model with a start value fitted, or held where it was told to be; so in all that the search fits from here on.
@@ -79,9 +100,15 @@ void Search::holdUnneededStarts(NullModel& null) {
     }
 }
 
-/// What people should know of the start values that were fitted.
-std::vector<std::string> Search::startRemarks(const NullModel& null) const {
+/// What people should know of what was allowed for in the recordings.
+std::vector<std::string> Search::recordingRemarks(const NullModel& null) const {
     std::vector<std::string> remarks;
+    for (const NoisyInput& input : noisyInputs_)
+        remarks.push_back(fmt::format(
+            "the input '{}' of '{}' is recorded with noise ({:.2g} rms) that drives the model and not the component: "
+            "the "
+            "search has smoothed it, the errors that are reported are with it; record it with less noise, or smooth it",
+            input.name, full_.task.recordings[static_cast<std::size_t>(input.recording)].name, input.deviation));
     for (const ToldStart& start : freedStarts_)
         for (const FitEstimate& e : null.fit.estimates) {
             if (e.name != start.parameter || e.experiment != start.experiment) continue;
