@@ -86,6 +86,8 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
         r.node = placed.place.at;
         r.evidence = steps_[i].acceptance.evidence;
         r.proposedEquation = placed.effect.proposal;
+        if (const auto at = r.proposedEquation.find("channel"); at != std::string::npos && !placed.place.spare.empty())
+            r.proposedEquation.replace(at, std::string("channel").size(), placed.place.spare);
         r.proposedClass = placed.effect.className;
         if (const auto law = laws_.find(placed.effect.className); law != laws_.end()) r.proposedBlock = law->second;
         std::string values;
@@ -93,8 +95,8 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
             for (const FitEstimate& e : null.fit.estimates)
                 if (e.name == p.name)
                     values += fmt::format("{}{} = {:.4g}{}{}", values.empty() ? "" : ", ",
-                                          p.name.substr(placed.instance.size() + 1), e.value, e.unit.empty() ? "" : " ",
-                                          e.unit);
+                                          p.name.substr(placed.instance.size() + 1), e.value,
+                                          e.unit.empty() || e.unit == "1" ? "" : " ", e.unit == "1" ? "" : e.unit);
         if (!values.empty()) r.proposedEquation += " with " + values;
         if (with) {
             r.errorFitWith = errorPercentOf(*with, Role::Fit);
