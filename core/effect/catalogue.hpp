@@ -24,9 +24,9 @@
 ///     valid = "n*range(phi) - 6.28",    // a shape for which this is not above 0 is left out
 ///     proposal = "flange.tau = a*w^3",  // no named effect: offered as this equation, never added by itself
 ///     secant = {"2*sample", "8*sample"},// strengths of the screening where the slope at 0 misleads
-///     quantity = "K",                   // signals only: restrict to channels of this unit; absent: any
+///     quantity = "K",                   // signals and channels: restrict to those of this unit; absent: any
 ///     node = "heatPort",                // specialise: a connector to be joined to a node of the model
-///     channel = "flow")))               // specialise: a signal input to be driven by a recorded, unused channel
+///     channel = "flow")))               // specialise, attach: a signal input that a recorded, unused channel drives
 ///
 /// Texts are Modelica expressions over sample, duration (of the recording, s) and range(v), minimum(v), maximum(v),
 /// maxabs(v), rms(v), mean(v), start(v), rate(v), flow(port) of the variables v and connectors of the effect's own

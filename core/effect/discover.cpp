@@ -132,7 +132,12 @@ AddedEffect Search::describe(const NullModel& last, const ModelState& state, con
     effect.evidence.pValue = pValue(step.acceptance.explained, static_cast<int>(placed.freed.size()), step.tried);
     effect.evidence.deltaBic = -step.acceptance.evidence;
     effect.evidence.heldOut = step.acceptance.heldOut;
-    effect.alternatives = step.alternatives;
+    // another class of the same kind at the same place is no other explanation, and each is named once
+    for (const Alternative& a : step.alternatives)
+        if ((a.kind != effect.kind || a.at != effect.at) &&
+            std::none_of(effect.alternatives.begin(), effect.alternatives.end(),
+                         [&](const Alternative& b) { return b.kind == a.kind && b.at == a.at; }))
+            effect.alternatives.push_back(a);
     return effect;
 }
 
@@ -168,7 +173,7 @@ Outcome<Finding> Search::run() {
     finding.final = finding.baseline;
     bestError_ = errorPercentOf(finding.baseline, Role::Fit);
 
-    const NullModel base = *null;
+    NullModel base = *null;
     search_.fit.simulation.relativeTolerance =
         std::clamp(integrationShare * quietest(base), options_.fit.simulation.relativeTolerance, coarsestTolerance);
     Outcome<Path> path = bestPath(base);
@@ -211,30 +216,36 @@ Outcome<Finding> Search::run() {
         if (leavesMuch) bringBackDisplaced(*null);
         removeUnneeded(*null, 0, true);  // what was seen only beside a proposal is not kept without it
     }
+    holdUnneededStarts(*null);
     finding.nextExperiment = proposeExperiments(*null);
     const bool isOpen = proposed.empty() && !change_ && !dependence_ && !isNoise(*null);
     const std::string place = isOpen ? likeliestPlace(*null, search_.fit.simulation, progress_) : std::string();
+    const auto isAsGiven = [&] { return steps_.empty() && freedStarts_.empty() && noisyInputs_.empty(); };
+    // what is left with the inputs as recorded is their noise; it says nothing of the component
+    std::optional<NullModel> quiet;
     // the search was content with less: on every sample, and integrated as exactly as was asked for
-    bool isFinal = steps_.empty();
+    bool isFinal = isAsGiven();
     while (!isFinal && !progress_.stopRequested()) {
+        if (!noisyInputs_.empty()) quiet = *null;
+        const bool isOther = onAll || !noisyInputs_.empty();
         Outcome<Variant> whole = null->variant;
-        if (onAll) whole = withEffects(full_, null->variant.effects, null->variant.values);
+        if (isOther) whole = withEffects(full_, null->variant.effects, null->variant.values);
         if (!whole) return whole.diagnostics();
         Outcome<NullModel> fitted = fitNull(*whole, onAll ? onAll->noise : null->noise,
-                                            onAll ? NoiseLevel::Estimate : NoiseLevel::Keep, options_.fit, progress_);
+                                            isOther ? NoiseLevel::Estimate : NoiseLevel::Keep, options_.fit, progress_);
         if (!fitted) return fitted.diagnostics();
         if (progress_.stopRequested()) break;
         Outcome<ModelState> after = stateOf(fitted->variant, fitted->fit, options_.fit.simulation, progress_);
         if (!after) return after.diagnostics();
         if (dropIndistinct(*fitted, *after, *null)) {
-            isFinal = steps_.empty();
+            isFinal = isAsGiven();
             continue;
         }
         null = std::move(*fitted);
         finding.final = std::move(*after);
         isFinal = true;
     }
-    if (steps_.empty()) null = onAll ? *onAll : base;
+    if (isAsGiven()) null = onAll ? *onAll : base;
     if (!isFinal && path->state) finding.final = std::move(*path->state);
     const Outcome<FlatModel> valued = flattened(null->variant.task, finding.final.modelText);
     for (std::size_t i = 0; i < steps_.size() && i < null->variant.effects.size(); ++i) {
@@ -261,7 +272,7 @@ Outcome<Finding> Search::run() {
     finding.candidates = std::move(candidates_);
     finding.interrupted = progress_.stopRequested();
     if (!finding.interrupted) {
-        finding.remainders = remainders(*null, options_.fit.simulation);
+        finding.remainders = remainders(quiet ? *quiet : *null, options_.fit.simulation);
         for (Remainder& r : finding.remainders) r.node = place;
         for (Remainder& r : proposed)
             if (r.errorValidateWith >= 0) r.errorValidateWithout = errorPercentOf(finding.final, Role::Validate);
@@ -279,8 +290,8 @@ Outcome<Finding> Search::run() {
                                                    dependence_->parameter, dependence_->channel));
         }
     }
-    for (const auto& sentences : {extrapolations(full_.task), driftBetweenRecordings(*null), boundHits(null->fit),
-                                  delaysBelowSampling(full_.task, finding.effects)})
+    for (const auto& sentences : {recordingRemarks(*null), extrapolations(full_.task), driftBetweenRecordings(*null),
+                                  boundHits(null->fit), delaysBelowSampling(full_.task, finding.effects)})
         finding.warnings.insert(finding.warnings.end(), sentences.begin(), sentences.end());
     // an interrupted search has not looked at what is left in detail, but must not call it noise
     const bool leavesStructure = !finding.remainders.empty() || (finding.interrupted && !isNoise(*null));

@@ -70,8 +70,9 @@ std::string withValues(const std::string& equation, const std::vector<EffectValu
     const char* before = " with ";
     for (const EffectValue& v : values) {
         if (!names(v.name)) continue;
-        text += fmt::format("{}{} = {:.4g}{}{}", std::exchange(before, ", "), v.name, v.value,
-                            v.unit.empty() ? "" : " ", v.unit);
+        const bool hasUnit = !v.unit.empty() && v.unit != "1";
+        text += fmt::format("{}{} = {:.4g}{}{}", std::exchange(before, ", "), v.name, v.value, hasUnit ? " " : "",
+                            hasUnit ? v.unit : "");
     }
     return text;
 }

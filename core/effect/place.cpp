@@ -232,7 +232,12 @@ std::vector<EffectPlace> ModelNodes::placesFor(const EffectClass& effect,
     if (effect.ports.empty()) return {};
     const std::string signature = signatureOf(effect, effect.ports.front());
     if (signature.empty()) return {};
-    return effect.way == Way::Attach ? attachPlaces(signature) : insertPlaces(signature);
+    if (effect.way == Way::Insert) return insertPlaces(signature);
+    if (effect.channel.empty()) return attachPlaces(signature);
+    std::vector<EffectPlace> driven;
+    for (const EffectPlace& p : attachPlaces(signature))
+        for (const std::string& s : spares) driven.push_back({p.at, p.connector, s});
+    return driven;
 }
 
 }  // namespace analogon

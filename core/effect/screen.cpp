@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/unit.hpp"
 #include "core/effect/shape_value.hpp"
 #include "core/fit/clock.hpp"
 
@@ -315,17 +316,24 @@ Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std:
     Outcome<ModelNodes> nodes = nodesOf(variant, diagram);
     if (!nodes) return nodes.diagnostics();
 
-    std::vector<std::string> spares;
-    for (const Recording& r : variant.task.recordings)
-        if (r.role == Role::Fit && spares.empty())
-            for (const SpareChannel& s : r.spares) spares.push_back(s.name);
+    const auto first = std::find_if(variant.task.recordings.begin(), variant.task.recordings.end(),
+                                    [](const Recording& r) { return r.role == Role::Fit && !r.spares.empty(); });
+    const auto sparesFor = [&](const EffectClass& effect) {
+        std::vector<std::string> names;
+        if (!effect.channel.empty() && first != variant.task.recordings.end())
+            for (const SpareChannel& s : first->spares)
+                if (effect.quantity.empty() || areConvertible(s.unit, effect.quantity)) names.push_back(s.name);
+        return names;
+    };
     std::vector<Candidate> candidates;
     for (const EffectClass& e : catalogue)
-        for (const EffectPlace& p : nodes->placesFor(e, spares)) {
+        for (const EffectPlace& p : nodes->placesFor(e, sparesFor(e))) {
             const bool isThere =
                 std::any_of(variant.effects.begin(), variant.effects.end(), [&](const PlacedEffect& x) {
-                    return x.effect.className == e.className &&
-                           (x.place == p || std::find(x.twins.begin(), x.twins.end(), p) != x.twins.end());
+                    // one kind has several classes where something of it may be known or not
+                    const bool isSame =
+                        x.effect.className == e.className || (x.effect.kind == e.kind && e.proposal.empty());
+                    return isSame && (x.place == p || std::find(x.twins.begin(), x.twins.end(), p) != x.twins.end());
                 });
             if (!isThere) candidates.push_back({e, p});
         }

@@ -6,7 +6,9 @@
 #include "core/effect/change.hpp"
 #include "core/effect/dependence.hpp"
 #include "core/effect/discover.hpp"
+#include "core/effect/input_noise.hpp"
 #include "core/effect/judgement.hpp"
+#include "core/effect/start_value.hpp"
 
 namespace analogon {
 
@@ -67,7 +69,8 @@ private:
     void noteAll(const Round& round);
     Outcome<Done> goOn(Path& path, Round first);
     std::vector<std::size_t> otherBeginnings(const NullModel& null, const Round& round) const;
-    Outcome<Path> bestPath(const NullModel& base);
+    Outcome<Path> bestPath(NullModel& base);
+    Outcome<Path> bestPathFrom(NullModel& base);
     std::optional<Path> withLaw(Path begin);
     void exchange(Path& path);
     std::vector<std::size_t> equivalents(const NullModel& null, const std::vector<Trial>& trials,
@@ -82,6 +85,11 @@ private:
     void bringBackDisplaced(NullModel& null);
     bool replace(NullModel& null, std::size_t effect);
     void removeUnneeded(NullModel& null, std::size_t least, bool isLast = false);
+    bool allowForRecordings(NullModel& null, const Round& round);
+    bool refitQuiet(NullModel& null, Variant quiet, const std::vector<NoisyInput>& noisy);
+    bool refitWith(NullModel& null, const ToldStart& start, bool isFitted);
+    void holdUnneededStarts(NullModel& null);
+    std::vector<std::string> recordingRemarks(const NullModel& null) const;
     void treatAlike(NullModel& null);
     void sharpen(NullModel& null);
     std::string proposeExperiments(const NullModel& null);
@@ -108,6 +116,9 @@ private:
     std::map<std::string, std::string> laws_;  // texts of the classes that were written for this model, by name
     std::optional<Change> change_;             // in mid run, that explains better than any effect
     std::optional<Dependence> dependence_;     // on a channel, that does
+    std::vector<ToldStart> freedStarts_;       // that were told wrongly
+    std::vector<NoisyInput> noisyInputs_;      // that base_ has without their noise
+    bool beginsAnew_{};                        // what was allowed for in a later round
     bool writesLaws_{};                        // for what no class has, in every round
     int round_{}, choices_{};
     double work_{};  // of the trials so far

@@ -36,6 +36,8 @@ Outcome<Done> Search::goOn(Path& path, Round first) {
         Round round = round_ == 1 ? std::move(first) : tryAll(path.null);
         if (progress_.stopRequested()) break;
         if (round_ > 1) decide(path.null, round);
+        beginsAnew_ = round_ > 1 && allowForRecordings(path.null, round);
+        if (beginsAnew_) break;
         noteAll(round);
         if (!round.chosen) break;
         Step step = stepOf(round);
@@ -77,16 +79,36 @@ std::vector<std::size_t> Search::otherBeginnings(const NullModel& null, const Ro
     return others;
 }
 
-/// What the best path ends with. Where the first choices leave structure, the search begins again with what came
-/// next: two effects that hide each other may not show in the order of their size.
-Outcome<Search::Path> Search::bestPath(const NullModel& base) {
-    Path best{base, {}, {}, {}, {}};
+/// What the best path ends with. What was chosen before something turned out to be wrong with a recording was chosen
+/// beside that: the search begins anew then.
+Outcome<Search::Path> Search::bestPath(NullModel& base) {
+    for (;;) {
+        Outcome<Path> path = bestPathFrom(base);
+        if (!path || !beginsAnew_ || progress_.stopRequested()) return path;
+        beginsAnew_ = false;
+        opening_.reset();
+        base.variant.task.recordings = base_.task.recordings;
+        Outcome<NullModel> next = fitNull(base.variant, base.noise, NoiseLevel::Estimate, search_.fit, progress_);
+        if (!next) return next.diagnostics();
+        base = std::move(*next);
+    }
+}
+
+/// Where the first choices leave structure, the search begins again with what came next: two effects that hide each
+/// other may not show in the order of their size.
+Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
     Round first = tryAll(base);
-    if (progress_.stopRequested()) return best;
+    if (progress_.stopRequested()) return Path{base, {}, {}, {}, {}};
     decide(base, first);
+    while (allowForRecordings(base, first)) {
+        first = tryAll(base);
+        decide(base, first);
+    }
+    Path best{base, {}, {}, {}, {}};
     std::vector<std::size_t> others;
     if (first.chosen) others = otherBeginnings(base, first);
     if (Outcome<Done> done = goOn(best, first); !done) return done.diagnostics();
+    if (beginsAnew_) return best;
     const auto misfit = [&](const Path& p) {
         const double rows = static_cast<double>(p.null.fit.optimum.residuals.size());
         return p.null.sumOfSquares() + p.null.parameterCount() * std::log(rows);
@@ -103,6 +125,7 @@ Outcome<Search::Path> Search::bestPath(const NullModel& base) {
         round.acceptance = examine(base, round.trials[other].fit, round.trials[other].freed(), round.threshold);
         Path path{base, {}, {}, {}, {}};
         if (Outcome<Done> done = goOn(path, std::move(round)); !done) continue;
+        if (beginsAnew_) return best;
         if (isBetter(path)) best = std::move(path);
     }
     if (progress_.stopRequested() || isNoise(best.null) || levelOf(best.null.fit) < structuredResidual) return best;
@@ -119,6 +142,7 @@ Outcome<Search::Path> Search::bestPath(const NullModel& base) {
     for (Path& begin : begins) {
         if (progress_.stopRequested()) break;
         std::optional<Path> path = withLaw(std::move(begin));
+        if (beginsAnew_) return best;
         if (path && isBetter(*path)) best = std::move(*path);
     }
     return best;

@@ -85,6 +85,9 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
         Remainder r;
         r.node = placed.place.at;
         r.evidence = steps_[i].acceptance.evidence;
+        std::string equation = placed.effect.proposal;
+        if (const auto at = equation.find("channel"); at != std::string::npos && !placed.place.spare.empty())
+            equation.replace(at, std::string("channel").size(), placed.place.spare);
         r.proposedClass = placed.effect.className;
         if (const auto law = laws_.find(placed.effect.className); law != laws_.end()) r.proposedBlock = law->second;
         std::vector<EffectValue> values;
@@ -95,7 +98,7 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
         if (with)
             if (const Outcome<FlatModel> valued = flattened(null.variant.task, with->modelText))
                 for (EffectValue& v : derivedParameters(*valued, placed.instance)) values.push_back(std::move(v));
-        r.proposedEquation = withValues(placed.effect.proposal, values);
+        r.proposedEquation = withValues(equation, values);
         if (with) {
             r.errorFitWith = errorPercentOf(*with, Role::Fit);
             if (hasRole(*with, Role::Validate)) r.errorValidateWith = errorPercentOf(*with, Role::Validate);

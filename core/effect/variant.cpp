@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "core/base/unit.hpp"
 #include "core/diagram/edit.hpp"
 #include "core/fit/clock.hpp"
 #include "core/flat/flat_model.hpp"
@@ -25,16 +26,18 @@ Outcome<EstimationTask> withText(const EstimationTask& task, std::string text) {
     return changed;
 }
 
-/// Lets a recorded but unused channel drive a new top-level input.
-void connectSpare(EstimationTask& task, const std::string& spare, const std::string& input) {
+/// Lets a recorded but unused channel drive a new top-level input of that unit (empty: of the channel's own).
+void connectSpare(EstimationTask& task, const std::string& spare, const std::string& input, const std::string& unit) {
     for (Recording& r : task.recordings) {
         const auto channel =
             std::find_if(r.spares.begin(), r.spares.end(), [&](const SpareChannel& s) { return s.name == spare; });
         if (channel == r.spares.end()) continue;
         r.inputNames.push_back(input);
         r.inputs.conservativeResize(r.inputs.rows() + 1, static_cast<Eigen::Index>(r.time.size()));
+        const Outcome<UnitConversion> conversion = convertUnit(channel->unit, unit);
         for (std::size_t k = 0; k < r.time.size(); ++k)
-            r.inputs(r.inputs.rows() - 1, static_cast<Eigen::Index>(k)) = channel->values[k];
+            r.inputs(r.inputs.rows() - 1, static_cast<Eigen::Index>(k)) =
+                !unit.empty() && conversion ? (*conversion)(channel->values[k]) : channel->values[k];
     }
 }
 
@@ -78,7 +81,7 @@ Outcome<Variant> withEffect(const Variant& variant, const EffectClass& effect, c
     Outcome<EstimationTask> task = withText(variant.task, syntax::apply(variant.task.model->text(), wired->edit).text);
     if (!task) return task.diagnostics();
     Variant changed{std::move(*task), variant.effects, variant.values};
-    if (!wired->newInput.empty()) connectSpare(changed.task, place.spare, wired->newInput);
+    if (!wired->newInput.empty()) connectSpare(changed.task, place.spare, wired->newInput, effect.quantity);
     changed.effects.push_back({effect, place, wired->instance, wired->newInput, {}, values});
     return changed;
 }

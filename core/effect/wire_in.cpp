@@ -79,6 +79,7 @@ public:
     void attach() {
         edit_.addComponent(component_);
         join(component_.name + "." + effect_.ports[0], port(library_, component_, effect_.ports[0]), place_.connector);
+        if (!place_.spare.empty()) addSpareInput(component_.name);
     }
 
     /// The connector keeps the near side; all that it was joined to moves to the far side.
@@ -103,7 +104,7 @@ public:
         component_.name = place_.connector;
         edit_.setClass(place_.connector, effect_.className);
         for (const auto& [name, value] : modifications(values)) edit_.setModifier(place_.connector, name, value);
-        if (!place_.spare.empty()) addSpareInput();
+        if (!place_.spare.empty()) addSpareInput(place_.connector);
         if (!place_.node.empty())
             edit_.addConnection(place_.connector + "." + effect_.node, place_.node, {},
                                 colourAt(diagram_, place_.node));
@@ -129,7 +130,8 @@ private:
         edit_.addConnection(from, to, route(diagram_.anchor(from).value_or(toAt), toAt), colour_);
     }
 
-    void addSpareInput() {
+    /// A new top-level input that drives the effect's signal input of this instance.
+    void addSpareInput(const std::string& instance) {
         std::string base;
         for (const char c : place_.spare) base += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
         if (base.empty() || std::isdigit(static_cast<unsigned char>(base[0]))) base = "channel_" + base;
@@ -137,11 +139,13 @@ private:
         input.className = "Analogon.Interfaces.RealInput";
         input.name = base;
         while (diagram_.find(input.name) != nullptr) input.name += "_1";
-        const Point near = diagram_.anchor(place_.connector + "." + effect_.channel).value_or(Point{0, 0});
+        const Point near = diagram_.anchor(instance + "." + effect_.channel)
+                               .value_or(diagram_.anchor(place_.connector).value_or(Point{0, 0}));
         input.placement = freePlacement(diagram_, {near.x - 40, near.y - 40}, blockSize, blockSize);
         input.description = "Recorded channel " + place_.spare;
+        if (!effect_.quantity.empty()) input.modifications.emplace_back("unit", '"' + effect_.quantity + '"');
         edit_.addComponent(input);
-        edit_.addConnection(input.name, place_.connector + "." + effect_.channel, {}, domainColour(Domain::RealInput));
+        edit_.addConnection(input.name, instance + "." + effect_.channel, {}, domainColour(Domain::RealInput));
         newInput_ = input.name;
     }
 

@@ -215,7 +215,9 @@ Trajectory runGrid(Dynamics& dynamics, const SampledInputs& inputs, const GridRu
         return result;
     }
     GridRun general = run;
-    if (run.plan.method == GridMethod::Exact) general.plan = {GridMethod::RungeKutta4, 8, run.plan.errorEstimate};
+    // The plan of a model that was linear: what has joined it may need any steps.
+    if (run.plan.method == GridMethod::Exact) general.plan = choosePlan(dynamics, inputs, options, progress);
+    result.plan = general.plan;
     GridPass(dynamics, inputs, general, options, progress, result).execute();
     if (run.sink && !result.failure.failed) pour(result, dynamics.shape().directions, *run.sink);
     return result;

@@ -27,6 +27,16 @@ Study completedStudy(const Study& study, const Finding& finding) {
             p.value.reset();  // the model's text holds it now
             if (isClock(e.name)) p.value = e.value;
         }
+    // a start value that the study had told otherwise
+    std::vector<StudyExperiment*> fitted;
+    for (StudyExperiment& x : completed.experiments)
+        if (x.role == Role::Fit) fitted.push_back(&x);
+    for (const FitEstimate& e : finding.final.parameters) {
+        if (e.experiment < 0 || e.experiment >= static_cast<int>(fitted.size())) continue;
+        std::map<std::string, StudyStart>& initial = fitted[static_cast<std::size_t>(e.experiment)]->initial;
+        const auto told = initial.find(e.name);
+        if (told == initial.end() || !std::holds_alternative<FittedStart>(told->second)) initial[e.name] = e.value;
+    }
     for (const AddedEffect& e : finding.effects)
         if (!e.newInput.empty())
             for (StudyExperiment& x : completed.experiments) x.inputs[e.newInput].column = e.channel;

@@ -498,6 +498,7 @@ std::string rig(const EffectClass* effect) {
     else
         text += "  connect(heater.heatPort, element.solid);\n";
     if (specialise && !effect->node.empty()) text += "  connect(motor." + effect->node + ", element.solid);\n";
+    if (attach && !effect->channel.empty()) text += "  connect(gas_flow, effect." + effect->channel + ");\n";
     if (specialise && !effect->channel.empty()) text += "  connect(gas_flow, element." + effect->channel + ");\n";
     return text;
 }

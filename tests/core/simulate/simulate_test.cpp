@@ -152,6 +152,31 @@ TEST(Simulate, GivesTheSameWhateverRunsIt) {
     expectSame(simulateGrid(single, {GridMethod::Exact, 1, 0.0}), exact);
 }
 
+TEST(Simulate, PlansAnewWhereAnExactPlanMeetsAModelThatIsNotLinear) {
+    // the plan of a linear model, and a drag that has joined it: explicit steps of the samples would not be stable
+    const SystemPtr system = compileText(R"(model Fast
+  input Real u;
+  output Real x(start = 0, fixed = true);
+equation
+  der(x) = 2000*(u - x) - 0.5*x*abs(x);
+end Fast;
+)",
+                                         "Fast");
+    ASSERT_TRUE(system);
+    SampledInputs inputs;
+    inputs.values.resize(1, 200);
+    for (int k = 0; k < 200; ++k) {
+        inputs.time.push_back(0.04 * k);
+        inputs.values(0, k) = std::sin(0.3 * k);
+    }
+    const SimulationTask task = taskOf(system, inputs);
+    const Trajectory y = simulateGrid(task, {GridMethod::Exact, 1, 0.0});
+    ASSERT_FALSE(y.failure.failed) << y.failure.reason;
+    EXPECT_NE(y.plan.method, GridMethod::Exact);
+    const Trajectory reference = simulateAdaptive(task);
+    EXPECT_LT((y.outputs - reference.outputs).cwiseAbs().maxCoeff(), 1e-4);
+}
+
 TEST(Simulate, KeepsStatesAndObservesVariables) {
     const SystemPtr system = compileText(test::motorText, "Motor");
     ASSERT_TRUE(system);

@@ -127,10 +127,10 @@ TEST_F(Discovery, AddsNothingToNoise) {
     EXPECT_TRUE(finding.remainders.empty());
 }
 
-/// A heated body in a draught that nobody measures.
+/// A heated body in a draught that nobody measures. Its model begins at 300 K.
 class DiscoveryInADraught : public Discovery {
 protected:
-    Finding search(unsigned seed) {
+    Finding search(unsigned seed, double strength = 0.7, double begin = 300, double inputNoise = 0) {
         std::ofstream(directory_ / "model.mo") << R"(model Plate
   Analogon.Interfaces.RealInput P(unit="W");
   Analogon.Interfaces.RealOutput T(unit="K");
@@ -158,11 +158,12 @@ end Plate;
         csv.precision(10);
         csv << "t [s],P [W],T [K]\n";
         constexpr int inner = 10;
-        double temperature = 300, draught = 0;  // [K], [W]
+        double temperature = begin, draught = 0;  // [K], [W]
         for (int k = 0; k < samples; ++k) {
             const double here = 20 + 20 * excitation(0.02 * k), next = 20 + 20 * excitation(0.02 * (k + 1));
-            csv << 0.5 * k << ',' << here << ',' << temperature + 0.1 * normal(random) << '\n';
-            draught = 0.96 * draught + 0.7 * normal(random);
+            csv << 0.5 * k << ',' << here + inputNoise * normal(random) << ',' << temperature + 0.1 * normal(random)
+                << '\n';
+            draught = 0.96 * draught + strength * normal(random);
             for (int i = 0; i < inner; ++i) {
                 const double power = here + (next - here) * (i + 0.5) / inner;
                 temperature += 0.5 / inner * (power + draught - 0.3 * (temperature - 300)) / 15;
@@ -182,6 +183,117 @@ TEST_F(DiscoveryInADraught, GivesItNoName) {
         ASSERT_FALSE(finding.remainders.empty());
         EXPECT_EQ(finding.remainders.front().node, "heater.port") << "one node with the plate's";
     }
+}
+
+TEST_F(DiscoveryInADraught, TakesAWrongStartForNoEffect) {
+    for (const double begin : {300.5, 312.0}) {
+        const Finding finding = search(3, 0, begin);
+        EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind << " for " << begin;
+        EXPECT_EQ(finding.kind, FindingKind::Adequate);
+        const auto start = std::find_if(finding.final.parameters.begin(), finding.final.parameters.end(),
+                                        [](const FitEstimate& e) { return e.name == "plate.T_start"; });
+        ASSERT_NE(start, finding.final.parameters.end());
+        EXPECT_EQ(start->experiment, 0);
+        EXPECT_NEAR(start->value, begin, 5 * start->standardError);
+        EXPECT_LT(start->standardError, 0.1);
+        const bool isTold = std::any_of(finding.warnings.begin(), finding.warnings.end(), [](const std::string& w) {
+            return w.find("'run' does not begin where the model was told: plate.T_start") != std::string::npos;
+        });
+        EXPECT_TRUE(isTold);
+    }
+}
+
+TEST_F(DiscoveryInADraught, TakesTheNoiseOfAnInputForNoEffect) {
+    int told = 0;
+    for (const unsigned seed : {1u, 2u, 3u}) {
+        const Finding finding = search(seed, 0, 300, 15);
+        EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind << " for seed " << seed;
+        told += std::any_of(finding.warnings.begin(), finding.warnings.end(), [](const std::string& w) {
+            return w.find("the input 'P' of 'run' is recorded with noise") != std::string::npos;
+        });
+    }
+    EXPECT_GE(told, 2) << "where it shows at all";
+}
+
+TEST_F(DiscoveryInADraught, LeavesARightStartAsItIsTold) {
+    const Finding finding = search(4, 0);
+    EXPECT_EQ(finding.kind, FindingKind::Adequate);
+    for (const FitEstimate& e : finding.final.parameters) EXPECT_LT(e.experiment, 0) << e.name;
+}
+
+/// A heated plate on a mount that takes heat away; its model knows the room alone.
+class DiscoveryOnAMount : public Discovery {
+protected:
+    Finding search(const std::function<double(double t)>& mount, bool isRecorded) {
+        std::ofstream(directory_ / "model.mo") << R"(model Plate
+  Analogon.Interfaces.RealInput P(unit="W");
+  Analogon.Interfaces.RealOutput T(unit="K");
+  Analogon.Sources.PrescribedHeatFlow heater;
+  Analogon.Thermal.HeatCapacitor plate(C=20, T_start=290);
+  Analogon.Thermal.ThermalConductor toRoom(G=0.3);
+  Analogon.Sources.FixedTemperature room(T=290);
+  Analogon.Sensors.TemperatureSensor thermometer;
+equation
+  connect(plate.port, toRoom.port_a);
+  connect(toRoom.port_b, room.port);
+  connect(P, heater.Q_flow);
+  connect(heater.port, plate.port);
+  connect(plate.port, thermometer.port);
+  connect(thermometer.T, T);
+end Plate;
+)";
+        std::ofstream(directory_ / "study.json") << R"({"format": "analogon-study-1", "class": "Plate",
+  "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
+                   "inputs": {"P": "P"}, "outputs": {"T": "T"}}],
+  "parameters": {"plate.C": {"fit": true, "min": 1, "max": 200}}})";
+        std::mt19937 random(5);
+        std::normal_distribution<double> normal;
+        std::ofstream csv(directory_ / "run.csv");
+        csv.precision(10);
+        csv << "t [s],P [W],T [K]" << (isRecorded ? ",mount [degC]\n" : "\n");
+        constexpr int inner = 10;
+        double temperature = 290;  // [K], in a room of 290 K, on a mount
+        for (int k = 0; k < samples; ++k) {
+            const double here = 10 + 10 * excitation(0.02 * k), next = 10 + 10 * excitation(0.02 * (k + 1));
+            csv << 0.5 * k << ',' << here << ',' << temperature + 0.1 * normal(random);
+            if (isRecorded) csv << ',' << mount(0.5 * k) - 273.15;
+            csv << '\n';
+            for (int i = 0; i < inner; ++i)
+                temperature += 0.5 / inner *
+                               (here + (next - here) * (i + 0.5) / inner - 0.3 * (temperature - 290) -
+                                0.1 * (temperature - mount(0.5 * k))) /
+                               15;
+        }
+        csv.close();
+        return discovered();
+    }
+
+    static double valueOf(const AddedEffect& effect, const std::string& name) {
+        for (const auto& p : effect.parameters)
+            if (p.name == name) return p.value;
+        return std::nan("");
+    }
+};
+
+TEST_F(DiscoveryOnAMount, FindsALossToSurroundingsOfAnyTemperature) {
+    const Finding finding = search([](double) { return 258.0; }, false);
+    ASSERT_EQ(finding.effects.size(), 1u);
+    const AddedEffect& loss = finding.effects.front();
+    EXPECT_EQ(loss.kind, "thermal.loss");
+    EXPECT_EQ(finding.kind, FindingKind::Effect);
+    EXPECT_NEAR(valueOf(loss, "G"), 0.1, 0.005);
+    EXPECT_NEAR(valueOf(loss, "T_amb"), 258, 1);
+    for (const Alternative& a : loss.alternatives) EXPECT_NE(a.kind, loss.kind);
+}
+
+TEST_F(DiscoveryOnAMount, FindsALossToARecordedTemperature) {
+    const Finding finding = search([](double t) { return 270 + 15 * std::sin(0.02 * t); }, true);
+    ASSERT_EQ(finding.effects.size(), 1u);
+    const AddedEffect& loss = finding.effects.front();
+    EXPECT_EQ(loss.kind, "thermal.loss");
+    EXPECT_EQ(loss.channel, "mount");
+    EXPECT_EQ(finding.kind, FindingKind::Effect);
+    EXPECT_NEAR(valueOf(loss, "G"), 0.1, 0.005);
 }
 
 TEST_F(Discovery, FindsTwoEffectsThatHideEachOther) {

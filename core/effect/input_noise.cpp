@@ -1,0 +1,73 @@
+#include "core/effect/input_noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace analogon {
+namespace {
+
+constexpr Eigen::Index fewest = 50;       // samples
+constexpr Eigen::Index reach = 12;        // of the filter, in samples to either side
+constexpr double within = 3.5;            // deviations of the noise: a neighbour of the same level
+constexpr double outlier = 4;             // deviations of a second difference: a step or a kink
+constexpr double leastAlternation = 0.5;  // white noise: successive second differences correlate by -2/3
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+Eigen::RowVectorXd filtered(const Eigen::RowVectorXd& signal, double noise) {
+    Eigen::RowVectorXd result = signal;
+    for (Eigen::Index k = 0; k < signal.size(); ++k) {
+        double sum = signal[k], count = 1;
+        // as many on either side, so that a ramp stays where it is
+        for (Eigen::Index d = 1; d <= std::min({reach, k, signal.size() - 1 - k}); ++d) {
+            const double before = signal[k - d], after = signal[k + d];
+            if (std::abs(0.5 * (before + after) - signal[k]) > within * noise ||
+                std::abs(before - after) > 2 * within * noise)
+                break;
+            sum += before + after;
+            count += 2;
+        }
+        result[k] = sum / count;
+    }
+    return result;
+}
+
+}  // namespace
+
+double whiteNoise(const Eigen::VectorXd& signal) {
+    const Eigen::Index count = signal.size() - 2;
+    if (count < fewest || !signal.allFinite()) return 0;
+    const Eigen::VectorXd second = signal.tail(count) - 2 * signal.segment(1, count) + signal.head(count);
+    std::vector<double> sizes;
+    for (const double d : second) sizes.push_back(std::abs(d));
+    const double spread = median(std::move(sizes)) / 0.6745;
+    if (!(spread > 1e-9 * signal.cwiseAbs().maxCoeff())) return 0;
+    double products = 0, squares = 0;
+    for (Eigen::Index k = 0; k + 1 < count; ++k) {
+        if (std::max(std::abs(second[k]), std::abs(second[k + 1])) > outlier * spread) continue;
+        products += second[k] * second[k + 1];
+        squares += 0.5 * (second[k] * second[k] + second[k + 1] * second[k + 1]);
+    }
+    return -products > leastAlternation * squares ? spread / std::sqrt(6.0) : 0;
+}
+
+std::vector<NoisyInput> quieten(EstimationTask& task) {
+    std::vector<NoisyInput> found;
+    for (std::size_t r = 0; r < task.recordings.size(); ++r) {
+        Recording& recording = task.recordings[r];
+        if (recording.role != Role::Fit) continue;
+        for (Eigen::Index i = 0; i < recording.inputs.rows(); ++i) {
+            const double noise = whiteNoise(recording.inputs.row(i).transpose());
+            if (!(noise > 0)) continue;
+            recording.inputs.row(i) = filtered(recording.inputs.row(i), noise);
+            found.push_back({static_cast<int>(r), recording.inputNames[static_cast<std::size_t>(i)], noise});
+        }
+    }
+    return found;
+}
+
+}  // namespace analogon

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/effect/variant.hpp"
+#include "core/flat/flat_model.hpp"
+
+namespace analogon {
+
+/// Real parameters of a model that act where a recording begins and nowhere else: they stand in start attributes and
+/// initial equations alone.
+std::vector<std::string> startParameters(const FlatModel& model);
+
+/// A start value that a recording is told (by the study, a column's first sample or the model), and may be told
+/// wrongly.
+struct ToldStart {
+    int recording{};   // of the task
+    int experiment{};  // among the fitted ones
+    std::string parameter;
+    double value{};
+};
+
+/// Those of the fitted recordings that are not fitted.
+Outcome<std::vector<ToldStart>> toldStarts(const EstimationTask& task);
+
+/// Makes a start value one that is fitted, from where it was told to be; or takes that back.
+void setFitted(EstimationTask& task, const ToldStart& start, bool isFitted);
+
+}  // namespace analogon
