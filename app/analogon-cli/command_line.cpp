@@ -94,7 +94,7 @@ int runStudy(const Options& options) {
         return fails(namedAs(result.diagnostics(), *opened));
     }
     if (!result.diagnostics().empty()) std::cerr << format(result.diagnostics()) << std::endl;
-    for (const std::string& remark : result->finding.final.remarks) std::cerr << "note: " << remark << std::endl;
+    for (const Text& remark : result->finding.final.remarks) std::cerr << "note: " << remark << std::endl;
     if (const Outcome<Done> written = writeResults(*result, name(options.command), options.out); !written)
         return fails(written.diagnostics());
     std::cout << summaryText(result->finding) << "\nreport: " << (options.out / "report.html").string() << std::endl;

@@ -1,15 +1,9 @@
 #include "app/analogon-cli/convert.hpp"
 
-#include <fmt/format.h>
-
-#include <fstream>
 #include <ostream>
 
 #include "core/archive/archive.hpp"
-#include "core/export/fmu.hpp"
-#include "core/export/modelica.hpp"
-#include "core/report/report.hpp"
-#include "core/study/run.hpp"
+#include "core/export/export.hpp"
 
 namespace analogon::cli {
 
@@ -26,22 +20,6 @@ int fails(const Diagnostics& faults, std::ostream& err) {
 
 void tell(const Diagnostics& warnings, std::ostream& err) {
     if (!warnings.empty()) err << format(warnings) << std::endl;
-}
-
-/// Written beside and moved, so that no half file is ever seen.
-Outcome<Done> writeWhole(const fs::path& file, const std::string& text) {
-    fs::path beside = file;
-    beside += ".writing";
-    std::error_code code;
-    if (fs::is_directory(file, code)) return fileError("this is a directory; name a file", file.string());
-    std::ofstream stream(beside, std::ios::binary);
-    stream << text;
-    stream.close();
-    if (stream) fs::rename(beside, file, code);
-    if (stream && !code) return Done{};
-    fs::remove(beside, code);
-    return fileError("this cannot be written", file.string(), 0, 0,
-                     "Check that the directory exists, may be written and has room.");
 }
 
 }  // namespace
@@ -77,28 +55,22 @@ int exportStudy(const Options& options, std::ostream& out, std::ostream& err) {
     if (!opened) return fails(opened.diagnostics(), err);
     tell(opened.diagnostics(), err);
     for (const fs::path& p : options.libraries) opened->study.libraryPaths.push_back(fs::absolute(p).string());
-    if (!options.modelicaFile.empty()) {
-        const Outcome<std::string> text = modelicaText(opened->study);
-        if (!text) return fails(namedAs(text.diagnostics(), *opened), err);
-        if (const auto written = writeWhole(options.modelicaFile, *text); !written)
-            return fails(written.diagnostics(), err);
-        out << "model: " << options.modelicaFile.string() << std::endl;
-    }
-    if (!options.fmuFile.empty()) {
-        const Outcome<Fmu> fmu = fmuOf(opened->study);
-        if (!fmu) return fails(namedAs(fmu.diagnostics(), *opened), err);
-        const Outcome<Done> written = writeFmu(*fmu, options.fmuFile);
-        if (!written) return fails(written.diagnostics(), err);
-        tell(written.diagnostics(), err);
-        out << "FMU: " << options.fmuFile.string() << " ("
-            << (fmu->hasModelExchange ? "Co-Simulation and Model Exchange" : "Co-Simulation") << ")" << std::endl;
-    }
-    if (!options.csvFile.empty()) {
-        const Outcome<RunResult> result = runSimulate(opened->study, {});
-        if (!result) return fails(namedAs(result.diagnostics(), *opened), err);
-        if (const auto written = writeWhole(options.csvFile, tracesCsv(result->finding)); !written)
-            return fails(written.diagnostics(), err);
-        out << "traces: " << options.csvFile.string() << std::endl;
+    struct Wanted {
+        ExportFormat format;
+        const fs::path& file;
+        const char* what;
+    };
+    for (const Wanted& wanted : {Wanted{ExportFormat::Modelica, options.modelicaFile, "model"},
+                                 {ExportFormat::Fmu, options.fmuFile, "FMU"},
+                                 {ExportFormat::Csv, options.csvFile, "traces"}}) {
+        if (wanted.file.empty()) continue;
+        const Outcome<Exported> exported = analogon::exportStudy(opened->study, wanted.format, wanted.file);
+        if (!exported) return fails(namedAs(exported.diagnostics(), *opened), err);
+        tell(exported.diagnostics(), err);
+        out << wanted.what << ": " << wanted.file.string();
+        if (wanted.format == ExportFormat::Fmu)
+            out << (exported->hasModelExchange ? " (Co-Simulation and Model Exchange)" : " (Co-Simulation)");
+        out << std::endl;
     }
     return done;
 }

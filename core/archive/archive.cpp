@@ -26,13 +26,13 @@ constexpr qint64 chunk = 1 << 20;                   // [byte]
 QString qString(const fs::path& path) { return QString::fromStdString(path.string()); }
 
 Diagnostic cannotWrite(const fs::path& file, const QString& reason) {
-    return fileError(fmt::format("this cannot be written: {}", reason.toStdString()), file.string(), 0, 0,
-                     "Check that the directory exists, may be written and has room.");
+    return fileError(phrase("this cannot be written: {}", reason.toStdString()), file.string(), 0, 0,
+                     phrase("Check that the directory exists, may be written and has room."));
 }
 
 Diagnostic damaged(const fs::path& archive, const std::string& entry, const char* what) {
-    return fileError(fmt::format("the entry \"{}\" {}", escapedName(entry), what), archive.string(), 0, 0,
-                     "Get the file again from where it came from.");
+    return fileError(phrase("the entry \"{}\" {}", escapedName(entry), Text(what, {}, what)), archive.string(), 0, 0,
+                     phrase("Get the file again from where it came from."));
 }
 
 /// Unpacks one entry; never more than the archive said it holds.
@@ -70,22 +70,21 @@ Outcome<Done> unpackInto(const fs::path& archive, const fs::path& directory) {
     std::uint64_t total = 0;
     for (const ZipEntry& e : *entries) total += e.size;
     if (total > largestStudy)
-        return fileError(fmt::format("the archive unpacks to {} MB, more than {} MB", total >> 20, largestStudy >> 20),
+        return fileError(phrase("the archive unpacks to {} MB, more than {} MB", total >> 20, largestStudy >> 20),
                          archive.string());
     QuaZip zip(qString(archive));
-    if (!zip.open(QuaZip::mdUnzip)) return fileError("this is no zip archive", archive.string());
+    if (!zip.open(QuaZip::mdUnzip)) return fileError(phrase("this is no zip archive"), archive.string());
     for (const ZipEntry& entry : *entries)
         if (Outcome<Done> done = unpackEntry(zip, archive, entry, directory / entry.name); !done) return done;
     const auto isStudy = [](const ZipEntry& e) { return e.name == "study.json"; };
     if (std::none_of(entries->begin(), entries->end(), isStudy))
-        return fileError("this archive holds no study.json", archive.string(), 0, 0,
-                         "A study archive holds study.json, a model (.mo) and its measurements at its top.");
+        return fileError(phrase("this archive holds no study.json"), archive.string(), 0, 0,
+                         phrase("A study archive holds study.json, a model (.mo) and its measurements at its top."));
     if (entries->front().name == "mimetype") {
         std::ifstream stream(directory / "mimetype");
         const std::string type((std::istreambuf_iterator<char>(stream)), {});
         if (type != archiveType)
-            return fileError(fmt::format("this archive is of another kind: \"{}\"", escapedName(type)),
-                             archive.string());
+            return fileError(phrase("this archive is of another kind: \"{}\"", escapedName(type)), archive.string());
         std::error_code code;
         fs::remove(directory / "mimetype", code);
     }
@@ -94,14 +93,10 @@ Outcome<Done> unpackInto(const fs::path& archive, const fs::path& directory) {
 
 /// Paths below the temporary directory as entries of the archive.
 Diagnostics renamed(Diagnostics diagnostics, const std::string& from, const std::string& to) {
-    const auto replace = [&](std::string& text) {
-        for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-            text.replace(at, from.size(), to);
-    };
     for (Diagnostic& d : diagnostics) {
-        replace(d.message);
-        replace(d.place.file);
-        replace(d.hint);
+        Text file = d.place.file;
+        for (Text* const text : {&d.message, &file, &d.hint}) text->replaceAll(from, to);
+        d.place.file = file;
     }
     return diagnostics;
 }
@@ -250,7 +245,8 @@ Outcome<Done> unpackArchive(const fs::path& archive, const fs::path& directory) 
     fs::path target = fs::absolute(directory, code).lexically_normal();
     if (!target.has_filename()) target = target.parent_path();
     if (fs::exists(target, code) && !(fs::is_directory(target, code) && fs::is_empty(target, code)))
-        return fileError("this exists already and is not empty", target.string(), 0, 0, "Name a new directory.");
+        return fileError(phrase("this exists already and is not empty"), target.string(), 0, 0,
+                         phrase("Name a new directory."));
     fs::create_directories(target.parent_path(), code);
     const fs::path beside = besideOf(target);
     fs::remove_all(beside, code);

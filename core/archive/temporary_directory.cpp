@@ -34,13 +34,13 @@ Outcome<std::shared_ptr<const TemporaryDirectory>> TemporaryDirectory::make() {
     std::error_code code;
     const fs::path place = fs::temp_directory_path(code);
     if (code)
-        return fileError("there is no place for temporary files: " + code.message(), "", 0, 0,
-                         "Set TMPDIR to a directory that may be written.");
+        return fileError(phrase("there is no place for temporary files: {}", code.message()), "", 0, 0,
+                         phrase("Set TMPDIR to a directory that may be written."));
     removeAbandoned(place);
     std::string name = (place / fmt::format("{}{}-XXXXXX", prefix, getpid())).string();
     if (!mkdtemp(name.data()))
-        return fileError(fmt::format("no temporary directory can be made: {}", std::strerror(errno)), place.string(), 0,
-                         0, "Check that it may be written and has room, or set TMPDIR.");
+        return fileError(phrase("no temporary directory can be made: {}", std::strerror(errno)), place.string(), 0, 0,
+                         phrase("Check that it may be written and has room, or set TMPDIR."));
     return std::shared_ptr<const TemporaryDirectory>(new TemporaryDirectory(name));
 }
 

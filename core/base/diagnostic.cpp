@@ -137,19 +137,19 @@ Place placeOf(const Span& span) {
     return {span.source->name(), begin.line, begin.column, length, std::string(line)};
 }
 
-Diagnostic error(std::string message, const Span& span, std::string hint) {
+Diagnostic error(Text message, const Span& span, Text hint) {
     return {Severity::Error, std::move(message), placeOf(span), std::move(hint)};
 }
 
-Diagnostic warning(std::string message, const Span& span, std::string hint) {
+Diagnostic warning(Text message, const Span& span, Text hint) {
     return {Severity::Warning, std::move(message), placeOf(span), std::move(hint)};
 }
 
-Diagnostic fileError(std::string message, std::string file, int line, int column, std::string hint) {
+Diagnostic fileError(Text message, std::string file, int line, int column, Text hint) {
     return {Severity::Error, std::move(message), Place{std::move(file), line, column, 0, {}}, std::move(hint)};
 }
 
-Diagnostic numericalError(std::string message, std::string hint) {
+Diagnostic numericalError(Text message, Text hint) {
     return {Severity::Error, std::move(message), Place{}, std::move(hint), true};
 }
 

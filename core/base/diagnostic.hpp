@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/source.hpp"
+#include "core/base/text.hpp"
 
 namespace analogon {
 
@@ -23,21 +24,21 @@ Place placeOf(const Span& span);
 /// A message for the engineer: what is wrong, where, and what to try.
 struct Diagnostic {
     Severity severity{Severity::Error};
-    std::string message;
+    Text message;
     Place place;
-    std::string hint;    // what to try; may be empty
+    Text hint;           // what to try; may be empty
     bool isNumerical{};  // the numerics failed, the input is not at fault
 };
 
 using Diagnostics = std::vector<Diagnostic>;
 
-Diagnostic error(std::string message, const Span& span = {}, std::string hint = {});
-Diagnostic warning(std::string message, const Span& span = {}, std::string hint = {});
+Diagnostic error(Text message, const Span& span = {}, Text hint = {});
+Diagnostic warning(Text message, const Span& span = {}, Text hint = {});
 /// An error in a file that is not parsed text (a table, an archive); line 0: the file as a whole.
-Diagnostic fileError(std::string message, std::string file, int line = 0, int column = 0, std::string hint = {});
+Diagnostic fileError(Text message, std::string file, int line = 0, int column = 0, Text hint = {});
 
 /// The numerics failed: which experiment, at what time, which variable.
-Diagnostic numericalError(std::string message, std::string hint = {});
+Diagnostic numericalError(Text message, Text hint = {});
 
 bool hasError(const Diagnostics& diagnostics);
 

@@ -281,18 +281,45 @@ std::vector<std::pair<std::string, std::string>> modifiedParameters(const std::v
     return result;
 }
 
-/// What a block takes from its class.
-void describeClass(const Library& library, const LibraryClass& type, Block& block) {
-    block.className = type.qualifiedName;
-    if (block.description.empty()) block.description = type.definition->description;
-    block.icon = readIcon(library, type.qualifiedName);
-    block.isConnector = isConnectorClass(library, &type);
-    if (block.isConnector)
-        block.domain = connectorDomain(library, type.qualifiedName);
-    else
-        block.ports = readPorts(library, type.qualifiedName);
-    block.isEffect = hasEffectAnnotation(type) || type.qualifiedName.starts_with("Analogon.Effects.");
-}
+/// What blocks take from their classes. A large diagram has many blocks of few classes: each is looked at once.
+class ClassDescriptions {
+public:
+    explicit ClassDescriptions(const Library& library) : library_(library) {}
+
+    const Library& library() const { return library_; }
+
+    void describe(const LibraryClass& type, Block& block) {
+        const auto [found, isNew] = known_.try_emplace(&type);
+        const Block& known = isNew ? found->second = read(type) : found->second;
+        block.className = known.className;
+        if (block.description.empty()) block.description = known.description;
+        block.icon = known.icon;
+        block.isConnector = known.isConnector;
+        if (block.isConnector)
+            block.domain = known.domain;
+        else
+            block.ports = known.ports;
+        block.isEffect = known.isEffect;
+    }
+
+private:
+    Block read(const LibraryClass& type) const {
+        Block block;
+        block.className = type.qualifiedName;
+        block.description = type.definition->description;
+        block.icon = readIcon(library_, type.qualifiedName);
+        block.isConnector = isConnectorClass(library_, &type);
+        if (block.isConnector)
+            block.domain = connectorDomain(library_, type.qualifiedName);
+        else
+            block.ports = readPorts(library_, type.qualifiedName);
+        block.isEffect = hasEffectAnnotation(type) || type.qualifiedName.starts_with("Analogon.Effects.");
+        return block;
+    }
+
+    const Library& library_;
+    std::map<const LibraryClass*, Block> known_;
+};
 
 /// What the extends clauses of a class and of its bases say about inherited components: another class, parameters.
 class InheritedChanges {
@@ -306,9 +333,9 @@ public:
         });
     }
 
-    void apply(Block& block) const {
+    void apply(Block& block, ClassDescriptions& descriptions) const {
         if (const auto found = classes_.find(block.name); found != classes_.end())
-            describeClass(library_, *found->second, block);
+            descriptions.describe(*found->second, block);
         if (const auto found = parameters_.find(block.name); found != parameters_.end())
             for (const auto& [name, value] : found->second) set(block.parameters, name, value);
     }
@@ -356,7 +383,7 @@ Placement defaultPlacement(int index) {
 }
 
 /// A declaration as a block; nothing for plain variables and parameters.
-std::optional<Block> blockOf(const Library& library, const LibraryClass& owner, const Component& component) {
+std::optional<Block> blockOf(ClassDescriptions& descriptions, const LibraryClass& owner, const Component& component) {
     const std::string typeName = component.type.text();
     if (isPredefined(typeName)) return std::nullopt;
     Block block;
@@ -364,7 +391,7 @@ std::optional<Block> blockOf(const Library& library, const LibraryClass& owner, 
     block.description = component.description;
     block.span = component.span;
     block.parameters = modifiedParameters(component.modifications);
-    const LibraryClass* type = library.lookup(component.type, owner.qualifiedName);
+    const LibraryClass* type = descriptions.library().lookup(component.type, owner.qualifiedName);
     if (!type) {
         block.className = typeName;
         block.isResolved = false;
@@ -373,7 +400,7 @@ std::optional<Block> blockOf(const Library& library, const LibraryClass& owner, 
     const auto restriction = type->definition->restriction;
     if (restriction == ClassDefinition::Restriction::Type || restriction == ClassDefinition::Restriction::Record)
         return std::nullopt;
-    describeClass(library, *type, block);
+    descriptions.describe(*type, block);
     return block;
 }
 
@@ -418,20 +445,23 @@ Outcome<Diagram> readDiagram(const Library& library, std::string_view className)
     diagram.coordinates = layer.coordinates;
     diagram.graphics = layer.primitives;
     int unplaced = 0;
+    ClassDescriptions descriptions(library);
     const InheritedChanges changes(library, cls);
     visitBases(library, cls, [&](const LibraryClass& one) {
         for (const Component& component : one.definition->components) {
-            auto block = blockOf(library, one, component);
+            auto block = blockOf(descriptions, one, component);
             if (!block) continue;
             const auto place = annotation::placement(component.annotation);
-            const auto known = std::find_if(diagram.blocks.begin(), diagram.blocks.end(),
-                                            [&](const Block& b) { return b.name == block->name; });
-            if (component.isRedeclare && known != diagram.blocks.end()) {  // stands where the inherited one stood
+            const auto known = component.isRedeclare
+                                   ? std::find_if(diagram.blocks.begin(), diagram.blocks.end(),
+                                                  [&](const Block& b) { return b.name == block->name; })
+                                   : diagram.blocks.end();
+            if (known != diagram.blocks.end()) {  // stands where the inherited one stood
                 block->placement = place.value_or(known->placement);
                 *known = std::move(*block);
                 continue;
             }
-            changes.apply(*block);
+            changes.apply(*block, descriptions);
             block->placement = place ? *place : defaultPlacement(unplaced++);
             diagram.blocks.push_back(std::move(*block));
         }

@@ -49,11 +49,11 @@ Eigen::VectorXd within(const NullModel& null, int experiment, const Eigen::Vecto
 
 }  // namespace
 
-std::vector<std::string> extrapolations(const EstimationTask& task) {
-    std::vector<std::string> said;
+std::vector<Text> extrapolations(const EstimationTask& task) {
+    std::vector<Text> said;
     for (const Recording& checked : task.recordings) {
         if (checked.role != Role::Validate) continue;
-        const auto look = [&](const char* side, const std::string& name, const auto& rangeOfIts) {
+        const auto look = [&](const auto& side, const std::string& name, const auto& rangeOfIts) {
             Range fitted;
             for (const Recording& r : task.recordings) {
                 if (r.role != Role::Fit) continue;
@@ -64,21 +64,21 @@ std::vector<std::string> extrapolations(const EstimationTask& task) {
             const double beyond = std::max(own.high - fitted.high, fitted.low - own.low) / fitted.width();
             if (beyond > worthSaying)
                 said.push_back(
-                    fmt::format("'{}' leaves the range of the fitted recordings on {} {} by {:.0f} % of that range: "
-                                "what the model says there is extrapolated",
-                                checked.name, side, name, 100 * beyond));
+                    phrase("'{}' leaves the range of the fitted recordings on {} by {:.0f} % of that range: "
+                           "what the model says there is extrapolated",
+                           checked.name, side(name), 100 * beyond));
         };
         for (const std::string& name : checked.inputNames)
-            look("input", name,
+            look([](const std::string& n) { return phrase("input {}", n); }, name,
                  [](const Recording& r, const std::string& n) { return rangeIn(r, r.inputNames, r.inputs, n); });
         for (const std::string& name : checked.outputNames)
-            look("output", name,
+            look([](const std::string& n) { return phrase("output {}", n); }, name,
                  [](const Recording& r, const std::string& n) { return rangeIn(r, r.outputNames, r.outputs, n); });
     }
     return said;
 }
 
-std::vector<std::string> driftBetweenRecordings(const NullModel& null) {
+std::vector<Text> driftBetweenRecordings(const NullModel& null) {
     const std::vector<int> recordings = recordingsOf(null.variant.task, Role::Fit);
     if (recordings.size() < 2) return {};
     const Eigen::MatrixXd& jacobian = null.fit.optimum.jacobian;
@@ -104,9 +104,9 @@ std::vector<std::string> driftBetweenRecordings(const NullModel& null) {
         }
     if (!(best.explained > least) || !(best.explained > mostOfExcess * excess)) return {};
     return {
-        fmt::format("{} seems to be another one in '{}' (about {:.4g}) than in the other recordings (about {:.4g}): "
-                    "was the component, or its condition, the same?",
-                    best.parameter, best.recording, best.after, best.before)};
+        phrase("{} seems to be another one in '{}' (about {:.4g}) than in the other recordings (about {:.4g}): "
+               "was the component, or its condition, the same?",
+               best.parameter, best.recording, best.after, best.before)};
 }
 
 namespace {
@@ -147,7 +147,7 @@ bool isMoreThanNoise(const Miss& miss, double noise, double correlated) {
 }
 
 /// What the miss looks like: the simplest that leaves about as little as there is in the fitted recordings.
-std::string lookOf(const Miss& miss, double noise, const std::string& unit) {
+Text lookOf(const Miss& miss, double noise, const std::string& unit) {
     const double enough = asGood * std::sqrt(noise * noise + miss.uncertain);
     const std::string shown = unit.empty() || unit == "1" ? "" : " " + unit;
     const double offset = miss.rmsBesideOffset(), gain = miss.rmsBesideGain();
@@ -165,8 +165,8 @@ std::string lookOf(const Miss& miss, double noise, const std::string& unit) {
 
 }  // namespace
 
-std::vector<std::string> poorValidations(const ModelState& state) {
-    std::vector<std::string> said;
+std::vector<Text> poorValidations(const ModelState& state) {
+    std::vector<Text> said;
     for (const ExperimentState& e : state.experiments) {
         if (e.role != Role::Validate || e.failure.failed) continue;
         for (const OutputState& output : e.outputs) {
@@ -185,7 +185,7 @@ std::vector<std::string> poorValidations(const ModelState& state) {
     return said;
 }
 
-std::vector<std::string> delaysBelowSampling(const EstimationTask& task, const std::vector<AddedEffect>& effects) {
+std::vector<Text> delaysBelowSampling(const EstimationTask& task, const std::vector<AddedEffect>& effects) {
     std::vector<double> steps;
     for (const Recording& r : task.recordings)
         for (std::size_t k = 1; r.role == Role::Fit && k < r.time.size(); ++k)
@@ -194,7 +194,7 @@ std::vector<std::string> delaysBelowSampling(const EstimationTask& task, const s
     const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
     std::nth_element(steps.begin(), middle, steps.end());
     const double interval = *middle;
-    std::vector<std::string> said;
+    std::vector<Text> said;
     for (const AddedEffect& effect : effects) {
         if (!effect.kind.ends_with(".delay") || effect.parameters.empty()) continue;
         const double delay = effect.parameters.front().value;
@@ -211,14 +211,14 @@ std::vector<std::string> delaysBelowSampling(const EstimationTask& task, const s
     return said;
 }
 
-std::vector<std::string> boundHits(const FitResult& fit) {
-    std::vector<std::string> said;
+std::vector<Text> boundHits(const FitResult& fit) {
+    std::vector<Text> said;
     for (const FitEstimate& e : fit.estimates)
         if (e.atBound)
             said.push_back(
-                fmt::format("{} rests at a bound ({:.4g}{}{}): the bound is too narrow, or the model lacks "
-                            "something that the parameter stands in for",
-                            e.name, e.value, e.unit.empty() ? "" : " ", e.unit));
+                phrase("{} rests at a bound ({:.4g}{}{}): the bound is too narrow, or the model lacks "
+                       "something that the parameter stands in for",
+                       e.name, e.value, e.unit.empty() ? "" : " ", e.unit));
     return said;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "core/effect/screen.hpp"
@@ -9,20 +8,20 @@
 namespace analogon {
 
 /// Channels on which a validation recording leaves the range of the fitted ones by more than a tenth of it.
-std::vector<std::string> extrapolations(const EstimationTask& task);
+std::vector<Text> extrapolations(const EstimationTask& task);
 
 /// Parameters that seem to have another value in one of several fitted recordings: where that explains, to first order,
 /// most of what is above the noise (Chow 1960, with recordings instead of moments).
-std::vector<std::string> driftBetweenRecordings(const NullModel& null);
+std::vector<Text> driftBetweenRecordings(const NullModel& null);
 
 /// Channels of validation recordings that a model which leaves only noise of the fitted ones misses by clearly more:
 /// by how much, and whether an offset or a gain of that recording alone is what it looks like.
-std::vector<std::string> poorValidations(const ModelState& state);
+std::vector<Text> poorValidations(const ModelState& state);
 
 /// Dead times below one sample interval: how a channel is read between its samples may be all there is to them.
-std::vector<std::string> delaysBelowSampling(const EstimationTask& task, const std::vector<AddedEffect>& effects);
+std::vector<Text> delaysBelowSampling(const EstimationTask& task, const std::vector<AddedEffect>& effects);
 
 /// Parameters that the fit left at a bound.
-std::vector<std::string> boundHits(const FitResult& fit);
+std::vector<Text> boundHits(const FitResult& fit);
 
 }  // namespace analogon

@@ -159,9 +159,9 @@ Outcome<Finding> Search::run() {
     std::optional<NullModel> onAll;
     if (thinning_ > 1) {
         finding.warnings.push_back(
-            fmt::format("long recordings: the search works on means of {} samples, the fit before "
-                        "and after it on all of them",
-                        thinning_));
+            phrase("long recordings: the search works on means of {} samples, the fit before "
+                   "and after it on all of them",
+                   thinning_));
         Outcome<NullModel> fitted = fitNull(full_, {}, NoiseLevel::Estimate, options_.fit, progress_);
         if (!fitted) return fitted.diagnostics();
         onAll = std::move(*fitted);
@@ -264,7 +264,7 @@ Outcome<Finding> Search::run() {
             effect.instance = placed.twinInstances[t];
             effect.alternatives.clear();
             finding.effects.push_back(effect);
-            finding.warnings.push_back(fmt::format(
+            finding.warnings.push_back(phrase(
                 "{} stands at {} and {} with one set of parameters: equal sensors, and the data do not tell them apart",
                 effect.kind, placed.place.at, effect.at));
         }
@@ -280,14 +280,13 @@ Outcome<Finding> Search::run() {
         if (change_) {
             const double end = finding.final.experiments[static_cast<std::size_t>(change_->experiment)].time.back();
             offerAlone(remainderOf(*change_, end), finding.remainders);
-            finding.warnings.push_back(
-                fmt::format("the condition seems to have changed in mid run: {} at about {:.4g} s", change_->parameter,
-                            change_->time));
+            finding.warnings.push_back(phrase("the condition seems to have changed in mid run: {} at about {:.4g} s",
+                                              change_->parameter, change_->time));
         }
         if (dependence_) {
             offerAlone(remainderOf(*dependence_), finding.remainders);
-            finding.warnings.push_back(fmt::format("{} seems to move with the recorded channel {}",
-                                                   dependence_->parameter, dependence_->channel));
+            finding.warnings.push_back(
+                phrase("{} seems to move with the recorded channel {}", dependence_->parameter, dependence_->channel));
         }
     }
     for (const auto& sentences : {recordingRemarks(*null), extrapolations(full_.task), driftBetweenRecordings(*null),
@@ -298,7 +297,7 @@ Outcome<Finding> Search::run() {
     finding.kind = !leavesStructure ? (finding.effects.empty() ? FindingKind::Adequate : FindingKind::Effect)
                                     : (finding.effects.empty() ? FindingKind::Unexplained : FindingKind::Partial);
     if (!leavesStructure)
-        for (std::string& sentence : poorValidations(finding.final)) finding.warnings.push_back(std::move(sentence));
+        for (Text& sentence : poorValidations(finding.final)) finding.warnings.push_back(std::move(sentence));
     finding.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return finding;
 }

@@ -39,8 +39,8 @@ struct ModelState {
     std::vector<ExperimentState> experiments;
     std::map<std::string, ResidualSummary> residual;  // per output, over the fitted experiments
     FitStatus status{FitStatus::Failed};
-    std::string message;
-    std::vector<std::string> remarks;
+    Text message;
+    std::vector<Text> remarks;
     int simulations{};
     double seconds{};
 };
@@ -105,7 +105,7 @@ struct Remainder {
     double from{}, to{};  // [s]
     std::string experiment;
     std::vector<Correlate> movesWith;
-    std::string proposedEquation;
+    Text proposedEquation;
     std::string proposedClass{};                     // block that has the equation; empty: none
     std::string proposedBlock{};                     // its text, where it is not of the library
     double errorFitWith{-1}, errorValidateWith{-1};  // [%] with all that is proposed; negative: not known
@@ -131,8 +131,8 @@ struct Finding {
     std::vector<AddedEffect> effects;
     std::vector<CandidateResult> candidates;
     std::vector<Remainder> remainders;
-    std::string nextExperiment;
-    std::vector<std::string> warnings;
+    Text nextExperiment;
+    std::vector<Text> warnings;
     bool interrupted{};
     double seconds{};
 };

@@ -161,25 +161,25 @@ void summariseResiduals(ModelState& state) {
 
 /// Fixed steps pass over what switches; the engine that locates events tells where a relation holds the model, or
 /// switches without end. Bounded, since the figures do not depend on it.
-std::vector<std::string> switchingRemarks(const FitProblem& problem, const Eigen::VectorXd& values,
-                                          SimulationOptions options, const Progress& progress) {
+std::vector<Text> switchingRemarks(const FitProblem& problem, const Eigen::VectorXd& values, SimulationOptions options,
+                                   const Progress& progress) {
     const auto switches = [](const FitExperiment& e) { return e.system->rootCount() > 0; };
     if (std::none_of(problem.experiments.begin(), problem.experiments.end(), switches)) return {};
     options.engine = Engine::Adaptive;
     options.stepLimit = std::min(options.stepLimit, 200'000L);
     options.wallClockLimit = std::min(options.wallClockLimit, 10.0);
     const Linearisation l = linearise(problem, values, false, {}, options, progress);
-    std::vector<std::string> remarks;
+    std::vector<Text> remarks;
     for (std::size_t e = 0; e < l.trajectories.size(); ++e) {
         const std::string& name = problem.experiments[e].name;
-        for (const std::string& remark : l.trajectories[e].remarks)
-            remarks.push_back(fmt::format("experiment '{}': {}", name, remark));
+        for (const Text& remark : l.trajectories[e].remarks)
+            remarks.push_back(phrase("experiment '{}': {}", name, remark));
         const SimulationFailure& failure = l.trajectories[e].failure;
         if (failure.failed && (failure.reason.starts_with("events") || failure.reason.ends_with("events")))
             remarks.push_back(
-                fmt::format("experiment '{}': a relation of {} switches without end at t = {:.6g} s; "
-                            "what follows there is only as good as the steps of the fit",
-                            name, failure.variable, failure.time));
+                phrase("experiment '{}': a relation of {} switches without end at t = {:.6g} s; "
+                       "what follows there is only as good as the steps of the fit",
+                       name, failure.variable, failure.time));
     }
     return remarks;
 }
@@ -219,7 +219,7 @@ Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const 
             byRecording.emplace(prepared->fitRecordings[e], std::move(experiment));
         }
         if (detail != Detail::Report) continue;
-        for (std::string& remark : switchingRemarks(problem, values, simulation, progress))
+        for (Text& remark : switchingRemarks(problem, values, simulation, progress))
             state.remarks.push_back(std::move(remark));
     }
     for (auto& [index, experiment] : byRecording) state.experiments.push_back(std::move(experiment));

@@ -15,30 +15,44 @@ namespace {
 
 constexpr int mostSamples = 2000;
 
+/// Values of an input that a shape runs between, with their unit.
+struct Ends {
+    std::string low, high, middle;
+};
+
 /// A shape between 0 and 1 over a time between 0 and 1; the words name its ends.
 struct Shape {
-    const char* words;
+    std::function<Text(const Ends&)> words;
     std::function<double(double)> at;
 };
 
 const std::vector<Shape>& shapes() {
     static const auto triangle = [](double s) { return s < 0.5 ? 2 * s : 2 - 2 * s; };
     static const std::vector<Shape> all{
-        {"a step from {low} to {high} and, after half the time, back",
+        {[](const Ends& ends) {
+             return phrase("a step from {} to {} and, after half the time, back", ends.low, ends.high);
+         },
          [](double s) { return s > 0.1 && s < 0.6 ? 1.0 : 0.0; }},
-        {"a slow ramp from {low} to {high} and back", triangle},
-        {"stairs from {low} to {high} and back in eight steps each way",
+        {[](const Ends& ends) { return phrase("a slow ramp from {} to {} and back", ends.low, ends.high); }, triangle},
+        {[](const Ends& ends) {
+             return phrase("stairs from {} to {} and back in eight steps each way", ends.low, ends.high);
+         },
          [](double s) { return std::min(1.0, std::floor(triangle(s) * 8.999) / 8); }},
-        {"small steps of a tenth about {middle}",
+        {[](const Ends& ends) { return phrase("small steps of a tenth about {}", ends.middle); },
          [](double s) { return 0.5 + 0.05 * (std::fmod(8 * s, 1.0) < 0.5 ? 1.0 : -1.0); }},
-        {"a fast change between {low} and {high}, some forty times",
+        {[](const Ends& ends) {
+             return phrase("a fast change between {} and {}, some forty times", ends.low, ends.high);
+         },
          [](double s) { return std::fmod(40 * s, 1.0) < 0.5 ? 1.0 : 0.0; }},
-        {"a sine sweep between {low} and {high}, from one to sixty periods a recording",
+        {[](const Ends& ends) {
+             return phrase("a sine sweep between {} and {}, from one to sixty periods a recording", ends.low,
+                           ends.high);
+         },
          [](double s) {
              const double growth = std::log(60.0);
              return 0.5 + 0.5 * std::sin(2 * std::numbers::pi * (std::exp(growth * s) - 1) / growth);
          }},
-        {"{high} held from the start", [](double) { return 1.0; }},
+        {[](const Ends& ends) { return phrase("{} held from the start", ends.high); }, [](double) { return 1.0; }},
     };
     return all;
 }
@@ -105,10 +119,9 @@ double leastMisfit(const Linearisation& onNew, const FitProblem& problem, const 
     return std::max(0.0, onNew.residuals.squaredNorm() - gradient.dot(factors.solve(gradient)));
 }
 
-std::string inWords(const Shape& shape, const InputRange& range, const std::string& unit) {
+Text inWords(const Shape& shape, const InputRange& range, const std::string& unit) {
     const auto value = [&](double u) { return fmt::format("{:.3g}{}{}", u, unit.empty() ? "" : " ", unit); };
-    return fmt::format(fmt::runtime(shape.words), fmt::arg("low", value(range.low)),
-                       fmt::arg("high", value(range.high)), fmt::arg("middle", value(0.5 * (range.low + range.high))));
+    return shape.words({value(range.low), value(range.high), value(0.5 * (range.low + range.high))});
 }
 
 }  // namespace
@@ -164,7 +177,7 @@ std::optional<ProposedExperiment> nextExperiment(const NullModel& chosen, const 
             const SignalInfo& input =
                 truth->system->inputs()[static_cast<std::size_t>(truth->system->inputIndex(first.inputNames[i]))];
             best = ProposedExperiment{
-                fmt::format("input {} as {}, over {:.3g} s", input.name, inWords(shape, ranges[i], input.unit), span),
+                phrase("input {} as {}, over {:.3g} s", input.name, inWords(shape, ranges[i], input.unit), span),
                 separation};
         }
         const Eigen::RowVectorXd atRest = Eigen::RowVectorXd::Constant(samples, ranges[i].mean);

@@ -9,8 +9,8 @@ namespace analogon {
 
 /// A programme of one input after which two models would differ.
 struct ProposedExperiment {
-    std::string programme;  // in words: "input v as a slow ramp from 0 V to 12 V and back over 20 s"
-    double separation{};    // of the rival refitted to it, in standard deviations
+    Text programme;       // in words: "input v as a slow ramp from 0 V to 12 V and back over 20 s"
+    double separation{};  // of the rival refitted to it, in standard deviations
 };
 
 /// Of the inputs that moved in the recordings, within the range they had there: the programme that the rival, adjusted

@@ -45,13 +45,13 @@ Outcome<NullModel> fitNull(const Variant& start, const std::vector<Eigen::Vector
         Outcome<PreparedTask> prepared = prepareAt(null.variant, null.noise);
         if (!prepared) return prepared.diagnostics();
         if (prepared->problem.experiments.empty())
-            return error("the study has no experiment with the role \"fit\"", {},
-                         "give at least one experiment that role");
+            return error(phrase("the study has no experiment with the role \"fit\""), {},
+                         phrase("give at least one experiment that role"));
         FitOptions now = options;
         now.findsRobustErrors = pass + 1 == passes && options.loss == RobustLoss::None;
         null.fit = fit(prepared->problem, now, progress);
         if (!null.fit.optimum.ok)
-            return numericalError(null.fit.message, "give other start values, or narrower bounds");
+            return numericalError(null.fit.message, phrase("give other start values, or narrower bounds"));
         null.variant.values = valuesOf(null.fit);
         null.channels = residualChannels(prepared->problem);
         if (pass + 1 < passes) null.noise = noiseOf(null.variant.task, *prepared, null.fit);

@@ -35,7 +35,7 @@ Outcome<ModelState> stateWith(const EstimationTask& task, const EffectChoice& ch
     if (!screened.failure.empty()) return numericalError(screened.failure, {});
     const Trial trial = refit(*null, screened, quick, 1, progress);
     if (!trial.ok)
-        return numericalError(trial.failure.empty() ? "the data do not show this effect" : trial.failure, {});
+        return numericalError(trial.failure.empty() ? phrase("the data do not show this effect") : trial.failure, {});
     Outcome<Variant> whole = withEffects(Variant{task, {}, {}}, trial.variant.effects, trial.variant.values);
     if (!whole) return whole.diagnostics();
     return stateOf(*whole, trial.fit, options.fit.simulation, progress, Detail::Errors);

@@ -179,12 +179,12 @@ Outcome<std::vector<std::map<std::string, double>>> shapesOf(const EffectClass& 
         if (*value > 0) valid.push_back(std::move(s));
     }
     if (valid.empty())
-        return error("the recording does not show what tells this effect apart: " + effect.valid + " > 0");
+        return error(phrase("the recording does not show what tells this effect apart: {} > 0", effect.valid));
     return valid;
 }
 
-std::string reason(const Diagnostics& diagnostics) {
-    return diagnostics.empty() ? "unknown fault" : diagnostics.front().message;
+Text reason(const Diagnostics& diagnostics) {
+    return diagnostics.empty() ? phrase("unknown fault") : diagnostics.front().message;
 }
 
 /// Takes the traces of one wired candidate.

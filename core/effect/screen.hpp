@@ -31,7 +31,7 @@ struct Screened {
     Variant wired;  // the effect in the model, fixed values set, parameters not yet freed
     std::map<std::string, double> fixed;
     std::vector<Probe> probes;  // best first
-    std::string failure;        // why it could not be tried; empty: it was
+    Text failure;               // why it could not be tried; empty: it was
 
     double score() const;  // fall in the sum of squares of the best probe (right sign)
     double whitenedScore() const;

@@ -89,10 +89,10 @@ private:
     bool refitQuiet(NullModel& null, Variant quiet, const std::vector<NoisyInput>& noisy);
     bool refitWith(NullModel& null, const ToldStart& start, bool isFitted);
     void holdUnneededStarts(NullModel& null);
-    std::vector<std::string> recordingRemarks(const NullModel& null) const;
+    std::vector<Text> recordingRemarks(const NullModel& null) const;
     void treatAlike(NullModel& null);
     void sharpen(NullModel& null);
-    std::string proposeExperiments(const NullModel& null);
+    Text proposeExperiments(const NullModel& null);
     void setVerdict(const std::string& kind, const std::string& at, Verdict verdict);
     void note(const Screened& s, Verdict verdict, std::optional<double> deltaBic);
     bool dropIndistinct(const NullModel& last, const ModelState& state, NullModel& null);

@@ -164,8 +164,8 @@ void Search::bringBackDisplaced(NullModel& null) {
 }
 
 /// For effects of which the recordings leave open what they are: what to run next, and how far that would tell.
-std::string Search::proposeExperiments(const NullModel& null) {
-    std::string text;
+Text Search::proposeExperiments(const NullModel& null) {
+    Text text;
     int count = 0;
     for (std::size_t i = 0; i < steps_.size() && count < mostExperiments && !progress_.stopRequested(); ++i) {
         const PlacedEffect& own = null.variant.effects[i];
@@ -173,8 +173,7 @@ std::string Search::proposeExperiments(const NullModel& null) {
             std::find_if(steps_[i].alternatives.begin(), steps_[i].alternatives.end(),
                          [](const Alternative& a) { return a.equivalent && !a.kind.starts_with("proposal."); });
         if (open == steps_[i].alternatives.end()) continue;
-        const std::string names =
-            fmt::format("{} at {} from {} at {}", own.effect.kind, own.place.at, open->kind, open->at);
+        const Text names = phrase("{} at {} from {} at {}", own.effect.kind, own.place.at, open->kind, open->at);
         say("next experiment", names, -1);
         const std::optional<NullModel> rest = without(null, i);
         if (!rest) continue;
@@ -190,14 +189,18 @@ std::string Search::proposeExperiments(const NullModel& null) {
         if (!next) continue;
         ++count;
         if (!text.empty()) text += ". ";
-        text += next->separation * next->separation >= clearSeparation
-                    ? fmt::format("{}, the other inputs at their means, would tell {} by {} standard deviations",
-                                  next->programme, names,
-                                  next->separation > 100 ? "more than 100" : fmt::format("{:.0f}", next->separation))
-                    : fmt::format(
-                          "no programme of the inputs within their range tells {} with these sensors (at most "
-                          "{:.1f} standard deviations): another quantity has to be measured",
-                          names, next->separation);
+        constexpr double most = 100;
+        text +=
+            next->separation * next->separation < clearSeparation
+                ? phrase(
+                      "no programme of the inputs within their range tells {} with these sensors (at most "
+                      "{:.1f} standard deviations): another quantity has to be measured",
+                      names, next->separation)
+            : next->separation > most
+                ? phrase("{}, the other inputs at their means, would tell {} by more than {:.0f} standard deviations",
+                         next->programme, names, most)
+                : phrase("{}, the other inputs at their means, would tell {} by {:.0f} standard deviations",
+                         next->programme, names, next->separation);
     }
     return text;
 }

@@ -101,10 +101,10 @@ void Search::holdUnneededStarts(NullModel& null) {
 }
 
 /// What people should know of what was allowed for in the recordings.
-std::vector<std::string> Search::recordingRemarks(const NullModel& null) const {
-    std::vector<std::string> remarks;
+std::vector<Text> Search::recordingRemarks(const NullModel& null) const {
+    std::vector<Text> remarks;
     for (const NoisyInput& input : noisyInputs_)
-        remarks.push_back(fmt::format(
+        remarks.push_back(phrase(
             "the input '{}' of '{}' is recorded with noise ({:.2g} rms) that drives the model and not the component: "
             "the "
             "search has smoothed it, the errors that are reported are with it; record it with less noise, or smooth it",

@@ -106,7 +106,7 @@ std::vector<std::pair<const Probe*, double>> startsOf(const Screened& screened) 
 double promisedCost(const Linearisation& at) { return 0.5 * Complement(at.jacobian)(at.residuals).squaredNorm(); }
 
 std::optional<Start> prepareStart(const NullModel& null, const Screened& screened, const Probe& probe, double strength,
-                                  std::string& failure) {
+                                  Text& failure) {
     Start start;
     start.variant = screened.wired;
     start.variant.effects.back().freed = freedParameters(screened, probe);

@@ -10,7 +10,7 @@ struct Trial {
     Variant variant;  // with the effect's parameters freed, at the optimum
     FitResult fit;
     bool ok{};
-    std::string failure;
+    Text failure;
     double evidence{};  // fall in the sum of squares over the residual variance, less k ln N_eff (set by `rank`)
 
     double sumOfSquares() const { return fit.optimum.residuals.squaredNorm(); }

@@ -135,20 +135,20 @@ Minimum directSearch(Misfit& misfit, Coordinates& coordinates, const FitOptions&
     switch (ended) {
         case Ended::Converged:
             minimum.status = misfit.hasBest() ? FitStatus::Converged : FitStatus::Failed;
-            minimum.message = misfit.hasBest() ? fmt::format("converged after {} simulations", misfit.simulations())
-                                               : misfit.failure();
+            minimum.message =
+                misfit.hasBest() ? phrase("converged after {} simulations", misfit.simulations()) : misfit.failure();
             break;
         case Ended::Limit:
             minimum.status = FitStatus::IterationLimit;
-            minimum.message = fmt::format("stopped at the limit of {} simulations", misfit.simulations());
+            minimum.message = phrase("stopped at the limit of {} simulations", misfit.simulations());
             break;
         case Ended::Cancelled:
             minimum.status = FitStatus::Cancelled;
-            minimum.message = "cancelled; the best parameters so far are kept";
+            minimum.message = phrase("cancelled; the best parameters so far are kept");
             break;
         case Ended::Failed:
             minimum.status = FitStatus::Failed;
-            minimum.message = "the search could not be started";
+            minimum.message = phrase("the search could not be started");
             break;
     }
     return minimum;

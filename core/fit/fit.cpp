@@ -146,7 +146,7 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
             here = misfit.reduced(minimum.values);
         if (!here.ok) {
             minimum.status = misfit.isCancelled() ? FitStatus::Cancelled : FitStatus::Failed;
-            minimum.message = misfit.isCancelled() ? "cancelled" : misfit.failure();
+            minimum.message = misfit.isCancelled() ? phrase("cancelled") : misfit.failure();
             break;
         }
         if (isFirst) {
@@ -168,12 +168,12 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
         if (lost >= 0) {
             minimum.status = FitStatus::IterationLimit;
             minimum.message =
-                fmt::format("stopped on a plain: at {:.6g}, {} has no influence any more; start elsewhere, or bound it",
-                            minimum.values[lost], problem.parameters[static_cast<std::size_t>(lost)].name);
+                phrase("stopped on a plain: at {:.6g}, {} has no influence any more; start elsewhere, or bound it",
+                       minimum.values[lost], problem.parameters[static_cast<std::size_t>(lost)].name);
         }
     }
     if (minimum.status == FitStatus::Converged && !isDirect(options.method)) {
-        minimum.message = fmt::format("converged after {} iterations", iterations);
+        minimum.message = phrase("converged after {} iterations", iterations);
     }
     descent.plans = misfit.plans();
     descent.optimum = misfit.takeBestLinearisation();
@@ -219,9 +219,9 @@ double objectiveOf(const FitProblem& problem, double cost, double scatter) {
     return cost / (scatter * scatter) + problem.residualCount() * std::log(scatter);
 }
 
-std::string nameOf(const FitProblem& problem, const FitParameter& p) {
+Text nameOf(const FitProblem& problem, const FitParameter& p) {
     if (p.experiment < 0) return p.name;
-    return fmt::format("{} of '{}'", p.name, problem.experiments[static_cast<std::size_t>(p.experiment)].name);
+    return phrase("{} of '{}'", p.name, problem.experiments[static_cast<std::size_t>(p.experiment)].name);
 }
 
 /// What the data and the priors say of each other.
@@ -232,14 +232,14 @@ void addPriorRemarks(const FitProblem& problem, FitResult& result) {
         const FitEstimate& estimate = result.estimates[i];
         if (!p.prior) continue;
         const double distance = p.prior->distance(estimate.value);
-        const std::string name = nameOf(problem, p);
+        const Text name = nameOf(problem, p);
         if (std::abs(distance) > NormalPrior::contradiction)
-            result.remarks.push_back(fmt::format(
+            result.remarks.push_back(phrase(
                 "{} = {:.6g} lies {:.1f} standard deviations from its prior {:.6g} ± {:.3g}: the data contradict what "
                 "was known",
                 name, estimate.value, std::abs(distance), p.prior->mean, p.prior->deviation));
         else if (estimate.standardError > asGood * p.prior->deviation)
-            result.remarks.push_back(fmt::format("{} is known from its prior alone: the data add nothing", name));
+            result.remarks.push_back(phrase("{} is known from its prior alone: the data add nothing", name));
     }
 }
 
@@ -248,20 +248,20 @@ void addRemarks(const FitProblem& problem, const Descent& best, const Uncertaint
         const FitParameter& p = problem.parameters[i];
         if (!result.estimates[i].atBound) continue;
         const double value = result.values[static_cast<Eigen::Index>(i)];
-        result.remarks.push_back(
-            fmt::format("{} rests at its {} bound {:.6g}", p.name, value <= p.min ? "lower" : "upper", value));
+        result.remarks.push_back(value <= p.min ? phrase("{} rests at its lower bound {:.6g}", p.name, value)
+                                                : phrase("{} rests at its upper bound {:.6g}", p.name, value));
     }
     result.remarks.insert(result.remarks.end(), uncertainty.remarks.begin(), uncertainty.remarks.end());
     addPriorRemarks(problem, result);
     if (result.failedSimulations > 0) {
-        result.remarks.push_back(fmt::format("{} of {} simulations failed and were passed over",
-                                             result.failedSimulations, result.simulations));
+        result.remarks.push_back(
+            phrase("{} of {} simulations failed and were passed over", result.failedSimulations, result.simulations));
     }
     for (std::size_t e = 0; e < best.plans.size(); ++e) {
         if (best.plans[e].errorEstimate > 1e-3) {
             result.remarks.push_back(
-                fmt::format("experiment '{}': the integration is only accurate to {:.2g} % of the output's range",
-                            problem.experiments[e].name, 100.0 * best.plans[e].errorEstimate));
+                phrase("experiment '{}': the integration is only accurate to {:.2g} % of the output's range",
+                       problem.experiments[e].name, 100.0 * best.plans[e].errorEstimate));
         }
     }
 }
@@ -316,7 +316,7 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
     if (options.findsRobustErrors && result.optimum.ok && K > 0)
         robustErrors = robustErrorsOf(problem, result.optimum, uncertainty.covariance / result.variance, best.scatter);
     if (!options.keepsOptimum) {
-        std::string failure = std::move(result.optimum.failure);
+        Text failure = std::move(result.optimum.failure);
         result.optimum = {};
         result.optimum.failure = std::move(failure);
     }
@@ -357,7 +357,7 @@ FitResult fit(const FitProblem& problem, const FitOptions& options, const Progre
         }
         only.minimum.values = starts.front();
         only.minimum.status = FitStatus::Converged;
-        only.minimum.message = "no parameter is free";
+        only.minimum.message = phrase("no parameter is free");
         conclude(problem, options, only, result, progress);
         result.startCost = result.cost;
         if (!std::isfinite(result.cost)) {
@@ -382,7 +382,7 @@ FitResult fit(const FitProblem& problem, const FitOptions& options, const Progre
     result.startCost = descents.front().startCost;
     if (progress.stopRequested()) {
         result.status = FitStatus::Cancelled;
-        result.message = "cancelled; the best parameters so far are kept";
+        result.message = phrase("cancelled; the best parameters so far are kept");
     }
     return result;
 }

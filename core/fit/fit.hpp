@@ -64,7 +64,7 @@ struct FitEstimate {
 
 struct FitResult {
     FitStatus status{FitStatus::Failed};
-    std::string message;  // why it stopped, for people
+    Text message;  // why it stopped, for people
     std::vector<FitEstimate> estimates;
     Eigen::VectorXd values;
     Eigen::MatrixXd covariance;  // of the values; NaN rows where not determined
@@ -81,7 +81,7 @@ struct FitResult {
     int failedSimulations{};
     Linearisation optimum;  // residuals, Jacobian, trajectories at the optimum
     std::vector<GridPlan> plans;
-    std::vector<std::string> remarks;  // "R and k only appear as k/R here: fix one"
+    std::vector<Text> remarks;  // "R and k only appear as k/R here: fix one"
 };
 
 /// Checks the problem before it starts: bounds in order, start inside, no empty data.

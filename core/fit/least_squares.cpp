@@ -141,7 +141,7 @@ private:
         const int K = coordinates_.size();
         if (std::all_of(isHeld_.begin(), isHeld_.end(), [](bool held) { return held; })) {
             minimum.status = FitStatus::Converged;
-            minimum.message = "all parameters rest at their bounds";
+            minimum.message = phrase("all parameters rest at their bounds");
             return;
         }
         ceres::Problem::Options ownership;
@@ -174,23 +174,23 @@ private:
         judge(summary, minimum);
     }
 
-    FitStatus limit(std::string& message) const {
-        message = fmt::format("stopped at the limit of {} iterations while the cost still fell", iterations_);
+    FitStatus limit(Text& message) const {
+        message = phrase("stopped at the limit of {} iterations while the cost still fell", iterations_);
         return FitStatus::IterationLimit;
     }
 
     void judge(const ceres::Solver::Summary& summary, Minimum& minimum) const {
         if (misfit_.isCancelled()) {
             minimum.status = FitStatus::Cancelled;
-            minimum.message = "cancelled; the best parameters so far are kept";
+            minimum.message = phrase("cancelled; the best parameters so far are kept");
         } else if (summary.termination_type == ceres::CONVERGENCE || summary.termination_type == ceres::USER_SUCCESS) {
             minimum.status = FitStatus::Converged;
-            minimum.message = "converged";
+            minimum.message = phrase("converged");
         } else if (summary.termination_type == ceres::NO_CONVERGENCE) {
             minimum.status = limit(minimum.message);
         } else {
             minimum.status = FitStatus::Failed;
-            minimum.message = misfit_.failure().empty() ? "no step lowers the cost" : misfit_.failure();
+            minimum.message = misfit_.failure().empty() ? phrase("no step lowers the cost") : misfit_.failure();
         }
     }
 

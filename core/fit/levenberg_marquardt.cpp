@@ -44,12 +44,13 @@ public:
 private:
     /// Slopes, gradient and what is held at the point reached; true when the search ends here.
     bool isOver(Minimum& minimum) {
-        const auto end = [&](FitStatus status, std::string message) {
+        const auto end = [&](FitStatus status, Text message) {
             minimum.status = status;
             minimum.message = std::move(message);
             return true;
         };
-        if (misfit_.isCancelled()) return end(FitStatus::Cancelled, "cancelled; the best parameters so far are kept");
+        if (misfit_.isCancelled())
+            return end(FitStatus::Cancelled, phrase("cancelled; the best parameters so far are kept"));
         if (!here_.ok) return end(FitStatus::Failed, misfit_.failure());
         misfit_.report(fmt::format("iteration {}", iterations_),
                        iterations_ / static_cast<double>(options_.maxIterations));
@@ -64,23 +65,22 @@ private:
         }
         if (free_.empty())
             return end(FitStatus::Converged,
-                       gradient_.isZero(0.0) ? "converged" : "all parameters rest at their bounds");
+                       gradient_.isZero(0.0) ? phrase("converged") : phrase("all parameters rest at their bounds"));
         const double cost = here_.cost();
         const Eigen::VectorXd full = step(1e-12);
         expected_ = predictedFall(full);
         full_ = full;
         if (expected_ <= options_.costTolerance * cost || isWithin(full, 1e-12))
-            return end(FitStatus::Converged, "converged");
-        if (flatSteps_ >= 3 && expected_ <= 1e-6 * cost) return end(FitStatus::Converged, "converged");
+            return end(FitStatus::Converged, phrase("converged"));
+        if (flatSteps_ >= 3 && expected_ <= 1e-6 * cost) return end(FitStatus::Converged, phrase("converged"));
         if (flatSteps_ >= 8)
-            return end(
-                FitStatus::IterationLimit,
-                fmt::format("stopped after {} iterations in a flat valley: the cost hardly falls any more, and the "
-                            "parameters still move",
-                            iterations_));
+            return end(FitStatus::IterationLimit,
+                       phrase("stopped after {} iterations in a flat valley: the cost hardly falls any more, and the "
+                              "parameters still move",
+                              iterations_));
         if (iterations_ >= iterationsLeft_)
             return end(FitStatus::IterationLimit,
-                       fmt::format("stopped at the limit of {} iterations while the cost still fell", iterations_));
+                       phrase("stopped at the limit of {} iterations while the cost still fell", iterations_));
         return false;
     }
 
@@ -116,8 +116,8 @@ private:
         // Rounding, or a kink, hides the last digits of the cost.
         const bool isDone = expected_ <= 1e-8 * cost || isWithin(full_, 1e-8);
         minimum.status = isDone ? FitStatus::Converged : FitStatus::Failed;
-        minimum.message = isDone                      ? "converged"
-                          : misfit_.failure().empty() ? "no step lowers the cost"
+        minimum.message = isDone                      ? phrase("converged")
+                          : misfit_.failure().empty() ? phrase("no step lowers the cost")
                                                       : misfit_.failure();
         return false;
     }

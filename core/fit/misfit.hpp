@@ -47,7 +47,7 @@ public:
     const std::vector<GridPlan>& plans() const { return plans_; }
     int simulations() const { return simulations_; }
     int failedSimulations() const { return failedSimulations_; }
-    const std::string& failure() const { return failure_; }  // of the last simulation that failed
+    const Text& failure() const { return failure_; }  // of the last simulation that failed
     double lossScale() const { return lossScale_; }
     double scatter() const { return scatter_; }  // against which priors weigh
     bool isCancelled() const { return progress_.stopRequested(); }
@@ -88,13 +88,13 @@ private:
     bool isIllConditioned_{};
     int threads_{1};
     int simulations_{}, failedSimulations_{};
-    std::string failure_;
+    Text failure_;
 };
 
 /// What one run of a minimiser came to.
 struct Minimum {
     FitStatus status{FitStatus::Failed};
-    std::string message;
+    Text message;
     Eigen::VectorXd values;
     double cost{std::numeric_limits<double>::infinity()};
     std::vector<bool> atBound;

@@ -94,11 +94,12 @@ bool actsEverywhere(const FitProblem& problem, Eigen::Index parameter) {
     return true;
 }
 
-std::string describe(const SimulationFailure& failure, const std::string& experiment) {
-    std::string text =
-        fmt::format("experiment '{}' failed at t = {:.6g} s: {}", experiment, failure.time, failure.reason);
-    if (!failure.variable.empty()) text += fmt::format(" ({})", failure.variable);
-    return text;
+Text describe(const SimulationFailure& failure, const std::string& experiment) {
+    const Text reason(failure.reason, {}, failure.reason);  // one of a few
+    if (failure.variable.empty())
+        return phrase("experiment '{}' failed at t = {:.6g} s: {}", experiment, failure.time, reason);
+    return phrase("experiment '{}' failed at t = {:.6g} s: {} ({})", experiment, failure.time, reason,
+                  failure.variable);
 }
 
 /// What the clock of an output is ahead by at these values, and which fit parameter it is (-1: none).
@@ -322,12 +323,12 @@ Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values
         for (Eigen::Index o = 0; o < experiment.measured.rows(); ++o)
             if (experiment.isFitted(o)) row += measuredCount(experiment, o);
         if (!allFinite(trajectory.outputs.data(), trajectory.outputs.size())) {
-            result.failure = fmt::format("experiment '{}': an output is not finite", experiment.name);
+            result.failure = phrase("experiment '{}': an output is not finite", experiment.name);
             return result;
         }
     }
     if (withJacobian && !allFinite(result.jacobian.data(), result.jacobian.size())) {
-        result.failure = "the sensitivities are not finite";
+        result.failure = phrase("the sensitivities are not finite");
         return result;
     }
     result.ok = true;
@@ -343,7 +344,7 @@ MisfitSums sumUp(const FitProblem& problem, const Eigen::VectorXd& values, bool 
     sums.gradient = Eigen::VectorXd::Zero(K);
     const std::size_t count = problem.experiments.size();
     std::vector<std::unique_ptr<NormalEquations>> parts(count);
-    std::vector<std::string> failures(count);
+    std::vector<Text> failures(count);
     parallelFor(static_cast<int>(count), threads, [&](int index) {
         const auto e = static_cast<std::size_t>(index);
         std::vector<Eigen::Index> columns;
@@ -354,7 +355,7 @@ MisfitSums sumUp(const FitProblem& problem, const Eigen::VectorXd& values, bool 
         if (trajectory.failure.failed) {
             failures[e] = describe(trajectory.failure, problem.experiments[e].name);
         } else if (!parts[e]->isFinite()) {
-            failures[e] = fmt::format("experiment '{}': the sensitivities are not finite", problem.experiments[e].name);
+            failures[e] = phrase("experiment '{}': the sensitivities are not finite", problem.experiments[e].name);
         }
     });
     // In the order of the experiments, whatever thread was first.

@@ -85,7 +85,7 @@ struct Linearisation {
     Eigen::VectorXd residuals;             // weight * (simulated - measured)
     Eigen::MatrixXd jacobian;              // rows: residuals, columns: parameters
     std::vector<Trajectory> trajectories;  // one per experiment, without tangents
-    std::string failure;                   // which experiment, when, which variable
+    Text failure;                          // which experiment, when, which variable
 };
 
 /// The grid plan of one experiment at these values of the fit parameters.
@@ -104,7 +104,7 @@ struct MisfitSums {
     Eigen::MatrixXd hessian;   // JᵀJ
     Eigen::VectorXd gradient;  // Jᵀr
     double squares{};          // rᵀr
-    std::string failure;
+    Text failure;
 };
 
 /// As linearise(), sample by sample (not for the adaptive engine, nor for clocks of their own). Experiments run side by

@@ -32,15 +32,6 @@ Eigen::MatrixXd sparseBasis(Eigen::MatrixXd basis) {
     return basis;
 }
 
-std::string listed(const std::vector<std::string>& names) {
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (i > 0) text += i + 1 == names.size() ? " and " : ", ";
-        text += names[i];
-    }
-    return text;
-}
-
 }  // namespace
 
 Uncertainty uncertaintyOf(const Eigen::MatrixXd& jacobian, double variance, const std::vector<std::string>& names) {
@@ -57,8 +48,8 @@ Uncertainty uncertaintyOf(const Eigen::MatrixXd& jacobian, double variance, cons
         if (lengths[i] > 0.0 && std::isfinite(lengths[i])) {
             seen.push_back(i);
         } else {
-            result.remarks.push_back(fmt::format("{} has no influence on what was measured here: fix it",
-                                                 names[static_cast<std::size_t>(i)]));
+            result.remarks.push_back(
+                phrase("{} has no influence on what was measured here: fix it", names[static_cast<std::size_t>(i)]));
         }
     }
     if (seen.empty()) return result;
@@ -100,16 +91,16 @@ Uncertainty uncertaintyOf(const Eigen::MatrixXd& jacobian, double variance, cons
                 }
             }
             result.remarks.push_back(involved.size() > 1
-                                         ? listed(involved) + " cannot be told apart from these data: fix one"
-                                         : listed(involved) + " is not determined by these data: fix it");
+                                         ? phrase("{} cannot be told apart from these data: fix one", listed(involved))
+                                         : phrase("{} is not determined by these data: fix it", listed(involved)));
         }
     }
     for (Eigen::Index i = 0; i < K; ++i) {
         for (Eigen::Index j = i + 1; j < K; ++j) {
             if (std::abs(result.correlation(i, j)) > 0.9995) {
-                result.remarks.push_back(fmt::format("{} and {} can hardly be told apart (correlation {:.5f})",
-                                                     names[static_cast<std::size_t>(i)],
-                                                     names[static_cast<std::size_t>(j)], result.correlation(i, j)));
+                result.remarks.push_back(phrase("{} and {} can hardly be told apart (correlation {:.5f})",
+                                                names[static_cast<std::size_t>(i)], names[static_cast<std::size_t>(j)],
+                                                result.correlation(i, j)));
             }
         }
     }

@@ -13,7 +13,7 @@ struct Uncertainty {
     Eigen::VectorXd standardErrors;  // NaN: not determined
     Eigen::MatrixXd covariance;      // NaN rows and columns where not determined
     Eigen::MatrixXd correlation;
-    std::vector<std::string> remarks;
+    std::vector<Text> remarks;
 };
 
 /// From the triangular factor R of the weighted Jacobian (any matrix with the same JᵀJ) in own units and the

@@ -28,10 +28,20 @@ void Balance::checkConnectors() {
     for (const auto& [connector, count] : counts)
         if (count.flows != count.potentials)
             work_.messages.error(
-                fmt::format("the connector {} has {} flow and {} potential variable{}", connector->className,
-                            count.flows, count.potentials, count.potentials == 1 ? "" : "s"),
-                connector->definition->definition->nameSpan, "a connector needs as many flow variables as others");
+                count.potentials == 1
+                    ? phrase("the connector {} has {} flow and 1 potential variable", connector->className, count.flows)
+                    : phrase("the connector {} has {} flow and {} potential variables", connector->className,
+                             count.flows, count.potentials),
+                connector->definition->definition->nameSpan,
+                phrase("a connector needs as many flow variables as others"));
 }
+
+namespace {
+
+Text equations(int count) { return count == 1 ? phrase("1 equation") : phrase("{} equations", count); }
+Text unknowns(int count) { return count == 1 ? phrase("1 unknown") : phrase("{} unknowns", count); }
+
+}  // namespace
 
 /// Local number of unknowns: variables declared in the component, and the inputs and flows of what it holds.
 /// What is supplied from outside, its own inputs and flows, counts as an equation.
@@ -76,14 +86,15 @@ void Balance::checkComponents() {
         const int surplus = component->equations - component->unknowns;
         if (surplus == 0 || !reported_.insert(component->className).second) continue;
         const std::string names = surplus < 0 ? unused(*component) : std::string();
-        const std::string hint = surplus > 0     ? "remove an equation or a value, or add a variable"
-                                 : names.empty() ? "add an equation, or connect what is open"
-                                                 : fmt::format("no equation holds {}", names);
-        work_.messages.error(
-            fmt::format("{} has {} equation{} for {} unknown{}: {} too {}", component->label(), component->equations,
-                        component->equations == 1 ? "" : "s", component->unknowns, component->unknowns == 1 ? "" : "s",
-                        std::abs(surplus), surplus > 0 ? "many" : "few"),
-            component->declared, hint);
+        const Text hint = surplus > 0     ? phrase("remove an equation or a value, or add a variable")
+                          : names.empty() ? phrase("add an equation, or connect what is open")
+                                          : phrase("no equation holds {}", names);
+        work_.messages.error(surplus > 0
+                                 ? phrase("{} has {} for {}: {} too many", component->label(),
+                                          equations(component->equations), unknowns(component->unknowns), surplus)
+                                 : phrase("{} has {} for {}: {} too few", component->label(),
+                                          equations(component->equations), unknowns(component->unknowns), -surplus),
+                             component->declared, hint);
     }
 }
 
@@ -96,8 +107,8 @@ void Balance::check() {
         if (variable.variability == FlatVariability::Continuous && variable.causality != FlatCausality::Input)
             ++unknowns;
     if (work_.model.equations.size() != unknowns)
-        work_.messages.error(fmt::format("model '{}' has {} equations for {} unknowns", work_.model.name,
-                                         work_.model.equations.size(), unknowns),
+        work_.messages.error(phrase("model '{}' has {} equations for {} unknowns", work_.model.name,
+                                    work_.model.equations.size(), unknowns),
                              work_.components.front()->declared);
 }
 

@@ -47,8 +47,8 @@ bool Binder::bindParameter(Instance& instance, Element& element) {
     if (element.binding == Element::Binding::Done) return true;
     if (element.binding == Element::Binding::Busy) {
         work_.messages.error(
-            fmt::format("the value of '{}' depends on itself", instance.memberName(element.declaration->name)),
-            element.declaration->nameSpan, "break the circle of parameters");
+            phrase("the value of '{}' depends on itself", instance.memberName(element.declaration->name)),
+            element.declaration->nameSpan, phrase("break the circle of parameters"));
         return false;
     }
     element.binding = Element::Binding::Busy;
@@ -76,7 +76,7 @@ void Binder::freeParameters(Instance& instance, Element& element) {
 
 /// The value of a modification, of the size of the element; `each` repeats a scalar.
 std::optional<Value> Binder::valueFor(Instance& instance, Element& element, const Modifier& modifier,
-                                      const std::string& what) {
+                                      const Text& what) {
     auto value = work_.translator->translate(modifier.value);
     if (!value) return std::nullopt;
     const Span& span = modifier.value.expression->span;
@@ -91,12 +91,11 @@ std::optional<Value> Binder::valueFor(Instance& instance, Element& element, cons
     const bool bothEmpty = value->size() == 0 && element.count() == 0;
     if (value->dimensions == element.dimensions || bothEmpty) return value;
     const std::string name = instance.memberName(element.declaration->name);
-    const std::string hint =
-        value->isScalar() ? "write 'each' before the attribute, or fill(value, size)" : std::string();
+    const Text hint = value->isScalar() ? phrase("write 'each' before the attribute, or fill(value, size)") : Text();
     work_.messages.error(
-        fmt::format("{} of '{}' has size {}, the variable {}", what, name,
-                    value->isScalar() ? std::string("of a single value") : sizeText(value->dimensions),
-                    element.dimensions.empty() ? std::string("is a single value") : sizeText(element.dimensions)),
+        phrase("{} of '{}' has size {}, the variable {}", what, name,
+               value->isScalar() ? phrase("of a single value") : Text(sizeText(value->dimensions)),
+               element.dimensions.empty() ? phrase("is a single value") : Text(sizeText(element.dimensions))),
         span, hint);
     return std::nullopt;
 }
@@ -114,7 +113,7 @@ void Binder::bindAttributes(Instance& instance, Element& element) {
     for (const auto& [name, modifier] : element.modifier.children) {
         if (std::find(attributeNames.begin(), attributeNames.end(), name) == attributeNames.end()) {
             std::vector<std::string> names(attributeNames.begin(), attributeNames.end());
-            work_.messages.error(fmt::format("'{}' is not an attribute of {}", name, typeName(element.type.builtin)),
+            work_.messages.error(phrase("'{}' is not an attribute of {}", name, typeName(element.type.builtin)),
                                  modifier.span, didYouMean(name, names));
             continue;
         }
@@ -124,7 +123,7 @@ void Binder::bindAttributes(Instance& instance, Element& element) {
 
 void Binder::setAttribute(Instance& instance, Element& element, const std::string& name, const Modifier& modifier) {
     if (name == "stateSelect") return setStateSelect(element, modifier);
-    const auto value = valueFor(instance, element, modifier, fmt::format("the attribute '{}'", name));
+    const auto value = valueFor(instance, element, modifier, phrase("the attribute '{}'", name));
     if (!value) return;
     const Span& span = modifier.value.expression->span;
     const bool isBoolean = name == "fixed";
@@ -134,17 +133,17 @@ void Binder::setAttribute(Instance& instance, Element& element, const std::strin
                       : sameAsVariable ? fitsType(element, *value)
                                        : value->isNumeric();
     if (!fits) {
-        work_.messages.error(fmt::format("the attribute '{}' of '{}' cannot be {}", name,
-                                         instance.memberName(element.declaration->name), typeText(*value)),
+        work_.messages.error(phrase("the attribute '{}' of '{}' cannot be {}", name,
+                                    instance.memberName(element.declaration->name), typeText(*value)),
                              span);
         return;
     }
     if (name == "start")
         for (ExpressionId start : value->elements)
             if (!work_.pool.isConstant(start) && !work_.translator->isParametric(start)) {
-                work_.messages.error(fmt::format("the start value of '{}' changes while the model runs",
-                                                 instance.memberName(element.declaration->name)),
-                                     span, "use numbers and parameters");
+                work_.messages.error(phrase("the start value of '{}' changes while the model runs",
+                                            instance.memberName(element.declaration->name)),
+                                     span, phrase("use numbers and parameters"));
                 return;
             }
     for (std::size_t k = 0; k < element.count(); ++k) {
@@ -161,7 +160,7 @@ void Binder::setAttribute(Instance& instance, Element& element, const std::strin
             if (name == "fixed" && *number == 0 && work_.model.variables[id].variability == FlatVariability::Parameter)
                 free_.insert({static_cast<std::uint32_t>(id)});
         } else {
-            work_.messages.error(fmt::format("the attribute '{}' must be known before the simulation", name), span);
+            work_.messages.error(phrase("the attribute '{}' must be known before the simulation", name), span);
             return;
         }
     }
@@ -201,7 +200,8 @@ void Binder::setStateSelect(Element& element, const Modifier& modifier) {
             return;
         }
     }
-    work_.messages.error("'stateSelect' is one of StateSelect.never, avoid, default, prefer, always", expression.span);
+    work_.messages.error(phrase("'stateSelect' is one of StateSelect.never, avoid, default, prefer, always"),
+                         expression.span);
 }
 
 // ----------------------------------------------------------------------------------------------------- values
@@ -210,12 +210,12 @@ bool Binder::bindValue(Instance& instance, Element& element) {
     const Modifier& modifier = element.modifier;
     if (!modifier.value.valid() || element.count() == 0) return true;
     const std::string name = instance.memberName(element.declaration->name);
-    const auto value = valueFor(instance, element, modifier, "the value");
+    const auto value = valueFor(instance, element, modifier, phrase("the value"));
     if (!value) return false;
     const Span& span = modifier.value.expression->span;
     if (!fitsType(element, *value)) {
         const std::string expected = element.type.enumeration ? element.type.className : typeName(element.type.builtin);
-        work_.messages.error(fmt::format("'{}' is {} and cannot be {}", name, expected, typeText(*value)), span);
+        work_.messages.error(phrase("'{}' is {} and cannot be {}", name, expected, typeText(*value)), span);
         return false;
     }
     const bool isParameter = isParameterElement(work_, element);
@@ -238,7 +238,7 @@ bool Binder::bindValue(Instance& instance, Element& element) {
         variable.value = place->span;
         if (value->type == FlatType::String) {
             if (!isParameter) {
-                work_.messages.error(fmt::format("the String '{}' must be a parameter or a constant", name), span);
+                work_.messages.error(phrase("the String '{}' must be a parameter or a constant", name), span);
                 return false;
             }
             variable.text = value->texts[k];
@@ -266,9 +266,10 @@ void Binder::checkParameter(VariableId id) {
             return;
         }
         const bool isConstant = variable.variability == FlatVariability::Constant;
-        work_.messages.error(
-            fmt::format("the {} '{}' has no value", isConstant ? "constant" : "parameter", variable.name),
-            variable.declared, fmt::format("give it one, for example {} = 1", work_.elementOf(id).declaration->name));
+        work_.messages.error(isConstant ? phrase("the constant '{}' has no value", variable.name)
+                                        : phrase("the parameter '{}' has no value", variable.name),
+                             variable.declared,
+                             phrase("give it one, for example {} = 1", work_.elementOf(id).declaration->name));
         return;
     }
     bool usesTime = false;
@@ -281,10 +282,9 @@ void Binder::checkParameter(VariableId id) {
         return 0.0;
     });
     if (!used.valid() && !usesTime) return;
-    work_.messages.error(
-        fmt::format("the parameter '{}' depends on {}, which changes while the model runs", variable.name,
-                    used.valid() ? fmt::format("'{}'", work_.variable(used).name) : "time"),
-        variable.value, "remove the prefix 'parameter', or use parameters only");
+    work_.messages.error(phrase("the parameter '{}' depends on {}, which changes while the model runs", variable.name,
+                                used.valid() ? fmt::format("'{}'", work_.variable(used).name) : "time"),
+                         variable.value, phrase("remove the prefix 'parameter', or use parameters only"));
 }
 
 void Binder::checkParameters() {
@@ -329,8 +329,8 @@ void Binder::checkParameters() {
                 for (++from; from != stack.end() && circle.size() < 500; ++from)
                     circle += " -> " + variables[from->id.value].name;
                 work_.messages.error(
-                    fmt::format("parameters depend on each other: {} -> {}", circle, variables[used.value].name), span,
-                    "give one of them a value of its own");
+                    phrase("parameters depend on each other: {} -> {}", circle, variables[used.value].name), span,
+                    phrase("give one of them a value of its own"));
                 return;
             }
         }
@@ -347,11 +347,11 @@ void Binder::checkRange(VariableId id) {
     if (!value) return;
     const bool isBelow = variable.min && *value < *variable.min, isAbove = variable.max && *value > *variable.max;
     if (!isBelow && !isAbove) return;
-    work_.messages.warning(
-        fmt::format("the parameter '{}' is {}, {} its {} {}", variable.name, syntax::printNumber(*value),
-                    isBelow ? "below" : "above", isBelow ? "min" : "max",
-                    syntax::printNumber(isBelow ? *variable.min : *variable.max)),
-        variable.value, "change the value, or the range where the parameter is declared");
+    work_.messages.warning(isBelow ? phrase("the parameter '{}' is {}, below its min {}", variable.name,
+                                            syntax::printNumber(*value), syntax::printNumber(*variable.min))
+                                   : phrase("the parameter '{}' is {}, above its max {}", variable.name,
+                                            syntax::printNumber(*value), syntax::printNumber(*variable.max)),
+                           variable.value, phrase("change the value, or the range where the parameter is declared"));
 }
 
 }  // namespace analogon

@@ -26,8 +26,7 @@ private:
     void setNumber(FlatVariable& variable, const std::string& name, double number);
     void setStateSelect(Element& element, const Modifier& modifier);
     bool bindValue(Instance& instance, Element& element);
-    std::optional<Value> valueFor(Instance& instance, Element& element, const Modifier& modifier,
-                                  const std::string& what);
+    std::optional<Value> valueFor(Instance& instance, Element& element, const Modifier& modifier, const Text& what);
     bool fitsType(const Element& element, const Value& value) const;
     void freeParameters(Instance& instance, Element& element);
     void checkRange(VariableId id);

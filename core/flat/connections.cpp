@@ -10,10 +10,10 @@
 namespace analogon {
 namespace {
 
-std::string listed(const std::vector<std::string>& names) {
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-    return text;
+std::string commaListed(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
+
+std::string kindOf(const FlatVariable& variable) {
+    return fmt::format("{}{}", variable.isFlow ? "flow " : "", typeName(variable.type));
 }
 
 }  // namespace
@@ -43,8 +43,8 @@ void Connections::connect(const syntax::Equation& equation, const Scope& scope) 
     if (!left || !right) return;
     if (left->dimensions != right->dimensions) {
         work_.messages.error(
-            fmt::format("connect: the sizes differ, {}{} and {}{}", equation.left.span.text(),
-                        sizeText(left->dimensions), equation.right.span.text(), sizeText(right->dimensions)),
+            phrase("connect: the sizes differ, {}{} and {}{}", equation.left.span.text(), sizeText(left->dimensions),
+                   equation.right.span.text(), sizeText(right->dimensions)),
             equation.span);
         return;
     }
@@ -71,15 +71,15 @@ std::optional<Connections::Side> Connections::side(const syntax::Expression& exp
     const Element& element = *slice->element;
     if (!element.type.isConnector) {
         work_.messages.error(
-            fmt::format("connect: '{}' is {}, not a connector", slice->owner->memberName(element.declaration->name),
-                        element.isVariable() ? fmt::format("a {} variable", element.type.className)
-                                             : fmt::format("a component of class {}", element.type.className)),
-            expression.span, "name one of its connectors");
+            phrase("connect: '{}' is {}, not a connector", slice->owner->memberName(element.declaration->name),
+                   element.isVariable() ? phrase("a {} variable", element.type.className)
+                                        : phrase("a component of class {}", element.type.className)),
+            expression.span, phrase("name one of its connectors"));
         return std::nullopt;
     }
     if (!slice->startsWithConnector && slice->componentsBefore != 1) {
-        work_.messages.error(fmt::format("connect: '{}' lies inside a component", expression.span.text()),
-                             expression.span, "connect to a connector of the component itself");
+        work_.messages.error(phrase("connect: '{}' lies inside a component", expression.span.text()), expression.span,
+                             phrase("connect to a connector of the component itself"));
         return std::nullopt;
     }
     Side result;
@@ -116,12 +116,12 @@ bool Connections::fit(const Connector& a, const Connector& b, const Span& span) 
     std::sort(sortedB.begin(), sortedB.end());
     if (sortedA != sortedB) {
         const auto has = [](const Connector& c) {
-            return c.members.size() == 1 && c.members[0].empty() ? std::string("is a signal")
-                                                                 : fmt::format("has {}", listed(c.members));
+            return c.members.size() == 1 && c.members[0].empty() ? phrase("is a signal")
+                                                                 : phrase("has {}", commaListed(c.members));
         };
-        work_.messages.error(fmt::format("{}: the connectors do not fit: '{}' ({}) {}, '{}' ({}) {}", connection,
-                                         a.name, a.className, has(a), b.name, b.className, has(b)),
-                             span, "connect connectors of the same kind");
+        work_.messages.error(phrase("{}: the connectors do not fit: '{}' ({}) {}, '{}' ({}) {}", connection, a.name,
+                                    a.className, has(a), b.name, b.className, has(b)),
+                             span, phrase("connect connectors of the same kind"));
         return false;
     }
     for (std::size_t i = 0; i < a.members.size(); ++i) {
@@ -129,10 +129,8 @@ bool Connections::fit(const Connector& a, const Connector& b, const Span& span) 
         const VariableId first = a.variables[i], second = b.variables[static_cast<std::size_t>(at)];
         const FlatVariable &x = work_.variable(first), &y = work_.variable(second);
         if (x.isFlow != y.isFlow || x.type != y.type) {
-            work_.messages.error(
-                fmt::format("{}: '{}' is {}{}, '{}' is {}{}", connection, x.name, x.isFlow ? "flow " : "",
-                            typeName(x.type), y.name, y.isFlow ? "flow " : "", typeName(y.type)),
-                span, "connect connectors of the same kind");
+            work_.messages.error(phrase("{}: '{}' is {}, '{}' is {}", connection, x.name, kindOf(x), y.name, kindOf(y)),
+                                 span, phrase("connect connectors of the same kind"));
             return false;
         }
         if (!unitsFit(first, second, span, connection)) return false;
@@ -146,8 +144,8 @@ bool Connections::unitsFit(VariableId a, VariableId b, const Span& span, const s
     const auto conversion = convertUnit(x.unit, y.unit);
     if (conversion && conversion->factor == 1 && conversion->offset == 0) return true;
     work_.messages.error(
-        fmt::format("{}: the units differ: '{}' is in {}, '{}' in {}", connection, x.name, x.unit, y.name, y.unit),
-        span, "check which variables are meant to be connected");
+        phrase("{}: the units differ: '{}' is in {}, '{}' in {}", connection, x.name, x.unit, y.name, y.unit), span,
+        phrase("check which variables are meant to be connected"));
     return false;
 }
 
@@ -237,17 +235,17 @@ void Connections::potentialEquations(const std::vector<std::uint32_t>& set) {
         const bool isSource = causality == (member.isOutside ? syntax::Causality::Input : syntax::Causality::Output);
         if (causality == syntax::Causality::None || isSource || member.isOutside) onlyInputs = false;
         if (isSource && source) {
-            work_.messages.error(fmt::format("two signals drive each other: {} and {} are both sources",
-                                             memberLabel(*source), memberLabel(member)),
-                                 member.span, "connect an output to inputs only");
+            work_.messages.error(phrase("two signals drive each other: {} and {} are both sources",
+                                        memberLabel(*source), memberLabel(member)),
+                                 member.span, phrase("connect an output to inputs only"));
             return;
         }
         if (isSource) source = &member;
         if (onlyInputs && isSetByEquation(member.variable)) onlyInputs = false;
     }
     if (onlyInputs) {
-        work_.messages.error(fmt::format("the input {} is connected to inputs only", memberLabel(members_[set[0]])),
-                             members_[set[0]].span, "connect one of them to an output");
+        work_.messages.error(phrase("the input {} is connected to inputs only", memberLabel(members_[set[0]])),
+                             members_[set[0]].span, phrase("connect one of them to an output"));
         return;
     }
     const Member& reference = source ? *source : members_[set.front()];
@@ -284,20 +282,19 @@ void Connections::unconnectedInputs() {
         const std::string& name = work_.variable(id).name;
         const bool isConnected = isConnectedInside(id);
         if (isConnected && record.isBound)
-            work_.messages.error(fmt::format("the input '{}' is connected and has a value as well", name),
-                                 component.declared, "remove the connection or the value");
+            work_.messages.error(phrase("the input '{}' is connected and has a value as well", name),
+                                 component.declared, phrase("remove the connection or the value"));
         else if (!isConnected && !record.isBound && !isSetByEquation(id)) {
             const Element& element = work_.elementOf(id);
             const bool isConnector = record.owner->isConnector() || element.type.isConnector;
             work_.messages.error(
-                fmt::format("the input '{}' of {} {}", name, component.label(),
-                            isConnector ? "is not connected" : "has no value"),
+                isConnector ? phrase("the input '{}' of {} is not connected", name, component.label())
+                            : phrase("the input '{}' of {} has no value", name, component.label()),
                 component.declared,
-                isConnector
-                    ? "connect it to an output or a top-level input"
-                    : fmt::format("give it one where the component is declared: {}({} = …); an equation can only "
-                                  "set an input that is a connector, such as RealInput",
-                                  component.name.substr(component.name.rfind('.') + 1), element.declaration->name));
+                isConnector ? phrase("connect it to an output or a top-level input")
+                            : phrase("give it one where the component is declared: {}({} = …); an equation can only "
+                                     "set an input that is a connector, such as RealInput",
+                                     component.name.substr(component.name.rfind('.') + 1), element.declaration->name));
         }
     }
 }

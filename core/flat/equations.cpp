@@ -38,8 +38,9 @@ void Equations::translate(const syntax::Equation& equation, const Scope& scope) 
             return equality(equation, scope);
         case Kind::Connect:
             if (isInitial_ || isSwitched_) {
-                work_.messages.error(isInitial_ ? "'connect' cannot stand in an initial equation section"
-                                                : "'connect' needs a condition that is known before the simulation",
+                work_.messages.error(isInitial_
+                                         ? phrase("'connect' cannot stand in an initial equation section")
+                                         : phrase("'connect' needs a condition that is known before the simulation"),
                                      equation.span);
                 return;
             }
@@ -61,18 +62,18 @@ void Equations::equality(const syntax::Equation& equation, const Scope& scope) {
     const bool sameType = left->type == right->type && left->enumeration == right->enumeration;
     if ((!bothNumeric && !sameType) || left->type == FlatType::String) {
         work_.messages.error(
-            fmt::format("the sides of the equation differ in type: {} and {}", typeText(*left), typeText(*right)),
+            phrase("the sides of the equation differ in type: {} and {}", typeText(*left), typeText(*right)),
             equation.span);
         return;
     }
     if (left->dimensions != right->dimensions) {
         work_.messages.error(
-            fmt::format("the sides of the equation differ in size: {} and {}", typeText(*left), typeText(*right)),
+            phrase("the sides of the equation differ in size: {} and {}", typeText(*left), typeText(*right)),
             equation.span);
         return;
     }
     if (work_.model.equations.size() + found_.size() + left->elements.size() > 2 * Instantiator::mostScalars)
-        return work_.messages.fatal(fmt::format("the model has more than {} equations", 2 * Instantiator::mostScalars),
+        return work_.messages.fatal(phrase("the model has more than {} equations", 2 * Instantiator::mostScalars),
                                     equation.span);
     for (std::size_t k = 0; k < left->elements.size(); ++k)
         found_.push_back({left->elements[k], right->elements[k], equation.span, scope.instance->name, false});
@@ -86,12 +87,12 @@ void Equations::conditional(const syntax::Equation& equation, const Scope& scope
         const auto condition = work_.translator->translate(*branch.condition, scope);
         if (!condition) return;
         if (condition->type != FlatType::Boolean || !condition->isScalar()) {
-            work_.messages.error(fmt::format("the condition after 'if' must be Boolean, not {}", typeText(*condition)),
+            work_.messages.error(phrase("the condition after 'if' must be Boolean, not {}", typeText(*condition)),
                                  branch.condition->span);
             return;
         }
         if (!work_.translator->isParametric(condition->elements[0])) return switched(equation, b, scope);
-        const auto holds = work_.translator->constantBoolean(*branch.condition, scope, "the condition of 'if'");
+        const auto holds = work_.translator->constantBoolean(*branch.condition, scope, phrase("the condition of 'if'"));
         if (!holds) return;
         if (*holds) return translate(branch.body, scope);
     }
@@ -121,8 +122,8 @@ void Equations::switched(const syntax::Equation& equation, std::size_t firstOpen
     bool sameCount = hasElse;
     for (const auto& body : bodies) sameCount = sameCount && body.size() == bodies[0].size();
     if (!sameCount) {
-        work_.messages.error("an 'if' on a condition that changes needs as many equations in each branch",
-                             equation.span, "add the missing branch, or use a parameter in the condition");
+        work_.messages.error(phrase("an 'if' on a condition that changes needs as many equations in each branch"),
+                             equation.span, phrase("add the missing branch, or use a parameter in the condition"));
         return;
     }
     ExpressionPool& pool = work_.pool;
@@ -147,8 +148,8 @@ void Equations::loop(const syntax::Equation& equation, std::size_t iterator, con
     if (!values) return;
     for (int k = 1; k <= values->dimensions[0] && !work_.messages.full(); ++k) {
         if (++turns_ > 4 * Instantiator::mostScalars) {
-            work_.messages.fatal(
-                fmt::format("the loops run through more than {} values", 4 * Instantiator::mostScalars), span);
+            work_.messages.fatal(phrase("the loops run through more than {} values", 4 * Instantiator::mostScalars),
+                                 span);
             return;
         }
         Value value = Value::scalar(values->type, values->elements[static_cast<std::size_t>(k) - 1]);
@@ -164,24 +165,24 @@ void Equations::assertion(const syntax::Equation& equation, const Scope& scope) 
     const syntax::Expression& call = equation.left;
     const std::string name = call.name.text();
     if (name != "assert" || call.operands.size() < 2) {
-        work_.messages.error(fmt::format("'{}' cannot stand as an equation", name), equation.span,
-                             "write: left = right");
+        work_.messages.error(phrase("'{}' cannot stand as an equation", name), equation.span,
+                             phrase("write: left = right"));
         return;
     }
     const auto condition = work_.translator->translate(call.operands[0], scope);
     const auto text = work_.translator->translate(call.operands[1], scope);
     if (!condition || !text) return;
     if (condition->type != FlatType::Boolean || !condition->isScalar() || text->type != FlatType::String) {
-        work_.messages.error("'assert' needs a Boolean condition and a text", equation.span);
+        work_.messages.error(phrase("'assert' needs a Boolean condition and a text"), equation.span);
         return;
     }
     const auto holds = work_.translator->constantNumber(condition->elements[0], false);
     if (!holds)
-        work_.messages.warning("the assertion is not checked: its condition changes while the model runs",
+        work_.messages.warning(phrase("the assertion is not checked: its condition changes while the model runs"),
                                equation.span);
     else if (*holds == 0)
-        work_.messages.error(fmt::format("{}: {}", scope.instance->label(), text->texts[0]), equation.span,
-                             "the condition of 'assert' does not hold");
+        work_.messages.error(phrase("{}: {}", scope.instance->label(), text->texts[0]), equation.span,
+                             phrase("the condition of 'assert' does not hold"));
 }
 
 }  // namespace analogon

@@ -43,7 +43,7 @@ void run(Flattening& work, const LibraryClass& definition) {
 Outcome<FlatModel> flatten(const Library& library, std::string_view className) {
     const LibraryClass* definition = library.find(className);
     if (!definition)
-        return error(fmt::format("the class '{}' is not known", className), {}, didYouMean(className, library.names()));
+        return error(phrase("the class '{}' is not known", className), {}, didYouMean(className, library.names()));
     Flattening work(library);
     work.model.name = definition->qualifiedName;
     run(work, *definition);

@@ -15,8 +15,8 @@ bool isBuiltinName(const syntax::Name& name) {
 }
 
 /// The name that is meant, or the few that there are.
-std::string whatThereIs(const std::string& name, const Instance& instance) {
-    std::string hint = didYouMean(name, instance.elementNames());
+Text whatThereIs(const std::string& name, const Instance& instance) {
+    Text hint = didYouMean(name, instance.elementNames());
     if (!hint.empty()) return hint;
     constexpr std::size_t most = 8;
     std::string names;
@@ -28,7 +28,7 @@ std::string whatThereIs(const std::string& name, const Instance& instance) {
         if (++count > most) return {};
         names += (names.empty() ? "" : ", ") + declared.name;
     }
-    return names.empty() ? std::string() : "its parameters are " + names;
+    return names.empty() ? Text() : phrase("its parameters are {}", names);
 }
 
 std::string qualifiedOrEmpty(const LibraryClass* definition) { return definition ? definition->qualifiedName : ""; }
@@ -52,16 +52,15 @@ void Instantiator::collectBase(Instance& instance, const LibraryClass& derived, 
                                const Modifier& modifications, const Modifier& outer, bool isProtected,
                                std::vector<const LibraryClass*>& path) {
     if (isBuiltinName(baseName)) {
-        work_.messages.error(fmt::format("'{}' has components or equations and cannot extend {}", derived.qualifiedName,
-                                         baseName.text()),
-                             baseName.span);
+        work_.messages.error(
+            phrase("'{}' has components or equations and cannot extend {}", derived.qualifiedName, baseName.text()),
+            baseName.span);
         return;
     }
     const LibraryClass* base = lookupBase(baseName, derived);
     if (!base) {
-        work_.messages.error(
-            fmt::format("the base class '{}' of '{}' is not known", baseName.text(), derived.qualifiedName),
-            baseName.span, didYouMean(baseName.text(), work_.library.names()));
+        work_.messages.error(phrase("the base class '{}' of '{}' is not known", baseName.text(), derived.qualifiedName),
+                             baseName.span, didYouMean(baseName.text(), work_.library.names()));
         return;
     }
     using Restriction = syntax::ClassDefinition::Restriction;
@@ -69,8 +68,8 @@ void Instantiator::collectBase(Instance& instance, const LibraryClass& derived, 
     if ((restriction == Restriction::Function || restriction == Restriction::Package) &&
         derived.definition->restriction != restriction) {
         work_.messages.error(
-            fmt::format("'{}' is a {} and cannot extend {}, which is a {}", derived.qualifiedName,
-                        keyword(derived.definition->restriction), base->qualifiedName, keyword(restriction)),
+            phrase("'{}' is a {} and cannot extend {}, which is a {}", derived.qualifiedName,
+                   keyword(derived.definition->restriction), base->qualifiedName, keyword(restriction)),
             baseName.span);
         return;
     }
@@ -85,18 +84,18 @@ void Instantiator::collect(Instance& instance, const LibraryClass& definition, c
         std::string chain = definition.qualifiedName;
         const auto first = std::find(path.begin(), path.end(), &definition);
         for (auto step = first + 1; step != path.end(); ++step) chain += " extends " + (*step)->qualifiedName;
-        work_.messages.error(fmt::format("'{}' extends itself: {} extends {}", definition.qualifiedName, chain,
-                                         definition.qualifiedName),
-                             tree.nameSpan, "remove one of the extends clauses");
+        work_.messages.error(
+            phrase("'{}' extends itself: {} extends {}", definition.qualifiedName, chain, definition.qualifiedName),
+            tree.nameSpan, phrase("remove one of the extends clauses"));
         return;
     }
     if (static_cast<int>(path.size()) >= deepest) {
-        work_.messages.error(fmt::format("'{}' inherits through more than {} classes", instance.className, deepest),
+        work_.messages.error(phrase("'{}' inherits through more than {} classes", instance.className, deepest),
                              tree.nameSpan);
         return;
     }
     if (instance.parts.size() > mostBases)
-        return work_.messages.fatal(fmt::format("'{}' inherits too many classes", instance.className), tree.nameSpan);
+        return work_.messages.fatal(phrase("'{}' inherits too many classes", instance.className), tree.nameSpan);
     path.push_back(&definition);
     work_.keepSource(tree);
     const Scope scope{&instance, &definition};
@@ -166,7 +165,7 @@ void Instantiator::addElement(Instance& instance, const LibraryClass& definition
         replaceElement(instance, *existing, std::move(element));
     else if (component.isRedeclare)
         work_.messages.error(
-            fmt::format("'{}' redeclares '{}', which it does not inherit", definition.qualifiedName, component.name),
+            phrase("'{}' redeclares '{}', which it does not inherit", definition.qualifiedName, component.name),
             component.nameSpan, didYouMean(component.name, instance.elementNames()));
     else
         instance.elements.push_back(std::move(element));
@@ -177,8 +176,8 @@ Element Instantiator::redeclare(Instance& instance, Element element, const synta
                                 const Modifier& modification) {
     const syntax::Component& replacement = *modification.redeclaredComponent;
     if (!component.isReplaceable) {
-        work_.messages.error(fmt::format("'{}' of '{}' is not replaceable", component.name, instance.className),
-                             modification.span, "declare it 'replaceable' or modify it without 'redeclare'");
+        work_.messages.error(phrase("'{}' of '{}' is not replaceable", component.name, instance.className),
+                             modification.span, phrase("declare it 'replaceable' or modify it without 'redeclare'"));
         return element;
     }
     Modifier constraint = component.constrainedBy
@@ -205,7 +204,7 @@ void Instantiator::replaceElement(Instance& instance, Element& existing, Element
     if (component.isRedeclare) {
         if (!known.isReplaceable) {
             work_.messages.error(
-                fmt::format("'{}' of '{}' is not replaceable", component.name, existing.owner->qualifiedName),
+                phrase("'{}' of '{}' is not replaceable", component.name, existing.owner->qualifiedName),
                 component.nameSpan);
             return;
         }
@@ -219,15 +218,14 @@ void Instantiator::replaceElement(Instance& instance, Element& existing, Element
         return;
     }
     if (existing.owner == element.owner) {
-        work_.messages.error(
-            fmt::format("'{}' is declared twice in '{}'", component.name, element.owner->qualifiedName),
-            component.nameSpan, "rename or remove one of the two declarations");
+        work_.messages.error(phrase("'{}' is declared twice in '{}'", component.name, element.owner->qualifiedName),
+                             component.nameSpan, phrase("rename or remove one of the two declarations"));
         return;
     }
     if (known.span.text() == component.span.text() && known.type.text() == component.type.text()) return;
-    work_.messages.error(fmt::format("'{}' is declared in '{}' and, differently, in '{}'", component.name,
-                                     existing.owner->qualifiedName, element.owner->qualifiedName),
-                         component.nameSpan, "rename it, or declare it 'redeclare'");
+    work_.messages.error(phrase("'{}' is declared in '{}' and, differently, in '{}'", component.name,
+                                existing.owner->qualifiedName, element.owner->qualifiedName),
+                         component.nameSpan, phrase("rename it, or declare it 'redeclare'"));
 }
 
 /// Each name that is modified must be an element; from outside, a public one.
@@ -237,24 +235,22 @@ void Instantiator::checkModifiedNames(Instance& instance, const Modifier& modifi
         const auto local = instance.localClasses.find(name);
         if (element) {
             if (child.redeclaredClass)
-                work_.messages.error(fmt::format("'{}' of '{}' is a component, not a class", name, instance.className),
-                                     child.span, "redeclare it as a component: redeclare TYPE NAME");
+                work_.messages.error(phrase("'{}' of '{}' is a component, not a class", name, instance.className),
+                                     child.span, phrase("redeclare it as a component: redeclare TYPE NAME"));
             else if (fromOutside && element->isProtected)
                 work_.messages.error(
-                    fmt::format("'{}' of '{}' is protected and cannot be modified", name, instance.className),
-                    child.span);
+                    phrase("'{}' of '{}' is protected and cannot be modified", name, instance.className), child.span);
         } else if (local != instance.localClasses.end()) {
             if (!child.redeclaredClass)
                 work_.messages.error(
-                    fmt::format("'{}' of '{}' is a class; it can only be redeclared", name, instance.className),
-                    child.span);
+                    phrase("'{}' of '{}' is a class; it can only be redeclared", name, instance.className), child.span);
             else if (!local->second.definition->isReplaceable)
-                work_.messages.error(fmt::format("the class '{}' of '{}' is not replaceable", name,
-                                                 qualifiedOrEmpty(local->second.lexical)),
-                                     child.span);
+                work_.messages.error(
+                    phrase("the class '{}' of '{}' is not replaceable", name, qualifiedOrEmpty(local->second.lexical)),
+                    child.span);
         } else {
-            work_.messages.error(fmt::format("'{}' has no element '{}' to modify", instance.className, name),
-                                 child.span, whatThereIs(name, instance));
+            work_.messages.error(phrase("'{}' has no element '{}' to modify", instance.className, name), child.span,
+                                 whatThereIs(name, instance));
         }
     }
 }

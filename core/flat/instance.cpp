@@ -32,8 +32,8 @@ Instance& Instance::component() {
     return *instance;
 }
 
-std::string Instance::label() const {
-    return name.empty() ? fmt::format("model '{}'", className) : fmt::format("component '{}' ({})", name, className);
+Text Instance::label() const {
+    return name.empty() ? phrase("model '{}'", className) : phrase("component '{}' ({})", name, className);
 }
 
 }  // namespace analogon

@@ -105,7 +105,7 @@ struct Instance {
     /// The innermost model or block it belongs to (itself when it is one).
     Instance& component();
     /// "component 'rotor'" or "model 'Motor'".
-    std::string label() const;
+    Text label() const;
 
 private:
     std::unordered_map<std::string_view, std::size_t> index_;  // of large classes

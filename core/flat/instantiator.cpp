@@ -61,14 +61,13 @@ Instance* Instantiator::instantiate(const LibraryClass& definition) {
     const bool isModel = tree.restriction == Restriction::Model || tree.restriction == Restriction::Block ||
                          tree.restriction == Restriction::Class;
     if (!isModel) {
-        work_.messages.error(
-            fmt::format("'{}' is a {}, not a model", definition.qualifiedName, keyword(tree.restriction)),
-            tree.nameSpan, "choose a model or block");
+        work_.messages.error(phrase("'{}' is a {}, not a model", definition.qualifiedName, keyword(tree.restriction)),
+                             tree.nameSpan, phrase("choose a model or block"));
         return nullptr;
     }
     if (tree.isPartial) {
-        work_.messages.error(fmt::format("'{}' is partial and cannot be used as it stands", definition.qualifiedName),
-                             tree.nameSpan, "use a model that extends it");
+        work_.messages.error(phrase("'{}' is partial and cannot be used as it stands", definition.qualifiedName),
+                             tree.nameSpan, phrase("use a model that extends it"));
         return nullptr;
     }
     Instance& root = newInstance(definition, {}, nullptr);
@@ -108,8 +107,8 @@ bool Instantiator::ensure(Instance& instance, Element& element) {
         case Element::State::Failed:
             return false;
         case Element::State::Busy:
-            work_.messages.error(fmt::format("the size or condition of '{}' depends on itself",
-                                             instance.memberName(element.declaration->name)),
+            work_.messages.error(phrase("the size or condition of '{}' depends on itself",
+                                        instance.memberName(element.declaration->name)),
                                  element.declaration->nameSpan);
             element.state = Element::State::Failed;
             return false;
@@ -127,14 +126,14 @@ bool Instantiator::prepare(Instance& instance, Element& element) {
     const syntax::Component& original = *element.original;
     if (original.isInner || original.isOuter) {
         work_.messages.error(
-            fmt::format("'{}' of '{}' is not supported", original.isInner ? "inner" : "outer", declaration.name),
-            declaration.nameSpan, "pass the value as a parameter or connect it");
+            phrase("'{}' of '{}' is not supported", original.isInner ? "inner" : "outer", declaration.name),
+            declaration.nameSpan, phrase("pass the value as a parameter or connect it"));
         return false;
     }
     if (const auto& condition = declaration.condition ? declaration.condition : original.condition) {
         const Scope& scope = declaration.condition ? element.scope : Scope{&instance, element.owner};
         const auto enabled = work_.translator->constantBoolean(
-            *condition, scope, fmt::format("the condition of '{}'", instance.memberName(declaration.name)));
+            *condition, scope, phrase("the condition of '{}'", instance.memberName(declaration.name)));
         if (!enabled) return false;
         element.isDisabled = !*enabled;
         if (element.isDisabled) return true;
@@ -148,8 +147,7 @@ bool Instantiator::prepare(Instance& instance, Element& element) {
     element.type = std::move(*type);
     if (element.isVariable() && declaration.causality != syntax::Causality::None &&
         element.type.causality != syntax::Causality::None && element.type.causality != declaration.causality) {
-        work_.messages.error(fmt::format("'{}' is declared as input and as output", declaration.name),
-                             declaration.nameSpan);
+        work_.messages.error(phrase("'{}' is declared as input and as output", declaration.name), declaration.nameSpan);
         return false;
     }
     auto dimensions = dimensionsOf(instance, element);
@@ -176,11 +174,10 @@ std::optional<std::vector<int>> Instantiator::dimensionsOf(Instance& instance, E
     for (const auto& [size, sizeScope] : sizes) {
         const std::string name = instance.memberName(element.declaration->name);
         if (size->kind != syntax::Expression::Kind::Colon) {
-            const auto extent =
-                work_.translator->constantInteger(*size, sizeScope, fmt::format("the size of '{}'", name));
+            const auto extent = work_.translator->constantInteger(*size, sizeScope, phrase("the size of '{}'", name));
             if (!extent) return std::nullopt;
             if (*extent < 0) {
-                work_.messages.error(fmt::format("the size of '{}' is negative ({})", name, *extent), size->span);
+                work_.messages.error(phrase("the size of '{}' is negative ({})", name, *extent), size->span);
                 return std::nullopt;
             }
             result.push_back(*extent);
@@ -188,16 +185,16 @@ std::optional<std::vector<int>> Instantiator::dimensionsOf(Instance& instance, E
         }
         // The size is that of the value.
         if (!element.modifier.value.valid()) {
-            work_.messages.error(fmt::format("'{}' has an open size and no value that would give it", name), size->span,
-                                 "write the size or a value");
+            work_.messages.error(phrase("'{}' has an open size and no value that would give it", name), size->span,
+                                 phrase("write the size or a value"));
             return std::nullopt;
         }
         const auto value = work_.translator->translate(element.modifier.value);
         if (!value) return std::nullopt;
         if (value->dimensions.size() <= result.size()) {
-            work_.messages.error(fmt::format("the value of '{}' has {} dimensions, its declaration more", name,
-                                             value->dimensions.size()),
-                                 element.modifier.value.expression->span);
+            work_.messages.error(
+                phrase("the value of '{}' has {} dimensions, its declaration more", name, value->dimensions.size()),
+                element.modifier.value.expression->span);
             return std::nullopt;
         }
         result.push_back(value->dimensions[result.size()]);
@@ -215,9 +212,11 @@ bool Instantiator::reserve(const Element& element, const std::string& name) {
     const std::size_t most = element.isVariable() ? mostScalars : mostComponents;
     total += std::min(count, most + 1);
     if (total <= most) return true;
-    work_.messages.fatal(fmt::format("'{}{}' makes the model larger than {} {}", name, sizeText(element.dimensions),
-                                     most, element.isVariable() ? "scalars" : "components"),
-                         element.declaration->nameSpan, "use a smaller size");
+    const std::string size = sizeText(element.dimensions);
+    work_.messages.fatal(element.isVariable()
+                             ? phrase("'{}{}' makes the model larger than {} scalars", name, size, most)
+                             : phrase("'{}{}' makes the model larger than {} components", name, size, most),
+                         element.declaration->nameSpan, phrase("use a smaller size"));
     return false;
 }
 
@@ -267,25 +266,25 @@ bool Instantiator::mayContain(const Instance& instance, const Element& element) 
         std::vector<const Instance*> path;
         for (const Instance* i = &instance; i != outer; i = i->parent) path.push_back(i);
         for (auto i = path.rbegin(); i != path.rend(); ++i) chain += " has " + (*i)->className;
-        work_.messages.error(
-            fmt::format("'{}' contains itself: {} has {}", type->qualifiedName, chain, type->qualifiedName),
-            element.declaration->nameSpan, "break the circle of components");
+        work_.messages.error(phrase("'{}' contains itself: {} has {}", type->qualifiedName, chain, type->qualifiedName),
+                             element.declaration->nameSpan, phrase("break the circle of components"));
         return false;
     }
     if (instance.depth >= deepest) {
-        work_.messages.error(fmt::format("components are nested more than {} deep at '{}'", deepest, name),
+        work_.messages.error(phrase("components are nested more than {} deep at '{}'", deepest, name),
                              element.declaration->nameSpan);
         return false;
     }
     if (!mayBeComponent(tree.restriction)) {
         work_.messages.error(
-            fmt::format("'{}' cannot be a component: {} is a {}", name, type->qualifiedName, keyword(tree.restriction)),
+            phrase("'{}' cannot be a component: {} is a {}", name, type->qualifiedName, keyword(tree.restriction)),
             element.declaration->typeSpan);
         return false;
     }
     if (tree.isPartial) {
-        work_.messages.error(fmt::format("'{}' is of the partial class {}", name, type->qualifiedName),
-                             element.declaration->typeSpan, "use a class that extends it, or redeclare the component");
+        work_.messages.error(phrase("'{}' is of the partial class {}", name, type->qualifiedName),
+                             element.declaration->typeSpan,
+                             phrase("use a class that extends it, or redeclare the component"));
         return false;
     }
     return true;
@@ -323,9 +322,9 @@ bool Instantiator::createItems(Instance& instance, Element& element) {
 /// `Limits l = other`: each member takes the member of the same name.
 void Instantiator::bindRecord(Instance& record, const Modifier& modifier) {
     if (!record.isRecord()) {
-        work_.messages.error(fmt::format("'{}' is a {}; it has no value that could be set with '='", record.name,
-                                         keyword(record.restriction)),
-                             modifier.value.expression->span, "modify its parameters: name(parameter = value)");
+        work_.messages.error(phrase("'{}' is a {}; it has no value that could be set with '='", record.name,
+                                    keyword(record.restriction)),
+                             modifier.value.expression->span, phrase("modify its parameters: name(parameter = value)"));
         return;
     }
     for (Element& member : record.elements) {

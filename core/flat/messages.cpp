@@ -8,25 +8,27 @@ bool Messages::isNew(const std::string& message, const Span& span) {
     return !full() && seen_.emplace(message, span.source, span.begin).second;
 }
 
-void Messages::error(const std::string& message, const Span& span, const std::string& hint) {
+void Messages::error(const Text& message, const Span& span, const Text& hint) {
     hasErrors_ = true;
     if (isNew(message, span)) diagnostics_.push_back(analogon::error(message, span, hint));
 }
 
-void Messages::fatal(const std::string& message, const Span& span, const std::string& hint) {
+void Messages::fatal(const Text& message, const Span& span, const Text& hint) {
     error(message, span, hint);
     isStopped_ = true;
 }
 
-void Messages::warning(const std::string& message, const Span& span, const std::string& hint) {
+void Messages::warning(const Text& message, const Span& span, const Text& hint) {
     if (isNew(message, span)) diagnostics_.push_back(analogon::warning(message, span, hint));
 }
 
-std::string didYouMean(std::string_view misspelt, const std::vector<std::string>& names) {
+Text didYouMean(std::string_view misspelt, const std::vector<std::string>& names) {
     if (misspelt == "Modelica" || misspelt.starts_with("Modelica."))
-        return "the Modelica Standard Library is not part of Analogon: use Analogon's blocks, or declare what you need";
+        return phrase(
+            "the Modelica Standard Library is not part of Analogon: use Analogon's blocks, or declare what you "
+            "need");
     const std::string best = suggestion(misspelt, names);
-    return best.empty() ? best : fmt::format("did you mean '{}'?", best);
+    return best.empty() ? Text() : phrase("did you mean '{}'?", best);
 }
 
 }  // namespace analogon

@@ -14,10 +14,10 @@ class Messages {
 public:
     static constexpr std::size_t most = 20;
 
-    void error(const std::string& message, const Span& span, const std::string& hint = {});
+    void error(const Text& message, const Span& span, const Text& hint = {});
     /// An error after which nothing more is done: the model is too large to go on.
-    void fatal(const std::string& message, const Span& span, const std::string& hint = {});
-    void warning(const std::string& message, const Span& span, const std::string& hint = {});
+    void fatal(const Text& message, const Span& span, const Text& hint = {});
+    void warning(const Text& message, const Span& span, const Text& hint = {});
 
     bool hasErrors() const { return hasErrors_; }
     /// Nothing more will be taken: the work may stop.
@@ -34,6 +34,6 @@ private:
 };
 
 /// "did you mean 'x'?" or empty.
-std::string didYouMean(std::string_view misspelt, const std::vector<std::string>& names);
+Text didYouMean(std::string_view misspelt, const std::vector<std::string>& names);
 
 }  // namespace analogon

@@ -31,8 +31,8 @@ void addArgument(Modifier& target, const syntax::Modification& argument, const S
     for (const auto& part : argument.name.parts) node = &node->child(part.identifier);
     if (node == &target) return;
     if (argument.value && node->value.valid()) {
-        messages.error(fmt::format("'{}' is modified twice", argument.name.text()), argument.span,
-                       "keep one of the two modifications");
+        messages.error(phrase("'{}' is modified twice", argument.name.text()), argument.span,
+                       phrase("keep one of the two modifications"));
         return;
     }
     if (argument.value) node->value = {&*argument.value, scope, {}, {}};
@@ -64,8 +64,8 @@ Modifier modifierOf(const std::vector<syntax::Modification>& arguments, const Sc
 Modifier merge(const Modifier& outer, Modifier inner, Messages& messages, const std::string& name) {
     if (outer.empty()) return inner;
     if (inner.isFinal) {
-        messages.error(fmt::format("'{}' is final and cannot be modified", name), outer.span,
-                       "remove the modification; the value is fixed where the element is declared");
+        messages.error(phrase("'{}' is final and cannot be modified", name), outer.span,
+                       phrase("remove the modification; the value is fixed where the element is declared"));
         return inner;
     }
     if (outer.value.valid()) {

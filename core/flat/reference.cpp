@@ -47,10 +47,10 @@ void Translator::reportUnknown(const syntax::Name& name, const Scope& scope, con
     std::vector<std::string> candidates{"time"};
     if (scope.instance) candidates = scope.instance->elementNames();
     for (const auto& [iterator, value] : iterators_) candidates.push_back(iterator);
-    const std::string inside = scope.instance  ? scope.instance->label()
-                               : scope.lexical ? fmt::format("'{}'", scope.lexical->qualifiedName)
-                                               : std::string("the model");
-    work_.messages.error(fmt::format("'{}' is not declared in {}", first, inside), span, didYouMean(first, candidates));
+    const Text inside = scope.instance  ? scope.instance->label()
+                        : scope.lexical ? Text("'" + scope.lexical->qualifiedName + "'")
+                                        : phrase("the model");
+    work_.messages.error(phrase("'{}' is not declared in {}", first, inside), span, didYouMean(first, candidates));
 }
 
 // ------------------------------------------------------------------------------------- components and variables
@@ -82,8 +82,7 @@ bool Translator::step(Slice& slice, const std::string& identifier, const std::ve
                       const Scope& scope, const Span& span, bool isFirst) {
     if (slice.instances.empty() && slice.element) {
         work_.messages.error(
-            fmt::format("'{}' is a variable and has no member '{}'", slice.element->declaration->name, identifier),
-            span);
+            phrase("'{}' is a variable and has no member '{}'", slice.element->declaration->name, identifier), span);
         return false;
     }
     Slice next;
@@ -93,22 +92,22 @@ bool Translator::step(Slice& slice, const std::string& identifier, const std::ve
     for (Instance* instance : slice.instances) {
         Element* element = instance->find(identifier);
         if (!element) {
-            work_.messages.error(fmt::format("{} has no member '{}'", instance->label(), identifier), span,
+            work_.messages.error(phrase("{} has no member '{}'", instance->label(), identifier), span,
                                  didYouMean(identifier, instance->elementNames()));
             return false;
         }
         if (element->isProtected && !isFirst) {
-            work_.messages.error(fmt::format("'{}' of {} is protected", identifier, instance->label()), span,
-                                 "use a public variable, or make it public where it is declared");
+            work_.messages.error(phrase("'{}' of {} is protected", identifier, instance->label()), span,
+                                 phrase("use a public variable, or make it public where it is declared"));
             return false;
         }
         if (!work_.instantiator->ensure(*instance, *element)) {
-            work_.messages.error(fmt::format("'{}' could not be instantiated", instance->memberName(identifier)), span);
+            work_.messages.error(phrase("'{}' could not be instantiated", instance->memberName(identifier)), span);
             return false;
         }
         if (element->isDisabled) {
-            work_.messages.error(fmt::format("'{}' is switched off by its condition", instance->memberName(identifier)),
-                                 span, "a conditional component may be used in connect equations only");
+            work_.messages.error(phrase("'{}' is switched off by its condition", instance->memberName(identifier)),
+                                 span, phrase("a conditional component may be used in connect equations only"));
             return false;
         }
         if (!next.element) {
@@ -122,7 +121,7 @@ bool Translator::step(Slice& slice, const std::string& identifier, const std::ve
             next.instances.insert(next.instances.end(), element->items.begin(), element->items.end());
     }
     if (!next.element) {  // a member of an empty array of components
-        work_.messages.error(fmt::format("'{}' is a member of an empty array", identifier), span);
+        work_.messages.error(phrase("'{}' is a member of an empty array", identifier), span);
         return false;
     }
     const std::size_t keep = next.dimensions.size();
@@ -138,7 +137,7 @@ std::optional<std::vector<std::vector<int>>> Translator::subscriptLists(const st
                                                                         std::vector<int>& remaining) {
     if (subscripts.size() > dimensions.size()) {
         work_.messages.error(
-            fmt::format("'{}' has {} subscripts for {} dimensions", span.text(), subscripts.size(), dimensions.size()),
+            phrase("'{}' has {} subscripts for {} dimensions", span.text(), subscripts.size(), dimensions.size()),
             span);
         return std::nullopt;
     }
@@ -155,19 +154,20 @@ std::optional<std::vector<std::vector<int>>> Translator::subscriptLists(const st
         ends_.pop_back();
         if (!value) return std::nullopt;
         if (!value->isNumeric() && value->enumeration.empty() && value->type != FlatType::Boolean) {
-            work_.messages.error(fmt::format("a subscript must be an Integer, not {}", typeText(*value)),
+            work_.messages.error(phrase("a subscript must be an Integer, not {}", typeText(*value)),
                                  subscripts[d].span);
             return std::nullopt;
         }
         for (ExpressionId element : value->elements) {
             const auto number = constantNumber(element, true);
             if (!number || *number != std::round(*number)) {
-                work_.messages.error("a subscript must be an Integer that is known before the simulation",
-                                     subscripts[d].span, "use a number, an iterator of a for loop or a parameter");
+                work_.messages.error(phrase("a subscript must be an Integer that is known before the simulation"),
+                                     subscripts[d].span,
+                                     phrase("use a number, an iterator of a for loop or a parameter"));
                 return std::nullopt;
             }
             if (*number < 1 || *number > dimensions[d]) {
-                work_.messages.error(fmt::format("the subscript {} is outside 1:{}", *number, dimensions[d]),
+                work_.messages.error(phrase("the subscript {} is outside 1:{}", *number, dimensions[d]),
                                      subscripts[d].span);
                 return std::nullopt;
             }
@@ -239,9 +239,9 @@ std::optional<Value> Translator::selectFromValue(Value value, const std::vector<
 std::optional<Value> Translator::valueOf(const Slice& slice) {
     const Element& element = *slice.element;
     if (!element.isVariable()) {
-        work_.messages.error(fmt::format("'{}' is a component of class {}, not a value",
-                                         slice.owner->memberName(element.declaration->name), element.type.className),
-                             element.declaration->nameSpan, "name one of its variables");
+        work_.messages.error(phrase("'{}' is a component of class {}, not a value",
+                                    slice.owner->memberName(element.declaration->name), element.type.className),
+                             element.declaration->nameSpan, phrase("name one of its variables"));
         return std::nullopt;
     }
     Value value;
@@ -271,8 +271,8 @@ std::optional<Value> Translator::enumerationLiteral(const LibraryClass& definiti
             value.enumeration = definition.qualifiedName;
             return value;
         }
-    work_.messages.error(fmt::format("'{}' is not a value of the enumeration {}", literal, definition.qualifiedName),
-                         span, didYouMean(literal, literals));
+    work_.messages.error(phrase("'{}' is not a value of the enumeration {}", literal, definition.qualifiedName), span,
+                         didYouMean(literal, literals));
     return std::nullopt;
 }
 
@@ -295,7 +295,7 @@ std::optional<Value> Translator::namedConstant(const syntax::Name& name, const S
             found = true;
             std::vector<std::string> names;
             for (const auto& component : definition->definition->components) names.push_back(component.name);
-            work_.messages.error(fmt::format("'{}' has no constant '{}'", definition->qualifiedName, last), name.span,
+            work_.messages.error(phrase("'{}' has no constant '{}'", definition->qualifiedName, last), name.span,
                                  didYouMean(last, names));
             return std::nullopt;
         }
@@ -319,10 +319,10 @@ std::optional<Value> Translator::constantOf(const LibraryClass& definition, cons
         work_.keepSource(*definition.definition);
         const auto busy = busyConstants_.emplace(&definition, name);
         if (!busy.second || !component.binding) {
-            work_.messages.error(
-                busy.second ? fmt::format("the constant '{}.{}' has no value", definition.qualifiedName, name)
-                            : fmt::format("the constant '{}.{}' depends on itself", definition.qualifiedName, name),
-                component.nameSpan);
+            work_.messages.error(busy.second
+                                     ? phrase("the constant '{}.{}' has no value", definition.qualifiedName, name)
+                                     : phrase("the constant '{}.{}' depends on itself", definition.qualifiedName, name),
+                                 component.nameSpan);
             if (busy.second) busyConstants_.erase(busy.first);
             return std::nullopt;
         }
@@ -342,8 +342,8 @@ std::optional<Value> Translator::constantOf(const LibraryClass& definition, cons
             found = true;
             work_.keepSource(tree);
             if (!busyConstants_.emplace(&definition, name).second) {
-                work_.messages.error(
-                    fmt::format("the constant '{}.{}' depends on itself", definition.qualifiedName, name), m.span);
+                work_.messages.error(phrase("the constant '{}.{}' depends on itself", definition.qualifiedName, name),
+                                     m.span);
                 return std::nullopt;
             }
             auto value = translate(*m.value, {nullptr, scope});

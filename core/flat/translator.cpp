@@ -20,7 +20,8 @@ constexpr int deepestNesting = 400;
 
 std::optional<Value> Translator::translate(const Expression& expression, const Scope& scope) {
     if (depth_ >= deepestNesting) {
-        work_.messages.error("the expression is nested too deeply", expression.span, "split it with variables");
+        work_.messages.error(phrase("the expression is nested too deeply"), expression.span,
+                             phrase("split it with variables"));
         return std::nullopt;
     }
     ++depth_;
@@ -59,12 +60,11 @@ std::optional<Value> Translator::translateNested(const Expression& expression, c
             break;
         case Kind::Tuple:
             if (expression.operands.size() == 1) return translate(expression.operands[0], scope);
-            work_.messages.error("a list in parentheses is not a value here", expression.span,
-                                 "write one equation for each member");
+            work_.messages.error(phrase("a list in parentheses is not a value here"), expression.span,
+                                 phrase("write one equation for each member"));
             return std::nullopt;
     }
-    work_.messages.error(fmt::format("'{}' has a meaning in a subscript only", expression.span.text()),
-                         expression.span);
+    work_.messages.error(phrase("'{}' has a meaning in a subscript only", expression.span.text()), expression.span);
     return std::nullopt;
 }
 
@@ -81,8 +81,8 @@ std::optional<Value> Translator::translate(const ModifierValue& modifier) {
                 value = value->part(subscripts[used]);
             return value;
         }
-        work_.messages.error("a record can be set to another record only", expression->span,
-                             "modify its parameters: name(parameter = value)");
+        work_.messages.error(phrase("a record can be set to another record only"), expression->span,
+                             phrase("modify its parameters: name(parameter = value)"));
         return std::nullopt;
     }
     // {a, b, c}[2] needs only b.
@@ -92,13 +92,13 @@ std::optional<Value> Translator::translate(const ModifierValue& modifier) {
     auto value = translate(*expression, modifier.scope);
     for (; value && used < subscripts.size(); ++used) {
         if (value->isScalar()) {
-            work_.messages.error("a single value is given to an array of components", expression->span,
-                                 "write 'each' before the name, or one value per element: {a, b, …}");
+            work_.messages.error(phrase("a single value is given to an array of components"), expression->span,
+                                 phrase("write 'each' before the name, or one value per element: {{a, b, …}}"));
             return std::nullopt;
         }
         if (subscripts[used] > value->dimensions[0]) {
             work_.messages.error(
-                fmt::format("the value has size {}, the array of components is larger", sizeText(value->dimensions)),
+                phrase("the value has size {}, the array of components is larger", sizeText(value->dimensions)),
                 expression->span);
             return std::nullopt;
         }
@@ -111,7 +111,8 @@ bool Translator::spend(std::size_t elements, const Span& span) {
     constexpr std::size_t most = 10'000'000;
     spent_ += elements;
     if (spent_ <= most) return true;
-    work_.messages.fatal("the arrays of the model are too large to be worked out", span, "use smaller sizes");
+    work_.messages.fatal(phrase("the arrays of the model are too large to be worked out"), span,
+                         phrase("use smaller sizes"));
     return false;
 }
 
@@ -120,8 +121,8 @@ std::optional<Value> Translator::unary(const Expression& expression, const Scope
     if (!value) return value;
     const bool isNot = expression.text == "not";
     if (isNot ? value->type != FlatType::Boolean : !value->isNumeric()) {
-        work_.messages.error(fmt::format("'{}' needs a {} value, not {}", expression.text,
-                                         isNot ? "Boolean" : "numeric", typeText(*value)),
+        work_.messages.error(isNot ? phrase("'{}' needs a Boolean value, not {}", expression.text, typeText(*value))
+                                   : phrase("'{}' needs a numeric value, not {}", expression.text, typeText(*value)),
                              expression.operands[0].span);
         return std::nullopt;
     }
@@ -153,7 +154,7 @@ std::optional<Value> Translator::conditional(const Expression& expression, const
         const auto condition = translate(operands[i - 2], scope);
         const auto branch = translate(operands[i - 1], scope);
         if (condition && (condition->type != FlatType::Boolean || !condition->isScalar())) {
-            work_.messages.error(fmt::format("the condition after 'if' must be Boolean, not {}", typeText(*condition)),
+            work_.messages.error(phrase("the condition after 'if' must be Boolean, not {}", typeText(*condition)),
                                  operands[i - 2].span);
             sound = false;
         }
@@ -163,7 +164,7 @@ std::optional<Value> Translator::conditional(const Expression& expression, const
         if (branch->dimensions != result->dimensions ||
             (!bothNumeric && (branch->type != result->type || branch->enumeration != result->enumeration))) {
             work_.messages.error(
-                fmt::format("the branches of 'if' differ in type: {} and {}", typeText(*branch), typeText(*result)),
+                phrase("the branches of 'if' differ in type: {} and {}", typeText(*branch), typeText(*result)),
                 operands[i - 1].span);
             sound = false;
             continue;
@@ -171,7 +172,7 @@ std::optional<Value> Translator::conditional(const Expression& expression, const
         if (result->type == FlatType::String) {
             const auto chosen = constantNumber(condition->elements[0], true);
             if (!chosen) {
-                work_.messages.error("a text cannot change while the model runs", operands[i - 2].span);
+                work_.messages.error(phrase("a text cannot change while the model runs"), operands[i - 2].span);
                 sound = false;
             } else if (*chosen != 0) {
                 result = branch;
@@ -205,8 +206,8 @@ std::optional<Value> Translator::comprehension(const Expression& expression, con
     if (outermost == 0) return translate(expression.operands[0], scope);
     const auto& [name, ranges] = expression.iterators[outermost - 1];
     if (ranges.empty()) {
-        work_.messages.error(fmt::format("the iterator '{}' needs a range", name), expression.span,
-                             "write: for i in 1:n");
+        work_.messages.error(phrase("the iterator '{}' needs a range", name), expression.span,
+                             phrase("write: for i in 1:n"));
         return std::nullopt;
     }
     const auto values = range(ranges[0], scope);
@@ -237,7 +238,7 @@ bool Translator::append(Value& array, const Value& part, const Span& span) {
         Value first = array;
         first.dimensions.erase(first.dimensions.begin());
         work_.messages.error(
-            fmt::format("the elements of an array must be alike: {} and {}", typeText(first), typeText(part)), span);
+            phrase("the elements of an array must be alike: {} and {}", typeText(first), typeText(part)), span);
         return false;
     }
     ++array.dimensions[0];
@@ -252,8 +253,8 @@ std::optional<Value> Translator::range(const Expression& expression, const Scope
         auto value = translate(expression, scope);
         if (value && value->dimensions.size() == 1) return value;
         if (value)
-            work_.messages.error(fmt::format("a range is expected, not {}", typeText(*value)), expression.span,
-                                 "write: first:last");
+            work_.messages.error(phrase("a range is expected, not {}", typeText(*value)), expression.span,
+                                 phrase("write: first:last"));
         return std::nullopt;
     }
     Value result;
@@ -265,8 +266,8 @@ std::optional<Value> Translator::range(const Expression& expression, const Scope
         const auto number =
             limit->isScalar() && limit->isNumeric() ? constantNumber(limit->elements[0], true) : std::nullopt;
         if (!number) {
-            work_.messages.error("the limits of a range must be numbers that are known before the simulation",
-                                 expression.operands[i].span, "use a parameter or a constant");
+            work_.messages.error(phrase("the limits of a range must be numbers that are known before the simulation"),
+                                 expression.operands[i].span, phrase("use a parameter or a constant"));
             return std::nullopt;
         }
         if (limit->type == FlatType::Real) result.type = FlatType::Real;
@@ -277,8 +278,7 @@ std::optional<Value> Translator::range(const Expression& expression, const Scope
     const double last = limits[expression.operands.size() - 1];
     const double steps = std::floor((last - first) / step * (1 + 1e-12) + 1e-12);
     if (step == 0 || !(steps < static_cast<double>(Instantiator::mostScalars))) {
-        work_.messages.error(fmt::format("the range has more than {} values", Instantiator::mostScalars),
-                             expression.span);
+        work_.messages.error(phrase("the range has more than {} values", Instantiator::mostScalars), expression.span);
         return std::nullopt;
     }
     const int count = steps < 0 ? 0 : static_cast<int>(steps) + 1;
@@ -329,33 +329,31 @@ std::optional<double> Translator::constantNumber(ExpressionId id, bool isStructu
     return number;
 }
 
-std::optional<int> Translator::constantInteger(const Expression& expression, const Scope& scope,
-                                               const std::string& what) {
+std::optional<int> Translator::constantInteger(const Expression& expression, const Scope& scope, const Text& what) {
     const auto value = translate(expression, scope);
     if (!value) return std::nullopt;
     if (value->type == FlatType::Integer && value->isScalar()) {
         if (const auto number = constantNumber(value->elements[0], true);
             number && std::fabs(*number) <= std::numeric_limits<int>::max())
             return static_cast<int>(std::lround(*number));
-        work_.messages.error(fmt::format("{} must be known before the simulation", what), expression.span,
-                             "use a number, a parameter with a value or a constant");
+        work_.messages.error(phrase("{} must be known before the simulation", what), expression.span,
+                             phrase("use a number, a parameter with a value or a constant"));
         return std::nullopt;
     }
-    work_.messages.error(fmt::format("{} must be an Integer, not {}", what, typeText(*value)), expression.span);
+    work_.messages.error(phrase("{} must be an Integer, not {}", what, typeText(*value)), expression.span);
     return std::nullopt;
 }
 
-std::optional<bool> Translator::constantBoolean(const Expression& expression, const Scope& scope,
-                                                const std::string& what) {
+std::optional<bool> Translator::constantBoolean(const Expression& expression, const Scope& scope, const Text& what) {
     const auto value = translate(expression, scope);
     if (!value) return std::nullopt;
     if (value->type == FlatType::Boolean && value->isScalar()) {
         if (const auto number = constantNumber(value->elements[0], true)) return *number != 0;
-        work_.messages.error(fmt::format("{} must be known before the simulation", what), expression.span,
-                             "use a parameter with a value");
+        work_.messages.error(phrase("{} must be known before the simulation", what), expression.span,
+                             phrase("use a parameter with a value"));
         return std::nullopt;
     }
-    work_.messages.error(fmt::format("{} must be Boolean, not {}", what, typeText(*value)), expression.span);
+    work_.messages.error(phrase("{} must be Boolean, not {}", what, typeText(*value)), expression.span);
     return std::nullopt;
 }
 

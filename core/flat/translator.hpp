@@ -33,10 +33,8 @@ public:
                                  const std::vector<std::string>& members = {});
 
     /// Scalars that must be known at compile time; `what` completes "… must be …".
-    std::optional<int> constantInteger(const syntax::Expression& expression, const Scope& scope,
-                                       const std::string& what);
-    std::optional<bool> constantBoolean(const syntax::Expression& expression, const Scope& scope,
-                                        const std::string& what);
+    std::optional<int> constantInteger(const syntax::Expression& expression, const Scope& scope, const Text& what);
+    std::optional<bool> constantBoolean(const syntax::Expression& expression, const Scope& scope, const Text& what);
     std::optional<double> constantNumber(ExpressionId id, bool isStructural);
     /// Whether the expression depends on parameters and constants only.
     bool isParametric(ExpressionId id) const;

@@ -31,16 +31,16 @@ std::optional<ResolvedType> Instantiator::resolveType(const syntax::Name& name, 
         return type;
     }
     if (depth > deepest) {
-        work_.messages.error(fmt::format("the type '{}' is defined through itself", name.text()), name.span);
+        work_.messages.error(phrase("the type '{}' is defined through itself", name.text()), name.span);
         return std::nullopt;
     }
     if (const RedeclaredIn replaced = redeclarationOf(name, scope); replaced.instance) {
         const Instance::RedeclaredClass& r = *replaced.redeclared;
         if (name.parts.size() > 1) {
-            work_.messages.error(
-                fmt::format("'{}' names a class within '{}', which is redeclared; that is not supported", name.text(),
-                            name.parts[0].identifier),
-                name.span, "declare the inner class as \"replaceable\" itself and redeclare that one");
+            work_.messages.error(phrase("'{}' names a class within '{}', which is redeclared; that is not supported",
+                                        name.text(), name.parts[0].identifier),
+                                 name.span,
+                                 phrase("declare the inner class as \"replaceable\" itself and redeclare that one"));
             return std::nullopt;
         }
         std::optional<ResolvedType> type;
@@ -51,16 +51,16 @@ std::optional<ResolvedType> Instantiator::resolveType(const syntax::Name& name, 
             if (type) constrain(*type, *replaced.instance, name.parts[0].identifier);
             return type;
         }
-        work_.messages.error(fmt::format("the class '{}' is redeclared by a class with a body", name.text()), r.span,
-                             "write: redeclare model NAME = CLASS");
+        work_.messages.error(phrase("the class '{}' is redeclared by a class with a body", name.text()), r.span,
+                             phrase("write: redeclare model NAME = CLASS"));
         return std::nullopt;
     }
     const LibraryClass* found = work_.lookup(name, scope.lexical);
     if (!found) {
-        const std::string inside =
-            scope.lexical ? fmt::format(" in '{}'", scope.lexical->qualifiedName) : std::string();
-        work_.messages.error(fmt::format("the class '{}' is not known{}", name.text(), inside), name.span,
-                             didYouMean(name.text(), work_.library.names()));
+        work_.messages.error(
+            scope.lexical ? phrase("the class '{}' is not known in '{}'", name.text(), scope.lexical->qualifiedName)
+                          : phrase("the class '{}' is not known", name.text()),
+            name.span, didYouMean(name.text(), work_.library.names()));
         return std::nullopt;
     }
     if (!isReachedUnmodified(name, scope, *found)) return std::nullopt;
@@ -100,10 +100,10 @@ bool Instantiator::isReachedUnmodified(const syntax::Name& name, const Scope& sc
                                             [](const syntax::Extends& base) { return !base.modifications.empty(); });
         if (isModified) {
             work_.messages.error(
-                fmt::format("'{}' is inherited by {}, which modifies what it inherits; that is not supported for the "
-                            "classes of a package",
-                            name.text(), holder->qualifiedName),
-                name.span, fmt::format("use {} and modify its parameters", found.qualifiedName));
+                phrase("'{}' is inherited by {}, which modifies what it inherits; that is not supported for the "
+                       "classes of a package",
+                       name.text(), holder->qualifiedName),
+                name.span, phrase("use {} and modify its parameters", found.qualifiedName));
             return false;
         }
         const std::vector<const LibraryClass*> bases = work_.library.bases(*holder);
@@ -120,15 +120,14 @@ bool Instantiator::satisfies(const ResolvedType& type, const syntax::Name& const
                              const Span& span) {
     const auto required = resolveType(constraint, scope);
     if (!required) return false;
-    const auto refuse = [&](const std::string& why) {
-        work_.messages.error(
-            fmt::format("{} cannot take the place of {}: {}", type.className, required->className, why), span,
-            fmt::format("use a class that extends {}", required->className));
+    const auto refuse = [&](const Text& why) {
+        work_.messages.error(phrase("{} cannot take the place of {}: {}", type.className, required->className, why),
+                             span, phrase("use a class that extends {}", required->className));
         return false;
     };
     if (type.isBuiltin || required->isBuiltin) {
         const bool same = type.isBuiltin && required->isBuiltin && type.builtin == required->builtin;
-        return same || refuse("it is of another type");
+        return same || refuse(phrase("it is of another type"));
     }
     if (work_.library.isDerived(type.definition->qualifiedName, required->definition->qualifiedName)) return true;
     const auto elementsOf = [&](const LibraryClass& definition) -> Instance& {
@@ -140,7 +139,7 @@ bool Instantiator::satisfies(const ResolvedType& type, const syntax::Name& const
     Instance& offered = elementsOf(*type.definition);
     for (const Element& element : elementsOf(*required->definition).elements)
         if (!element.isProtected && !offered.find(element.declaration->name))
-            return refuse(fmt::format("it has no '{}'", element.declaration->name));
+            return refuse(phrase("it has no '{}'", element.declaration->name));
     return true;
 }
 

@@ -44,7 +44,7 @@ std::string UnitCheck::unitText(ExpressionId id) const {
     return text(*units_[id.value]);
 }
 
-void UnitCheck::blame(std::uint32_t node, std::string message) {
+void UnitCheck::blame(std::uint32_t node, Text message) {
     if (fault_[node] != none) return;
     fault_[node] = node;
     message_.emplace(node, std::move(message));
@@ -53,8 +53,8 @@ void UnitCheck::blame(std::uint32_t node, std::string message) {
 UnitCheck::Unit UnitCheck::agreed(std::uint32_t node, ExpressionId a, ExpressionId b, const char* what) {
     const Unit &x = units_[a.value], &y = units_[b.value];
     if (x && y && differ(*x, *y))
-        blame(node, fmt::format("{} of different units: '{}' is in {}, '{}' in {}", what, name(a), unitText(a), name(b),
-                                unitText(b)));
+        blame(node, phrase("{} of different units: '{}' is in {}, '{}' in {}", Text(what, {}, what), name(a),
+                           unitText(a), name(b), unitText(b)));
     return x ? x : y;
 }
 
@@ -62,7 +62,7 @@ void UnitCheck::plain(std::uint32_t node, ExpressionId argument, const char* fun
     const Unit& unit = units_[argument.value];
     if (unit && differ(*unit, {}))
         blame(node,
-              fmt::format("{} of a quantity with a unit: '{}' is in {}", function, name(argument), unitText(argument)));
+              phrase("{} of a quantity with a unit: '{}' is in {}", function, name(argument), unitText(argument)));
 }
 
 UnitCheck::Unit UnitCheck::product(ExpressionId a, ExpressionId b, double sign) const {
@@ -177,7 +177,7 @@ void UnitCheck::judge(std::uint32_t index) {
 }
 
 void UnitCheck::report(ExpressionId left, ExpressionId right, const Span& span) {
-    const char* const hint = "check the equation, or the units of what stands in it";
+    const Text hint = phrase("check the equation, or the units of what stands in it");
     for (const ExpressionId side : {left, right})
         if (const std::uint32_t at = fault_[side.value]; at != none) {
             work_.messages.warning(message_.at(at), span, hint);
@@ -185,8 +185,8 @@ void UnitCheck::report(ExpressionId left, ExpressionId right, const Span& span) 
         }
     const Unit &x = units_[left.value], &y = units_[right.value];
     if (!x || !y || !differ(*x, *y)) return;
-    work_.messages.warning(fmt::format("the units of both sides differ: '{}' is in {}, '{}' in {}", name(left),
-                                       unitText(left), name(right), unitText(right)),
+    work_.messages.warning(phrase("the units of both sides differ: '{}' is in {}, '{}' in {}", name(left),
+                                  unitText(left), name(right), unitText(right)),
                            span, hint);
 }
 
@@ -206,9 +206,9 @@ void UnitCheck::check() {
         if (!variable.binding.valid() || !variable.value.valid()) continue;
         const Unit own = ofVariable({i}), &given = units_[variable.binding.value];
         if (!own || !given || !differ(*own, *given)) continue;
-        work_.messages.warning(fmt::format("'{}' is in {}, its value '{}' in {}", variable.name, variable.unit,
-                                           name(variable.binding), unitText(variable.binding)),
-                               variable.value, "check the value, or the unit of one of them");
+        work_.messages.warning(phrase("'{}' is in {}, its value '{}' in {}", variable.name, variable.unit,
+                                      name(variable.binding), unitText(variable.binding)),
+                               variable.value, phrase("check the value, or the unit of one of them"));
     }
 }
 

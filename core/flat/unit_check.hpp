@@ -30,13 +30,13 @@ private:
     Unit ofVariable(VariableId id);
     std::string name(ExpressionId id) const;
     std::string unitText(ExpressionId id) const;
-    void blame(std::uint32_t node, std::string message);
+    void blame(std::uint32_t node, Text message);
     void report(ExpressionId left, ExpressionId right, const Span& span);
 
     Flattening& work_;
-    std::vector<Unit> units_;                                 // by node
-    std::vector<std::uint32_t> fault_;                        // by node: the node at fault below it; 0xffffffff: none
-    std::unordered_map<std::uint32_t, std::string> message_;  // by node at fault
+    std::vector<Unit> units_;                          // by node
+    std::vector<std::uint32_t> fault_;                 // by node: the node at fault below it; 0xffffffff: none
+    std::unordered_map<std::uint32_t, Text> message_;  // by node at fault
 };
 
 }  // namespace analogon

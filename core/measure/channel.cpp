@@ -14,38 +14,37 @@ namespace {
 Diagnostic unknownColumn(const Table& table, const std::string& name) {
     const std::vector<std::string> names = table.names();
     const std::string alike = suggestion(name, names);
-    std::string hint = alike.empty() ? "" : fmt::format("Did you mean '{}'? ", alike);
     constexpr std::size_t shown = 30;
-    const std::vector<std::string> listed(names.begin(),
-                                          names.begin() + static_cast<std::ptrdiff_t>(std::min(names.size(), shown)));
-    hint += fmt::format("The columns are {}{}.", fmt::join(listed, ", "), names.size() > shown ? ", …" : "");
-    return fileError(fmt::format("there is no column '{}'", name), table.file, 0, 0, std::move(hint));
+    const std::vector<std::string> first(names.begin(),
+                                         names.begin() + static_cast<long>(std::min(shown, names.size())));
+    const std::string columns = fmt::format("{}{}", fmt::join(first, ", "), names.size() > shown ? ", …" : "");
+    Text hint = alike.empty() ? phrase("The columns are {}.", columns)
+                              : phrase("Did you mean '{}'? The columns are {}.", alike, columns);
+    return fileError(phrase("there is no column '{}'", name), table.file, 0, 0, std::move(hint));
 }
 
 /// The first cell that is not a finite number, and how many more there are.
 Diagnostic blankCell(const Table& table, const Column& column, EmptyCells empty) {
     const BlankCell& first = column.blanks.front();
     const bool isMissing = std::isnan(column.values[first.row]);
-    std::string message = fmt::format("column '{}' has {} here (data row {}", column.name,
-                                      isMissing ? "no number" : "an infinite value", first.row + 1);
-    if (column.blanks.size() > 1) {
-        const int last = table.lines[column.blanks.back().row];
-        message += fmt::format("; {} cells in all, the last in line {}", column.blanks.size(), last);
-    }
-    const char* const allowed = empty == EmptyCells::Fault ? "Only outputs may have empty cells. " : "";
-    return fileError(message + ")", table.file, table.lines[first.row], first.position,
-                     fmt::format("{}Remove these rows, fill the cells, or leave them out with \"range\": [from, to] in "
-                                 "the study.",
-                                 allowed));
+    const int last = table.lines[column.blanks.back().row];
+    const std::size_t count = column.blanks.size();
+    const Text what = isMissing ? phrase("no number") : phrase("an infinite value");
+    Text message = count > 1 ? phrase("column '{}' has {} here (data row {}; {} cells in all, the last in line {})",
+                                      column.name, what, first.row + 1, count, last)
+                             : phrase("column '{}' has {} here (data row {})", column.name, what, first.row + 1);
+    Text hint = phrase("Remove these rows, fill the cells, or leave them out with \"range\": [from, to] in the study.");
+    if (empty == EmptyCells::Fault) hint = phrase("Only outputs may have empty cells.") + " " + hint;
+    return fileError(std::move(message), table.file, table.lines[first.row], first.position, std::move(hint));
 }
 
 /// The cells in which an output was not measured.
 Diagnostic unmeasured(const Table& table, const Column& column) {
     const BlankCell& first = column.blanks.front();
-    Diagnostic note = fileError(fmt::format("column '{}' was not measured in {} of {} rows, first in data row {}",
-                                            column.name, column.blanks.size(), column.values.size(), first.row + 1),
+    Diagnostic note = fileError(phrase("column '{}' was not measured in {} of {} rows, first in data row {}",
+                                       column.name, column.blanks.size(), column.values.size(), first.row + 1),
                                 table.file, table.lines[first.row], first.position,
-                                "What the model says there is compared with nothing.");
+                                phrase("What the model says there is compared with nothing."));
     note.severity = Severity::Warning;
     return note;
 }
@@ -76,16 +75,16 @@ Outcome<UnitConversion> conversion(const Table& table, const Column& column, con
     // A unit and its inverse (rpm and s) are related, but by no line.
     if (result && std::isfinite(result->factor) && std::isfinite(result->offset)) return result;
     if (!isKnownUnit(source))
-        return fileError(fmt::format("the unit '{}' of column '{}' is not known", from, column.name), table.file, 0, 0,
-                         fmt::format("The model wants '{}'. Give the right unit in the header, or in the study as "
-                                     "{{\"column\": \"{}\", \"unit\": \"{}\"}}.",
-                                     to, column.name, to));
-    return fileError(fmt::format("column '{}' is in '{}', which cannot be converted to the '{}' of the model",
-                                 column.name, from, to),
-                     table.file, 0, 0,
-                     fmt::format("Map another column, or give the unit in the study as {{\"column\": \"{}\", "
-                                 "\"unit\": …}}.",
-                                 column.name));
+        return fileError(phrase("the unit '{}' of column '{}' is not known", from, column.name), table.file, 0, 0,
+                         phrase("The model wants '{}'. Give the right unit in the header, or in the study as "
+                                "{{\"column\": \"{}\", \"unit\": \"{}\"}}.",
+                                to, column.name, to));
+    return fileError(
+        phrase("column '{}' is in '{}', which cannot be converted to the '{}' of the model", column.name, from, to),
+        table.file, 0, 0,
+        phrase("Map another column, or give the unit in the study as {{\"column\": \"{}\", "
+               "\"unit\": …}}.",
+               column.name));
 }
 
 double medianStep(const std::vector<double>& time) {
@@ -105,13 +104,13 @@ Diagnostics gaps(const Table& table, const Column& column, const std::vector<dou
         if (time[i] - time[i - 1] > gapFactor * usual) found.push_back(i);
     if (found.empty()) return {};
     const std::size_t at = found.front();
-    std::string message = fmt::format("the recording pauses for {:.4g} s before this row; its usual step is {:.4g} s",
-                                      time[at] - time[at - 1], usual);
-    if (found.size() > 1) message += fmt::format(" ({} such gaps in all)", found.size());
+    Text message = phrase("the recording pauses for {:.4g} s before this row; its usual step is {:.4g} s",
+                          time[at] - time[at - 1], usual);
+    if (found.size() > 1) message += phrase(" ({} such gaps in all)", found.size());
     Diagnostic gap = fileError(message, table.file, table.lines[at], 0,
-                               fmt::format("Between rows, inputs run linearly in '{}'. Use \"range\" in the study to "
-                                           "leave a part out.",
-                                           column.name));
+                               phrase("Between rows, inputs run linearly in '{}'. Use \"range\" in the study to "
+                                      "leave a part out.",
+                                      column.name));
     gap.severity = Severity::Warning;
     return {gap};
 }
@@ -146,19 +145,21 @@ Outcome<std::vector<double>> readTime(const Table& table, const std::string& col
     const Column& source = *table.find(column);
     const std::vector<double>& time = *channel;
     if (time.size() < 2)
-        return fileError("the recording has only one row", table.file, table.lines.empty() ? 0 : table.lines.front(), 0,
-                         "At least two samples are needed.");
+        return fileError(phrase("the recording has only one row"), table.file,
+                         table.lines.empty() ? 0 : table.lines.front(), 0, phrase("At least two samples are needed."));
     if (std::all_of(time.begin(), time.end(), [&](double t) { return t == time.front(); }))
-        return fileError(fmt::format("the time in column '{}' stands still at {}", column, source.values.front()),
-                         table.file, table.lines.front(), 0, "Name the column that holds the time in seconds.");
+        return fileError(phrase("the time in column '{}' stands still at {}", column, source.values.front()),
+                         table.file, table.lines.front(), 0, phrase("Name the column that holds the time in seconds."));
     for (std::size_t i = 1; i < time.size(); ++i) {
         if (time[i] > time[i - 1]) continue;
         const bool repeats = time[i] == time[i - 1];
-        return fileError(fmt::format("the time in column '{}' {} (data row {}): {} after {}", column,
-                                     repeats ? "repeats" : "goes back", i + 1, source.values[i], source.values[i - 1]),
+        return fileError(repeats ? phrase("the time in column '{}' repeats (data row {}): {} after {}", column, i + 1,
+                                          source.values[i], source.values[i - 1])
+                                 : phrase("the time in column '{}' goes back (data row {}): {} after {}", column, i + 1,
+                                          source.values[i], source.values[i - 1]),
                          table.file, table.lines[i], 0,
-                         repeats ? "Remove the repeated row, or write the time with more digits."
-                                 : "Sort the rows by time, or split the file where the recording starts anew.");
+                         repeats ? phrase("Remove the repeated row, or write the time with more digits.")
+                                 : phrase("Sort the rows by time, or split the file where the recording starts anew."));
     }
     return {time, gaps(table, source, time)};
 }

@@ -67,8 +67,8 @@ public:
 
     Outcome<Table> read() {
         if (text_.substr(0, 4096).find('\0') != std::string_view::npos)
-            return fileError("this is not a text file", table_.file, 1, 0,
-                             "Export the measurement as comma-separated values.");
+            return fileError(phrase("this is not a text file"), table_.file, 1, 0,
+                             phrase("Export the measurement as comma-separated values."));
         findDialect();
         if (!readHeader()) return faults_;
         reserve();
@@ -77,8 +77,8 @@ public:
             advance();
         }
         if (table_.rows() == 0)
-            return fileError("the file has a header and no data rows", table_.file, headerLine_, 0,
-                             "Check that the recording was exported with its values.");
+            return fileError(phrase("the file has a header and no data rows"), table_.file, headerLine_, 0,
+                             phrase("Check that the recording was exported with its values."));
         dropEmptyLastColumn();
         return {std::move(table_), std::move(warnings_)};
     }
@@ -86,7 +86,7 @@ public:
 private:
     void advance() { hasLine_ = lines_.next(line_); }
 
-    bool fault(std::string message, int line, int position, std::string hint, std::string_view lineText = {}) {
+    bool fault(Text message, int line, int position, Text hint, std::string_view lineText = {}) {
         Diagnostic diagnostic = fileError(std::move(message), table_.file, line, position, std::move(hint));
         diagnostic.place.lineText = std::string(lineText);
         diagnostic.place.length = 1;
@@ -119,7 +119,8 @@ private:
             if (!skipped) break;
         }
         if (!hasLine_)
-            return fault("the file is empty", 0, 0, "Check that the recording was exported with its values.");
+            return fault(phrase("the file is empty"), 0, 0,
+                         phrase("Check that the recording was exported with its values."));
         CsvRow row = split(line_);
         if (row.openQuote) return openQuote(row);
         headerLine_ = line_.number;
@@ -143,8 +144,8 @@ private:
         for (std::size_t i = 0; i < row.cells.size(); ++i)
             table_.columns.push_back({fmt::format("c{}", i + 1), "", {}, {}});
         warnings_.push_back(fileError(
-            "the file has no header", table_.file, line_.number, 0,
-            fmt::format("Its columns are called {} to {}.", table_.columns.front().name, table_.columns.back().name)));
+            phrase("the file has no header"), table_.file, line_.number, 0,
+            phrase("Its columns are called {} to {}.", table_.columns.front().name, table_.columns.back().name)));
         warnings_.back().severity = Severity::Warning;
         return true;
     }
@@ -157,8 +158,8 @@ private:
     }
 
     bool openQuote(const CsvRow& row) {
-        return fault("a quotation mark is opened and not closed on its line", line_.number, row.openQuote,
-                     "Close it, or double it where the mark itself is meant.", line_.text);
+        return fault(phrase("a quotation mark is opened and not closed on its line"), line_.number, row.openQuote,
+                     phrase("Close it, or double it where the mark itself is meant."), line_.text);
     }
 
     void nameColumns(const CsvRow& row) {
@@ -174,8 +175,8 @@ private:
             if (header.name != wanted) {
                 ++taken[header.name];
                 Diagnostic renamed =
-                    fileError(fmt::format("there are several columns named '{}'", wanted), table_.file, headerLine_,
-                              cell.position, fmt::format("This one is called '{}' here.", header.name));
+                    fileError(phrase("there are several columns named '{}'", wanted), table_.file, headerLine_,
+                              cell.position, phrase("This one is called '{}' here.", header.name));
                 renamed.severity = Severity::Warning;
                 warnings_.push_back(std::move(renamed));
             }
@@ -279,24 +280,27 @@ private:
         const std::size_t expected = table_.columns.size();
         const std::size_t found = row.cells.size();
         const int position = found > expected ? row.cells[expected].position : static_cast<int>(line_.text.size()) + 1;
-        std::string hint = "Every row needs one cell for each column of the header.";
+        Text hint = phrase("Every row needs one cell for each column of the header.");
         if (separator_ == ',' && found > expected)
-            hint += " If the commas are decimal marks, the columns must be separated by ; or a tab.";
-        return fault(fmt::format("this row has {} cell{}, the header has {}", found, found == 1 ? "" : "s", expected),
+            hint += phrase(" If the commas are decimal marks, the columns must be separated by ; or a tab.");
+        return fault(found == 1 ? phrase("this row has one cell, the header has {}", expected)
+                                : phrase("this row has {} cells, the header has {}", found, expected),
                      line_.number, position, std::move(hint), line_.text);
     }
 
     bool notANumber(const CsvCell& cell, const std::string& column) {
         const char other = decimal_ == ',' ? '.' : ',';
         if (decimal_ && isNumeric(cell.text) && readCell(cell.text, other).kind != CellValue::Kind::Text)
-            return fault(
-                fmt::format("'{}' in column '{}' has a decimal {}, line {} has a decimal {}", cell.text, column,
-                            other == ',' ? "comma" : "point", decimalLine_, other == ',' ? "point" : "comma"),
-                line_.number, cell.position, "Write the whole file with one decimal mark.", line_.text);
-        std::string hint = "Only numbers can be read; leave the cell of an output empty where it was not measured.";
+            return fault(other == ',' ? phrase("'{}' in column '{}' has a decimal comma, line {} has a decimal point",
+                                               cell.text, column, decimalLine_)
+                                      : phrase("'{}' in column '{}' has a decimal point, line {} has a decimal comma",
+                                               cell.text, column, decimalLine_),
+                         line_.number, cell.position, phrase("Write the whole file with one decimal mark."),
+                         line_.text);
+        Text hint = phrase("Only numbers can be read; leave the cell of an output empty where it was not measured.");
         if (cell.text.find(',') != std::string::npos && cell.text.find('.') != std::string::npos)
-            hint = "Marks between thousands cannot be read: write 1234.5.";
-        return fault(fmt::format("'{}' in column '{}' is not a number", cell.text.substr(0, 60), column), line_.number,
+            hint = phrase("Marks between thousands cannot be read: write 1234.5.");
+        return fault(phrase("'{}' in column '{}' is not a number", cell.text.substr(0, 60), column), line_.number,
                      cell.position, std::move(hint), line_.text);
     }
 
@@ -337,14 +341,15 @@ Outcome<Table> readCsvText(std::string_view text, const std::string& name, const
 Outcome<Table> readCsv(const std::filesystem::path& file, const CsvOptions& options) {
     std::error_code code;
     if (std::filesystem::is_directory(file, code))
-        return fileError("this is a directory, not a measurement file", file.string());
+        return fileError(phrase("this is a directory, not a measurement file"), file.string());
     std::ifstream stream(file, std::ios::binary | std::ios::ate);
     if (!stream)
-        return fileError("the file cannot be opened", file.string(), 0, 0, "Check its name and its access rights.");
+        return fileError(phrase("the file cannot be opened"), file.string(), 0, 0,
+                         phrase("Check its name and its access rights."));
     std::string bytes(static_cast<std::size_t>(stream.tellg()), '\0');
     stream.seekg(0);
     if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
-        return fileError("the file cannot be read", file.string());
+        return fileError(phrase("the file cannot be read"), file.string());
     return readCsvText(bytes, file.string(), options);
 }
 

@@ -50,9 +50,9 @@ Outcome<Table> readTable(const std::filesystem::path& file) {
         options.separator = '\t';
         return readCsv(file, options);
     }
-    return fileError(fmt::format("files ending in '{}' cannot be read", ending), file.string(), 0, 0,
-                     "Measurements are read from .csv, .txt, .tsv and .dat files: export the recording as "
-                     "comma-separated values.");
+    return fileError(phrase("files ending in '{}' cannot be read", ending), file.string(), 0, 0,
+                     phrase("Measurements are read from .csv, .txt, .tsv and .dat files: export the recording as "
+                            "comma-separated values."));
 }
 
 std::string csvCell(std::string_view text) {

@@ -274,7 +274,8 @@ private:
                 out_ += "<div class=\"card\">" + escapeHtml(remainderWords(remainder)) + "</div>\n";
         }
         if (!finding_.nextExperiment.empty())
-            out_ += "<h2>Next experiment</h2>\n<div class=\"card\">" + escapeHtml(finding_.nextExperiment) + "</div>\n";
+            out_ += "<h2>Next experiment</h2>\n<div class=\"card\">" + escapeHtml(finding_.nextExperiment.english()) +
+                    "</div>\n";
     }
 
     void plots() {
@@ -376,7 +377,7 @@ private:
             out_ += "</td></tr>\n";
         }
         closeTable();
-        const std::string status = statusWords(after_.status), message = escapeHtml(after_.message);
+        const std::string status = statusWords(after_.status), message = escapeHtml(after_.message.english());
         std::string end = status == "converged" ? status : "stopped: " + status;
         if (message.starts_with(end))
             end = message;  // "converged after 7 iterations"
@@ -515,12 +516,12 @@ private:
     }
 
     void remarks() {
-        std::vector<std::string> lines = finding_.warnings;
-        for (const std::string& remark : after_.remarks)
+        std::vector<Text> lines = finding_.warnings;
+        for (const Text& remark : after_.remarks)
             if (std::find(lines.begin(), lines.end(), remark) == lines.end()) lines.push_back(remark);
         if (lines.empty()) return;
         out_ += "<h2>Warnings and remarks</h2>\n<div class=\"card\"><ul>";
-        for (const std::string& text : lines) out_ += "<li>" + escapeHtml(text) + "</li>";
+        for (const Text& text : lines) out_ += "<li>" + escapeHtml(text.english()) + "</li>";
         out_ += "</ul></div>\n";
     }
 

@@ -21,15 +21,6 @@ std::string lowerFirst(std::string text) {
     return text;
 }
 
-std::string listed(const std::vector<std::string>& parts) {
-    std::string text;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (i > 0) text += i + 1 == parts.size() ? " and " : ", ";
-        text += parts[i];
-    }
-    return text;
-}
-
 /// "The error on validation data falls from 8.6 % to 1.1 %."
 std::string errorWords(const Finding& finding) {
     for (const Role role : {Role::Validate, Role::Fit}) {
@@ -134,7 +125,7 @@ std::string verdictWords(const CandidateResult& candidate) {
         case Verdict::Absorbed:
             return candidate.absorbedBy.empty()
                        ? "the data cannot show it: it only shifts parameters"
-                       : "the data cannot show it: it only shifts " + listed(candidate.absorbedBy);
+                       : "the data cannot show it: it only shifts " + listed(candidate.absorbedBy).english();
         case Verdict::WrongSign:
             return "would need a strength of the wrong physical sign";
         case Verdict::FailsHeldOut:
@@ -157,11 +148,12 @@ std::string remainderWords(const Remainder& remainder) {
     std::vector<std::string> variables;
     for (const Correlate& correlate : remainder.movesWith)
         variables.push_back(fmt::format("{} (correlation {:.2f})", correlate.variable, correlate.correlation));
-    if (!variables.empty()) text += "; it moves with " + listed(variables);
+    if (!variables.empty()) text += "; it moves with " + listed(variables).english();
     text += '.';
     const bool isWorse = remainder.worsensValidation();
     if (!remainder.proposedEquation.empty())
-        text += (isWorse ? " Proposed, but not borne out by validation: " : " Proposed: ") + remainder.proposedEquation;
+        text += (isWorse ? " Proposed, but not borne out by validation: " : " Proposed: ") +
+                remainder.proposedEquation.english();
     if (!remainder.proposedClass.empty())
         text += fmt::format(" (block {}{})", remainder.proposedClass,
                             remainder.proposedBlock.empty() ? "" : ", written to proposed.mo");

@@ -335,8 +335,8 @@ private:
         constexpr std::size_t most = 20;
         if (result_.remarks.size() >= most) return;
         result_.remarks.push_back(
-            fmt::format("from t = {:.6g} s a relation of {} holds the model between its two sides (sliding)", time_,
-                        stateBehind(sliding_.surfaces())));
+            phrase("from t = {:.6g} s a relation of {} holds the model between its two sides (sliding)", time_,
+                   stateBehind(sliding_.surfaces())));
     }
 
     /// At a root: surfaces that no longer hold the state are left, one that was reached and holds it is joined.

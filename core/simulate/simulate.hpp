@@ -79,7 +79,7 @@ struct Trajectory {
     GridPlan plan;
     Engine engine{Engine::Grid};
     /// What a reader should know though nothing failed: where a switch holds the model between its two sides.
-    std::vector<std::string> remarks;
+    std::vector<Text> remarks;
 
     /// Marks the last samples as not reached: NaN.
     void leaveOpen(Eigen::Index samples);

@@ -57,14 +57,14 @@ void Folder::keep(const StructureOptions& options) {
             for (const FlatVariable& v : model_.variables)
                 if (isParameterLike(v)) names.push_back(v.name);
             const std::string like = suggestion(name, names);
-            faults_.push_back(error(fmt::format("The model '{}' has no parameter '{}'.", model_.name, name), {},
-                                    like.empty() ? "" : fmt::format("Did you mean '{}'?", like)));
+            faults_.push_back(error(phrase("The model '{}' has no parameter '{}'.", model_.name, name), {},
+                                    like.empty() ? "" : phrase("Did you mean '{}'?", like)));
             continue;
         }
         const FlatVariable& variable = model_[id];
         if (!isParameterLike(variable) || variable.variability == FlatVariability::Constant) {
-            faults_.push_back(error(fmt::format("'{}' is not a parameter and cannot be varied.", name),
-                                    variable.declared, "Only parameters of number type can be varied."));
+            faults_.push_back(error(phrase("'{}' is not a parameter and cannot be varied.", name), variable.declared,
+                                    phrase("Only parameters of number type can be varied.")));
             continue;
         }
         if (std::find(out_.parameters.begin(), out_.parameters.end(), id) != out_.parameters.end()) continue;
@@ -75,8 +75,8 @@ void Folder::keep(const StructureOptions& options) {
     for (const VariableId id : out_.parameters) {
         const std::optional<double> value = nominalValue(id);
         if (!value)
-            faults_.push_back(error(fmt::format("The parameter '{}' has no value.", model_[id].name),
-                                    model_[id].declared, "Give it a value to start from in the model."));
+            faults_.push_back(error(phrase("The parameter '{}' has no value.", model_[id].name), model_[id].declared,
+                                    phrase("Give it a value to start from in the model.")));
         out_.parameterValues.push_back(value.value_or(0));
     }
 }
@@ -107,21 +107,21 @@ ExpressionId Folder::resolve(VariableId id) {
     const FlatVariable& variable = model_[id];
     const ExpressionId self = pool_.variable(id);
     if (state_[id.value] == State::Open) {
-        faults_.push_back(error(fmt::format("The value of the parameter '{}' depends on itself.", variable.name),
-                                variable.declared, "Break the circle by giving one of the parameters a number."));
+        faults_.push_back(error(phrase("The value of the parameter '{}' depends on itself.", variable.name),
+                                variable.declared,
+                                phrase("Break the circle by giving one of the parameters a number.")));
         return self;
     }
     state_[id.value] = State::Open;
     ExpressionId value = variable.binding;
     if (!value.valid() && variable.start.valid()) {
         value = variable.start;
-        out_.warnings.push_back(
-            warning(fmt::format("The parameter '{}' has no value; its start value is used.", variable.name),
-                    variable.declared));
+        out_.warnings.push_back(warning(
+            phrase("The parameter '{}' has no value; its start value is used.", variable.name), variable.declared));
     }
     if (!value.valid()) {
-        faults_.push_back(error(fmt::format("The parameter '{}' has no value.", variable.name), variable.declared,
-                                "Give it a value where the component is declared."));
+        faults_.push_back(error(phrase("The parameter '{}' has no value.", variable.name), variable.declared,
+                                phrase("Give it a value where the component is declared.")));
         state_[id.value] = State::Done;
         return result_[id.value] = pool_.constant(0);
     }
@@ -180,10 +180,9 @@ Outcome<FoldedModel> fold(const FlatModel& model, const StructureOptions& option
     for (const SolutionBlock& block : out.parameterBlocks)
         for (const ExpressionId leaf : collect.leaves(block.expressions.front()))
             if (!isParameterLike(model[(*out.system.pool)[leaf].variable]))
-                faults.push_back(
-                    error(fmt::format("The value of the parameter '{}' depends on '{}', which varies in time.",
-                                      out.system.nameOf(block.unknowns.front()), out.system.nameOf(leaf)),
-                          model[(*out.system.pool)[block.unknowns.front()].variable].declared));
+                faults.push_back(error(phrase("The value of the parameter '{}' depends on '{}', which varies in time.",
+                                              out.system.nameOf(block.unknowns.front()), out.system.nameOf(leaf)),
+                                       model[(*out.system.pool)[block.unknowns.front()].variable].declared));
     if (!faults.empty()) return faults;
     return out;
 }

@@ -101,10 +101,10 @@ bool InitialConditions::tryToHold(const Equation& equation) {
 void InitialConditions::holdInitialEquations() {
     for (const Equation& equation : system_.initialEquations)
         if (equation.left != equation.right && !tryToHold(equation))
-            warnings_.push_back(
-                warning(fmt::format("The initial equation {} is not used: the start is decided without it.",
-                                    system_.textOf(equation)),
-                        equation.span, "Remove it, or free one of the other start conditions."));
+            warnings_.push_back(warning(phrase("The initial equation {} is not used: the start is decided without it.",
+                                               system_.textOf(equation)),
+                                        equation.span,
+                                        phrase("Remove it, or free one of the other start conditions.")));
 }
 
 void InitialConditions::holdFixedStarts() {
@@ -114,10 +114,10 @@ void InitialConditions::holdFixedStarts() {
     std::stable_sort(fixed.begin(), fixed.end(), [this](int a, int b) { return isSolved(a) < isSolved(b); });
     for (const int u : fixed)
         if (const Unknown& unknown = system_.unknowns[static_cast<std::size_t>(u)]; !tryToHold(startEquation(unknown)))
-            warnings_.push_back(
-                warning(fmt::format("The fixed start value of '{}' is not used: the start is decided without it.",
-                                    system_.nameOf(unknown.node)),
-                        unknown.declared, "Remove fixed = true here, or free one of the other start conditions."));
+            warnings_.push_back(warning(
+                phrase("The fixed start value of '{}' is not used: the start is decided without it.",
+                       system_.nameOf(unknown.node)),
+                unknown.declared, phrase("Remove fixed = true here, or free one of the other start conditions.")));
 }
 
 /// Start values of as many further states as are still free, given ones first.
@@ -138,7 +138,7 @@ void InitialConditions::holdOtherStarts() {
             assumed += (assumed.empty() ? "" : ", ") + system_.nameOf(unknown.node);
     }
     if (assumed.empty()) return;
-    Diagnostic note = warning(fmt::format("No start value is given for {}; 0 is taken.", assumed));
+    Diagnostic note = warning(phrase("No start value is given for {}; 0 is taken.", assumed));
     note.severity = Severity::Note;
     warnings_.push_back(std::move(note));
 }
@@ -152,7 +152,7 @@ Outcome<std::vector<SolutionBlock>> InitialConditions::run() {
     Outcome<std::vector<SolutionBlock>> blocks = orderSolution(system_, equations_, isKnown);
     if (!blocks) {
         Diagnostics faults = blocks.diagnostics();
-        for (Diagnostic& fault : faults) fault.message = "At the initial time: " + fault.message;
+        for (Diagnostic& fault : faults) fault.message = phrase("At the initial time: {}", fault.message);
         return faults;
     }
     return needed(std::move(*blocks));

@@ -38,15 +38,16 @@ Diagnostic singularSystem(const EquationSystem& system, const std::vector<Equati
         unknowns.push_back(system.nameOf(u));
         if (!place.valid()) place = system.unknowns[static_cast<std::size_t>(u)].declared;
     }
-    std::string message = "The model is singular.";
-    if (!unknowns.empty()) message += fmt::format(" No equation determines {}.", listOf(unknowns, ", "));
+    Text message = phrase("The model is singular.");
+    if (!unknowns.empty()) message += phrase(" No equation determines {}.", listOf(unknowns, ", "));
     if (!equations.empty())
-        message += fmt::format(" These equations have too few unknowns of their own: {}.", listOf(equations, "; "));
+        message += phrase(" These equations have too few unknowns of their own: {}.", listOf(equations, "; "));
     if (equations.empty() && !repeated.empty())
-        message += fmt::format(" These equations repeat what others say: {}.", listOf(repeated, "; "));
-    return error(message, place,
-                 "Look for a part that nothing holds (an open circuit, a loop without a fixed point), or for two "
-                 "sources that impose the same quantity.");
+        message += phrase(" These equations repeat what others say: {}.", listOf(repeated, "; "));
+    return error(
+        message, place,
+        phrase("Look for a part that nothing holds (an open circuit, a loop without a fixed point), or for two "
+               "sources that impose the same quantity."));
 }
 
 }  // namespace analogon

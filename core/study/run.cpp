@@ -55,10 +55,10 @@ Diagnostics failures(const ModelState& state) {
     Diagnostics faults;
     for (const ExperimentState& e : state.experiments)
         if (e.failure.failed && e.failure.reason != "cancelled")
-            faults.push_back(numericalError(
-                fmt::format("the simulation of experiment \"{}\" stopped at t = {:.6g} s: {}{}", e.name, e.failure.time,
-                            e.failure.reason, e.failure.variable.empty() ? "" : " (" + e.failure.variable + ")"),
-                "look at the values of the parameters near that variable"));
+            faults.push_back(numericalError(phrase("the simulation of experiment \"{}\" stopped at t = {:.6g} s: {}{}",
+                                                   e.name, e.failure.time, Text(e.failure.reason, {}, e.failure.reason),
+                                                   e.failure.variable.empty() ? "" : " (" + e.failure.variable + ")"),
+                                            phrase("look at the values of the parameters near that variable")));
     return faults;
 }
 
@@ -66,7 +66,9 @@ Outcome<Done> writeFile(const fs::path& path, const std::string& content) {
     std::ofstream file(path, std::ios::binary);
     file << content;
     file.flush();
-    if (!file) return fileError("cannot write the file", path.string(), 0, 0, "is there space and the right to write?");
+    if (!file)
+        return fileError(phrase("cannot write the file"), path.string(), 0, 0,
+                         phrase("is there space and the right to write?"));
     return Done{};
 }
 
@@ -124,8 +126,8 @@ Outcome<Done> writeResults(const RunResult& result, const std::string& command, 
     std::error_code failed;
     fs::create_directories(directory, failed);
     if (failed)
-        return fileError(fmt::format("cannot create the directory: {}", failed.message()), directory.string(), 0, 0,
-                         "give another --out");
+        return fileError(phrase("cannot create the directory: {}", failed.message()), directory.string(), 0, 0,
+                         phrase("give another --out"));
     // everything is written beside first and moved when it is whole
     const fs::path fresh =
         directory / fmt::format(".writing-{}", std::chrono::steady_clock::now().time_since_epoch().count());
@@ -145,8 +147,8 @@ Outcome<Done> writeResults(const RunResult& result, const std::string& command, 
             if (!fs::exists(fresh / name)) continue;  // nothing is proposed
             fs::rename(fresh / name, directory / name, failed);
             if (failed) {
-                written = fileError(fmt::format("cannot replace the results: {}", failed.message()),
-                                    (directory / name).string());
+                written =
+                    fileError(phrase("cannot replace the results: {}", failed.message()), (directory / name).string());
                 break;
             }
         }

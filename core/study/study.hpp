@@ -69,6 +69,9 @@ Outcome<Study> readStudy(const std::filesystem::path& path);
 /// nothing: written beside first, then moved.
 Outcome<Done> writeStudy(const Study& study, const std::filesystem::path& directory);
 
+/// Whether the offset of the clock of an output's own logger is to be found by the fit.
+bool asksForClock(const std::vector<StudyExperiment>& experiments, const std::string& output);
+
 /// study.json text.
 std::string studyJson(const Study& study);
 

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 Outcome<std::string> readText(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!stream)
-        return fileError("the file cannot be opened", file.string(), 0, 0, "Check its name and its access rights.");
+        return fileError(phrase("the file cannot be opened"), file.string(), 0, 0,
+                         phrase("Check its name and its access rights."));
     std::ostringstream text;
     text << stream.rdbuf();
     return text.str();
@@ -37,18 +38,19 @@ std::vector<fs::path> filesEndingIn(const fs::path& directory, std::string_view 
 Outcome<fs::path> studyFile(const fs::path& path) {
     std::error_code code;
     if (!fs::exists(path, code))
-        return fileError("there is no such file or directory", path.string(), 0, 0,
-                         "Give the directory of a study, or its study.json.");
+        return fileError(phrase("there is no such file or directory"), path.string(), 0, 0,
+                         phrase("Give the directory of a study, or its study.json."));
     if (fs::is_directory(path, code)) {
         if (fs::exists(path / "study.json", code)) return path / "study.json";
-        return fileError("this directory holds no study.json", path.string(), 0, 0,
-                         "A study is a directory with study.json, a model (.mo) and its measurements.");
+        return fileError(phrase("this directory holds no study.json"), path.string(), 0, 0,
+                         phrase("A study is a directory with study.json, a model (.mo) and its measurements."));
     }
     if (path.extension() == ".analogon")
-        return fileError("packed studies cannot be read here", path.string(), 0, 0,
-                         "Unpack it (it is a zip archive) and give the directory.");
+        return fileError(phrase("packed studies cannot be read here"), path.string(), 0, 0,
+                         phrase("Unpack it (it is a zip archive) and give the directory."));
     if (path.extension() == ".json") return path;
-    return fileError("this is not a study", path.string(), 0, 0, "Give the directory of a study, or its study.json.");
+    return fileError(phrase("this is not a study"), path.string(), 0, 0,
+                     phrase("Give the directory of a study, or its study.json."));
 }
 
 /// The file that declares the class; "model.mo" when none does, so that its text can still be shown and mended.
@@ -74,9 +76,9 @@ Outcome<std::shared_ptr<const Table>> readMeasurement(const Study& study, std::s
         for (const fs::path& other : filesEndingIn(study.directory, ".csv"))
             present.push_back(other.filename().string());
         const std::string alike = suggestion(experiment.file, present);
-        std::string hint = "The path is relative to the study's directory.";
-        if (!alike.empty()) hint = fmt::format("Did you mean '{}'?", alike);
-        return error(fmt::format("experiment '{}': there is no file '{}'", experiment.name, experiment.file),
+        Text hint = phrase("The path is relative to the study's directory.");
+        if (!alike.empty()) hint = phrase("Did you mean '{}'?", alike);
+        return error(phrase("experiment '{}': there is no file '{}'", experiment.name, experiment.file),
                      JsonPlaces(study.json).value(fmt::format("/experiments/{}/file", index)), hint);
     }
     Outcome<Table> table = readTable(file);
@@ -86,8 +88,8 @@ Outcome<std::shared_ptr<const Table>> readMeasurement(const Study& study, std::s
 }
 
 Diagnostic cannotWrite(const fs::path& path, const std::error_code& code) {
-    return fileError(fmt::format("this cannot be written: {}", code.message()), path.string(), 0, 0,
-                     "Check that the directory exists, may be written and has room.");
+    return fileError(phrase("this cannot be written: {}", code.message()), path.string(), 0, 0,
+                     phrase("Check that the directory exists, may be written and has room."));
 }
 
 bool leavesDirectory(const fs::path& path) {
@@ -171,7 +173,7 @@ private:
         }
         const auto table = study_.tables.find(from);
         if (table == study_.tables.end() || !table->second)
-            return fileError("the measurement is neither on disk nor in the study", source.string());
+            return fileError(phrase("the measurement is neither on disk nor in the study"), source.string());
         return put(place, writeCsv(*table->second));
     }
 

@@ -28,12 +28,12 @@ struct Node {
     explicit operator bool() const { return value != nullptr; }
 };
 
-std::string typeOf(const Json& value) {
-    if (value.is_object()) return "an object {…}";
-    if (value.is_array()) return "a list […]";
-    if (value.is_string()) return fmt::format("the text \"{}\"", value.get<std::string>());
-    if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
-    if (value.is_number()) return fmt::format("the number {}", value.dump());
+Text typeOf(const Json& value) {
+    if (value.is_object()) return phrase("an object {{…}}");
+    if (value.is_array()) return phrase("a list […]");
+    if (value.is_string()) return phrase("the text \"{}\"", value.get<std::string>());
+    if (value.is_boolean()) return Text(value.get<bool>() ? "true" : "false");
+    if (value.is_number()) return phrase("the number {}", value.dump());
     return "null";
 }
 
@@ -45,17 +45,17 @@ public:
     Outcome<Study> read() {
         const Node root{&json_, ""};
         if (!json_.is_object()) {
-            expected(root, "an object {…} with the members of a study");
+            expected(root, phrase("an object {{…}} with the members of a study"));
             return faults_;
         }
         for (const Span& twice : places_.duplicates())
-            faults_.push_back(error(fmt::format("{} is given twice", twice.text()), twice, "Keep one of them."));
+            faults_.push_back(error(phrase("{} is given twice", twice.text()), twice, phrase("Keep one of them.")));
         readFormat(root);
         study_.className = requiredText(root, "class");
         readExperiments(root);
         readParameters(root);
         readLibrary(root);
-        keepUnknown(root, {"format", "class", "experiments", "parameters", "library"}, "a study", extra_);
+        keepUnknown(root, {"format", "class", "experiments", "parameters", "library"}, phrase("a study"), extra_);
         study_.extraJson = extra_.empty() ? std::string() : extra_.dump();
         study_.json = places_.source();
         if (!faults_.empty()) return faults_;
@@ -63,25 +63,27 @@ public:
     }
 
 private:
-    void fault(const Node& node, std::string message, std::string hint = {}) {
+    void fault(const Node& node, Text message, Text hint = {}) {
         faults_.push_back(error(std::move(message), places_.value(node.pointer), std::move(hint)));
     }
 
     /// "experiments/0/file" as the reader of the file would say it.
-    static std::string path(const Node& node) { return node.pointer.empty() ? "the study" : node.pointer.substr(1); }
-
-    void expected(const Node& node, std::string_view what) {
-        fault(node, fmt::format("{}: expected {}, found {}", path(node), what, typeOf(*node.value)));
+    static Text path(const Node& node) {
+        return node.pointer.empty() ? phrase("the study") : Text(node.pointer.substr(1));
     }
 
-    void missing(const Node& owner, const std::string& name, const std::string& hint = {}) {
-        fault(owner, fmt::format("{}: the member \"{}\" is missing", path(owner), name), hint);
+    void expected(const Node& node, const Text& what) {
+        fault(node, phrase("{}: expected {}, found {}", path(node), what, typeOf(*node.value)));
+    }
+
+    void missing(const Node& owner, const std::string& name, const Text& hint = {}) {
+        fault(owner, phrase("{}: the member \"{}\" is missing", path(owner), name), hint);
     }
 
     std::string text(const Node& node) {
         if (node.value->is_string() && !node.value->get_ref<const std::string&>().empty())
             return node.value->get<std::string>();
-        expected(node, "a text that is not empty");
+        expected(node, phrase("a text that is not empty"));
         return {};
     }
 
@@ -95,50 +97,49 @@ private:
     std::optional<double> number(const Node& node) {
         if (!node) return std::nullopt;
         if (node.value->is_number()) return node.value->get<double>();
-        expected(node, "a number");
+        expected(node, phrase("a number"));
         return std::nullopt;
     }
 
-    bool isObject(const Node& node, std::string_view what) {
+    bool isObject(const Node& node, const Text& what) {
         if (!node) return false;
         if (!node.value->is_object()) expected(node, what);
         return node.value->is_object();
     }
 
-    void keepUnknown(const Node& owner, const std::vector<std::string>& known, std::string_view what, Json& kept) {
+    void keepUnknown(const Node& owner, const std::vector<std::string>& known, const Text& what, Json& kept) {
         for (const auto& [name, value] : owner.value->items()) {
             if (std::find(known.begin(), known.end(), name) != known.end()) continue;
             kept[name] = value;
             const std::string alike = suggestion(name, known);
-            warnings_.push_back(
-                warning(fmt::format("\"{}\" is no member of {}; it is kept and has no effect", name, what),
-                        places_.name(owner.pointer + '/' + JsonPlaces::escape(name)),
-                        alike.empty() ? "" : fmt::format("Did you mean \"{}\"?", alike)));
+            warnings_.push_back(warning(phrase("\"{}\" is no member of {}; it is kept and has no effect", name, what),
+                                        places_.name(owner.pointer + '/' + JsonPlaces::escape(name)),
+                                        alike.empty() ? Text() : phrase("Did you mean \"{}\"?", alike)));
         }
     }
 
     void readFormat(const Node& root) {
         const std::string format = requiredText(root, "format");
         if (!format.empty() && format != formatName)
-            fault(root.member("format"), fmt::format("the format \"{}\" is not known", format),
-                  fmt::format("This program reads \"{}\".", formatName));
+            fault(root.member("format"), phrase("the format \"{}\" is not known", format),
+                  phrase("This program reads \"{}\".", formatName));
     }
 
     void readExperiments(const Node& root) {
         const Node list = root.member("experiments");
         if (!list) return missing(root, "experiments");
-        if (!list.value->is_array()) return expected(list, "a list […] of experiments");
+        if (!list.value->is_array()) return expected(list, phrase("a list […] of experiments"));
         for (std::size_t i = 0; i < list.value->size(); ++i) {
             const Node node = list.element(i);
-            if (!isObject(node, "an experiment {…}")) continue;
+            if (!isObject(node, phrase("an experiment {{…}}"))) continue;
             StudyExperiment experiment = readExperiment(node);
             for (const StudyExperiment& other : study_.experiments)
                 if (other.name == experiment.name && !other.name.empty())
-                    fault(node.member("name"), fmt::format("there are two experiments named '{}'", other.name),
-                          "Give each experiment its own name.");
+                    fault(node.member("name"), phrase("there are two experiments named '{}'", other.name),
+                          phrase("Give each experiment its own name."));
             Json kept;
             keepUnknown(node, {"name", "role", "file", "time", "range", "inputs", "outputs", "initial"},
-                        "an experiment", kept);
+                        phrase("an experiment"), kept);
             if (!kept.empty()) extra_["experiments"][experiment.name] = kept;
             study_.experiments.push_back(std::move(experiment));
         }
@@ -151,13 +152,13 @@ private:
         experiment.timeColumn = requiredText(node, "time");
         if (const Node role = node.member("role")) {
             const std::string text = role.value->is_string() ? role.value->get<std::string>() : "";
-            if (text != "fit" && text != "validate") expected(role, "\"fit\" or \"validate\"");
+            if (text != "fit" && text != "validate") expected(role, phrase("\"fit\" or \"validate\""));
             experiment.role = text == "validate" ? Role::Validate : Role::Fit;
         }
         if (const Node range = node.member("range")) experiment.range = readRange(range);
         experiment.inputs = readMappings(node, "inputs");
         experiment.outputs = readMappings(node, "outputs");
-        if (const Node initial = node.member("initial"); isObject(initial, "start values {parameter: value}"))
+        if (const Node initial = node.member("initial"); isObject(initial, phrase("start values {{parameter: value}}")))
             for (const auto& [name, value] : initial.value->items())
                 if (const auto start = readStart(initial.member(name))) experiment.initial[name] = *start;
         return experiment;
@@ -166,20 +167,19 @@ private:
     std::optional<std::pair<double, double>> readRange(const Node& node) {
         const Json& list = *node.value;
         if (!list.is_array() || list.size() != 2 || !list[0].is_number() || !list[1].is_number()) {
-            expected(node, "two times [from, to] in seconds");
+            expected(node, phrase("two times [from, to] in seconds"));
             return std::nullopt;
         }
         const auto range = std::make_pair(list[0].get<double>(), list[1].get<double>());
         if (range.first < range.second) return range;
-        fault(node,
-              fmt::format("{}: the range ends at {} before it begins at {}", path(node), range.second, range.first));
+        fault(node, phrase("{}: the range ends at {} before it begins at {}", path(node), range.second, range.first));
         return std::nullopt;
     }
 
     std::map<std::string, ChannelMapping> readMappings(const Node& owner, const std::string& name) {
         std::map<std::string, ChannelMapping> mappings;
         const Node node = owner.member(name);
-        if (!isObject(node, "an object {model signal: column}")) return mappings;
+        if (!isObject(node, phrase("an object {{model signal: column}}"))) return mappings;
         for (const auto& [signal, value] : node.value->items()) mappings[signal] = readMapping(node.member(signal));
         return mappings;
     }
@@ -190,7 +190,7 @@ private:
             if (node.value->is_string()) {
                 mapping.column = text(node);
             } else {
-                expected(node, "the name of a column, or {\"column\": …, \"unit\": …}");
+                expected(node, phrase("the name of a column, or {{\"column\": …, \"unit\": …}}"));
             }
             return mapping;
         }
@@ -200,23 +200,23 @@ private:
         mapping.offset = number(node.member("offset")).value_or(0);
         mapping.weight = number(node.member("weight")).value_or(1);
         if (mapping.scale == 0)
-            fault(node.member("scale"), fmt::format("{}: a scale of 0 wipes the column out", path(node)));
-        if (mapping.weight < 0)
-            fault(node.member("weight"), fmt::format("{}: a weight cannot be negative", path(node)));
+            fault(node.member("scale"), phrase("{}: a scale of 0 wipes the column out", path(node)));
+        if (mapping.weight < 0) fault(node.member("weight"), phrase("{}: a weight cannot be negative", path(node)));
         if (const Node clock = node.member("clock")) {
             mapping.fitsClock = clock.value->is_string() && clock.value->get_ref<const std::string&>() == "fit";
             if (clock.value->is_number()) mapping.clock = clock.value->get<double>();
-            if (!mapping.fitsClock && !clock.value->is_number()) expected(clock, "a number of seconds, or \"fit\"");
+            if (!mapping.fitsClock && !clock.value->is_number())
+                expected(clock, phrase("a number of seconds, or \"fit\""));
         }
         Json kept;
-        keepUnknown(node, {"column", "unit", "scale", "offset", "weight", "clock"}, "a mapped column", kept);
+        keepUnknown(node, {"column", "unit", "scale", "offset", "weight", "clock"}, phrase("a mapped column"), kept);
         return mapping;
     }
 
     std::optional<StudyStart> readStart(const Node& node) {
         if (node.value->is_number()) return node.value->get<double>();
         if (!node.value->is_string() || node.value->get_ref<const std::string&>().empty()) {
-            expected(node, "a number, \"fit\" or the name of a column");
+            expected(node, phrase("a number, \"fit\" or the name of a column"));
             return std::nullopt;
         }
         const std::string text = node.value->get<std::string>();
@@ -226,13 +226,13 @@ private:
 
     void readParameters(const Node& root) {
         const Node parameters = root.member("parameters");
-        if (!isObject(parameters, "an object {parameter: {…}}")) return;
+        if (!isObject(parameters, phrase("an object {{parameter: {{…}}}}"))) return;
         for (const auto& [name, value] : parameters.value->items()) {
             const Node node = parameters.member(name);
-            if (!isObject(node, "an object, as {\"fit\": true, \"min\": 0}")) continue;
+            if (!isObject(node, phrase("an object, as {{\"fit\": true, \"min\": 0}}"))) continue;
             study_.parameters[name] = readParameter(node);
             Json kept;
-            keepUnknown(node, {"fit", "value", "min", "max", "scale", "prior"}, "a parameter", kept);
+            keepUnknown(node, {"fit", "value", "min", "max", "scale", "prior"}, phrase("a parameter"), kept);
             if (!kept.empty()) extra_["parameters"][name] = kept;
         }
     }
@@ -240,7 +240,7 @@ private:
     StudyParameter readParameter(const Node& node) {
         StudyParameter parameter;
         if (const Node fit = node.member("fit")) {
-            if (!fit.value->is_boolean()) expected(fit, "true or false");
+            if (!fit.value->is_boolean()) expected(fit, phrase("true or false"));
             parameter.fit = fit.value->is_boolean() && fit.value->get<bool>();
         }
         parameter.value = number(node.member("value"));
@@ -248,37 +248,37 @@ private:
         parameter.max = number(node.member("max"));
         if (const Node scale = node.member("scale")) {
             const std::string text = scale.value->is_string() ? scale.value->get<std::string>() : "";
-            if (text != "lin" && text != "log") expected(scale, "\"lin\" or \"log\"");
+            if (text != "lin" && text != "log") expected(scale, phrase("\"lin\" or \"log\""));
             parameter.scale = text == "log" ? ParameterScale::Logarithmic : ParameterScale::Linear;
         }
         if (const Node prior = node.member("prior")) parameter.prior = readPrior(prior);
         if (parameter.min && parameter.max && *parameter.min >= *parameter.max)
-            fault(node.member("min"), fmt::format("{}: the lower bound {} is not below the upper bound {}", path(node),
-                                                  *parameter.min, *parameter.max));
+            fault(node.member("min"), phrase("{}: the lower bound {} is not below the upper bound {}", path(node),
+                                             *parameter.min, *parameter.max));
         if (parameter.scale == ParameterScale::Logarithmic && parameter.min && *parameter.min <= 0)
-            fault(node.member("min"), fmt::format("{}: a logarithmic scale needs a lower bound above 0", path(node)),
-                  "Raise \"min\", or use \"scale\": \"lin\".");
+            fault(node.member("min"), phrase("{}: a logarithmic scale needs a lower bound above 0", path(node)),
+                  phrase("Raise \"min\", or use \"scale\": \"lin\"."));
         return parameter;
     }
 
     std::optional<NormalPrior> readPrior(const Node& node) {
-        if (!isObject(node, "what is known, as {\"mean\": 3.2, \"std\": 0.1}")) return std::nullopt;
+        if (!isObject(node, phrase("what is known, as {{\"mean\": 3.2, \"std\": 0.1}}"))) return std::nullopt;
         for (const char* const name : {"mean", "std"})
-            if (!node.member(name)) missing(node, name, "A prior is {\"mean\": …, \"std\": …}.");
+            if (!node.member(name)) missing(node, name, phrase("A prior is {{\"mean\": …, \"std\": …}}."));
         const std::optional<double> mean = number(node.member("mean")), deviation = number(node.member("std"));
         Json kept;
-        keepUnknown(node, {"mean", "std"}, "a prior", kept);
+        keepUnknown(node, {"mean", "std"}, phrase("a prior"), kept);
         if (!mean || !deviation) return std::nullopt;
         if (*deviation > 0) return NormalPrior{*mean, *deviation};
-        fault(node.member("std"), fmt::format("{}: a standard deviation must be above 0", path(node)),
-              "A parameter that is known for sure is not fitted: \"fit\": false.");
+        fault(node.member("std"), phrase("{}: a standard deviation must be above 0", path(node)),
+              phrase("A parameter that is known for sure is not fitted: \"fit\": false."));
         return std::nullopt;
     }
 
     void readLibrary(const Node& root) {
         const Node library = root.member("library");
         if (!library) return;
-        if (!library.value->is_array()) return expected(library, "a list […] of paths");
+        if (!library.value->is_array()) return expected(library, phrase("a list […] of paths"));
         for (std::size_t i = 0; i < library.value->size(); ++i) study_.libraryPaths.push_back(text(library.element(i)));
     }
 
@@ -382,11 +382,11 @@ Outcome<Study> parseStudyJson(const SourcePtr& json) {
         const auto at = static_cast<std::uint32_t>(
             std::min(failure.byte > 0 ? failure.byte - 1 : 0, json->text().empty() ? 0 : json->text().size() - 1));
         return error(
-            fmt::format("this is not valid JSON: {}", reason(failure.what())),
+            phrase("this is not valid JSON: {}", reason(failure.what())),
             Span{json.get(), at, std::min<std::uint32_t>(at + 1, static_cast<std::uint32_t>(json->text().size()))},
-            "A comma, bracket or quotation mark is missing or one too many near here.");
+            phrase("A comma, bracket or quotation mark is missing or one too many near here."));
     } catch (const Json::exception& failure) {
-        return fileError(fmt::format("this is not valid JSON: {}", reason(failure.what())), json->name());
+        return fileError(phrase("this is not valid JSON: {}", reason(failure.what())), json->name());
     }
     const JsonPlaces places(json);
     return StudyReader(tree, places).read();

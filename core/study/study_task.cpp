@@ -21,10 +21,12 @@ std::string joined(const std::vector<std::string>& names) {
     return names.size() > shown ? text + ", …" : text;
 }
 
-std::string meantOrAvailable(const std::string& name, const std::vector<std::string>& names, std::string_view what) {
+Text noColumn() { return phrase("There is no column."); }
+
+Text meantOrAvailable(const std::string& name, const std::vector<std::string>& names, const Text& none) {
     const std::string alike = suggestion(name, names);
-    if (!alike.empty()) return fmt::format("Did you mean '{}'?", alike);
-    return names.empty() ? fmt::format("There is no {}.", what) : fmt::format("Available: {}.", joined(names));
+    if (!alike.empty()) return phrase("Did you mean '{}'?", alike);
+    return names.empty() ? none : phrase("Available: {}.", joined(names));
 }
 
 /// Messages that point into study.json as far as it is known.
@@ -35,7 +37,7 @@ public:
         file_ = study.directory.empty() ? "study.json" : (study.directory / "study.json").string();
     }
 
-    Diagnostic fault(const std::string& pointer, std::string message, std::string hint = {}) const {
+    Diagnostic fault(const std::string& pointer, Text message, Text hint = {}) const {
         const Span span = places_ ? places_->value(pointer) : Span{};
         return span.valid() ? error(std::move(message), span, std::move(hint))
                             : fileError(std::move(message), file_, 0, 0, std::move(hint));
@@ -83,7 +85,7 @@ public:
     Outcome<EstimationTask> build(Diagnostics warnings) {
         warnings_ = std::move(warnings);
         if (study_.experiments.empty())
-            fault("/experiments", "the study has no experiment", "Add a measurement to it.");
+            fault("/experiments", phrase("the study has no experiment"), phrase("Add a measurement to it."));
         readParameters();
         for (std::size_t i = 0; i < study_.experiments.size(); ++i)
             readExperiment(study_.experiments[i], fmt::format("/experiments/{}", i));
@@ -93,7 +95,7 @@ public:
     }
 
 private:
-    void fault(const std::string& pointer, std::string message, std::string hint = {}) {
+    void fault(const std::string& pointer, Text message, Text hint = {}) {
         faults_.push_back(places_.fault(pointer, std::move(message), std::move(hint)));
     }
 
@@ -101,20 +103,20 @@ private:
     const FlatVariable* settable(const std::string& name, const std::string& pointer) {
         const VariableId id = model_.find(name);
         if (!id.valid()) {
-            fault(pointer, fmt::format("the model '{}' has no parameter '{}'", study_.className, name),
-                  meantOrAvailable(name, parameterNames_, "parameter"));
+            fault(pointer, phrase("the model '{}' has no parameter '{}'", study_.className, name),
+                  meantOrAvailable(name, parameterNames_, phrase("There is no parameter.")));
             return nullptr;
         }
         const FlatVariable& variable = model_[id];
-        std::string reason;
-        if (variable.variability == FlatVariability::Continuous) reason = "a variable";
-        if (variable.variability == FlatVariability::Constant) reason = "a constant";
-        if (variable.type != FlatType::Real) reason = "no real number";
-        if (variable.isFinal) reason = "declared final";
-        if (variable.isProtected && name.find('.') != std::string::npos) reason = "protected";
+        Text reason;
+        if (variable.variability == FlatVariability::Continuous) reason = phrase("a variable");
+        if (variable.variability == FlatVariability::Constant) reason = phrase("a constant");
+        if (variable.type != FlatType::Real) reason = phrase("no real number");
+        if (variable.isFinal) reason = phrase("declared final");
+        if (variable.isProtected && name.find('.') != std::string::npos) reason = phrase("protected");
         if (reason.empty()) return &variable;
-        fault(pointer, fmt::format("'{}' cannot be set or fitted: it is {}", name, reason),
-              "Only real parameters that are neither final nor protected can.");
+        fault(pointer, phrase("'{}' cannot be set or fitted: it is {}", name, reason),
+              phrase("Only real parameters that are neither final nor protected can."));
         return nullptr;
     }
 
@@ -140,8 +142,8 @@ private:
         const std::optional<double> start =
             parameter.value ? parameter.value : model_.parameterValue(model_.find(name));
         if (!start)
-            return fault(pointer, fmt::format("the parameter '{}' has no value to start from", name),
-                         "Give one in the model, or as \"value\" in the study.");
+            return fault(pointer, phrase("the parameter '{}' has no value to start from", name),
+                         phrase("Give one in the model, or as \"value\" in the study."));
         FitParameter fitted;
         fitted.name = name;
         fitted.unit = variable.unit;
@@ -154,28 +156,20 @@ private:
         const double slack = 1e-9 * std::max(std::abs(*start), 1e-300);
         if (*start < fitted.min - slack || *start > fitted.max + slack)
             return fault(pointer,
-                         fmt::format("the start value {} of '{}' lies outside its bounds {} … {}", *start, name,
-                                     fitted.min, fitted.max),
-                         "Widen the bounds, or give another start as \"value\".");
+                         phrase("the start value {} of '{}' lies outside its bounds {} … {}", *start, name, fitted.min,
+                                fitted.max),
+                         phrase("Widen the bounds, or give another start as \"value\"."));
         fitted.start = std::clamp(*start, fitted.min, fitted.max);
         if (fitted.scale == ParameterScale::Logarithmic && fitted.start <= 0)
-            return fault(pointer,
-                         fmt::format("'{}' starts at {}, where a logarithmic scale has no place", name, *start),
-                         "Start above 0, or use \"scale\": \"lin\".");
+            return fault(pointer, phrase("'{}' starts at {}, where a logarithmic scale has no place", name, *start),
+                         phrase("Start above 0, or use \"scale\": \"lin\"."));
         task_.parameters.push_back(std::move(fitted));
     }
 
-    bool isClockAsked(const std::string& output) const {
-        return std::any_of(study_.experiments.begin(), study_.experiments.end(), [&](const StudyExperiment& e) {
-            const auto mapping = e.outputs.find(output);
-            return mapping != e.outputs.end() && mapping->second.fitsClock;
-        });
-    }
-
     void checkClock(const std::string& output, const std::string& pointer) {
-        if (!isClockAsked(output))
-            fault(pointer, fmt::format("no experiment asks for the clock of the output '{}'", output),
-                  "Map the output as {\"column\": …, \"clock\": \"fit\"}.");
+        if (!asksForClock(study_.experiments, output))
+            fault(pointer, phrase("no experiment asks for the clock of the output '{}'", output),
+                  phrase("Map the output as {{\"column\": …, \"clock\": \"fit\"}}."));
     }
 
     /// The setting of a fitted clock: its start, bounds and prior may stand among the parameters.
@@ -188,7 +182,7 @@ private:
     void addFittedClocks() {
         for (const std::string& output : signals_.outputNames) {
             const StudyParameter setting = clockSetting(output);
-            if (!isClockAsked(output) || !setting.fit) continue;
+            if (!asksForClock(study_.experiments, output) || !setting.fit) continue;
             const double reach = clockReach(output);
             FitParameter clock;
             clock.name = clockOf(output);
@@ -200,9 +194,9 @@ private:
             clock.prior = setting.prior;
             if (clock.start < clock.min || clock.start > clock.max || !(clock.min < clock.max))
                 fault("/parameters/" + JsonPlaces::escape(clock.name),
-                      fmt::format("the start value {} of '{}' lies outside its bounds {} … {}", clock.start, clock.name,
-                                  clock.min, clock.max),
-                      "Widen the bounds, or give another start as \"value\".");
+                      phrase("the start value {} of '{}' lies outside its bounds {} … {}", clock.start, clock.name,
+                             clock.min, clock.max),
+                      phrase("Widen the bounds, or give another start as \"value\"."));
             const bool isFitted =
                 std::any_of(task_.recordings.begin(), task_.recordings.end(), [&](const Recording& r) {
                     return r.role == Role::Fit && std::any_of(r.clocks.begin(), r.clocks.end(), [&](const auto& c) {
@@ -244,8 +238,8 @@ private:
             const ChannelMapping& mapping = experiment.inputs.at(recording.inputNames[i]);
             if (mapping.fitsClock)
                 fault(fmt::format("{}/inputs/{}/clock", pointer, JsonPlaces::escape(recording.inputNames[i])),
-                      fmt::format("experiment '{}': the clock of an input cannot be fitted", experiment.name),
-                      "Give its offset in seconds, or fit the clocks of the outputs.");
+                      phrase("experiment '{}': the clock of an input cannot be fitted", experiment.name),
+                      phrase("Give its offset in seconds, or fit the clocks of the outputs."));
             if (mapping.clock == 0.0 || recording.inputs.cols() == 0) continue;
             auto row = recording.inputs.row(static_cast<Eigen::Index>(i));
             row = linearAt(recording.time, row, mapping.clock);
@@ -271,8 +265,8 @@ private:
     void readExperiment(const StudyExperiment& experiment, const std::string& pointer) {
         const auto found = study_.tables.find(experiment.file);
         if (found == study_.tables.end() || !found->second)
-            return fault(pointer + "/file", fmt::format("experiment '{}': the file '{}' has not been read",
-                                                        experiment.name, experiment.file));
+            return fault(pointer + "/file",
+                         phrase("experiment '{}': the file '{}' has not been read", experiment.name, experiment.file));
         const std::optional<Table> cut = cutToRange(*found->second, experiment, pointer);
         if (!cut) return;
         const Table& table = *cut;
@@ -309,9 +303,8 @@ private:
     bool hasColumn(const Table& table, const std::string& column, const StudyExperiment& experiment,
                    const std::string& pointer) {
         if (table.find(column)) return true;
-        fault(pointer,
-              fmt::format("experiment '{}': '{}' has no column '{}'", experiment.name, experiment.file, column),
-              meantOrAvailable(column, table.names(), "column"));
+        fault(pointer, phrase("experiment '{}': '{}' has no column '{}'", experiment.name, experiment.file, column),
+              meantOrAvailable(column, table.names(), noColumn()));
         return false;
     }
 
@@ -333,10 +326,10 @@ private:
             return table.slice(static_cast<std::size_t>(first - column.values.begin()),
                                static_cast<std::size_t>(last - column.values.begin()));
         fault(pointer + "/range",
-              fmt::format("experiment '{}': fewer than two samples lie between {} s and {} s", experiment.name,
-                          experiment.range->first, experiment.range->second),
-              fmt::format("The file runs from {:.6g} s to {:.6g} s.", convert(column.values.front()),
-                          convert(column.values.back())));
+              phrase("experiment '{}': fewer than two samples lie between {} s and {} s", experiment.name,
+                     experiment.range->first, experiment.range->second),
+              phrase("The file runs from {:.6g} s to {:.6g} s.", convert(column.values.front()),
+                     convert(column.values.back())));
         return std::nullopt;
     }
 
@@ -344,30 +337,33 @@ private:
     bool checkSignals(const StudyExperiment& experiment, const std::string& pointer) {
         const std::size_t before = faults_.size();
         const auto check = [&](const auto& mappings, const auto& own, const auto& other, const std::string& side,
-                               const std::string& otherSide, const std::vector<std::string>& names) {
+                               const std::vector<std::string>& names) {
             for (const auto& [name, mapping] : mappings) {
                 if (own.contains(name)) continue;
-                std::string hint = meantOrAvailable(name, names, "such signal");
+                Text hint = meantOrAvailable(name, names, phrase("There is no such signal."));
                 if (other.contains(name))
-                    hint = fmt::format("It is an {} of the model: list it under \"{}s\".", otherSide, otherSide);
+                    hint = side == "input" ? phrase("It is an output of the model: list it under \"outputs\".")
+                                           : phrase("It is an input of the model: list it under \"inputs\".");
                 fault(fmt::format("{}/{}s/{}", pointer, side, JsonPlaces::escape(name)),
-                      fmt::format("experiment '{}': the model '{}' has no {} '{}'", experiment.name, study_.className,
-                                  side, name),
+                      side == "input" ? phrase("experiment '{}': the model '{}' has no input '{}'", experiment.name,
+                                               study_.className, name)
+                                      : phrase("experiment '{}': the model '{}' has no output '{}'", experiment.name,
+                                               study_.className, name),
                       std::move(hint));
             }
         };
-        check(experiment.inputs, signals_.inputs, signals_.outputs, "input", "output", signals_.inputNames);
-        check(experiment.outputs, signals_.outputs, signals_.inputs, "output", "input", signals_.outputNames);
+        check(experiment.inputs, signals_.inputs, signals_.outputs, "input", signals_.inputNames);
+        check(experiment.outputs, signals_.outputs, signals_.inputs, "output", signals_.outputNames);
         if (faults_.size() > before) return false;
         for (const std::string& name : signals_.inputNames)
             if (!experiment.inputs.contains(name))
                 fault(pointer + "/inputs",
-                      fmt::format("experiment '{}': the input '{}' of the model has no column", experiment.name, name),
-                      fmt::format("Add \"{}\": \"COLUMN\" to \"inputs\". {}", name,
-                                  meantOrAvailable(name, study_.tables.at(experiment.file)->names(), "column")));
+                      phrase("experiment '{}': the input '{}' of the model has no column", experiment.name, name),
+                      phrase("Add \"{}\": \"COLUMN\" to \"inputs\". {}", name,
+                             meantOrAvailable(name, study_.tables.at(experiment.file)->names(), noColumn())));
         if (experiment.outputs.empty())
-            fault(pointer + "/outputs", fmt::format("experiment '{}' measures no output of the model", experiment.name),
-                  fmt::format("Map at least one of: {}.", joined(signals_.outputNames)));
+            fault(pointer + "/outputs", phrase("experiment '{}' measures no output of the model", experiment.name),
+                  phrase("Map at least one of: {}.", joined(signals_.outputNames)));
         return faults_.size() == before;
     }
 
@@ -394,9 +390,9 @@ private:
             }
             if (!mapping.unit.empty() && !isKnownUnit(mapping.unit)) {
                 fault(place,
-                      fmt::format("experiment '{}': the unit '{}' of '{}' is not known", experiment.name, mapping.unit,
-                                  mapping.column),
-                      fmt::format("The model wants '{}'.", units.at(names[i])));
+                      phrase("experiment '{}': the unit '{}' of '{}' is not known", experiment.name, mapping.unit,
+                             mapping.column),
+                      phrase("The model wants '{}'.", units.at(names[i])));
                 complete = false;
                 continue;
             }
@@ -434,7 +430,7 @@ private:
                 if (value) {
                     recording.starts.push_back({name, *value, true});
                 } else {
-                    fault(place, fmt::format("'{}' has no value to start from", name), "Give one in the model.");
+                    fault(place, phrase("'{}' has no value to start from", name), phrase("Give one in the model."));
                 }
             }
         }
@@ -475,6 +471,13 @@ private:
 
 }  // namespace
 
+bool asksForClock(const std::vector<StudyExperiment>& experiments, const std::string& output) {
+    return std::any_of(experiments.begin(), experiments.end(), [&](const StudyExperiment& e) {
+        const auto mapping = e.outputs.find(output);
+        return mapping != e.outputs.end() && mapping->second.fitsClock;
+    });
+}
+
 Outcome<Library> studyLibrary(const Study& study) {
     Outcome<Library> library = builtInLibrary();
     if (!library) return library;
@@ -506,11 +509,11 @@ Outcome<EstimationTask> estimationTask(const Study& study) {
             if (!known->qualifiedName.starts_with("Analogon.") && known->qualifiedName != "Analogon")
                 own.push_back(known->qualifiedName);
         if (study.models.empty())
-            return StudyPlaces(study).fault("/class", fmt::format("the study has no model of '{}'", study.className),
-                                            "Put the model's text beside study.json as model.mo.");
-        return StudyPlaces(study).fault(
-            "/class", fmt::format("there is no class '{}' in the models of the study", study.className),
-            meantOrAvailable(study.className, own, "class"));
+            return StudyPlaces(study).fault("/class", phrase("the study has no model of '{}'", study.className),
+                                            phrase("Put the model's text beside study.json as model.mo."));
+        return StudyPlaces(study).fault("/class",
+                                        phrase("there is no class '{}' in the models of the study", study.className),
+                                        meantOrAvailable(study.className, own, phrase("There is no class.")));
     }
     const Outcome<FlatModel> model = flatten(*library, study.className);
     if (!model) return model.diagnostics();

@@ -1357,6 +1357,58 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <source>Go to</source>
         <translation>Gehe zu</translation>
     </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>FMU …</source>
+        <translation>FMU …</translation>
+    </message>
+    <message>
+        <source>Modelica …</source>
+        <translation>Modelica …</translation>
+    </message>
+    <message>
+        <source>CSV …</source>
+        <translation>CSV …</translation>
+    </message>
+    <message>
+        <source>The model with its values for other simulation tools: FMI 2.0, Co-Simulation and Model Exchange</source>
+        <translation>Das Modell mit seinen Werten für andere Simulationswerkzeuge: FMI 2.0, Co-Simulation und Model Exchange</translation>
+    </message>
+    <message>
+        <source>The model with its values and the classes it uses, as one Modelica text</source>
+        <translation>Das Modell mit seinen Werten und den Klassen, die es verwendet, als ein Modelica-Text</translation>
+    </message>
+    <message>
+        <source>What was measured and what the model says as it stands, of every experiment</source>
+        <translation>Was gemessen wurde und was das Modell in seinem jetzigen Stand sagt, für jeden Versuch</translation>
+    </message>
+    <message>
+        <source>Functional Mock-up Units (*.fmu)</source>
+        <translation>Functional Mock-up Units (*.fmu)</translation>
+    </message>
+    <message>
+        <source>Modelica texts (*.mo)</source>
+        <translation>Modelica-Texte (*.mo)</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Exporting …</source>
+        <translation>Wird exportiert …</translation>
+    </message>
+    <message>
+        <source>Exporting</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Nothing exported: see the messages.</source>
+        <translation>Nichts exportiert: siehe Meldungen.</translation>
+    </message>
 </context>
 <context>
     <name>MainWindowFiles</name>
@@ -1547,6 +1599,30 @@ Ihre Spalten werden dann den Ein- und Ausgängen des Modells zugeordnet.</transl
         <source>The measurements of the open study appear here.</source>
         <translation>Hier erscheinen die Messungen der offenen Studie.</translation>
     </message>
+    <message>
+        <source>Clock</source>
+        <translation>Uhr</translation>
+    </message>
+    <message>
+        <source>How far the clock of this channel's logger is ahead of the others</source>
+        <translation>Um wie viel die Uhr des Loggers dieses Kanals den anderen vorgeht</translation>
+    </message>
+    <message>
+        <source>: seconds, or fit to find it. The result is among the parameters.</source>
+        <translation>: Sekunden, oder „anpassen“, um es zu finden. Das Ergebnis steht bei den Parametern.</translation>
+    </message>
+    <message>
+        <source>, in seconds</source>
+        <translation>, in Sekunden</translation>
+    </message>
+    <message>
+        <source>Set the clock of %1</source>
+        <translation>Uhr von %1 setzen</translation>
+    </message>
+    <message>
+        <source>Set the clock …</source>
+        <translation>Uhr setzen …</translation>
+    </message>
 </context>
 <context>
     <name>MessagePanel</name>
@@ -1662,6 +1738,32 @@ Relativer Standardfehler %1 %</translation>
         <source>Fix %1</source>
         <translation>%1 festhalten</translation>
     </message>
+    <message>
+        <source>Prior</source>
+        <translation>Vorwissen</translation>
+    </message>
+    <message>
+        <source>How far the clock of the logger of %1 is ahead of the others</source>
+        <translation>Um wie viel die Uhr des Loggers von %1 den anderen vorgeht</translation>
+    </message>
+    <message>
+        <source>
+%1 standard deviations from what was known beforehand</source>
+        <translation>
+%1 Standardabweichungen vom Vorwissen</translation>
+    </message>
+    <message>
+        <source>What is known beforehand: mean ± standard deviation. It counts as one more measured value; empty: nothing is known.</source>
+        <translation>Was man vorher weiß: Mittelwert ± Standardabweichung. Es zählt wie ein weiterer Messwert; leer: nichts ist bekannt.</translation>
+    </message>
+    <message>
+        <source>Forget what is known of %1</source>
+        <translation>Vorwissen über %1 verwerfen</translation>
+    </message>
+    <message>
+        <source>Set what is known of %1</source>
+        <translation>Vorwissen über %1 setzen</translation>
+    </message>
 </context>
 <context>
     <name>ParameterPanel</name>
@@ -1700,6 +1802,10 @@ Relativer Standardfehler %1 %</translation>
     <message>
         <source>No parameters to show. See the messages if the model could not be read.</source>
         <translation>Keine Parameter zu zeigen. Konnte das Modell nicht gelesen werden, sagen die Meldungen, warum.</translation>
+    </message>
+    <message>
+        <source>mean ± std</source>
+        <translation>Mittelwert ± Std.-Abw.</translation>
     </message>
 </context>
 <context>
@@ -2355,6 +2461,1985 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>Lines of the file</source>
         <translation>Zeilen der Datei</translation>
+    </message>
+</context>
+<context>
+    <name>core</name>
+    <message>
+        <source>this cannot be written: {}</source>
+        <translation>dies lässt sich nicht schreiben: {}</translation>
+    </message>
+    <message>
+        <source>Check that the directory exists, may be written and has room.</source>
+        <translation>Prüfen, ob das Verzeichnis existiert, beschreibbar ist und Platz hat.</translation>
+    </message>
+    <message>
+        <source>the entry &quot;{}&quot; {}</source>
+        <translation>der Eintrag „{}“ {}</translation>
+    </message>
+    <message>
+        <source>Get the file again from where it came from.</source>
+        <translation>Die Datei noch einmal von ihrer Quelle holen.</translation>
+    </message>
+    <message>
+        <source>the archive unpacks to {} MB, more than {} MB</source>
+        <translation>das Archiv ist entpackt {} MB groß, mehr als {} MB</translation>
+    </message>
+    <message>
+        <source>this is no zip archive</source>
+        <translation>dies ist kein Zip-Archiv</translation>
+    </message>
+    <message>
+        <source>this archive holds no study.json</source>
+        <translation>dieses Archiv enthält keine study.json</translation>
+    </message>
+    <message>
+        <source>A study archive holds study.json, a model (.mo) and its measurements at its top.</source>
+        <translation>Ein Studienarchiv enthält zuoberst study.json, ein Modell (.mo) und dessen Messungen.</translation>
+    </message>
+    <message>
+        <source>this archive is of another kind: &quot;{}&quot;</source>
+        <translation>dieses Archiv ist von anderer Art: „{}“</translation>
+    </message>
+    <message>
+        <source>this exists already and is not empty</source>
+        <translation>dies existiert schon und ist nicht leer</translation>
+    </message>
+    <message>
+        <source>Name a new directory.</source>
+        <translation>Ein neues Verzeichnis nennen.</translation>
+    </message>
+    <message>
+        <source>there is no place for temporary files: {}</source>
+        <translation>es gibt keinen Platz für vorübergehende Dateien: {}</translation>
+    </message>
+    <message>
+        <source>Set TMPDIR to a directory that may be written.</source>
+        <translation>TMPDIR auf ein beschreibbares Verzeichnis setzen.</translation>
+    </message>
+    <message>
+        <source>no temporary directory can be made: {}</source>
+        <translation>ein vorübergehendes Verzeichnis lässt sich nicht anlegen: {}</translation>
+    </message>
+    <message>
+        <source>Check that it may be written and has room, or set TMPDIR.</source>
+        <translation>Prüfen, ob es beschreibbar ist und Platz hat, oder TMPDIR setzen.</translation>
+    </message>
+    <message>
+        <source>{} and {}</source>
+        <translation>{} und {}</translation>
+    </message>
+    <message>
+        <source>'{}' leaves the range of the fitted recordings on {} by {:.0f} % of that range: what the model says there is extrapolated</source>
+        <translation>„{}“ verlässt bei {} den Bereich der angepassten Aufzeichnungen um {} % dieses Bereichs: Was das Modell dort sagt, ist extrapoliert</translation>
+    </message>
+    <message>
+        <source>input {}</source>
+        <translation>Eingang {}</translation>
+    </message>
+    <message>
+        <source>output {}</source>
+        <translation>Ausgang {}</translation>
+    </message>
+    <message>
+        <source>{} seems to be another one in '{}' (about {:.4g}) than in the other recordings (about {:.4g}): was the component, or its condition, the same?</source>
+        <translation>{} scheint in „{}“ ein anderer Wert zu sein (etwa {}) als in den übrigen Aufzeichnungen (etwa {}): War das Bauteil dasselbe, und in demselben Zustand?</translation>
+    </message>
+    <message>
+        <source>{} rests at a bound ({:.4g}{}{}): the bound is too narrow, or the model lacks something that the parameter stands in for</source>
+        <translation>{} liegt an einer Grenze ({}{}{}): Die Grenze ist zu eng, oder dem Modell fehlt etwas, für das der Parameter einsteht</translation>
+    </message>
+    <message>
+        <source>long recordings: the search works on means of {} samples, the fit before and after it on all of them</source>
+        <translation>lange Aufzeichnungen: Die Suche arbeitet mit Mitteln über {} Abtastwerte, die Anpassung davor und danach mit allen</translation>
+    </message>
+    <message>
+        <source>{} stands at {} and {} with one set of parameters: equal sensors, and the data do not tell them apart</source>
+        <translation>{} steht an {} und {} mit einem gemeinsamen Satz Parameter: Die Sensoren sind gleich, und die Daten unterscheiden sie nicht</translation>
+    </message>
+    <message>
+        <source>the condition seems to have changed in mid run: {} at about {:.4g} s</source>
+        <translation>der Zustand scheint sich während des Laufs geändert zu haben: {} bei etwa {} s</translation>
+    </message>
+    <message>
+        <source>{} seems to move with the recorded channel {}</source>
+        <translation>{} scheint dem aufgezeichneten Kanal {} zu folgen</translation>
+    </message>
+    <message>
+        <source>experiment '{}': {}</source>
+        <translation>Versuch „{}“: {}</translation>
+    </message>
+    <message>
+        <source>experiment '{}': a relation of {} switches without end at t = {:.6g} s; what follows there is only as good as the steps of the fit</source>
+        <translation>Versuch „{}“: Eine Relation von {} schaltet bei t = {} s ohne Ende; was dort folgt, ist nur so gut wie die Schritte der Anpassung</translation>
+    </message>
+    <message>
+        <source>a step from {} to {} and, after half the time, back</source>
+        <translation>Sprung von {} auf {} und nach der halben Zeit zurück</translation>
+    </message>
+    <message>
+        <source>a slow ramp from {} to {} and back</source>
+        <translation>langsame Rampe von {} auf {} und zurück</translation>
+    </message>
+    <message>
+        <source>stairs from {} to {} and back in eight steps each way</source>
+        <translation>Treppe von {} auf {} und zurück in je acht Stufen</translation>
+    </message>
+    <message>
+        <source>small steps of a tenth about {}</source>
+        <translation>kleine Sprünge von einem Zehntel um {}</translation>
+    </message>
+    <message>
+        <source>a fast change between {} and {}, some forty times</source>
+        <translation>schneller Wechsel zwischen {} und {}, etwa vierzigmal</translation>
+    </message>
+    <message>
+        <source>a sine sweep between {} and {}, from one to sixty periods a recording</source>
+        <translation>Sinusdurchlauf zwischen {} und {}, von einer bis sechzig Perioden je Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>{} held from the start</source>
+        <translation>konstant {} von Anfang an</translation>
+    </message>
+    <message>
+        <source>input {} as {}, over {:.3g} s</source>
+        <translation>Eingang {} als {}, über {} s</translation>
+    </message>
+    <message>
+        <source>the study has no experiment with the role &quot;fit&quot;</source>
+        <translation>die Studie hat keinen Versuch mit der Rolle &quot;fit&quot;</translation>
+    </message>
+    <message>
+        <source>give at least one experiment that role</source>
+        <translation>mindestens einem Versuch diese Rolle geben</translation>
+    </message>
+    <message>
+        <source>give other start values, or narrower bounds</source>
+        <translation>andere Startwerte oder engere Grenzen angeben</translation>
+    </message>
+    <message>
+        <source>the data do not show this effect</source>
+        <translation>die Daten zeigen diesen Effekt nicht</translation>
+    </message>
+    <message>
+        <source>the recording does not show what tells this effect apart: {} &gt; 0</source>
+        <translation>die Aufzeichnung zeigt nicht, woran man diesen Effekt erkennt: {} &gt; 0</translation>
+    </message>
+    <message>
+        <source>unknown fault</source>
+        <translation>unbekannter Fehler</translation>
+    </message>
+    <message>
+        <source>{} with {}</source>
+        <translation>{} mit {}</translation>
+    </message>
+    <message>
+        <source>{} at {} from {} at {}</source>
+        <translation>{} an {} von {} an {}</translation>
+    </message>
+    <message>
+        <source>no programme of the inputs within their range tells {} with these sensors (at most {:.1f} standard deviations): another quantity has to be measured</source>
+        <translation>kein Verlauf der Eingänge in ihrem Bereich unterscheidet mit diesen Sensoren {} (höchstens {} Standardabweichungen): Eine weitere Größe muss gemessen werden</translation>
+    </message>
+    <message>
+        <source>{}, the other inputs at their means, would tell {} by more than {:.0f} standard deviations</source>
+        <translation>{}, die übrigen Eingänge im Mittel, würde {} um mehr als {} Standardabweichungen unterscheiden</translation>
+    </message>
+    <message>
+        <source>{}, the other inputs at their means, would tell {} by {:.0f} standard deviations</source>
+        <translation>{}, die übrigen Eingänge im Mittel, würde {} um {} Standardabweichungen unterscheiden</translation>
+    </message>
+    <message>
+        <source>this is a directory; name a file</source>
+        <translation>dies ist ein Verzeichnis; eine Datei nennen</translation>
+    </message>
+    <message>
+        <source>this cannot be written</source>
+        <translation>dies lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>converged after {} simulations</source>
+        <translation>konvergiert nach {} Simulationen</translation>
+    </message>
+    <message>
+        <source>stopped at the limit of {} simulations</source>
+        <translation>an der Grenze von {} Simulationen beendet</translation>
+    </message>
+    <message>
+        <source>cancelled; the best parameters so far are kept</source>
+        <translation>abgebrochen; die bisher besten Parameter bleiben</translation>
+    </message>
+    <message>
+        <source>the search could not be started</source>
+        <translation>die Suche ließ sich nicht beginnen</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>stopped on a plain: at {:.6g}, {} has no influence any more; start elsewhere, or bound it</source>
+        <translation>auf einer Ebene stehen geblieben: Bei {} hat {} keinen Einfluss mehr; anders beginnen oder Grenzen setzen</translation>
+    </message>
+    <message>
+        <source>converged after {} iterations</source>
+        <translation>konvergiert nach {} Iterationen</translation>
+    </message>
+    <message>
+        <source>{} of '{}'</source>
+        <translation>{} von „{}“</translation>
+    </message>
+    <message>
+        <source>{} = {:.6g} lies {:.1f} standard deviations from its prior {:.6g} ± {:.3g}: the data contradict what was known</source>
+        <translation>{} = {} liegt {} Standardabweichungen vom Vorwissen {} ± {}: Die Daten widersprechen dem, was bekannt war</translation>
+    </message>
+    <message>
+        <source>{} is known from its prior alone: the data add nothing</source>
+        <translation>{} ist nur durch das Vorwissen bekannt: Die Daten tragen nichts bei</translation>
+    </message>
+    <message>
+        <source>{} rests at its lower bound {:.6g}</source>
+        <translation>{} liegt an der unteren Grenze {}</translation>
+    </message>
+    <message>
+        <source>{} rests at its upper bound {:.6g}</source>
+        <translation>{} liegt an der oberen Grenze {}</translation>
+    </message>
+    <message>
+        <source>{} of {} simulations failed and were passed over</source>
+        <translation>{} von {} Simulationen sind gescheitert und wurden übergangen</translation>
+    </message>
+    <message>
+        <source>experiment '{}': the integration is only accurate to {:.2g} % of the output's range</source>
+        <translation>Versuch „{}“: Die Integration ist nur auf {} % des Bereichs des Ausgangs genau</translation>
+    </message>
+    <message>
+        <source>no parameter is free</source>
+        <translation>kein Parameter ist frei</translation>
+    </message>
+    <message>
+        <source>all parameters rest at their bounds</source>
+        <translation>alle Parameter liegen an ihren Grenzen</translation>
+    </message>
+    <message>
+        <source>stopped at the limit of {} iterations while the cost still fell</source>
+        <translation>an der Grenze von {} Iterationen beendet, während der Fehler noch fiel</translation>
+    </message>
+    <message>
+        <source>converged</source>
+        <translation>konvergiert</translation>
+    </message>
+    <message>
+        <source>no step lowers the cost</source>
+        <translation>kein Schritt senkt den Fehler</translation>
+    </message>
+    <message>
+        <source>stopped after {} iterations in a flat valley: the cost hardly falls any more, and the parameters still move</source>
+        <translation>nach {} Iterationen in einem flachen Tal beendet: Der Fehler fällt kaum noch, und die Parameter wandern weiter</translation>
+    </message>
+    <message>
+        <source>experiment '{}' failed at t = {:.6g} s: {}</source>
+        <translation>Versuch „{}“ ist bei t = {} s gescheitert: {}</translation>
+    </message>
+    <message>
+        <source>experiment '{}' failed at t = {:.6g} s: {} ({})</source>
+        <translation>Versuch „{}“ ist bei t = {} s gescheitert: {} ({})</translation>
+    </message>
+    <message>
+        <source>experiment '{}': an output is not finite</source>
+        <translation>Versuch „{}“: Ein Ausgang ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>the sensitivities are not finite</source>
+        <translation>die Empfindlichkeiten sind nicht endlich</translation>
+    </message>
+    <message>
+        <source>experiment '{}': the sensitivities are not finite</source>
+        <translation>Versuch „{}“: Die Empfindlichkeiten sind nicht endlich</translation>
+    </message>
+    <message>
+        <source>{} has no influence on what was measured here: fix it</source>
+        <translation>{} hat keinen Einfluss auf das, was hier gemessen wurde: den Wert festhalten</translation>
+    </message>
+    <message>
+        <source>{} cannot be told apart from these data: fix one</source>
+        <translation>{} lassen sich mit diesen Daten nicht unterscheiden: einen festhalten</translation>
+    </message>
+    <message>
+        <source>{} is not determined by these data: fix it</source>
+        <translation>{} ist durch diese Daten nicht bestimmt: den Wert festhalten</translation>
+    </message>
+    <message>
+        <source>{} and {} can hardly be told apart (correlation {:.5f})</source>
+        <translation>{} und {} lassen sich kaum unterscheiden (Korrelation {})</translation>
+    </message>
+    <message>
+        <source>The columns are {}.</source>
+        <translation>Die Spalten sind {}.</translation>
+    </message>
+    <message>
+        <source>Did you mean '{}'? The columns are {}.</source>
+        <translation>Ist „{}“ gemeint? Die Spalten sind {}.</translation>
+    </message>
+    <message>
+        <source>there is no column '{}'</source>
+        <translation>es gibt keine Spalte „{}“</translation>
+    </message>
+    <message>
+        <source>no number</source>
+        <translation>keine Zahl</translation>
+    </message>
+    <message>
+        <source>an infinite value</source>
+        <translation>einen unendlichen Wert</translation>
+    </message>
+    <message>
+        <source>column '{}' has {} here (data row {}; {} cells in all, the last in line {})</source>
+        <translation>Spalte „{}“ hat hier {} (Datenzeile {}; {} Zellen insgesamt, die letzte in Zeile {})</translation>
+    </message>
+    <message>
+        <source>column '{}' has {} here (data row {})</source>
+        <translation>Spalte „{}“ hat hier {} (Datenzeile {})</translation>
+    </message>
+    <message>
+        <source>Remove these rows, fill the cells, or leave them out with &quot;range&quot;: [from, to] in the study.</source>
+        <translation>Diese Zeilen entfernen, die Zellen füllen, oder sie in der Studie mit &quot;range&quot;: [von, bis] auslassen.</translation>
+    </message>
+    <message>
+        <source>the unit '{}' of column '{}' is not known</source>
+        <translation>die Einheit „{}“ der Spalte „{}“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>The model wants '{}'. Give the right unit in the header, or in the study as {{&quot;column&quot;: &quot;{}&quot;, &quot;unit&quot;: &quot;{}&quot;}}.</source>
+        <translation>Das Modell verlangt „{}“. Die richtige Einheit in der Kopfzeile angeben, oder in der Studie als {{&quot;column&quot;: &quot;{}&quot;, &quot;unit&quot;: &quot;{}&quot;}}.</translation>
+    </message>
+    <message>
+        <source>column '{}' is in '{}', which cannot be converted to the '{}' of the model</source>
+        <translation>Spalte „{}“ ist in „{}“, was sich nicht in „{}“ des Modells umrechnen lässt</translation>
+    </message>
+    <message>
+        <source>Map another column, or give the unit in the study as {{&quot;column&quot;: &quot;{}&quot;, &quot;unit&quot;: …}}.</source>
+        <translation>Eine andere Spalte zuordnen, oder die Einheit in der Studie angeben als {{&quot;column&quot;: &quot;{}&quot;, &quot;unit&quot;: …}}.</translation>
+    </message>
+    <message>
+        <source>the recording pauses for {:.4g} s before this row; its usual step is {:.4g} s</source>
+        <translation>die Aufzeichnung setzt vor dieser Zeile {} s lang aus; ihr üblicher Schritt ist {} s</translation>
+    </message>
+    <message>
+        <source> ({} such gaps in all)</source>
+        <translation> ({} solche Lücken insgesamt)</translation>
+    </message>
+    <message>
+        <source>Between rows, inputs run linearly in '{}'. Use &quot;range&quot; in the study to leave a part out.</source>
+        <translation>Zwischen den Zeilen verlaufen Eingänge linear in „{}“. Mit &quot;range&quot; in der Studie lässt sich ein Teil auslassen.</translation>
+    </message>
+    <message>
+        <source>the recording has only one row</source>
+        <translation>die Aufzeichnung hat nur eine Zeile</translation>
+    </message>
+    <message>
+        <source>At least two samples are needed.</source>
+        <translation>Mindestens zwei Abtastwerte sind nötig.</translation>
+    </message>
+    <message>
+        <source>the time in column '{}' stands still at {}</source>
+        <translation>die Zeit in Spalte „{}“ bleibt bei {} stehen</translation>
+    </message>
+    <message>
+        <source>Name the column that holds the time in seconds.</source>
+        <translation>Die Spalte nennen, die die Zeit in Sekunden enthält.</translation>
+    </message>
+    <message>
+        <source>the time in column '{}' repeats (data row {}): {} after {}</source>
+        <translation>die Zeit in Spalte „{}“ wiederholt sich (Datenzeile {}): {} nach {}</translation>
+    </message>
+    <message>
+        <source>the time in column '{}' goes back (data row {}): {} after {}</source>
+        <translation>die Zeit in Spalte „{}“ läuft zurück (Datenzeile {}): {} nach {}</translation>
+    </message>
+    <message>
+        <source>Remove the repeated row, or write the time with more digits.</source>
+        <translation>Die wiederholte Zeile entfernen, oder die Zeit mit mehr Stellen schreiben.</translation>
+    </message>
+    <message>
+        <source>Sort the rows by time, or split the file where the recording starts anew.</source>
+        <translation>Die Zeilen nach der Zeit sortieren, oder die Datei teilen, wo die Aufzeichnung neu beginnt.</translation>
+    </message>
+    <message>
+        <source>this is not a text file</source>
+        <translation>dies ist keine Textdatei</translation>
+    </message>
+    <message>
+        <source>Export the measurement as comma-separated values.</source>
+        <translation>Die Messung als kommagetrennte Werte exportieren.</translation>
+    </message>
+    <message>
+        <source>the file has a header and no data rows</source>
+        <translation>die Datei hat eine Kopfzeile und keine Datenzeilen</translation>
+    </message>
+    <message>
+        <source>Check that the recording was exported with its values.</source>
+        <translation>Prüfen, ob die Aufzeichnung mit ihren Werten exportiert wurde.</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>the file has no header</source>
+        <translation>die Datei hat keine Kopfzeile</translation>
+    </message>
+    <message>
+        <source>Its columns are called {} to {}.</source>
+        <translation>Ihre Spalten heißen {} bis {}.</translation>
+    </message>
+    <message>
+        <source>a quotation mark is opened and not closed on its line</source>
+        <translation>ein Anführungszeichen wird geöffnet und in seiner Zeile nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>Close it, or double it where the mark itself is meant.</source>
+        <translation>Es schließen, oder verdoppeln, wo das Zeichen selbst gemeint ist.</translation>
+    </message>
+    <message>
+        <source>there are several columns named '{}'</source>
+        <translation>es gibt mehrere Spalten namens „{}“</translation>
+    </message>
+    <message>
+        <source>This one is called '{}' here.</source>
+        <translation>Diese heißt hier „{}“.</translation>
+    </message>
+    <message>
+        <source>Every row needs one cell for each column of the header.</source>
+        <translation>Jede Zeile braucht für jede Spalte der Kopfzeile eine Zelle.</translation>
+    </message>
+    <message>
+        <source> If the commas are decimal marks, the columns must be separated by ; or a tab.</source>
+        <translation> Sind die Kommas Dezimalkommas, so müssen die Spalten durch ; oder einen Tabulator getrennt sein.</translation>
+    </message>
+    <message>
+        <source>this row has one cell, the header has {}</source>
+        <translation>diese Zeile hat eine Zelle, die Kopfzeile hat {}</translation>
+    </message>
+    <message>
+        <source>this row has {} cells, the header has {}</source>
+        <translation>diese Zeile hat {} Zellen, die Kopfzeile hat {}</translation>
+    </message>
+    <message>
+        <source>'{}' in column '{}' has a decimal comma, line {} has a decimal point</source>
+        <translation>„{}“ in Spalte „{}“ hat ein Dezimalkomma, Zeile {} einen Dezimalpunkt</translation>
+    </message>
+    <message>
+        <source>'{}' in column '{}' has a decimal point, line {} has a decimal comma</source>
+        <translation>„{}“ in Spalte „{}“ hat einen Dezimalpunkt, Zeile {} ein Dezimalkomma</translation>
+    </message>
+    <message>
+        <source>Write the whole file with one decimal mark.</source>
+        <translation>Die ganze Datei mit einem Dezimalzeichen schreiben.</translation>
+    </message>
+    <message>
+        <source>Only numbers can be read; leave the cell empty where nothing was measured.</source>
+        <translation>Nur Zahlen können gelesen werden; die Zelle leer lassen, wo nichts gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>Marks between thousands cannot be read: write 1234.5.</source>
+        <translation>Zeichen zwischen Tausendern können nicht gelesen werden: 1234.5 schreiben.</translation>
+    </message>
+    <message>
+        <source>'{}' in column '{}' is not a number</source>
+        <translation>„{}“ in Spalte „{}“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>this is a directory, not a measurement file</source>
+        <translation>dies ist ein Verzeichnis, keine Messdatei</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened</source>
+        <translation>die Datei lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>Check its name and its access rights.</source>
+        <translation>Ihren Namen und ihre Zugriffsrechte prüfen.</translation>
+    </message>
+    <message>
+        <source>the file cannot be read</source>
+        <translation>die Datei lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>files ending in '{}' cannot be read</source>
+        <translation>Dateien mit der Endung „{}“ können nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>Measurements are read from .csv, .txt, .tsv and .dat files: export the recording as comma-separated values.</source>
+        <translation>Messungen werden aus .csv-, .txt-, .tsv- und .dat-Dateien gelesen: die Aufzeichnung als kommagetrennte Werte exportieren.</translation>
+    </message>
+    <message>
+        <source>from t = {:.6g} s a relation of {} holds the model between its two sides (sliding)</source>
+        <translation>ab t = {} s hält eine Relation von {} das Modell zwischen ihren beiden Seiten (Gleiten)</translation>
+    </message>
+    <message>
+        <source>At the initial time: {}</source>
+        <translation>Zum Anfangszeitpunkt: {}</translation>
+    </message>
+    <message>
+        <source>The model is singular.</source>
+        <translation>Das Modell ist singulär.</translation>
+    </message>
+    <message>
+        <source> No equation determines {}.</source>
+        <translation> Keine Gleichung bestimmt {}.</translation>
+    </message>
+    <message>
+        <source> These equations have too few unknowns of their own: {}.</source>
+        <translation> Diese Gleichungen haben zu wenige eigene Unbekannte: {}.</translation>
+    </message>
+    <message>
+        <source> These equations repeat what others say: {}.</source>
+        <translation> Diese Gleichungen wiederholen, was andere sagen: {}.</translation>
+    </message>
+    <message>
+        <source>Look for a part that nothing holds (an open circuit, a loop without a fixed point), or for two sources that impose the same quantity.</source>
+        <translation>Nach einem Teil suchen, den nichts hält (ein offener Kreis, eine Schleife ohne festen Punkt), oder nach zwei Quellen, die dieselbe Größe vorgeben.</translation>
+    </message>
+    <message>
+        <source>the simulation of experiment &quot;{}&quot; stopped at t = {:.6g} s: {}{}</source>
+        <translation>die Simulation von Versuch „{}“ blieb bei t = {} s stehen: {}{}</translation>
+    </message>
+    <message>
+        <source>look at the values of the parameters near that variable</source>
+        <translation>die Werte der Parameter in der Nähe dieser Variablen ansehen</translation>
+    </message>
+    <message>
+        <source>cannot write the file</source>
+        <translation>die Datei lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>is there space and the right to write?</source>
+        <translation>gibt es Platz und das Recht zu schreiben?</translation>
+    </message>
+    <message>
+        <source>cannot create the directory: {}</source>
+        <translation>das Verzeichnis lässt sich nicht anlegen: {}</translation>
+    </message>
+    <message>
+        <source>give another --out</source>
+        <translation>ein anderes --out angeben</translation>
+    </message>
+    <message>
+        <source>cannot replace the results: {}</source>
+        <translation>die Ergebnisse lassen sich nicht ersetzen: {}</translation>
+    </message>
+    <message>
+        <source>there is no such file or directory</source>
+        <translation>es gibt keine solche Datei und kein solches Verzeichnis</translation>
+    </message>
+    <message>
+        <source>Give the directory of a study, or its study.json.</source>
+        <translation>Das Verzeichnis einer Studie oder deren study.json angeben.</translation>
+    </message>
+    <message>
+        <source>this directory holds no study.json</source>
+        <translation>dieses Verzeichnis enthält keine study.json</translation>
+    </message>
+    <message>
+        <source>A study is a directory with study.json, a model (.mo) and its measurements.</source>
+        <translation>Eine Studie ist ein Verzeichnis mit study.json, einem Modell (.mo) und dessen Messungen.</translation>
+    </message>
+    <message>
+        <source>packed studies cannot be read here</source>
+        <translation>gepackte Studien können hier nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>Unpack it (it is a zip archive) and give the directory.</source>
+        <translation>Sie entpacken (es ist ein Zip-Archiv) und das Verzeichnis angeben.</translation>
+    </message>
+    <message>
+        <source>this is not a study</source>
+        <translation>dies ist keine Studie</translation>
+    </message>
+    <message>
+        <source>The path is relative to the study's directory.</source>
+        <translation>Der Pfad gilt ab dem Verzeichnis der Studie.</translation>
+    </message>
+    <message>
+        <source>Did you mean '{}'?</source>
+        <translation>Ist „{}“ gemeint?</translation>
+    </message>
+    <message>
+        <source>experiment '{}': there is no file '{}'</source>
+        <translation>Versuch „{}“: Es gibt keine Datei „{}“</translation>
+    </message>
+    <message>
+        <source>the measurement is neither on disk nor in the study</source>
+        <translation>die Messung ist weder auf der Platte noch in der Studie</translation>
+    </message>
+    <message>
+        <source>an object {{…}}</source>
+        <translation>ein Objekt {{…}}</translation>
+    </message>
+    <message>
+        <source>a list […]</source>
+        <translation>eine Liste […]</translation>
+    </message>
+    <message>
+        <source>the text &quot;{}&quot;</source>
+        <translation>der Text &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>the number {}</source>
+        <translation>die Zahl {}</translation>
+    </message>
+    <message>
+        <source>an object {{…}} with the members of a study</source>
+        <translation>ein Objekt {{…}} mit den Angaben einer Studie</translation>
+    </message>
+    <message>
+        <source>{} is given twice</source>
+        <translation>{} ist doppelt angegeben</translation>
+    </message>
+    <message>
+        <source>Keep one of them.</source>
+        <translation>Eines davon behalten.</translation>
+    </message>
+    <message>
+        <source>a study</source>
+        <translation>einer Studie</translation>
+    </message>
+    <message>
+        <source>the study</source>
+        <translation>die Studie</translation>
+    </message>
+    <message>
+        <source>{}: expected {}, found {}</source>
+        <translation>{}: erwartet: {}, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>{}: the member &quot;{}&quot; is missing</source>
+        <translation>{}: Die Angabe &quot;{}&quot; fehlt</translation>
+    </message>
+    <message>
+        <source>a text that is not empty</source>
+        <translation>ein Text, der nicht leer ist</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is no member of {}; it is kept and has no effect</source>
+        <translation>&quot;{}&quot; gehört nicht zu {}; es bleibt erhalten und bewirkt nichts</translation>
+    </message>
+    <message>
+        <source>Did you mean &quot;{}&quot;?</source>
+        <translation>Ist &quot;{}&quot; gemeint?</translation>
+    </message>
+    <message>
+        <source>the format &quot;{}&quot; is not known</source>
+        <translation>das Format &quot;{}&quot; ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>This program reads &quot;{}&quot;.</source>
+        <translation>Dieses Programm liest &quot;{}&quot;.</translation>
+    </message>
+    <message>
+        <source>a list […] of experiments</source>
+        <translation>eine Liste […] von Versuchen</translation>
+    </message>
+    <message>
+        <source>an experiment {{…}}</source>
+        <translation>ein Versuch {{…}}</translation>
+    </message>
+    <message>
+        <source>there are two experiments named '{}'</source>
+        <translation>es gibt zwei Versuche namens „{}“</translation>
+    </message>
+    <message>
+        <source>Give each experiment its own name.</source>
+        <translation>Jedem Versuch einen eigenen Namen geben.</translation>
+    </message>
+    <message>
+        <source>an experiment</source>
+        <translation>einem Versuch</translation>
+    </message>
+    <message>
+        <source>&quot;fit&quot; or &quot;validate&quot;</source>
+        <translation>&quot;fit&quot; oder &quot;validate&quot;</translation>
+    </message>
+    <message>
+        <source>start values {{parameter: value}}</source>
+        <translation>Startwerte {{Parameter: Wert}}</translation>
+    </message>
+    <message>
+        <source>two times [from, to] in seconds</source>
+        <translation>zwei Zeiten [von, bis] in Sekunden</translation>
+    </message>
+    <message>
+        <source>{}: the range ends at {} before it begins at {}</source>
+        <translation>{}: Der Bereich endet bei {}, bevor er bei {} beginnt</translation>
+    </message>
+    <message>
+        <source>an object {{model signal: column}}</source>
+        <translation>ein Objekt {{Signal des Modells: Spalte}}</translation>
+    </message>
+    <message>
+        <source>the name of a column, or {{&quot;column&quot;: …, &quot;unit&quot;: …}}</source>
+        <translation>der Name einer Spalte, oder {{&quot;column&quot;: …, &quot;unit&quot;: …}}</translation>
+    </message>
+    <message>
+        <source>{}: a scale of 0 wipes the column out</source>
+        <translation>{}: Ein Faktor 0 löscht die Spalte</translation>
+    </message>
+    <message>
+        <source>{}: a weight cannot be negative</source>
+        <translation>{}: Ein Gewicht kann nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>a number of seconds, or &quot;fit&quot;</source>
+        <translation>eine Zahl in Sekunden, oder &quot;fit&quot;</translation>
+    </message>
+    <message>
+        <source>a mapped column</source>
+        <translation>einer zugeordneten Spalte</translation>
+    </message>
+    <message>
+        <source>a number, &quot;fit&quot; or the name of a column</source>
+        <translation>eine Zahl, &quot;fit&quot; oder der Name einer Spalte</translation>
+    </message>
+    <message>
+        <source>an object {{parameter: {{…}}}}</source>
+        <translation>ein Objekt {{Parameter: {{…}}}}</translation>
+    </message>
+    <message>
+        <source>an object, as {{&quot;fit&quot;: true, &quot;min&quot;: 0}}</source>
+        <translation>ein Objekt, etwa {{&quot;fit&quot;: true, &quot;min&quot;: 0}}</translation>
+    </message>
+    <message>
+        <source>a parameter</source>
+        <translation>einem Parameter</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>&quot;lin&quot; or &quot;log&quot;</source>
+        <translation>&quot;lin&quot; oder &quot;log&quot;</translation>
+    </message>
+    <message>
+        <source>{}: the lower bound {} is not below the upper bound {}</source>
+        <translation>{}: Die untere Grenze {} liegt nicht unter der oberen Grenze {}</translation>
+    </message>
+    <message>
+        <source>{}: a logarithmic scale needs a lower bound above 0</source>
+        <translation>{}: Eine logarithmische Skala braucht eine untere Grenze über 0</translation>
+    </message>
+    <message>
+        <source>Raise &quot;min&quot;, or use &quot;scale&quot;: &quot;lin&quot;.</source>
+        <translation>&quot;min&quot; erhöhen, oder &quot;scale&quot;: &quot;lin&quot; verwenden.</translation>
+    </message>
+    <message>
+        <source>what is known, as {{&quot;mean&quot;: 3.2, &quot;std&quot;: 0.1}}</source>
+        <translation>was bekannt ist, etwa {{&quot;mean&quot;: 3.2, &quot;std&quot;: 0.1}}</translation>
+    </message>
+    <message>
+        <source>A prior is {{&quot;mean&quot;: …, &quot;std&quot;: …}}.</source>
+        <translation>Vorwissen ist {{&quot;mean&quot;: …, &quot;std&quot;: …}}.</translation>
+    </message>
+    <message>
+        <source>a prior</source>
+        <translation>einem Vorwissen</translation>
+    </message>
+    <message>
+        <source>{}: a standard deviation must be above 0</source>
+        <translation>{}: Eine Standardabweichung muss über 0 liegen</translation>
+    </message>
+    <message>
+        <source>A parameter that is known for sure is not fitted: &quot;fit&quot;: false.</source>
+        <translation>Ein Parameter, der sicher bekannt ist, wird nicht angepasst: &quot;fit&quot;: false.</translation>
+    </message>
+    <message>
+        <source>a list […] of paths</source>
+        <translation>eine Liste […] von Pfaden</translation>
+    </message>
+    <message>
+        <source>this is not valid JSON: {}</source>
+        <translation>dies ist kein gültiges JSON: {}</translation>
+    </message>
+    <message>
+        <source>A comma, bracket or quotation mark is missing or one too many near here.</source>
+        <translation>Hier in der Nähe fehlt ein Komma, eine Klammer oder ein Anführungszeichen, oder eines ist zu viel.</translation>
+    </message>
+    <message>
+        <source>There is no column.</source>
+        <translation>Es gibt keine Spalte.</translation>
+    </message>
+    <message>
+        <source>Available: {}.</source>
+        <translation>Vorhanden: {}.</translation>
+    </message>
+    <message>
+        <source>the study has no experiment</source>
+        <translation>die Studie hat keinen Versuch</translation>
+    </message>
+    <message>
+        <source>Add a measurement to it.</source>
+        <translation>Eine Messung hinzufügen.</translation>
+    </message>
+    <message>
+        <source>the model '{}' has no parameter '{}'</source>
+        <translation>das Modell „{}“ hat keinen Parameter „{}“</translation>
+    </message>
+    <message>
+        <source>There is no parameter.</source>
+        <translation>Es gibt keinen Parameter.</translation>
+    </message>
+    <message>
+        <source>a variable</source>
+        <translation>eine Variable</translation>
+    </message>
+    <message>
+        <source>a constant</source>
+        <translation>eine Konstante</translation>
+    </message>
+    <message>
+        <source>no real number</source>
+        <translation>keine reelle Zahl</translation>
+    </message>
+    <message>
+        <source>declared final</source>
+        <translation>als final deklariert</translation>
+    </message>
+    <message>
+        <source>protected</source>
+        <translation>geschützt</translation>
+    </message>
+    <message>
+        <source>'{}' cannot be set or fitted: it is {}</source>
+        <translation>„{}“ lässt sich weder setzen noch anpassen: Es ist {}</translation>
+    </message>
+    <message>
+        <source>Only real parameters that are neither final nor protected can.</source>
+        <translation>Nur reelle Parameter, die weder final noch geschützt sind.</translation>
+    </message>
+    <message>
+        <source>the parameter '{}' has no value to start from</source>
+        <translation>der Parameter „{}“ hat keinen Wert, von dem aus zu beginnen wäre</translation>
+    </message>
+    <message>
+        <source>Give one in the model, or as &quot;value&quot; in the study.</source>
+        <translation>Einen im Modell angeben, oder als &quot;value&quot; in der Studie.</translation>
+    </message>
+    <message>
+        <source>the start value {} of '{}' lies outside its bounds {} … {}</source>
+        <translation>der Startwert {} von „{}“ liegt außerhalb der Grenzen {} … {}</translation>
+    </message>
+    <message>
+        <source>Widen the bounds, or give another start as &quot;value&quot;.</source>
+        <translation>Die Grenzen weiten, oder mit &quot;value&quot; einen anderen Start angeben.</translation>
+    </message>
+    <message>
+        <source>'{}' starts at {}, where a logarithmic scale has no place</source>
+        <translation>„{}“ beginnt bei {}, wo eine logarithmische Skala keinen Platz hat</translation>
+    </message>
+    <message>
+        <source>Start above 0, or use &quot;scale&quot;: &quot;lin&quot;.</source>
+        <translation>Über 0 beginnen, oder &quot;scale&quot;: &quot;lin&quot; verwenden.</translation>
+    </message>
+    <message>
+        <source>no experiment asks for the clock of the output '{}'</source>
+        <translation>kein Versuch fragt nach der Uhr des Ausgangs „{}“</translation>
+    </message>
+    <message>
+        <source>Map the output as {{&quot;column&quot;: …, &quot;clock&quot;: &quot;fit&quot;}}.</source>
+        <translation>Den Ausgang als {{&quot;column&quot;: …, &quot;clock&quot;: &quot;fit&quot;}} zuordnen.</translation>
+    </message>
+    <message>
+        <source>experiment '{}': the clock of an input cannot be fitted</source>
+        <translation>Versuch „{}“: Die Uhr eines Eingangs lässt sich nicht anpassen</translation>
+    </message>
+    <message>
+        <source>Give its offset in seconds, or fit the clocks of the outputs.</source>
+        <translation>Ihren Versatz in Sekunden angeben, oder die Uhren der Ausgänge anpassen.</translation>
+    </message>
+    <message>
+        <source>experiment '{}': the file '{}' has not been read</source>
+        <translation>Versuch „{}“: Die Datei „{}“ wurde nicht gelesen</translation>
+    </message>
+    <message>
+        <source>experiment '{}': '{}' has no column '{}'</source>
+        <translation>Versuch „{}“: „{}“ hat keine Spalte „{}“</translation>
+    </message>
+    <message>
+        <source>experiment '{}': fewer than two samples lie between {} s and {} s</source>
+        <translation>Versuch „{}“: Zwischen {} s und {} s liegen weniger als zwei Abtastwerte</translation>
+    </message>
+    <message>
+        <source>The file runs from {:.6g} s to {:.6g} s.</source>
+        <translation>Die Datei läuft von {} s bis {} s.</translation>
+    </message>
+    <message>
+        <source>There is no such signal.</source>
+        <translation>Es gibt kein solches Signal.</translation>
+    </message>
+    <message>
+        <source>It is an output of the model: list it under &quot;outputs&quot;.</source>
+        <translation>Es ist ein Ausgang des Modells: unter &quot;outputs&quot; aufführen.</translation>
+    </message>
+    <message>
+        <source>It is an input of the model: list it under &quot;inputs&quot;.</source>
+        <translation>Es ist ein Eingang des Modells: unter &quot;inputs&quot; aufführen.</translation>
+    </message>
+    <message>
+        <source>experiment '{}': the model '{}' has no input '{}'</source>
+        <translation>Versuch „{}“: Das Modell „{}“ hat keinen Eingang „{}“</translation>
+    </message>
+    <message>
+        <source>experiment '{}': the model '{}' has no output '{}'</source>
+        <translation>Versuch „{}“: Das Modell „{}“ hat keinen Ausgang „{}“</translation>
+    </message>
+    <message>
+        <source>experiment '{}': the input '{}' of the model has no column</source>
+        <translation>Versuch „{}“: Der Eingang „{}“ des Modells hat keine Spalte</translation>
+    </message>
+    <message>
+        <source>Add &quot;{}&quot;: &quot;COLUMN&quot; to &quot;inputs&quot;. {}</source>
+        <translation>&quot;{}&quot;: &quot;SPALTE&quot; zu &quot;inputs&quot; hinzufügen. {}</translation>
+    </message>
+    <message>
+        <source>experiment '{}' measures no output of the model</source>
+        <translation>Versuch „{}“ misst keinen Ausgang des Modells</translation>
+    </message>
+    <message>
+        <source>Map at least one of: {}.</source>
+        <translation>Mindestens einen davon zuordnen: {}.</translation>
+    </message>
+    <message>
+        <source>experiment '{}': the unit '{}' of '{}' is not known</source>
+        <translation>Versuch „{}“: Die Einheit „{}“ von „{}“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>The model wants '{}'.</source>
+        <translation>Das Modell verlangt „{}“.</translation>
+    </message>
+    <message>
+        <source>'{}' has no value to start from</source>
+        <translation>„{}“ hat keinen Wert, von dem aus zu beginnen wäre</translation>
+    </message>
+    <message>
+        <source>Give one in the model.</source>
+        <translation>Einen im Modell angeben.</translation>
+    </message>
+    <message>
+        <source>the study has no model of '{}'</source>
+        <translation>die Studie hat kein Modell von „{}“</translation>
+    </message>
+    <message>
+        <source>Put the model's text beside study.json as model.mo.</source>
+        <translation>Den Text des Modells als model.mo neben study.json legen.</translation>
+    </message>
+    <message>
+        <source>there is no class '{}' in the models of the study</source>
+        <translation>es gibt in den Modellen der Studie keine Klasse „{}“</translation>
+    </message>
+    <message>
+        <source>There is no class.</source>
+        <translation>Es gibt keine Klasse.</translation>
+    </message>
+    <message>
+        <source>a delay of a delayed signal cannot be simulated</source>
+        <translation>eine Totzeit eines verzögerten Signals kann nicht simuliert werden</translation>
+    </message>
+    <message>
+        <source>an input is not finite</source>
+        <translation>ein Eingang ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>directions do not have the shape the system asks for</source>
+        <translation>die Richtungen haben nicht die Form, die das System verlangt</translation>
+    </message>
+    <message>
+        <source>events faster than the steps</source>
+        <translation>Ereignisse schneller als die Schritte</translation>
+    </message>
+    <message>
+        <source>events without end</source>
+        <translation>Ereignisse ohne Ende</translation>
+    </message>
+    <message>
+        <source>inputs do not have the shape the system asks for</source>
+        <translation>die Eingänge haben nicht die Form, die das System verlangt</translation>
+    </message>
+    <message>
+        <source>more than 100000 events</source>
+        <translation>mehr als 100000 Ereignisse</translation>
+    </message>
+    <message>
+        <source>no convergence of an implicit step</source>
+        <translation>keine Konvergenz eines impliziten Schritts</translation>
+    </message>
+    <message>
+        <source>no convergence of an algebraic loop</source>
+        <translation>keine Konvergenz einer algebraischen Schleife</translation>
+    </message>
+    <message>
+        <source>no samples</source>
+        <translation>keine Abtastwerte</translation>
+    </message>
+    <message>
+        <source>not finite</source>
+        <translation>nicht endlich</translation>
+    </message>
+    <message>
+        <source>singular Jacobian</source>
+        <translation>singuläre Jacobi-Matrix</translation>
+    </message>
+    <message>
+        <source>step limit</source>
+        <translation>Grenze der Schritte</translation>
+    </message>
+    <message>
+        <source>the integrator could not be set up</source>
+        <translation>der Integrator ließ sich nicht einrichten</translation>
+    </message>
+    <message>
+        <source>the integrator could not restart</source>
+        <translation>der Integrator ließ sich nicht neu starten</translation>
+    </message>
+    <message>
+        <source>the step became too small for the tolerance</source>
+        <translation>der Schritt wurde für die Toleranz zu klein</translation>
+    </message>
+    <message>
+        <source>the tolerance is beyond the machine's accuracy</source>
+        <translation>die Toleranz übersteigt die Genauigkeit der Maschine</translation>
+    </message>
+    <message>
+        <source>time limit</source>
+        <translation>Zeitgrenze</translation>
+    </message>
+    <message>
+        <source>wrong number of parameters</source>
+        <translation>falsche Zahl von Parametern</translation>
+    </message>
+    <message>
+        <source>cannot be found</source>
+        <translation>ist nicht zu finden</translation>
+    </message>
+    <message>
+        <source>cannot be read: its header is damaged</source>
+        <translation>kann nicht gelesen werden: Sein Kopf ist beschädigt</translation>
+    </message>
+    <message>
+        <source>is damaged: its compressed data cannot be read</source>
+        <translation>ist beschädigt: Seine gepackten Daten können nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>is larger than the archive says</source>
+        <translation>ist größer, als das Archiv sagt</translation>
+    </message>
+    <message>
+        <source>is shorter than the archive says</source>
+        <translation>ist kürzer, als das Archiv sagt</translation>
+    </message>
+    <message>
+        <source>is damaged: its checksum does not fit</source>
+        <translation>ist beschädigt: Seine Prüfsumme stimmt nicht</translation>
+    </message>
+    <message>
+        <source>the connector {} has {} flow and 1 potential variable</source>
+        <translation>der Anschluss {} hat {} Fluss- und 1 Potentialvariable</translation>
+    </message>
+    <message>
+        <source>the connector {} has {} flow and {} potential variables</source>
+        <translation>der Anschluss {} hat {} Fluss- und {} Potentialvariablen</translation>
+    </message>
+    <message>
+        <source>a connector needs as many flow variables as others</source>
+        <translation>ein Anschluss braucht ebenso viele Flussvariablen wie andere</translation>
+    </message>
+    <message>
+        <source>1 equation</source>
+        <translation>1 Gleichung</translation>
+    </message>
+    <message>
+        <source>{} equations</source>
+        <translation>{} Gleichungen</translation>
+    </message>
+    <message>
+        <source>1 unknown</source>
+        <translation>1 Unbekannte</translation>
+    </message>
+    <message>
+        <source>{} unknowns</source>
+        <translation>{} Unbekannte</translation>
+    </message>
+    <message>
+        <source>remove an equation or a value, or add a variable</source>
+        <translation>eine Gleichung oder einen Wert entfernen, oder eine Variable hinzufügen</translation>
+    </message>
+    <message>
+        <source>add an equation, or connect what is open</source>
+        <translation>eine Gleichung hinzufügen, oder verbinden, was offen ist</translation>
+    </message>
+    <message>
+        <source>no equation holds {}</source>
+        <translation>in keiner Gleichung steht {}</translation>
+    </message>
+    <message>
+        <source>{} has {} for {}: {} too many</source>
+        <translation>{} hat {} für {}: {} zu viel</translation>
+    </message>
+    <message>
+        <source>{} has {} for {}: {} too few</source>
+        <translation>{} hat {} für {}: {} zu wenig</translation>
+    </message>
+    <message>
+        <source>model '{}' has {} equations for {} unknowns</source>
+        <translation>Modell „{}“ hat {} Gleichungen für {} Unbekannte</translation>
+    </message>
+    <message>
+        <source>connect: the sizes differ, {}{} and {}{}</source>
+        <translation>connect: die Größen unterscheiden sich, {}{} und {}{}</translation>
+    </message>
+    <message>
+        <source>connect: '{}' is {}, not a connector</source>
+        <translation>connect: „{}“ ist {}, kein Anschluss</translation>
+    </message>
+    <message>
+        <source>a {} variable</source>
+        <translation>eine Variable vom Typ {}</translation>
+    </message>
+    <message>
+        <source>a component of class {}</source>
+        <translation>ein Bauteil der Klasse {}</translation>
+    </message>
+    <message>
+        <source>name one of its connectors</source>
+        <translation>einen seiner Anschlüsse nennen</translation>
+    </message>
+    <message>
+        <source>connect: '{}' lies inside a component</source>
+        <translation>connect: „{}“ liegt innerhalb eines Bauteils</translation>
+    </message>
+    <message>
+        <source>connect to a connector of the component itself</source>
+        <translation>mit einem Anschluss des Bauteils selbst verbinden</translation>
+    </message>
+    <message>
+        <source>is a signal</source>
+        <translation>ist ein Signal</translation>
+    </message>
+    <message>
+        <source>has {}</source>
+        <translation>hat {}</translation>
+    </message>
+    <message>
+        <source>{}: the connectors do not fit: '{}' ({}) {}, '{}' ({}) {}</source>
+        <translation>{}: die Anschlüsse passen nicht: „{}“ ({}) {}, „{}“ ({}) {}</translation>
+    </message>
+    <message>
+        <source>connect connectors of the same kind</source>
+        <translation>Anschlüsse derselben Art verbinden</translation>
+    </message>
+    <message>
+        <source>{}: '{}' is {}, '{}' is {}</source>
+        <translation>{}: „{}“ ist {}, „{}“ ist {}</translation>
+    </message>
+    <message>
+        <source>{}: the units differ: '{}' is in {}, '{}' in {}</source>
+        <translation>{}: die Einheiten unterscheiden sich: „{}“ ist in {}, „{}“ in {}</translation>
+    </message>
+    <message>
+        <source>check which variables are meant to be connected</source>
+        <translation>prüfen, welche Variablen verbunden werden sollen</translation>
+    </message>
+    <message>
+        <source>two signals drive each other: {} and {} are both sources</source>
+        <translation>zwei Signale treiben einander: {} und {} sind beide Quellen</translation>
+    </message>
+    <message>
+        <source>connect an output to inputs only</source>
+        <translation>einen Ausgang nur mit Eingängen verbinden</translation>
+    </message>
+    <message>
+        <source>the input {} is connected to inputs only</source>
+        <translation>der Eingang {} ist nur mit Eingängen verbunden</translation>
+    </message>
+    <message>
+        <source>connect one of them to an output</source>
+        <translation>einen davon mit einem Ausgang verbinden</translation>
+    </message>
+    <message>
+        <source>the input '{}' is connected and has a value as well</source>
+        <translation>der Eingang „{}“ ist verbunden und hat außerdem einen Wert</translation>
+    </message>
+    <message>
+        <source>remove the connection or the value</source>
+        <translation>die Verbindung oder den Wert entfernen</translation>
+    </message>
+    <message>
+        <source>the input '{}' of {} is not connected</source>
+        <translation>der Eingang „{}“ von {} ist nicht verbunden</translation>
+    </message>
+    <message>
+        <source>the input '{}' of {} has no value</source>
+        <translation>der Eingang „{}“ von {} hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>connect it to an output or a top-level input</source>
+        <translation>ihn mit einem Ausgang oder einem Eingang des Modells verbinden</translation>
+    </message>
+    <message>
+        <source>give it one where the component is declared: {}({} = …); an equation can only set an input that is a connector, such as RealInput</source>
+        <translation>ihm einen geben, wo das Bauteil deklariert ist: {}({} = …); eine Gleichung kann nur einen Eingang setzen, der ein Anschluss ist, wie RealInput</translation>
+    </message>
+    <message>
+        <source>the class '{}' is not known</source>
+        <translation>die Klasse „{}“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>model '{}'</source>
+        <translation>Modell „{}“</translation>
+    </message>
+    <message>
+        <source>component '{}' ({})</source>
+        <translation>Bauteil „{}“ ({})</translation>
+    </message>
+    <message>
+        <source>the Modelica Standard Library is not part of Analogon: use Analogon's blocks, or declare what you need</source>
+        <translation>die Modelica Standard Library gehört nicht zu Analogon: Blöcke von Analogon verwenden, oder deklarieren, was gebraucht wird</translation>
+    </message>
+    <message>
+        <source>did you mean '{}'?</source>
+        <translation>ist „{}“ gemeint?</translation>
+    </message>
+    <message>
+        <source>'{}' is not declared in {}</source>
+        <translation>„{}“ ist in {} nicht deklariert</translation>
+    </message>
+    <message>
+        <source>'{}' is a variable and has no member '{}'</source>
+        <translation>„{}“ ist eine Variable und hat keinen Bestandteil „{}“</translation>
+    </message>
+    <message>
+        <source>{} has no member '{}'</source>
+        <translation>{} hat keinen Bestandteil „{}“</translation>
+    </message>
+    <message>
+        <source>'{}' of {} is protected</source>
+        <translation>„{}“ von {} ist geschützt</translation>
+    </message>
+    <message>
+        <source>use a public variable, or make it public where it is declared</source>
+        <translation>eine öffentliche Variable verwenden, oder sie dort öffentlich machen, wo sie deklariert ist</translation>
+    </message>
+    <message>
+        <source>'{}' could not be instantiated</source>
+        <translation>„{}“ ließ sich nicht instanziieren</translation>
+    </message>
+    <message>
+        <source>'{}' is switched off by its condition</source>
+        <translation>„{}“ ist durch seine Bedingung abgeschaltet</translation>
+    </message>
+    <message>
+        <source>a conditional component may be used in connect equations only</source>
+        <translation>ein bedingtes Bauteil darf nur in connect-Gleichungen verwendet werden</translation>
+    </message>
+    <message>
+        <source>'{}' is a member of an empty array</source>
+        <translation>„{}“ ist Bestandteil eines leeren Felds</translation>
+    </message>
+    <message>
+        <source>'{}' has {} subscripts for {} dimensions</source>
+        <translation>„{}“ hat {} Indizes für {} Dimensionen</translation>
+    </message>
+    <message>
+        <source>a subscript must be an Integer, not {}</source>
+        <translation>ein Index muss Integer sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>a subscript must be an Integer that is known before the simulation</source>
+        <translation>ein Index muss ein Integer sein, der vor der Simulation bekannt ist</translation>
+    </message>
+    <message>
+        <source>use a number, an iterator of a for loop or a parameter</source>
+        <translation>eine Zahl, die Variable einer for-Schleife oder einen Parameter verwenden</translation>
+    </message>
+    <message>
+        <source>the subscript {} is outside 1:{}</source>
+        <translation>der Index {} liegt außerhalb von 1:{}</translation>
+    </message>
+    <message>
+        <source>'{}' is a component of class {}, not a value</source>
+        <translation>„{}“ ist ein Bauteil der Klasse {}, kein Wert</translation>
+    </message>
+    <message>
+        <source>name one of its variables</source>
+        <translation>eine seiner Variablen nennen</translation>
+    </message>
+    <message>
+        <source>'{}' is not a value of the enumeration {}</source>
+        <translation>„{}“ ist kein Wert der Aufzählung {}</translation>
+    </message>
+    <message>
+        <source>'{}' has no constant '{}'</source>
+        <translation>„{}“ hat keine Konstante „{}“</translation>
+    </message>
+    <message>
+        <source>the constant '{}.{}' has no value</source>
+        <translation>die Konstante „{}.{}“ hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>the constant '{}.{}' depends on itself</source>
+        <translation>die Konstante „{}.{}“ hängt von sich selbst ab</translation>
+    </message>
+    <message>
+        <source>{} of different units: '{}' is in {}, '{}' in {}</source>
+        <translation>{} verschiedener Einheiten: „{}“ ist in {}, „{}“ in {}</translation>
+    </message>
+    <message>
+        <source>{} of a quantity with a unit: '{}' is in {}</source>
+        <translation>{} einer Größe mit Einheit: „{}“ ist in {}</translation>
+    </message>
+    <message>
+        <source>check the equation, or the units of what stands in it</source>
+        <translation>die Gleichung prüfen, oder die Einheiten dessen, was darin steht</translation>
+    </message>
+    <message>
+        <source>the units of both sides differ: '{}' is in {}, '{}' in {}</source>
+        <translation>die Einheiten beider Seiten unterscheiden sich: „{}“ ist in {}, „{}“ in {}</translation>
+    </message>
+    <message>
+        <source>'{}' is in {}, its value '{}' in {}</source>
+        <translation>„{}“ ist in {}, sein Wert „{}“ in {}</translation>
+    </message>
+    <message>
+        <source>check the value, or the unit of one of them</source>
+        <translation>den Wert prüfen, oder die Einheit eines der beiden</translation>
+    </message>
+    <message>
+        <source>a sum</source>
+        <translation>eine Summe</translation>
+    </message>
+    <message>
+        <source>a difference</source>
+        <translation>eine Differenz</translation>
+    </message>
+    <message>
+        <source>a minimum</source>
+        <translation>ein Minimum</translation>
+    </message>
+    <message>
+        <source>a maximum</source>
+        <translation>ein Maximum</translation>
+    </message>
+    <message>
+        <source>branches</source>
+        <translation>Zweige</translation>
+    </message>
+    <message>
+        <source>a comparison</source>
+        <translation>ein Vergleich</translation>
+    </message>
+    <message>
+        <source>the value of '{}' depends on itself</source>
+        <translation>der Wert von „{}“ hängt von sich selbst ab</translation>
+    </message>
+    <message>
+        <source>break the circle of parameters</source>
+        <translation>den Kreis der Parameter aufbrechen</translation>
+    </message>
+    <message>
+        <source>write 'each' before the attribute, or fill(value, size)</source>
+        <translation>„each“ vor das Attribut schreiben, oder fill(Wert, Größe)</translation>
+    </message>
+    <message>
+        <source>{} of '{}' has size {}, the variable {}</source>
+        <translation>{} von „{}“ hat die Größe {}, die Variable {}</translation>
+    </message>
+    <message>
+        <source>of a single value</source>
+        <translation>eines einzelnen Werts</translation>
+    </message>
+    <message>
+        <source>is a single value</source>
+        <translation>ist ein einzelner Wert</translation>
+    </message>
+    <message>
+        <source>'{}' is not an attribute of {}</source>
+        <translation>„{}“ ist kein Attribut von {}</translation>
+    </message>
+    <message>
+        <source>the attribute '{}'</source>
+        <translation>das Attribut „{}“</translation>
+    </message>
+    <message>
+        <source>the attribute '{}' of '{}' cannot be {}</source>
+        <translation>das Attribut „{}“ von „{}“ kann nicht {} sein</translation>
+    </message>
+    <message>
+        <source>the start value of '{}' changes while the model runs</source>
+        <translation>der Startwert von „{}“ ändert sich, während das Modell läuft</translation>
+    </message>
+    <message>
+        <source>use numbers and parameters</source>
+        <translation>Zahlen und Parameter verwenden</translation>
+    </message>
+    <message>
+        <source>the attribute '{}' must be known before the simulation</source>
+        <translation>das Attribut „{}“ muss vor der Simulation bekannt sein</translation>
+    </message>
+    <message>
+        <source>'stateSelect' is one of StateSelect.never, avoid, default, prefer, always</source>
+        <translation>„stateSelect“ ist eines von StateSelect.never, avoid, default, prefer, always</translation>
+    </message>
+    <message>
+        <source>the value</source>
+        <translation>der Wert</translation>
+    </message>
+    <message>
+        <source>'{}' is {} and cannot be {}</source>
+        <translation>„{}“ ist {} und kann nicht {} sein</translation>
+    </message>
+    <message>
+        <source>the String '{}' must be a parameter or a constant</source>
+        <translation>der String „{}“ muss ein Parameter oder eine Konstante sein</translation>
+    </message>
+    <message>
+        <source>the constant '{}' has no value</source>
+        <translation>die Konstante „{}“ hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>the parameter '{}' has no value</source>
+        <translation>der Parameter „{}“ hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>give it one, for example {} = 1</source>
+        <translation>einen angeben, zum Beispiel {} = 1</translation>
+    </message>
+    <message>
+        <source>the parameter '{}' depends on {}, which changes while the model runs</source>
+        <translation>der Parameter „{}“ hängt von {} ab, das sich ändert, während das Modell läuft</translation>
+    </message>
+    <message>
+        <source>remove the prefix 'parameter', or use parameters only</source>
+        <translation>den Vorsatz „parameter“ entfernen, oder nur Parameter verwenden</translation>
+    </message>
+    <message>
+        <source>parameters depend on each other: {} -&gt; {}</source>
+        <translation>Parameter hängen voneinander ab: {} -&gt; {}</translation>
+    </message>
+    <message>
+        <source>give one of them a value of its own</source>
+        <translation>einem davon einen eigenen Wert geben</translation>
+    </message>
+    <message>
+        <source>the parameter '{}' is {}, below its min {}</source>
+        <translation>der Parameter „{}“ ist {}, unter seinem min {}</translation>
+    </message>
+    <message>
+        <source>the parameter '{}' is {}, above its max {}</source>
+        <translation>der Parameter „{}“ ist {}, über seinem max {}</translation>
+    </message>
+    <message>
+        <source>change the value, or the range where the parameter is declared</source>
+        <translation>den Wert ändern, oder den Bereich, wo der Parameter deklariert ist</translation>
+    </message>
+    <message>
+        <source>'connect' cannot stand in an initial equation section</source>
+        <translation>„connect“ kann nicht in einem Abschnitt initial equation stehen</translation>
+    </message>
+    <message>
+        <source>'connect' needs a condition that is known before the simulation</source>
+        <translation>„connect“ braucht eine Bedingung, die vor der Simulation bekannt ist</translation>
+    </message>
+    <message>
+        <source>the sides of the equation differ in type: {} and {}</source>
+        <translation>die Seiten der Gleichung sind von verschiedener Art: {} und {}</translation>
+    </message>
+    <message>
+        <source>the sides of the equation differ in size: {} and {}</source>
+        <translation>die Seiten der Gleichung sind von verschiedener Größe: {} und {}</translation>
+    </message>
+    <message>
+        <source>the model has more than {} equations</source>
+        <translation>das Modell hat mehr als {} Gleichungen</translation>
+    </message>
+    <message>
+        <source>the condition after 'if' must be Boolean, not {}</source>
+        <translation>die Bedingung nach „if“ muss Boolean sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>the condition of 'if'</source>
+        <translation>die Bedingung von „if“</translation>
+    </message>
+    <message>
+        <source>an 'if' on a condition that changes needs as many equations in each branch</source>
+        <translation>ein „if“ mit einer Bedingung, die sich ändert, braucht in jedem Zweig gleich viele Gleichungen</translation>
+    </message>
+    <message>
+        <source>add the missing branch, or use a parameter in the condition</source>
+        <translation>den fehlenden Zweig hinzufügen, oder in der Bedingung einen Parameter verwenden</translation>
+    </message>
+    <message>
+        <source>the loops run through more than {} values</source>
+        <translation>die Schleifen durchlaufen mehr als {} Werte</translation>
+    </message>
+    <message>
+        <source>'{}' cannot stand as an equation</source>
+        <translation>„{}“ kann nicht als Gleichung stehen</translation>
+    </message>
+    <message>
+        <source>write: left = right</source>
+        <translation>schreiben: links = rechts</translation>
+    </message>
+    <message>
+        <source>'assert' needs a Boolean condition and a text</source>
+        <translation>„assert“ braucht eine Bedingung vom Typ Boolean und einen Text</translation>
+    </message>
+    <message>
+        <source>the assertion is not checked: its condition changes while the model runs</source>
+        <translation>die Zusicherung wird nicht geprüft: Ihre Bedingung ändert sich, während das Modell läuft</translation>
+    </message>
+    <message>
+        <source>{}: {}</source>
+        <translation>{}: {}</translation>
+    </message>
+    <message>
+        <source>the condition of 'assert' does not hold</source>
+        <translation>die Bedingung von „assert“ gilt nicht</translation>
+    </message>
+    <message>
+        <source>its parameters are {}</source>
+        <translation>seine Parameter sind {}</translation>
+    </message>
+    <message>
+        <source>'{}' has components or equations and cannot extend {}</source>
+        <translation>„{}“ hat Bauteile oder Gleichungen und kann {} nicht erweitern</translation>
+    </message>
+    <message>
+        <source>the base class '{}' of '{}' is not known</source>
+        <translation>die Basisklasse „{}“ von „{}“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>'{}' is a {} and cannot extend {}, which is a {}</source>
+        <translation>„{}“ ist ein {} und kann {} nicht erweitern, das ein {} ist</translation>
+    </message>
+    <message>
+        <source>'{}' extends itself: {} extends {}</source>
+        <translation>„{}“ erweitert sich selbst: {} erweitert {}</translation>
+    </message>
+    <message>
+        <source>remove one of the extends clauses</source>
+        <translation>eine der extends-Anweisungen entfernen</translation>
+    </message>
+    <message>
+        <source>'{}' inherits through more than {} classes</source>
+        <translation>„{}“ erbt über mehr als {} Klassen</translation>
+    </message>
+    <message>
+        <source>'{}' inherits too many classes</source>
+        <translation>„{}“ erbt von zu vielen Klassen</translation>
+    </message>
+    <message>
+        <source>'{}' redeclares '{}', which it does not inherit</source>
+        <translation>„{}“ deklariert „{}“ neu, erbt es aber nicht</translation>
+    </message>
+    <message>
+        <source>'{}' of '{}' is not replaceable</source>
+        <translation>„{}“ von „{}“ ist nicht ersetzbar</translation>
+    </message>
+    <message>
+        <source>declare it 'replaceable' or modify it without 'redeclare'</source>
+        <translation>es als „replaceable“ deklarieren, oder ohne „redeclare“ modifizieren</translation>
+    </message>
+    <message>
+        <source>'{}' is declared twice in '{}'</source>
+        <translation>„{}“ ist in „{}“ zweimal deklariert</translation>
+    </message>
+    <message>
+        <source>rename or remove one of the two declarations</source>
+        <translation>eine der beiden Deklarationen umbenennen oder entfernen</translation>
+    </message>
+    <message>
+        <source>'{}' is declared in '{}' and, differently, in '{}'</source>
+        <translation>„{}“ ist in „{}“ deklariert und, anders, in „{}“</translation>
+    </message>
+    <message>
+        <source>rename it, or declare it 'redeclare'</source>
+        <translation>es umbenennen, oder als „redeclare“ deklarieren</translation>
+    </message>
+    <message>
+        <source>'{}' of '{}' is a component, not a class</source>
+        <translation>„{}“ von „{}“ ist ein Bauteil, keine Klasse</translation>
+    </message>
+    <message>
+        <source>redeclare it as a component: redeclare TYPE NAME</source>
+        <translation>es als Bauteil neu deklarieren: redeclare TYP NAME</translation>
+    </message>
+    <message>
+        <source>'{}' of '{}' is protected and cannot be modified</source>
+        <translation>„{}“ von „{}“ ist geschützt und kann nicht modifiziert werden</translation>
+    </message>
+    <message>
+        <source>'{}' of '{}' is a class; it can only be redeclared</source>
+        <translation>„{}“ von „{}“ ist eine Klasse; sie kann nur neu deklariert werden</translation>
+    </message>
+    <message>
+        <source>the class '{}' of '{}' is not replaceable</source>
+        <translation>die Klasse „{}“ von „{}“ ist nicht ersetzbar</translation>
+    </message>
+    <message>
+        <source>'{}' has no element '{}' to modify</source>
+        <translation>„{}“ hat kein Element „{}“, das zu modifizieren wäre</translation>
+    </message>
+    <message>
+        <source>'{}' is a {}, not a model</source>
+        <translation>„{}“ ist ein {}, kein Modell</translation>
+    </message>
+    <message>
+        <source>choose a model or block</source>
+        <translation>ein Modell oder einen Block wählen</translation>
+    </message>
+    <message>
+        <source>'{}' is partial and cannot be used as it stands</source>
+        <translation>„{}“ ist partial und kann so nicht verwendet werden</translation>
+    </message>
+    <message>
+        <source>use a model that extends it</source>
+        <translation>ein Modell verwenden, das es erweitert</translation>
+    </message>
+    <message>
+        <source>the size or condition of '{}' depends on itself</source>
+        <translation>die Größe oder Bedingung von „{}“ hängt von sich selbst ab</translation>
+    </message>
+    <message>
+        <source>'{}' of '{}' is not supported</source>
+        <translation>„{}“ von „{}“ wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>pass the value as a parameter or connect it</source>
+        <translation>den Wert als Parameter übergeben oder verbinden</translation>
+    </message>
+    <message>
+        <source>the condition of '{}'</source>
+        <translation>die Bedingung von „{}“</translation>
+    </message>
+    <message>
+        <source>'{}' is declared as input and as output</source>
+        <translation>„{}“ ist als Eingang und als Ausgang deklariert</translation>
+    </message>
+    <message>
+        <source>the size of '{}'</source>
+        <translation>die Größe von „{}“</translation>
+    </message>
+    <message>
+        <source>the size of '{}' is negative ({})</source>
+        <translation>die Größe von „{}“ ist negativ ({})</translation>
+    </message>
+    <message>
+        <source>'{}' has an open size and no value that would give it</source>
+        <translation>„{}“ hat eine offene Größe und keinen Wert, der sie angäbe</translation>
+    </message>
+    <message>
+        <source>write the size or a value</source>
+        <translation>die Größe oder einen Wert hinschreiben</translation>
+    </message>
+    <message>
+        <source>the value of '{}' has {} dimensions, its declaration more</source>
+        <translation>der Wert von „{}“ hat {} Dimensionen, seine Deklaration mehr</translation>
+    </message>
+    <message>
+        <source>'{}{}' makes the model larger than {} scalars</source>
+        <translation>„{}{}“ macht das Modell größer als {} Skalare</translation>
+    </message>
+    <message>
+        <source>'{}{}' makes the model larger than {} components</source>
+        <translation>„{}{}“ macht das Modell größer als {} Bauteile</translation>
+    </message>
+    <message>
+        <source>use a smaller size</source>
+        <translation>eine kleinere Größe verwenden</translation>
+    </message>
+    <message>
+        <source>'{}' contains itself: {} has {}</source>
+        <translation>„{}“ enthält sich selbst: {} hat {}</translation>
+    </message>
+    <message>
+        <source>break the circle of components</source>
+        <translation>den Kreis der Bauteile aufbrechen</translation>
+    </message>
+    <message>
+        <source>components are nested more than {} deep at '{}'</source>
+        <translation>Bauteile sind bei „{1}“ tiefer als {0} verschachtelt</translation>
+    </message>
+    <message>
+        <source>'{}' cannot be a component: {} is a {}</source>
+        <translation>„{}“ kann kein Bauteil sein: {} ist ein {}</translation>
+    </message>
+    <message>
+        <source>'{}' is of the partial class {}</source>
+        <translation>„{}“ ist von der partiellen Klasse {}</translation>
+    </message>
+    <message>
+        <source>use a class that extends it, or redeclare the component</source>
+        <translation>eine Klasse verwenden, die sie erweitert, oder das Bauteil neu deklarieren</translation>
+    </message>
+    <message>
+        <source>'{}' is a {}; it has no value that could be set with '='</source>
+        <translation>„{}“ ist ein {}; es hat keinen Wert, der mit „=“ zu setzen wäre</translation>
+    </message>
+    <message>
+        <source>modify its parameters: name(parameter = value)</source>
+        <translation>seine Parameter modifizieren: name(parameter = wert)</translation>
+    </message>
+    <message>
+        <source>'{}' is modified twice</source>
+        <translation>„{}“ wird zweimal modifiziert</translation>
+    </message>
+    <message>
+        <source>keep one of the two modifications</source>
+        <translation>eine der beiden Modifikationen behalten</translation>
+    </message>
+    <message>
+        <source>'{}' is final and cannot be modified</source>
+        <translation>„{}“ ist final und kann nicht modifiziert werden</translation>
+    </message>
+    <message>
+        <source>remove the modification; the value is fixed where the element is declared</source>
+        <translation>die Modifikation entfernen; der Wert liegt dort fest, wo das Element deklariert ist</translation>
+    </message>
+    <message>
+        <source>the model</source>
+        <translation>das Modell</translation>
+    </message>
+    <message>
+        <source>the expression is nested too deeply</source>
+        <translation>der Ausdruck ist zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>split it with variables</source>
+        <translation>ihn mit Variablen aufteilen</translation>
+    </message>
+    <message>
+        <source>a list in parentheses is not a value here</source>
+        <translation>eine Liste in Klammern ist hier kein Wert</translation>
+    </message>
+    <message>
+        <source>write one equation for each member</source>
+        <translation>für jeden Teil eine Gleichung schreiben</translation>
+    </message>
+    <message>
+        <source>'{}' has a meaning in a subscript only</source>
+        <translation>„{}“ hat nur in einem Index eine Bedeutung</translation>
+    </message>
+    <message>
+        <source>a record can be set to another record only</source>
+        <translation>ein record kann nur einem anderen record gleichgesetzt werden</translation>
+    </message>
+    <message>
+        <source>a single value is given to an array of components</source>
+        <translation>einem Feld von Bauteilen wird ein einzelner Wert gegeben</translation>
+    </message>
+    <message>
+        <source>write 'each' before the name, or one value per element: {{a, b, …}}</source>
+        <translation>„each“ vor den Namen schreiben, oder für jedes Element einen Wert: {{a, b, …}}</translation>
+    </message>
+    <message>
+        <source>the value has size {}, the array of components is larger</source>
+        <translation>der Wert hat die Größe {}, das Feld der Bauteile ist größer</translation>
+    </message>
+    <message>
+        <source>the arrays of the model are too large to be worked out</source>
+        <translation>die Felder des Modells sind zu groß, um ausgearbeitet zu werden</translation>
+    </message>
+    <message>
+        <source>use smaller sizes</source>
+        <translation>kleinere Größen verwenden</translation>
+    </message>
+    <message>
+        <source>'{}' needs a Boolean value, not {}</source>
+        <translation>„{}“ braucht einen Wert vom Typ Boolean, nicht {}</translation>
+    </message>
+    <message>
+        <source>'{}' needs a numeric value, not {}</source>
+        <translation>„{}“ braucht eine Zahl, nicht {}</translation>
+    </message>
+    <message>
+        <source>the branches of 'if' differ in type: {} and {}</source>
+        <translation>die Zweige von „if“ sind von verschiedener Art: {} und {}</translation>
+    </message>
+    <message>
+        <source>a text cannot change while the model runs</source>
+        <translation>ein Text kann sich nicht ändern, während das Modell läuft</translation>
+    </message>
+    <message>
+        <source>the iterator '{}' needs a range</source>
+        <translation>die Laufvariable „{}“ braucht einen Bereich</translation>
+    </message>
+    <message>
+        <source>write: for i in 1:n</source>
+        <translation>schreiben: for i in 1:n</translation>
+    </message>
+    <message>
+        <source>the elements of an array must be alike: {} and {}</source>
+        <translation>die Elemente eines Felds müssen gleichartig sein: {} und {}</translation>
+    </message>
+    <message>
+        <source>a range is expected, not {}</source>
+        <translation>erwartet wird ein Bereich, nicht {}</translation>
+    </message>
+    <message>
+        <source>write: first:last</source>
+        <translation>schreiben: erster:letzter</translation>
+    </message>
+    <message>
+        <source>the limits of a range must be numbers that are known before the simulation</source>
+        <translation>die Grenzen eines Bereichs müssen Zahlen sein, die vor der Simulation bekannt sind</translation>
+    </message>
+    <message>
+        <source>use a parameter or a constant</source>
+        <translation>einen Parameter oder eine Konstante verwenden</translation>
+    </message>
+    <message>
+        <source>the range has more than {} values</source>
+        <translation>der Bereich hat mehr als {} Werte</translation>
+    </message>
+    <message>
+        <source>{} must be known before the simulation</source>
+        <translation>{} muss vor der Simulation bekannt sein</translation>
+    </message>
+    <message>
+        <source>use a number, a parameter with a value or a constant</source>
+        <translation>eine Zahl, einen Parameter mit Wert oder eine Konstante verwenden</translation>
+    </message>
+    <message>
+        <source>{} must be an Integer, not {}</source>
+        <translation>{} muss Integer sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>use a parameter with a value</source>
+        <translation>einen Parameter mit Wert verwenden</translation>
+    </message>
+    <message>
+        <source>{} must be Boolean, not {}</source>
+        <translation>{} muss Boolean sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>the type '{}' is defined through itself</source>
+        <translation>der Typ „{}“ ist durch sich selbst definiert</translation>
+    </message>
+    <message>
+        <source>'{}' names a class within '{}', which is redeclared; that is not supported</source>
+        <translation>„{}“ nennt eine Klasse innerhalb von „{}“, die neu deklariert wird; das wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>declare the inner class as &quot;replaceable&quot; itself and redeclare that one</source>
+        <translation>die innere Klasse selbst als „replaceable“ deklarieren und diese neu deklarieren</translation>
+    </message>
+    <message>
+        <source>the class '{}' is redeclared by a class with a body</source>
+        <translation>die Klasse „{}“ wird durch eine Klasse mit eigenem Inhalt neu deklariert</translation>
+    </message>
+    <message>
+        <source>write: redeclare model NAME = CLASS</source>
+        <translation>schreiben: redeclare model NAME = KLASSE</translation>
+    </message>
+    <message>
+        <source>the class '{}' is not known in '{}'</source>
+        <translation>die Klasse „{}“ ist in „{}“ nicht bekannt</translation>
+    </message>
+    <message>
+        <source>'{}' is inherited by {}, which modifies what it inherits; that is not supported for the classes of a package</source>
+        <translation>„{}“ wird von {} geerbt, das Geerbtes modifiziert; das wird für die Klassen eines Pakets nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>use {} and modify its parameters</source>
+        <translation>{} verwenden und seine Parameter modifizieren</translation>
+    </message>
+    <message>
+        <source>{} cannot take the place of {}: {}</source>
+        <translation>{} kann {} nicht ersetzen: {}</translation>
+    </message>
+    <message>
+        <source>use a class that extends {}</source>
+        <translation>eine Klasse verwenden, die {} erweitert</translation>
+    </message>
+    <message>
+        <source>it is of another type</source>
+        <translation>es ist von anderem Typ</translation>
+    </message>
+    <message>
+        <source>it has no '{}'</source>
+        <translation>es hat kein „{}“</translation>
+    </message>
+    <message>
+        <source>The model '{}' has no parameter '{}'.</source>
+        <translation>Das Modell „{}“ hat keinen Parameter „{}“.</translation>
+    </message>
+    <message>
+        <source>'{}' is not a parameter and cannot be varied.</source>
+        <translation>„{}“ ist kein Parameter und kann nicht verändert werden.</translation>
+    </message>
+    <message>
+        <source>Only parameters of number type can be varied.</source>
+        <translation>Nur Parameter, die Zahlen sind, können verändert werden.</translation>
+    </message>
+    <message>
+        <source>The parameter '{}' has no value.</source>
+        <translation>Der Parameter „{}“ hat keinen Wert.</translation>
+    </message>
+    <message>
+        <source>Give it a value to start from in the model.</source>
+        <translation>Ihm im Modell einen Wert geben, von dem aus zu beginnen ist.</translation>
+    </message>
+    <message>
+        <source>The value of the parameter '{}' depends on itself.</source>
+        <translation>Der Wert des Parameters „{}“ hängt von sich selbst ab.</translation>
+    </message>
+    <message>
+        <source>Break the circle by giving one of the parameters a number.</source>
+        <translation>Den Kreis aufbrechen, indem einer der Parameter eine Zahl bekommt.</translation>
+    </message>
+    <message>
+        <source>The parameter '{}' has no value; its start value is used.</source>
+        <translation>Der Parameter „{}“ hat keinen Wert; sein Startwert wird verwendet.</translation>
+    </message>
+    <message>
+        <source>Give it a value where the component is declared.</source>
+        <translation>Ihm einen Wert geben, wo das Bauteil deklariert ist.</translation>
+    </message>
+    <message>
+        <source>The value of the parameter '{}' depends on '{}', which varies in time.</source>
+        <translation>Der Wert des Parameters „{}“ hängt von „{}“ ab, das sich mit der Zeit ändert.</translation>
+    </message>
+    <message>
+        <source>The initial equation {} is not used: the start is decided without it.</source>
+        <translation>Die Anfangsgleichung {} wird nicht verwendet: Der Start liegt ohne sie fest.</translation>
+    </message>
+    <message>
+        <source>Remove it, or free one of the other start conditions.</source>
+        <translation>Sie entfernen, oder eine der anderen Startbedingungen freigeben.</translation>
+    </message>
+    <message>
+        <source>The fixed start value of '{}' is not used: the start is decided without it.</source>
+        <translation>Der feste Startwert von „{}“ wird nicht verwendet: Der Start liegt ohne ihn fest.</translation>
+    </message>
+    <message>
+        <source>Remove fixed = true here, or free one of the other start conditions.</source>
+        <translation>Hier fixed = true entfernen, oder eine der anderen Startbedingungen freigeben.</translation>
+    </message>
+    <message>
+        <source>No start value is given for {}; 0 is taken.</source>
+        <translation>Für {} ist kein Startwert angegeben; 0 wird angenommen.</translation>
+    </message>
+    <message>
+        <source>inner</source>
+        <translation>inner</translation>
+    </message>
+    <message>
+        <source>outer</source>
+        <translation>outer</translation>
     </message>
 </context>
 </TS>

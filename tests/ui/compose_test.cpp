@@ -576,14 +576,25 @@ TEST_F(Compose, StaysFluidWithFiveHundredBlocks) {
     }
     scene->showMoved(0, 0);
     std::sort(times.begin(), times.end());
-    begin = now();
-    ASSERT_TRUE(composer().move(some.blocks, 10, 0));
-    const double moving = now() - begin;
+    std::vector<double> moves, readings;
+    for (int i = 0; i < 7; ++i) {
+        QTest::qWait(100);  // what follows an edit is done before the next one
+        begin = now();
+        ASSERT_TRUE(studyLibrary(document().study()));
+        readings.push_back(now() - begin);
+        begin = now();
+        ASSERT_TRUE(composer().move(some.blocks, i % 2 ? -10 : 10, 0));
+        moves.push_back(now() - begin);
+    }
+    std::sort(moves.begin(), moves.end());
+    std::sort(readings.begin(), readings.end());
+    const double moving = moves[3], reading = readings[3];
     std::cout << "opening " << opening << " ms, repaint while dragging 50 of 500 blocks " << times[10]
-              << " ms, their move " << moving << " ms\n";
+              << " ms, their move " << moving << " ms, reading the text " << reading << " ms\n";
     EXPECT_LT(opening, 1000) << "[ms]";
     EXPECT_LT(times[10], 16) << "[ms]";
-    EXPECT_LT(moving, 150) << "[ms]; 50 on a machine that does nothing else";
+    EXPECT_LT(moving, 100) << "[ms]; 40 on a machine that does nothing else";
+    EXPECT_LT(moving, 4 * reading) << "the rest is led wires, drawn blocks: no panel works on what has not changed";
     grab("large");
 }
 

@@ -7,9 +7,11 @@
 #include <set>
 
 #include "core/diagram/group.hpp"
+#include "core/fit/clock.hpp"
 #include "core/syntax/parser.hpp"
 #include "ui/document/document.hpp"
 #include "ui/route/route.hpp"
+#include "ui/words/words.hpp"
 
 namespace analogon::ui {
 
@@ -142,7 +144,7 @@ bool Composer::isReady() {
 
 bool Composer::apply(const Outcome<syntax::TextEdit>& edit) {
     if (!edit) {
-        fault_ = qString(edit.diagnostics().front().message);
+        fault_ = inWords(edit.diagnostics().front().message);
         return false;
     }
     document_.applyEdit(*edit);
@@ -167,13 +169,18 @@ bool Composer::applyWith(const Outcome<syntax::TextEdit>& edit, const std::funct
     StudySettings settings = document_.settings();
     bool touchesSettings = false;
     const std::vector<std::string> prefixes = document_.prefixes();
-    const auto renamed = [&](const std::string& key) {
+    const auto renamedPart = [&](const std::string& key) {
         for (const std::string& prefix : prefixes) {
             if (!key.starts_with(prefix)) continue;
             const std::string inner = key.substr(prefix.size()), fresh = rename(inner);
             if (fresh != inner) return fresh.empty() ? fresh : prefix + fresh;
         }
         return key;
+    };
+    const auto renamed = [&](const std::string& key) {
+        if (!isClock(key)) return renamedPart(key);
+        const std::string output = renamedPart(signalOfClock(key));  // a clock is named after its output
+        return output.empty() ? output : clockOf(output);
     };
     const auto rekey = [&](auto& named) {
         std::remove_reference_t<decltype(named)> fresh;

@@ -5,6 +5,7 @@
 #include <QTime>
 #include <algorithm>
 
+#include "core/fit/clock.hpp"
 #include "core/syntax/printer.hpp"
 
 namespace analogon::ui {
@@ -307,8 +308,9 @@ void Document::applyBoth(syntax::TextEdit edit, StudySettings settings) {
 void Document::setParameterValue(const std::string& name, double value) {
     const auto own = study_->parameters.find(name);
     const QString what = tr("Set %1").arg(QString::fromStdString(name));
-    if (own != study_->parameters.end() && own->second.value) {
-        StudyParameter changed = own->second;
+    const bool isOwn = own != study_->parameters.end();
+    if (isClock(name) || (isOwn && own->second.value)) {  // no model has a clock
+        StudyParameter changed = isOwn ? own->second : StudyParameter{};
         changed.value = value;
         return setStudyParameter(name, changed, what);
     }
@@ -343,6 +345,7 @@ std::optional<double> Document::parameterValue(const std::string& name) const {
     if (own != study_->parameters.end() && own->second.value) return own->second.value;
     for (const ParameterFact& fact : facts_.parameters)
         if (fact.name == name) return fact.value;
+    if (isClock(name)) return 0.0;
     return std::nullopt;
 }
 

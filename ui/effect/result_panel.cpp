@@ -16,6 +16,7 @@
 #include "ui/document/document.hpp"
 #include "ui/inspector/parameter_model.hpp"
 #include "ui/style/style.hpp"
+#include "ui/words/words.hpp"
 
 namespace analogon::ui {
 
@@ -79,7 +80,7 @@ Headline headlineOf(const Finding& finding, RunKind kind, const QPalette& palett
     if (kind == RunKind::Fit) {
         const bool converged = finding.final.status == FitStatus::Converged;
         const QString message = converged ? tr("The error cannot be made smaller by changing the fitted parameters.")
-                                          : text(finding.final.message);
+                                          : inWords(finding.final.message);
         if (finding.interrupted || finding.final.status == FitStatus::Cancelled)
             return {tr("Fit stopped"), tr("The best parameters so far are shown."), style::caution(palette)};
         return {converged ? tr("Parameters fitted") : tr("Fit did not converge"), message,
@@ -389,14 +390,14 @@ void ResultPanel::addRemainder(const Finding& finding) {
     }
     if (!finding.nextExperiment.empty()) {
         addHeading(tr("Next experiment"));
-        addText(text(finding.nextExperiment));
+        addText(inWords(finding.nextExperiment));
     }
 }
 
 /// An equation that would explain what remains: what it is, which block has it, and what it would bring.
 void ResultPanel::addProposal(const Remainder& remainder) {
     if (remainder.proposedEquation.empty()) return;
-    addText(tr("Proposed, not added: %1").arg(text(remainder.proposedEquation)));
+    addText(tr("Proposed, not added: %1").arg(inWords(remainder.proposedEquation)));
     QStringList facts;
     if (!remainder.proposedClass.empty()) facts << tr("Block %1").arg(text(remainder.proposedClass));
     if (remainder.errorFitWith >= 0)
@@ -420,10 +421,10 @@ void ResultPanel::addCautions(const Finding& finding) {
     grid->setVerticalSpacing(style::unit);
     grid->setColumnStretch(1, 1);
     int row = 0;
-    for (const std::string& warning : finding.warnings) {
+    for (const Text& warning : finding.warnings) {
         auto* sign = new QLabel(body_);
         sign->setPixmap(style::icon("warning").pixmap(16, 16));
-        auto* label = new QLabel(text(warning), body_);
+        auto* label = new QLabel(inWords(warning), body_);
         label->setWordWrap(true);
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
         grid->addWidget(sign, row, 0, Qt::AlignTop);

@@ -28,7 +28,9 @@ bool hasFitted(const Study& study) {
     const auto isFree = [](const auto& entry) { return std::holds_alternative<FittedStart>(entry.second); };
     return std::any_of(study.parameters.begin(), study.parameters.end(), isFitted) ||
            std::any_of(study.experiments.begin(), study.experiments.end(), [&](const StudyExperiment& e) {
-               return std::any_of(e.initial.begin(), e.initial.end(), isFree);
+               const auto asksForClock = [](const auto& entry) { return entry.second.fitsClock; };
+               return std::any_of(e.initial.begin(), e.initial.end(), isFree) ||
+                      std::any_of(e.outputs.begin(), e.outputs.end(), asksForClock);
            });
 }
 
@@ -52,8 +54,8 @@ QElapsedTimer startedClock() {
 
 Diagnostics messagesOf(const RunResult& result) {
     Diagnostics messages;
-    for (const std::string& text : result.finding.warnings) messages.push_back(warning(text));
-    for (const std::string& text : result.finding.final.remarks) {
+    for (const Text& text : result.finding.warnings) messages.push_back(warning(text));
+    for (const Text& text : result.finding.final.remarks) {
         Diagnostic note = warning(text);
         note.severity = Severity::Note;
         messages.push_back(std::move(note));

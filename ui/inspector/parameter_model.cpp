@@ -7,8 +7,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
+#include "core/fit/clock.hpp"
+#include "ui/inspector/prior_text.hpp"
 #include "ui/style/style.hpp"
+#include "ui/words/words.hpp"
 
 namespace analogon::ui {
 
@@ -36,7 +41,11 @@ ParameterModel::ParameterModel(Document& document, QObject* parent) : QAbstractT
     connect(&document, &Document::opened, this, &ParameterModel::refresh);
     connect(&document, &Document::factsChanged, this, &ParameterModel::refresh);
     connect(&document, &Document::parametersChanged, this, &ParameterModel::refresh);
-    connect(&document, &Document::resultChanged, this, &ParameterModel::refresh);
+    connect(&document, &Document::experimentsChanged, this, &ParameterModel::refresh);
+    connect(&document, &Document::resultChanged, this, [this] {
+        isResultNew_ = true;
+        refresh();
+    });
     connect(&document, &Document::modelChanged, this, &ParameterModel::refresh);
 }
 
@@ -55,6 +64,20 @@ void ParameterModel::setOnlyFitted(bool onlyFitted) {
     refresh();
 }
 
+/// A row for each clock that the mapping of an output asks the fit for, with what the study says of it.
+std::vector<ParameterModel::Row> ParameterModel::fittedClocks() const {
+    std::vector<Row> rows;
+    for (const SignalFact& output : document_.facts().outputs) {
+        if (!asksForClock(document_.study().experiments, output.name)) continue;
+        Row row{clockOf(output.name), "s", {}, document_.parameterValue(clockOf(output.name)), StudyParameter{}, {}};
+        row.description = tr("How far the clock of the logger of %1 is ahead of the others")
+                              .arg(QString::fromStdString(output.name))
+                              .toStdString();
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
 void ParameterModel::refresh() {
     std::vector<Row> rows;
     isOfComponent_ = false;
@@ -64,16 +87,21 @@ void ParameterModel::refresh() {
         const auto& facts = document_.facts().parameters;
         isOfComponent_ = !own.empty() && std::any_of(facts.begin(), facts.end(), isOwn);
         const ModelState* after = document_.after();
-        for (const ParameterFact& fact : facts) {
-            Row row{fact.name, fact.unit, fact.description, document_.parameterValue(fact.name), {}, nullptr};
-            const auto setting = document_.study().parameters.find(fact.name);
+        std::vector<Row> candidates;
+        for (const ParameterFact& fact : facts)
+            if (!isOfComponent_ || isOwn(fact))
+                candidates.push_back(
+                    {fact.name, fact.unit, fact.description, document_.parameterValue(fact.name), {}, nullptr});
+        if (!isOfComponent_)
+            for (Row& clock : fittedClocks()) candidates.push_back(std::move(clock));
+        for (Row& row : candidates) {
+            const auto setting = document_.study().parameters.find(row.name);
             if (setting != document_.study().parameters.end()) row.setting = setting->second;
             if (after)
                 for (const FitEstimate& e : after->parameters)
-                    if (e.name == fact.name && e.experiment < 0) row.estimate = &e;
-            const QString name = QString::fromStdString(fact.name);
-            const bool isShown = (!isOfComponent_ || isOwn(fact)) &&
-                                 (filter_.isEmpty() || name.contains(filter_, Qt::CaseInsensitive)) &&
+                    if (e.name == row.name && e.experiment < 0) row.estimate = &e;
+            const QString name = QString::fromStdString(row.name);
+            const bool isShown = (filter_.isEmpty() || name.contains(filter_, Qt::CaseInsensitive)) &&
                                  (!onlyFitted_ || (row.setting && row.setting->fit));
             if (isShown) rows.push_back(std::move(row));
         }
@@ -84,8 +112,11 @@ void ParameterModel::refresh() {
         rows.size() == rows_.size() && std::equal(rows.begin(), rows.end(), rows_.begin(),
                                                   [](const Row& a, const Row& b) { return a.name == b.name; });
     if (isSame) {
+        // Views measure every row that changes: a block that was only moved leaves all as they are.
+        const bool isAsBefore =
+            !std::exchange(isResultNew_, false) && std::equal(rows.begin(), rows.end(), rows_.begin(), showsSame);
         rows_ = std::move(rows);
-        if (!rows_.empty()) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+        if (!rows_.empty() && !isAsBefore) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
         return;
     }
     beginResetModel();
@@ -119,6 +150,21 @@ UnitConversion ParameterModel::shownAs(const Row& row) const {
     return conversion ? *conversion : UnitConversion{};
 }
 
+bool ParameterModel::showsSame(const Row& a, const Row& b) {
+    const auto facts = [](const Row& r) { return std::tie(r.name, r.unit, r.description, r.value, r.estimate); };
+    const auto setting = [](const StudyParameter& s) { return std::tie(s.fit, s.value, s.min, s.max, s.prior); };
+    const bool isSameSetting =
+        a.setting && b.setting ? setting(*a.setting) == setting(*b.setting) : !a.setting && !b.setting;
+    return facts(a) == facts(b) && isSameSetting;
+}
+
+std::optional<NormalPrior> ParameterModel::shownPrior(const Row& row) const {
+    if (!row.setting || !row.setting->prior) return std::nullopt;
+    const UnitConversion shown = shownAs(row);
+    const NormalPrior& prior = *row.setting->prior;
+    return NormalPrior{shown(prior.mean), std::abs(shown.factor) * prior.deviation};
+}
+
 QString ParameterModel::unitText(const Row& row) const {
     const auto chosen = units_.find(row.name);
     return QString::fromStdString(chosen == units_.end() ? row.unit : chosen->second);
@@ -143,7 +189,8 @@ QVariantList ParameterModel::bar(const Row& row) const {
 QString ParameterModel::remarkOn(const Row& row) const {
     const ModelState* after = document_.after();
     if (!row.estimate || !after) return {};
-    for (const std::string& remark : after->remarks) {
+    for (const Text& text : after->remarks) {
+        const std::string& remark = text.english();
         const auto at = remark.find(row.name);
         if (at == std::string::npos) continue;
         const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.'; };
@@ -151,7 +198,7 @@ QString ParameterModel::remarkOn(const Row& row) const {
         const bool isWhole = (at == 0 || !isPart(remark[at - 1])) &&
                              (end == remark.size() || !isPart(remark[end]) ||
                               (remark[end] == '.' && (end + 1 == remark.size() || !isPart(remark[end + 1]))));
-        if (isWhole) return QString::fromStdString(remark);
+        if (isWhole) return inWords(text);
     }
     return {};
 }
@@ -169,6 +216,10 @@ QVariant ParameterModel::display(const Row& row, int column) const {
             return row.setting && row.setting->min ? numberText(shown(*row.setting->min)) : QString();
         case Max:
             return row.setting && row.setting->max ? numberText(shown(*row.setting->max)) : QString();
+        case Prior: {
+            const std::optional<NormalPrior> prior = shownPrior(row);
+            return prior ? priorText(*prior, 4) : QString();
+        }
         case Result: {
             if (!row.estimate) return {};
             QString text = numberText(shown(row.estimate->value), 4);
@@ -184,6 +235,29 @@ QVariant ParameterModel::display(const Row& row, int column) const {
     }
 }
 
+/// With more digits than are shown, so that opening an editor and leaving it changes nothing.
+QString ParameterModel::edited(const Row& row, int column) const {
+    constexpr int digits = 12;
+    const UnitConversion shown = shownAs(row);
+    const auto text = [&](const std::optional<double>& value) {
+        return value ? QString::number(shown(*value), 'g', digits) : QString();
+    };
+    switch (column) {
+        case Value:
+            return text(row.value);
+        case Min:
+            return row.setting ? text(row.setting->min) : QString();
+        case Max:
+            return row.setting ? text(row.setting->max) : QString();
+        case Prior: {
+            const std::optional<NormalPrior> prior = shownPrior(row);
+            return prior ? priorText(*prior, digits) : QString();
+        }
+        default:
+            return display(row, column).toString();
+    }
+}
+
 QString ParameterModel::tooltip(const Row& row, int column) const {
     QString tip = QString::fromStdString(row.description.empty() ? row.name : row.description);
     if (column == Result && row.estimate) {
@@ -196,10 +270,17 @@ QString ParameterModel::tooltip(const Row& row, int column) const {
         else if (row.estimate->value != 0)
             tip += tr("\nRelative standard error %1 %")
                        .arg(std::abs(row.estimate->standardError / row.estimate->value) * 100, 0, 'g', 2);
+        if (const auto& prior = row.estimate->prior)
+            tip += tr("\n%1 standard deviations from what was known beforehand")
+                       .arg(std::abs(prior->distance(row.estimate->value)), 0, 'f', 1);
         if (const QString remark = remarkOn(row); !remark.isEmpty()) tip += "\n" + remark;
     }
     if (column == Bounds && !bar(row).isEmpty())
         tip = tr("Where the value lies between its bounds; the broad part is its standard error");
+    if (column == Prior)
+        tip =
+            tr("What is known beforehand: mean ± standard deviation. It counts as one more measured value; empty: "
+               "nothing is known.");
     if (column == Unit) tip = tr("Double-click to see the value in another unit");
     return tip;
 }
@@ -212,8 +293,7 @@ QVariant ParameterModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
             return display(row, index.column());
         case Qt::EditRole:
-            if (index.column() == Value && row.value) return QString::number(shownAs(row)(*row.value), 'g', 12);
-            return display(row, index.column());
+            return edited(row, index.column());
         case Qt::CheckStateRole:
             if (index.column() == Name) return isFitted ? Qt::Checked : Qt::Unchecked;
             return {};
@@ -255,8 +335,8 @@ Qt::ItemFlags ParameterModel::flags(const QModelIndex& index) const {
     if (!index.isValid()) return Qt::NoItemFlags;
     Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
     if (index.column() == Name) flags |= Qt::ItemIsUserCheckable;
-    if (index.column() == Value || index.column() == Min || index.column() == Max || index.column() == Unit)
-        flags |= Qt::ItemIsEditable;
+    const int editable[] = {Value, Min, Max, Prior, Unit};
+    if (std::count(std::begin(editable), std::end(editable), index.column()) > 0) flags |= Qt::ItemIsEditable;
     return flags;
 }
 
@@ -267,6 +347,7 @@ QVariant ParameterModel::headerData(int section, Qt::Orientation orientation, in
     if (role == Qt::ToolTipRole && section == Name) return tr("Checked parameters are fitted");
     if (role == Qt::ToolTipRole && section == Value) return tr("Where a run starts from");
     if (role == Qt::ToolTipRole && section == Result) return tr("Estimate ± standard error of the last run");
+    if (role == Qt::ToolTipRole && section == Prior) return tooltip({}, Prior);
     if (role != Qt::DisplayRole) return {};
     switch (section) {
         case Name:
@@ -279,6 +360,8 @@ QVariant ParameterModel::headerData(int section, Qt::Orientation orientation, in
             return tr("Min");
         case Max:
             return tr("Max");
+        case Prior:
+            return tr("Prior");
         case Bounds:
             return tr("In bounds");
         case Result:
@@ -320,6 +403,22 @@ bool ParameterModel::setNumber(const Row& row, int column, const QString& text) 
     return true;
 }
 
+bool ParameterModel::setPrior(const Row& row, const QString& text) {
+    StudyParameter setting = settingOf(row);
+    const QString name = QString::fromStdString(row.name);
+    if (text.trimmed().isEmpty()) {
+        setting.prior.reset();
+        document_.setStudyParameter(row.name, setting, tr("Forget what is known of %1").arg(name));
+        return true;
+    }
+    const std::optional<NormalPrior> typed = readPrior(text);
+    if (!typed) return false;
+    const UnitConversion shown = shownAs(row);
+    setting.prior = NormalPrior{(typed->mean - shown.offset) / shown.factor, typed->deviation / std::abs(shown.factor)};
+    document_.setStudyParameter(row.name, setting, tr("Set what is known of %1").arg(name));
+    return true;
+}
+
 /// How a value is shown is no change of the study.
 bool ParameterModel::setUnit(const Row& row, const QString& unit) {
     if (!areConvertible(row.unit, unit.toStdString())) return false;
@@ -343,6 +442,8 @@ bool ParameterModel::setData(const QModelIndex& index, const QVariant& value, in
     }
     if (role != Qt::EditRole) return false;
     if (index.column() == Unit) return setUnit(row, value.toString());
+    if (value.toString() == edited(row, index.column())) return false;  // an editor that was only opened
+    if (index.column() == Prior) return setPrior(row, value.toString());
     return setNumber(row, index.column(), value.toString());
 }
 

@@ -9,13 +9,13 @@
 
 namespace analogon::ui {
 
-/// The parameters of the model with their fit settings and, after a run, their results. Every edit goes through
-/// the document and can be undone.
+/// The parameters of the model, and the clocks of loggers that are to be fitted, with their fit settings and, after a
+/// run, their results. Every edit goes through the document and can be undone.
 class ParameterModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { Name, Value, Unit, Result, Bounds, Min, Max, ColumnCount };
+    enum Column { Name, Value, Unit, Result, Bounds, Min, Max, Prior, ColumnCount };
     /// BarRole: where the value lies in its bounds and the ends of its standard error, each 0 … 1, as a list of
     /// doubles. UnitsRole: the units the value can be shown in.
     enum Role { IsFittedRole = Qt::UserRole, AtBoundRole, NameRole, BarRole, UnitsRole };
@@ -46,14 +46,20 @@ private:
         const FitEstimate* estimate{};
     };
     void refresh();
+    static bool showsSame(const Row& a, const Row& b);
+    std::vector<Row> fittedClocks() const;
     QVariant display(const Row& row, int column) const;
+    QString edited(const Row& row, int column) const;
     QString boundText(const Row& row) const;
     QString tooltip(const Row& row, int column) const;
     StudyParameter settingOf(const Row& row) const;
     bool setNumber(const Row& row, int column, const QString& text);
+    bool setPrior(const Row& row, const QString& text);
     bool setUnit(const Row& row, const QString& unit);
     /// From the model's unit to the one it is shown in.
     UnitConversion shownAs(const Row& row) const;
+    /// What is known beforehand, in that unit.
+    std::optional<NormalPrior> shownPrior(const Row& row) const;
     QString unitText(const Row& row) const;
     QVariantList bar(const Row& row) const;
     QString remarkOn(const Row& row) const;
@@ -63,6 +69,7 @@ private:
     std::map<std::string, std::string> units_;  // parameter: the unit the user chose to see it in
     QString component_, filter_;
     bool onlyFitted_{}, isOfComponent_{};
+    bool isResultNew_{};  // since the rows were read
 };
 
 /// A number as an engineer writes it: 5 significant digits, no trailing zeros.

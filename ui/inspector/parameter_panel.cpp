@@ -13,14 +13,15 @@
 
 #include "ui/document/document.hpp"
 #include "ui/inspector/parameter_model.hpp"
+#include "ui/inspector/prior_text.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {
 
 namespace {
 
-/// Takes numbers only and says so at once instead of dropping what was typed; offers units; draws where a value lies
-/// in its bounds.
+/// Takes numbers, or a mean with its deviation, and says so at once instead of dropping what was typed; offers units;
+/// draws where a value lies in its bounds.
 class CellDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -53,7 +54,7 @@ public:
 
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
         QSize size = QStyledItemDelegate::sizeHint(option, index);
-        if (index.column() == ParameterModel::Bounds) size.setWidth(18 * style::unit);
+        if (index.column() == ParameterModel::Bounds) size.setWidth(14 * style::unit);
         return size;
     }
 
@@ -85,12 +86,19 @@ public:
         auto* editor = new QLineEdit(parent);
         editor->setFrame(false);
         editor->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        if (index.column() != ParameterModel::Value) editor->setPlaceholderText(tr("none"));
-        QObject::connect(editor, &QLineEdit::textEdited, editor, [editor](const QString& text) {
-            bool isNumber = text.trimmed().isEmpty();
-            if (!isNumber) QString(text).trimmed().replace(',', '.').toDouble(&isNumber);
+        const bool isPrior = index.column() == ParameterModel::Prior;
+        if (isPrior)
+            editor->setPlaceholderText(tr("mean ± std"));
+        else if (index.column() != ParameterModel::Value)
+            editor->setPlaceholderText(tr("none"));
+        QObject::connect(editor, &QLineEdit::textEdited, editor, [editor, isPrior](const QString& text) {
+            bool isRight = text.trimmed().isEmpty();
+            if (!isRight && isPrior)
+                isRight = readPrior(text).has_value();
+            else if (!isRight)
+                QString(text).trimmed().replace(',', '.').toDouble(&isRight);
             QPalette palette = editor->parentWidget()->palette();
-            if (!isNumber) palette.setColor(QPalette::Text, style::fault(palette));
+            if (!isRight) palette.setColor(QPalette::Text, style::fault(palette));
             editor->setPalette(palette);
         });
         return editor;
@@ -182,7 +190,7 @@ void ParameterPanel::fitColumns() {
     int figures = 0;
     for (int c = 1; c < header->count(); ++c) figures += header->sectionSize(c);
     const int names = static_cast<QAbstractItemView*>(table_)->sizeHintForColumn(0);
-    const bool scrolls = table_->viewport()->width() - figures < names / 2;
+    const bool scrolls = table_->viewport()->width() - figures < 3 * names / 4;
     header->setSectionResizeMode(0, scrolls ? QHeaderView::ResizeToContents : QHeaderView::Stretch);
 }
 

@@ -18,6 +18,7 @@
 #include "ui/measurement/mapping.hpp"
 #include "ui/measurement/table_model.hpp"
 #include "ui/style/style.hpp"
+#include "ui/words/words.hpp"
 
 namespace analogon::ui {
 
@@ -193,8 +194,8 @@ void ImportPanel::tellProblems(const Diagnostics& problems) {
     QStringList plain, linked;
     for (std::size_t i = 0; i < std::min(problems.size(), most); ++i) {
         const Diagnostic& d = problems[i];
-        QString text = QString::fromStdString(d.message);
-        if (!d.hint.empty()) text += " " + QString::fromStdString(d.hint);
+        QString text = inWords(d.message);
+        if (!d.hint.empty()) text += " " + inWords(d.hint);
         const QString line = d.place.line > 0 ? tr("line %1: ").arg(d.place.line) : QString();
         plain << line + text;
         linked << (line.isEmpty() ? QString() : QStringLiteral("<a href='%1'>%2</a>").arg(d.place.line).arg(line)) +
@@ -221,7 +222,7 @@ void ImportPanel::showPreview(Preview preview) {
                                        .arg(table_->columns.size()));
     TableModel::Problems byLine;
     for (const Diagnostic& d : problems)
-        if (d.place.line > 0) byLine.emplace(d.place.line, QString::fromStdString(d.message));
+        if (d.place.line > 0) byLine.emplace(d.place.line, inWords(d.message));
     converted_->setEnabled(table_ != nullptr);
     if (table_)
         model_->show(table_, std::move(byLine));

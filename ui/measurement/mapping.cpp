@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/base/unit.hpp"
+#include "core/fit/clock.hpp"
 #include "core/study/column_guess.hpp"
 
 namespace analogon::ui {
@@ -91,6 +92,13 @@ void proposeMapping(StudyExperiment& experiment, const Table& table, const Model
         mapped[pair.signal->name].column = pair.column->name;
         used.insert(pair.column->name);
     }
+}
+
+void dropUnaskedClocks(std::map<std::string, StudyParameter>& parameters,
+                       const std::vector<StudyExperiment>& experiments) {
+    std::erase_if(parameters, [&](const auto& entry) {
+        return isClock(entry.first) && !asksForClock(experiments, signalOfClock(entry.first));
+    });
 }
 
 }  // namespace analogon::ui

@@ -17,4 +17,8 @@ void proposeMapping(StudyExperiment& experiment, const Table& table, const Model
 /// The column that is time: by unit and name, rising; empty: none.
 std::string proposeTime(const Table& table);
 
+/// Settings of a clock that no mapping asks for any more are a fault of a study: they go with the last that did.
+void dropUnaskedClocks(std::map<std::string, StudyParameter>& parameters,
+                       const std::vector<StudyExperiment>& experiments);
+
 }  // namespace analogon::ui

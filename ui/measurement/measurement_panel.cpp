@@ -5,6 +5,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QMenu>
 #include <QRegularExpression>
 #include <QScrollBar>
@@ -15,6 +16,7 @@
 #include <QVBoxLayout>
 #include <set>
 
+#include "core/base/unit.hpp"
 #include "ui/document/document.hpp"
 #include "ui/measurement/mapping.hpp"
 #include "ui/style/style.hpp"
@@ -34,12 +36,35 @@ QString columnText(const Table* table, const ChannelMapping& mapping) {
     return text;
 }
 
+QString clockTip(bool isOutput) {
+    const QString tip = MeasurementPanel::tr("How far the clock of this channel's logger is ahead of the others");
+    return isOutput ? tip + MeasurementPanel::tr(": seconds, or fit to find it. The result is among the parameters.")
+                    : tip + MeasurementPanel::tr(", in seconds");
+}
+
 QString mappingTip(const ChannelMapping& mapping, const QString& file) {
     QString tip = MeasurementPanel::tr("Column %1 of %2").arg(QString::fromStdString(mapping.column), file);
     if (mapping.scale != 1) tip += MeasurementPanel::tr("\nscaled by %1").arg(mapping.scale);
     if (mapping.offset != 0) tip += MeasurementPanel::tr("\nshifted by %1").arg(mapping.offset);
     if (mapping.weight != 1) tip += MeasurementPanel::tr("\nweight %1").arg(mapping.weight);
     return tip;
+}
+
+QString clockText(const ChannelMapping& mapping) {
+    return mapping.fitsClock ? MeasurementPanel::tr("fit") : QStringLiteral("%1 s").arg(mapping.clock, 0, 'g', 6);
+}
+
+/// "0.25", "-0,25 s", "37 ms" in seconds; empty: 0.
+std::optional<double> readSeconds(const QString& typed) {
+    static const QRegularExpression form(QStringLiteral(R"(^([-+]?[\d.,]+(?:[eE][-+]?\d+)?)\s*([a-z]*)$)"));
+    const QString text = typed.trimmed();
+    if (text.isEmpty()) return 0.0;
+    const QRegularExpressionMatch match = form.match(text);
+    bool isNumber = false;
+    const double number = QLocale::c().toDouble(match.captured(1).replace(',', '.'), &isNumber);
+    const QString unit = match.captured(2).isEmpty() ? QStringLiteral("s") : match.captured(2);
+    const Outcome<UnitConversion> toSeconds = convertUnit(unit.toStdString(), "s");
+    return isNumber && toSeconds ? std::optional((*toSeconds)(number)) : std::nullopt;
 }
 
 /// Length of a recording as people say it.
@@ -57,14 +82,15 @@ QString extentText(const Table& table, const StudyExperiment& experiment) {
 
 }  // namespace
 
-/// Columns are chosen from a list, roles too; a range is typed.
+/// Columns are chosen from a list, roles too; a range is typed, and the clock of a channel.
 class MappingDelegate : public QStyledItemDelegate {
 public:
     explicit MappingDelegate(MeasurementPanel& panel) : QStyledItemDelegate(&panel), panel_(panel) {}
 
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const override {
-        if (index.column() != 1) return nullptr;
+        if (index.column() == MeasurementPanel::Clock) return clockEditor(parent, option, index);
+        if (index.column() != MeasurementPanel::Source) return nullptr;
         const QTreeWidgetItem* item = panel_.tree_->itemFromIndex(index);
         const StudyExperiment* experiment = panel_.experimentOf(item);
         if (!item || !experiment) return nullptr;
@@ -87,16 +113,13 @@ public:
             delete box;
             return nullptr;
         }
-        connect(box, &QComboBox::activated, this, [this, box] {
-            auto* self = const_cast<MappingDelegate*>(this);
-            Q_EMIT self->commitData(box);
-            Q_EMIT self->closeEditor(box);
-        });
+        closeOnChoice(box);
         return box;
     }
     void setEditorData(QWidget* editor, const QModelIndex& index) const override {
         auto* box = qobject_cast<QComboBox*>(editor);
         if (!box) return QStyledItemDelegate::setEditorData(editor, index);
+        if (box->isEditable()) return box->setCurrentText(index.data().toString());
         const QVariant column = index.data(columnRole);
         box->setCurrentIndex(
             std::max(0, column.isValid() ? box->findData(column) : box->findText(index.data().toString())));
@@ -104,6 +127,10 @@ public:
     void setModelData(QWidget* editor, QAbstractItemModel*, const QModelIndex& index) const override {
         const QTreeWidgetItem* item = panel_.tree_->itemFromIndex(index);
         const auto kind = static_cast<MeasurementPanel::Kind>(item->data(0, kindRole).toInt());
+        if (index.column() == MeasurementPanel::Clock) {
+            const auto* box = qobject_cast<QComboBox*>(editor);
+            return panel_.setClock(item, box ? box->currentText() : static_cast<QLineEdit*>(editor)->text());
+        }
         if (auto* field = qobject_cast<QLineEdit*>(editor)) return panel_.setRange(item, field->text());
         const QVariant chosen = static_cast<QComboBox*>(editor)->currentData();
         if (kind == MeasurementPanel::Kind::Experiment)
@@ -113,6 +140,30 @@ public:
     }
 
 private:
+    void closeOnChoice(QComboBox* box) const {
+        connect(box, &QComboBox::activated, this, [this, box] {
+            auto* self = const_cast<MappingDelegate*>(this);
+            Q_EMIT self->commitData(box);
+            Q_EMIT self->closeEditor(box);
+        });
+    }
+    /// Seconds are typed; of an output the fit can find them.
+    QWidget* clockEditor(QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+        const QTreeWidgetItem* item = panel_.tree_->itemFromIndex(index);
+        const ChannelMapping* mapping = panel_.mappingOf(item);
+        if (!mapping) return nullptr;
+        const auto kind = static_cast<MeasurementPanel::Kind>(item->data(0, kindRole).toInt());
+        if (kind == MeasurementPanel::Kind::Input) return QStyledItemDelegate::createEditor(parent, option, index);
+        auto* box = new QComboBox(parent);
+        box->setEditable(true);
+        box->setInsertPolicy(QComboBox::NoInsert);
+        if (!mapping->fitsClock) box->addItem(clockText(*mapping));
+        box->addItem(MeasurementPanel::tr("fit"));
+        if (mapping->fitsClock) box->addItem(QStringLiteral("0 s"));
+        closeOnChoice(box);
+        return box;
+    }
+
     MeasurementPanel& panel_;
 };
 
@@ -124,17 +175,20 @@ MeasurementPanel::MeasurementPanel(Document& document, QWidget* parent)
       empty_(new QLabel(this)),
       import_(new QToolButton(this)),
       propose_(new QToolButton(this)) {
-    tree_->setColumnCount(2);
-    tree_->setHeaderLabels({tr("Model"), tr("Column")});
+    tree_->setColumnCount(ColumnCount);
+    tree_->setHeaderLabels({tr("Model"), tr("Column"), tr("Clock")});
+    tree_->headerItem()->setToolTip(Clock, clockTip(true));
     tree_->setFrameShape(QFrame::NoFrame);
     tree_->setRootIsDecorated(true);
     tree_->setUniformRowHeights(false);
     tree_->setIndentation(4 * style::unit);
     tree_->setIconSize({16, 16});
-    tree_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
-    tree_->header()->setStretchLastSection(true);
+    for (const int section : {Model, Clock})
+        tree_->header()->setSectionResizeMode(section, QHeaderView::ResizeToContents);
+    tree_->header()->setStretchLastSection(false);
+    tree_->header()->setSectionResizeMode(Source, QHeaderView::Stretch);
     tree_->setAccessibleName(tr("Measurements"));
-    tree_->setItemDelegateForColumn(1, new MappingDelegate(*this));
+    for (const int column : {Source, Clock}) tree_->setItemDelegateForColumn(column, new MappingDelegate(*this));
     tree_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     tree_->setContextMenuPolicy(Qt::CustomContextMenu);
     tree_->viewport()->installEventFilter(this);
@@ -186,6 +240,15 @@ const StudyExperiment* MeasurementPanel::experimentOf(const QTreeWidgetItem* ite
     return nullptr;
 }
 
+const ChannelMapping* MeasurementPanel::mappingOf(const QTreeWidgetItem* item) const {
+    const StudyExperiment* experiment = experimentOf(item);
+    if (!experiment) return nullptr;
+    const bool isInput = static_cast<Kind>(item->data(0, kindRole).toInt()) == Kind::Input;
+    const auto& channels = isInput ? experiment->inputs : experiment->outputs;
+    const auto found = channels.find(item->data(0, signalRole).toString().toStdString());
+    return found == channels.end() ? nullptr : &found->second;
+}
+
 void MeasurementPanel::change(const QTreeWidgetItem* item, const QString& what,
                               const std::function<void(StudyExperiment&)>& edit) {
     const StudyExperiment* experiment = experimentOf(item);
@@ -193,6 +256,7 @@ void MeasurementPanel::change(const QTreeWidgetItem* item, const QString& what,
     StudySettings settings = document_.settings();
     for (StudyExperiment& e : settings.experiments)
         if (e.name == experiment->name) edit(e);
+    dropUnaskedClocks(settings.parameters, settings.experiments);
     document_.applySettings(std::move(settings), what);
 }
 
@@ -208,6 +272,21 @@ void MeasurementPanel::map(const QTreeWidgetItem* item, const QString& column) {
             channels[signal] = {};
             channels[signal].column = column.toStdString();
         }
+    });
+}
+
+void MeasurementPanel::setClock(const QTreeWidgetItem* item, const QString& typed) {
+    const ChannelMapping* mapping = mappingOf(item);
+    if (!mapping || typed == clockText(*mapping)) return;
+    const bool isInput = static_cast<Kind>(item->data(0, kindRole).toInt()) == Kind::Input;
+    const std::string signal = item->data(0, signalRole).toString().toStdString();
+    const bool isFitted = !isInput && typed.trimmed() == tr("fit");
+    const std::optional<double> seconds = isFitted ? std::optional(0.0) : readSeconds(typed);
+    if (!seconds || (mapping->fitsClock == isFitted && mapping->clock == *seconds)) return;
+    change(item, tr("Set the clock of %1").arg(QString::fromStdString(signal)), [&](StudyExperiment& e) {
+        ChannelMapping& changed = (isInput ? e.inputs : e.outputs)[signal];
+        changed.fitsClock = isFitted;
+        changed.clock = *seconds;
     });
 }
 
@@ -239,6 +318,7 @@ void MeasurementPanel::removeExperiment() {
     const std::string name = experiment->name;
     StudySettings settings = document_.settings();
     std::erase_if(settings.experiments, [&](const StudyExperiment& e) { return e.name == name; });
+    dropUnaskedClocks(settings.parameters, settings.experiments);
     document_.applySettings(std::move(settings), tr("Remove %1").arg(QString::fromStdString(name)));
 }
 
@@ -259,6 +339,8 @@ void MeasurementPanel::showMenu(QPoint at) {
     menu->addAction(tr("Propose mapping"), this, &MeasurementPanel::propose);
     if (experiment) {
         QTreeWidgetItem* item = tree_->itemAt(at);
+        if (mappingOf(item))
+            menu->addAction(tr("Set the clock …"), this, [this, item] { tree_->editItem(item, Clock); });
         while (item->parent()) item = item->parent();
         const bool isFit = experiment->role == Role::Fit;
         menu->addSeparator();
@@ -333,6 +415,12 @@ void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
             }
             item->setData(1, columnRole, QString::fromStdString(mapping->column));
             item->setToolTip(1, mappingTip(*mapping, file));
+            const bool hasOwnClock = mapping->fitsClock || mapping->clock != 0;
+            item->setText(Clock, clockText(*mapping));
+            item->setForeground(Clock, mapping->fitsClock ? style::accent(palette())
+                                       : hasOwnClock      ? palette().color(QPalette::Text)
+                                                          : muted);
+            item->setToolTip(Clock, clockTip(!isInput));
             used.insert(mapping->column);
         };
         for (const auto& [signal, mapping] : channels) addSignal(signal, &mapping);
@@ -388,7 +476,8 @@ bool MeasurementPanel::eventFilter(QObject* watched, QEvent* event) {
             removeExperiment();
             return true;
         }
-        if ((key == Qt::Key_Return || key == Qt::Key_Enter) && tree_->currentItem()) {
+        const bool isEnter = key == Qt::Key_Return || key == Qt::Key_Enter;
+        if (isEnter && tree_->currentItem() && tree_->hasFocus()) {  // and not the end of typing in a field
             tree_->editItem(tree_->currentItem(), 1);
             return true;
         }

@@ -14,8 +14,9 @@ namespace analogon::ui {
 class Document;
 }
 namespace analogon {
+struct ChannelMapping;
 struct StudyExperiment;
-}
+}  // namespace analogon
 namespace analogon::ui {
 
 /// The experiments with their files, and which column each model input and output is taken from.
@@ -44,15 +45,19 @@ protected:
 private:
     friend class MappingDelegate;
     enum class Kind { Experiment, Info, Input, Output, Spare, Range };
+    enum TreeColumn { Model, Source, Clock, ColumnCount };
     void refresh();
     void addExperiment(const StudyExperiment& experiment);
     QTreeWidgetItem* addRow(QTreeWidgetItem* top, Kind kind, const QString& text, const QString& value);
     void map(const QTreeWidgetItem* item, const QString& column);
     void setRole(const QTreeWidgetItem* item, bool isFit);
     void setRange(const QTreeWidgetItem* item, const QString& text);
+    /// "fit", seconds, or a number with a unit of time; what is none of these changes nothing.
+    void setClock(const QTreeWidgetItem* item, const QString& typed);
     void removeExperiment();
     void showMenu(QPoint at);
     const StudyExperiment* experimentOf(const QTreeWidgetItem* item) const;
+    const ChannelMapping* mappingOf(const QTreeWidgetItem* item) const;
     void change(const QTreeWidgetItem* item, const QString& what, const std::function<void(StudyExperiment&)>& edit);
 
     Document& document_;

@@ -9,6 +9,7 @@
 
 #include "ui/document/document.hpp"
 #include "ui/style/style.hpp"
+#include "ui/words/words.hpp"
 
 namespace analogon::ui {
 
@@ -62,11 +63,11 @@ void MessagePanel::refresh() {
     std::set<std::tuple<std::string, int, int>> told;  // reading and running the model find the same fault
     for (std::size_t i = 0; i < document_.messages().size(); ++i) {
         const Diagnostic& d = document_.messages()[i].diagnostic;
-        if (!told.emplace(d.message, d.place.line, d.place.column).second) continue;
-        QString text = QString::fromStdString(d.message);
+        if (!told.emplace(d.message.english(), d.place.line, d.place.column).second) continue;
+        QString text = inWords(d.message);
         const QString place = placeText(d.place);
         if (!place.isEmpty()) text = place + "  " + text;
-        if (!d.hint.empty()) text += "\n" + QString::fromStdString(d.hint);
+        if (!d.hint.empty()) text += "\n" + inWords(d.hint);
         auto* item = new QListWidgetItem(style::icon(iconName(d.severity)), text, list_);
         item->setData(Qt::UserRole, static_cast<unsigned>(i));
         if (d.severity == Severity::Error) {

@@ -15,6 +15,7 @@
 #include "ui/document/composer.hpp"
 #include "ui/library/library_model.hpp"
 #include "ui/style/style.hpp"
+#include "ui/words/words.hpp"
 
 namespace analogon::ui {
 
@@ -221,7 +222,7 @@ void GeneratePage::generate() {
             if (study) return Q_EMIT generated(*study);
             QStringList reasons;
             for (const Diagnostic& d : study.diagnostics())
-                reasons << QString::fromStdString(d.hint.empty() ? d.message : d.message + " " + d.hint);
+                reasons << (inWords(d.message) + " " + inWords(d.hint)).trimmed();
             say(reasons.join('\n'), true);
         });
 }

@@ -13,6 +13,7 @@
 #include <QTableView>
 #include <QToolBar>
 
+#include "core/export/export.hpp"
 #include "ui/canvas/diagram_scene.hpp"
 #include "ui/canvas/diagram_view.hpp"
 #include "ui/document/document.hpp"
@@ -36,6 +37,7 @@
 #include "ui/window/generate_page.hpp"
 #include "ui/window/guide_page.hpp"
 #include "ui/window/start_page.hpp"
+#include "ui/words/words.hpp"
 
 namespace analogon::ui {
 
@@ -88,6 +90,7 @@ MainWindow::MainWindow(QWidget* parent)
       document_(new Document(this)),
       controller_(new RunController(*document_, this)),
       writer_(new JobRunner(this)),
+      exporter_(new JobRunner(this)),
       recovery_(new Recovery(*document_, this)) {
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
@@ -194,6 +197,21 @@ void MainWindow::createActions() {
     importAction_->setObjectName("import");
     reportAction_ = make(tr("Write report …"), "report", Qt::CTRL | Qt::Key_E,
                          tr("Write report, traces and the completed study into a directory"));
+    exportMenu_ = new QMenu(tr("Export"), this);
+    exportMenu_->setToolTipsVisible(true);
+    const auto addExport = [&](ExportFormat format, const char* name, const QString& text, const QString& tip) {
+        QAction* action = make(text, {}, {}, tip);
+        action->setObjectName(name);
+        connect(action, &QAction::triggered, this, [this, format] { askWhereToExport(format); });
+        exportMenu_->addAction(action);
+        return action;
+    };
+    addExport(ExportFormat::Fmu, "export-fmu", tr("FMU …"),
+              tr("The model with its values for other simulation tools: FMI 2.0, Co-Simulation and Model Exchange"));
+    addExport(ExportFormat::Modelica, "export-modelica", tr("Modelica …"),
+              tr("The model with its values and the classes it uses, as one Modelica text"));
+    exportTracesAction_ = addExport(ExportFormat::Csv, "export-csv", tr("CSV …"),
+                                    tr("What was measured and what the model says as it stands, of every experiment"));
     quitAction_ = make(tr("Quit"), {}, QKeySequence::Quit, tr("Quit"));
     undoAction_ = document_->undoStack().createUndoAction(this, tr("Undo"));
     undoAction_->setIcon(style::icon("undo"));
@@ -231,6 +249,7 @@ void MainWindow::createMenus() {
     file->addActions({saveAction_, saveAsAction_});
     file->addSeparator();
     file->addActions({importAction_, reportAction_});
+    file->addMenu(exportMenu_);
     file->addSeparator();
     file->addAction(quitAction_);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
@@ -374,8 +393,8 @@ void MainWindow::connectPanels() {
         QString text = QString::fromStdString(fault.place.file);
         if (fault.place.line > 0) text += QStringLiteral(":%1").arg(fault.place.line);
         if (!text.isEmpty()) text += QStringLiteral(": ");
-        text += QString::fromStdString(fault.message);
-        if (!fault.hint.empty()) text += "\n" + QString::fromStdString(fault.hint);
+        text += inWords(fault.message);
+        if (!fault.hint.empty()) text += "\n" + inWords(fault.hint);
         start_->showFault(text);
     });
     connect(document_, &Document::modifiedChanged, this, &MainWindow::updateTitle);
@@ -653,6 +672,10 @@ void MainWindow::updateActions() {
     discoverAction_->setEnabled(isReady);
     for (QAction* a : {saveAction_, saveAsAction_, importAction_}) a->setEnabled(document_->isOpen());
     reportAction_->setEnabled(isReady && document_->result());
+    const bool isShown = document_->isOpen() && !document_->isReading();
+    exportMenu_->menuAction()->setEnabled(isShown);
+    for (QAction* action : exportMenu_->actions()) action->setEnabled(isShown);
+    exportTracesAction_->setEnabled(isShown && document_->canRun());
     fitViewAction_->setEnabled(document_->isOpen());
 }
 

@@ -13,7 +13,8 @@ class QTabWidget;
 
 namespace analogon {
 struct Place;
-}
+enum class ExportFormat;
+}  // namespace analogon
 
 namespace analogon::ui {
 
@@ -57,6 +58,8 @@ public:
     void saveTo(const QString& path);
     /// HTML, PDF, data and the completed study, into a directory.
     void writeReport(const QString& path);
+    /// The model, or its traces, into a file for other tools.
+    void exportTo(ExportFormat format, const QString& path);
 
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -102,12 +105,13 @@ private:
     void showRecent();
     QList<QDockWidget*> docks() const;
     void askWhereToReport();
+    void askWhereToExport(ExportFormat format);
     void setTheme(int theme);
 
     Settings settings_;
     Document* document_;
     RunController* controller_;
-    JobRunner* writer_;
+    JobRunner *writer_, *exporter_;
 
     QStackedWidget* pages_{};
     StartPage* start_{};
@@ -117,7 +121,7 @@ private:
     LibraryPanel* library_{};
     ComposeActions* compose_{};
     Recovery* recovery_{};
-    QMenu* recentMenu_{};
+    QMenu *recentMenu_{}, *exportMenu_{};
     std::function<void()> afterSave_;
     bool mayClose_{};
     QTabWidget* centre_{};
@@ -139,7 +143,7 @@ private:
         *messageDock_{};
 
     QAction *newAction_{}, *generateAction_{}, *openAction_{}, *openFileAction_{}, *saveAction_{}, *saveAsAction_{},
-        *importAction_{}, *reportAction_{}, *quitAction_{};
+        *importAction_{}, *reportAction_{}, *exportTracesAction_{}, *quitAction_{};
     QAction *undoAction_{}, *redoAction_{}, *fitAction_{}, *discoverAction_{}, *fitViewAction_{};
 };
 

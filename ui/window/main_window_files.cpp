@@ -11,6 +11,7 @@
 #include <QTabWidget>
 #include <QUrl>
 
+#include "core/export/export.hpp"
 #include "ui/canvas/diagram_view.hpp"
 #include "ui/document/document.hpp"
 #include "ui/effect/report_pdf.hpp"
@@ -156,6 +157,45 @@ void MainWindow::writeReport(const QString& path) {
             document_->setRunMessages(done.diagnostics());
             statusBar()->showMessage(done ? tr("Report written to %1/report.html.").arg(path)
                                           : tr("No report written: see the messages."));
+        });
+}
+
+void MainWindow::askWhereToExport(ExportFormat format) {
+    const auto [filter, ending] = [format]() -> std::pair<QString, QString> {
+        switch (format) {
+            case ExportFormat::Fmu:
+                return {tr("Functional Mock-up Units (*.fmu)"), "fmu"};
+            case ExportFormat::Modelica:
+                return {tr("Modelica texts (*.mo)"), "mo"};
+            case ExportFormat::Csv:
+                break;
+        }
+        return {tr("Tables (*.csv)"), "csv"};
+    }();
+    auto* dialog = new QFileDialog(this, tr("Export"));
+    dialog->setObjectName("export-dialog");
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setModal(false);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilter(filter);
+    dialog->setDefaultSuffix(ending);
+    dialog->selectFile(document_->title() + "." + ending);
+    connect(dialog, &QFileDialog::fileSelected, this, [this, format](const QString& path) { exportTo(format, path); });
+    dialog->show();
+}
+
+void MainWindow::exportTo(ExportFormat format, const QString& path) {
+    if (!document_->isOpen()) return;
+    statusBar()->showMessage(tr("Exporting …"));
+    exporter_->start<Outcome<Exported>>(
+        tr("Exporting"),
+        [study = document_->study(), format, path](const Progress& progress) {
+            return exportStudy(study, format, path.toStdString(), progress);
+        },
+        [this, path](Outcome<Exported> exported) {
+            document_->setRunMessages(exported.diagnostics());
+            statusBar()->showMessage(exported ? tr("Exported to %1.").arg(path)
+                                              : tr("Nothing exported: see the messages."));
         });
 }
 

@@ -70,14 +70,14 @@ NullModel proportional(double inSecond) {
 
 TEST(Caution, NamesAParameterThatIsAnotherOneInOneRecording) {
     EXPECT_THAT(driftBetweenRecordings(proportional(2.0)), IsEmpty());
-    const std::vector<std::string> said = driftBetweenRecordings(proportional(2.6));
+    const std::vector<Text> said = driftBetweenRecordings(proportional(2.6));
     ASSERT_EQ(said.size(), 1u);
     EXPECT_THAT(said.front(), HasSubstr("motor.R seems to be another one in '"));
     // two recordings: each is another one than the other
     std::vector<double> values;
     for (std::size_t at = said.front().find("about "); at != std::string::npos;
-         at = said.front().find("about ", at + 1))
-        values.push_back(std::stod(said.front().substr(at + 6)));
+         at = said.front().english().find("about ", at + 1))
+        values.push_back(std::stod(said.front().english().substr(at + 6)));
     EXPECT_THAT(values,
                 ::testing::UnorderedElementsAre(::testing::DoubleNear(2.6, 0.01), ::testing::DoubleNear(2.0, 0.01)));
 }

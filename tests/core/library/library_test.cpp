@@ -105,7 +105,7 @@ TEST_F(LibraryTest, APackageWithoutOrderIsReadByName) {
 TEST_F(LibraryTest, NamesFaultsOfAPackage) {
     const auto messageOf = [&](const std::string& directory) {
         const auto library = Library().withPath(root_ / directory);
-        return library ? std::string("none") : library.diagnostics().front().message;
+        return library ? std::string("none") : library.diagnostics().front().message.english();
     };
     write("Empty/readme.txt", "x");
     EXPECT_EQ(messageOf("Empty"), "the directory holds no package.mo");

@@ -363,7 +363,7 @@ TEST(Structure, NamesWhatMakesAnEquationImpossible) {
         m.variables({"x"});
         fill(m);
         const Outcome<Structure> result = analyse(m.model());
-        return result ? std::string() : result.diagnostics().front().message;
+        return result ? std::string() : result.diagnostics().front().message.english();
     };
     EXPECT_EQ(faultOf([](ModelBuilder& m) {
                   m.parameter("k", 0);

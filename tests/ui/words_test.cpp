@@ -1,0 +1,102 @@
+#include "ui/words/words.hpp"
+
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QDirIterator>
+#include <QFile>
+#include <QRegularExpression>
+
+#include "core/flat/flat_model.hpp"
+#include "core/measure/table.hpp"
+#include "core/study/study.hpp"
+#include "ui/style/translator.hpp"
+
+namespace analogon::ui {
+namespace {
+
+class GermanWords : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_TRUE(german.loadLanguage("de"));
+        QCoreApplication::installTranslator(&german);
+    }
+    void TearDown() override { QCoreApplication::removeTranslator(&german); }
+    Translator german;
+};
+
+TEST(Words, AreEnglishWithoutATranslation) {
+    EXPECT_EQ(inWords(phrase("no {} in {:.2f}", "word", 1.5)), "no word in 1.50");
+    EXPECT_EQ(inWords("heater.R"), "heater.R");
+}
+
+TEST_F(GermanWords, SayPatternArgumentsAndWhatFollows) {
+    EXPECT_EQ(inWords(phrase("{} rests at its lower bound {:.6g}", "R", 0.25)), "R liegt an der unteren Grenze 0.25");
+    EXPECT_EQ(inWords(phrase("{} cannot be told apart from these data: fix one", listed({"R", "k"}))),
+              "R und k lassen sich mit diesen Daten nicht unterscheiden: einen festhalten");
+    EXPECT_EQ(inWords(phrase("Map the output as {{\"column\": …, \"clock\": \"fit\"}}.")),
+              QString::fromUtf8("Den Ausgang als {\"column\": …, \"clock\": \"fit\"} zuordnen."));
+    Text two = phrase("The model is singular.");
+    two += phrase(" No equation determines {}.", "x");
+    EXPECT_EQ(inWords(two), "Das Modell ist singulär. Keine Gleichung bestimmt x.");
+}
+
+TEST_F(GermanWords, NameFaultsOfARecordingAndOfAStudy) {
+    const Outcome<Table> table = readCsvText("t;u\n0;1\n1;abc\n", "run.csv");
+    ASSERT_FALSE(table);
+    EXPECT_EQ(inWords(table.diagnostics().front().message), QString::fromUtf8("„abc“ in Spalte „u“ ist keine Zahl"));
+    const Outcome<Study> study =
+        parseStudyJson(std::make_shared<Source>("study.json", R"({"format": "analogon-study-1", "class": 3})"));
+    ASSERT_FALSE(study);
+    const Diagnostics& faults = study.diagnostics();
+    EXPECT_EQ(inWords(faults.front().message),
+              QString::fromUtf8("class: erwartet: ein Text, der nicht leer ist, gefunden: die Zahl 3"));
+    for (const Diagnostic& fault : faults) EXPECT_NE(inWords(fault.message).toStdString(), fault.message.english());
+}
+
+TEST_F(GermanWords, NameFaultsOfAModel) {
+    const auto said = [](const char* text) {
+        Study study;
+        study.className = "M";
+        study.models[study.modelFile] = text;
+        const Outcome<Library> library = studyLibrary(study);
+        EXPECT_TRUE(library);
+        const Outcome<FlatModel> model = flatten(*library, "M");
+        EXPECT_FALSE(model);
+        const Diagnostic& fault = model.diagnostics().front();
+        return inWords(fault.message) + " | " + inWords(fault.hint);
+    };
+    EXPECT_EQ(
+        said("model M\n  Real x;\n  Real y;\nequation\n  x = 1;\nend M;\n"),
+        QString::fromUtf8("Modell „M“ hat 1 Gleichung für 2 Unbekannte: 1 zu wenig | in keiner Gleichung steht y"));
+    EXPECT_EQ(said("model M\n  parameter Real gain = 2;\n  Real x;\nequation\n  x = gian;\nend M;\n"),
+              QString::fromUtf8("„gian“ ist in Modell „M“ nicht deklariert | ist „gain“ gemeint?"));
+}
+
+/// Every sentence that the core makes by phrase() has a German one, with a place for each of its arguments.
+TEST_F(GermanWords, AreThereForEverySentenceOfTheCore) {
+    static const QRegularExpression call(R"re(\bphrase\(\s*((?:"(?:\\.|[^"\\])*"\s*)+))re");
+    static const QRegularExpression literal(R"re("((?:\\.|[^"\\])*)")re"), field(R"re(\{[^{}]*\})re");
+    const auto fields = [](QString text) { return text.replace("{{", "").replace("}}", "").count(field); };
+    int count = 0;
+    for (QDirIterator files(ANALOGON_ROOT "/core", {"*.cpp", "*.hpp"}, QDir::Files, QDirIterator::Subdirectories);
+         files.hasNext();) {
+        QFile file(files.next());
+        ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+        const QString source = QString::fromUtf8(file.readAll());
+        for (auto calls = call.globalMatch(source); calls.hasNext(); ++count) {
+            QString pattern;
+            for (auto parts = literal.globalMatch(calls.next().captured(1)); parts.hasNext();)
+                pattern += parts.next().captured(1);
+            pattern.replace("\\n", "\n").replace("\\\"", "\"").replace("\\\\", "\\");
+            EXPECT_TRUE(german.knows(pattern)) << file.fileName().toStdString() << ": " << pattern.toStdString();
+            const QString translated = QCoreApplication::translate("core", pattern.toUtf8().constData());
+            EXPECT_EQ(fields(translated), fields(pattern)) << pattern.toStdString();
+        }
+    }
+    EXPECT_GT(count, 400);
+}
+
+}  // namespace
+}  // namespace analogon::ui
