@@ -672,6 +672,30 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Wärmeverlust an eine Umgebung fester Temperatur</translation>
     </message>
     <message>
+        <source>Heat loss to constant surroundings of unknown temperature</source>
+        <translation>Wärmeverlust an eine konstante Umgebung unbekannter Temperatur</translation>
+    </message>
+    <message>
+        <source>Heat loss to surroundings whose temperature was recorded</source>
+        <translation>Wärmeverlust an eine Umgebung, deren Temperatur aufgezeichnet wurde</translation>
+    </message>
+    <message>
+        <source>Radiation to constant surroundings of unknown temperature</source>
+        <translation>Strahlung an eine konstante Umgebung unbekannter Temperatur</translation>
+    </message>
+    <message>
+        <source>Radiation to surroundings whose temperature was recorded</source>
+        <translation>Strahlung an eine Umgebung, deren Temperatur aufgezeichnet wurde</translation>
+    </message>
+    <message>
+        <source>Torque that was recorded but not given to the model</source>
+        <translation>Drehmoment, das aufgezeichnet, aber dem Modell nicht gegeben wurde</translation>
+    </message>
+    <message>
+        <source>Heat flow that was recorded but not given to the model</source>
+        <translation>Wärmestrom, der aufgezeichnet, aber dem Modell nicht gegeben wurde</translation>
+    </message>
+    <message>
         <source>Heat of evaporation taken up once</source>
         <translation>Einmal aufgenommene Verdampfungswärme</translation>
     </message>
