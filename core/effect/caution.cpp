@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/median.hpp"
 #include "core/base/range.hpp"
 #include "core/residual/noise.hpp"
 
@@ -15,7 +16,6 @@ constexpr double worthSaying = 0.1;                  // of the fitted range
 constexpr double leastDifference = 1e-3;             // of a parameter between two recordings
 constexpr double clearlyWorse = 1.3, asGood = 1.15;  // of what is left in the fitted recordings
 constexpr double sigmas = 5.0;                       // by which more than chance is told from it
-constexpr double whiteSignificance = 1e-4;
 constexpr double mostOfExcess = 0.5, least = 100.0;  // of what is above the noise; in units of the noise, squared
 
 Range rangeIn(const Recording& recording, const std::vector<std::string>& names, const Eigen::MatrixXd& values,
@@ -152,12 +152,12 @@ Text lookOf(const Miss& miss, double noise, const std::string& unit) {
     const std::string shown = unit.empty() || unit == "1" ? "" : " " + unit;
     const double offset = miss.rmsBesideOffset(), gain = miss.rmsBesideGain();
     if (offset <= enough && offset <= gain)
-        return fmt::format("it looks like an offset of {:+.3g}{} in this recording alone ({:.3g}{} remain without it)",
-                           miss.offset(), shown, offset, shown);
+        return phrase("it looks like an offset of {:+.3g}{} in this recording alone ({:.3g}{} remain without it)",
+                      miss.offset(), shown, offset, shown);
     if (gain <= enough)
-        return fmt::format("it looks like a gain of {:.4g} in this recording alone ({:.3g}{} remain without it)",
-                           miss.gain(), gain, shown);
-    return fmt::format(
+        return phrase("it looks like a gain of {:.4g} in this recording alone ({:.3g}{} remain without it)",
+                      miss.gain(), gain, shown);
+    return phrase(
         "neither an offset ({:+.3g}{} at best, {:.3g}{} remain) nor a gain ({:.4g}, {:.3g}{} remain) accounts for it: "
         "this recording shows what the fitted ones do not",
         miss.offset(), shown, offset, shown, miss.gain(), gain, shown);
@@ -176,10 +176,10 @@ std::vector<Text> poorValidations(const ModelState& state) {
             const double noise = fitted->second.standardDeviation;
             if (!(noise > 0) || !isMoreThanNoise(miss, noise, fitted->second.autocorrelationTime)) continue;
             said.push_back(
-                fmt::format("'{}': {} is off by {:.3g}{}{} (root mean square), {:.2g} times what is left in "
-                            "the fitted recordings; {}",
-                            e.name, output.name, miss.rms(), output.unit.empty() ? "" : " ", output.unit,
-                            miss.rms() / noise, lookOf(miss, noise, output.unit)));
+                phrase("'{}': {} is off by {:.3g}{}{} (root mean square), {:.2g} times what is left in "
+                       "the fitted recordings; {}",
+                       e.name, output.name, miss.rms(), output.unit.empty() ? "" : " ", output.unit, miss.rms() / noise,
+                       lookOf(miss, noise, output.unit)));
         }
     }
     return said;
@@ -191,22 +191,20 @@ std::vector<Text> delaysBelowSampling(const EstimationTask& task, const std::vec
         for (std::size_t k = 1; r.role == Role::Fit && k < r.time.size(); ++k)
             steps.push_back(r.time[k] - r.time[k - 1]);
     if (steps.empty()) return {};
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    const double interval = *middle;
+    const double interval = median(std::move(steps));
     std::vector<Text> said;
     for (const AddedEffect& effect : effects) {
         if (!effect.kind.ends_with(".delay") || effect.parameters.empty()) continue;
         const double delay = effect.parameters.front().value;
         if (!(delay < interval)) continue;
         const bool isHeld = effect.kind.starts_with("actuator") && std::abs(delay / interval - 0.5) < 0.25;
-        said.push_back(fmt::format(
-            "the dead time of {:.3g} s at {} is {:.2g} of a sample interval ({:.3g} s): {}", delay, effect.at,
-            delay / interval, interval,
-            isHeld
-                ? "a command that is held between its samples looks like half a sample of dead time, since inputs run "
-                  "linearly between theirs here"
-                : "when exactly within the interval each channel was sampled may be all there is to it"));
+        const Text reason =
+            isHeld ? phrase(
+                         "a command that is held between its samples looks like half a sample of dead time, since "
+                         "inputs run linearly between theirs here")
+                   : phrase("when exactly within the interval each channel was sampled may be all there is to it");
+        said.push_back(phrase("the dead time of {:.3g} s at {} is {:.2g} of a sample interval ({:.3g} s): {}", delay,
+                              effect.at, delay / interval, interval, reason));
     }
     return said;
 }

@@ -141,6 +141,23 @@ AddedEffect Search::describe(const NullModel& last, const ModelState& state, con
     return effect;
 }
 
+/// Takes out of what a path ends with all that is not missed, or no more than a disturbance, and the equations without
+/// a name, which are returned.
+std::vector<Remainder> Search::conclude(NullModel& null, bool mayAddLaw) {
+    if (!isNoise(null)) removeUnneeded(null, 0, true);
+    if (mayAddLaw && !isNoise(null) && !progress_.stopRequested() && addLaw(null)) removeUnneeded(null, 0, true);
+    // where a proposal explains all, what it made needless only imitated it
+    const bool leavesMuch = levelOf(null.fit) > largeResidual;
+    if (leavesMuch) setAsideBehindProposal(null);
+    const bool hadProposal = hasProposal(null);
+    std::vector<Remainder> proposed = takeOutProposals(null);
+    if (hadProposal) {
+        if (leavesMuch) bringBackDisplaced(null);
+        removeUnneeded(null, 0, true);  // what was seen only beside a proposal is not kept without it
+    }
+    return proposed;
+}
+
 Outcome<Finding> Search::run() {
     const auto begin = std::chrono::steady_clock::now();
     Outcome<std::vector<EffectClass>> catalogue = effectCatalogue(base_.task.library);
@@ -204,17 +221,18 @@ Outcome<Finding> Search::run() {
         null = base;
         finding.final = finding.baseline;
     }
-    if (!isNoise(*null)) removeUnneeded(*null, 0, true);
-    if (!change_ && !dependence_ && !isNoise(*null) && !progress_.stopRequested() && addLaw(*null))
-        removeUnneeded(*null, 0, true);
-    // where a proposal explains all, what it made needless only imitated it
-    const bool leavesMuch = levelOf(null->fit) > largeResidual;
-    if (leavesMuch) setAsideBehindProposal(*null);
-    const bool hadProposal = hasProposal(*null);
-    std::vector<Remainder> proposed = takeOutProposals(*null);
-    if (hadProposal) {
-        if (leavesMuch) bringBackDisplaced(*null);
-        removeUnneeded(*null, 0, true);  // what was seen only beside a proposal is not kept without it
+    std::vector<Remainder> proposed = conclude(*null, !change_ && !dependence_);
+    // what explains most may be what a disturbance takes over best; then the next best path is judged
+    for (Path& other : otherEnds_) {
+        if (!steps_.empty() || isNoise(*null) || change_ || dependence_ || progress_.stopRequested()) break;
+        exchange(other);
+        std::vector<Remainder> itsProposed = conclude(other.null, false);
+        if (steps_.empty()) {
+            exchange(other);
+            continue;
+        }
+        std::swap(*null, other.null);
+        proposed = std::move(itsProposed);
     }
     holdUnneededStarts(*null);
     finding.nextExperiment = proposeExperiments(*null);

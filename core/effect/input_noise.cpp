@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/median.hpp"
+
 namespace analogon {
 namespace {
 
@@ -11,12 +13,6 @@ constexpr Eigen::Index reach = 12;        // of the filter, in samples to either
 constexpr double within = 3.5;            // deviations of the noise: a neighbour of the same level
 constexpr double outlier = 4;             // deviations of a second difference: a step or a kink
 constexpr double leastAlternation = 0.5;  // white noise: successive second differences correlate by -2/3
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 Eigen::RowVectorXd filtered(const Eigen::RowVectorXd& signal, double noise) {
     Eigen::RowVectorXd result = signal;

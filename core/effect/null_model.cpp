@@ -12,7 +12,6 @@ namespace analogon {
 namespace {
 
 constexpr double indistinctShare = 0.03;  // of a large residual
-constexpr double whiteSignificance = 1e-4;
 
 /// Noise of every output from what the model leaves, in the units of the output.
 std::vector<Eigen::VectorXd> noiseOf(const EstimationTask& task, const PreparedTask& prepared, const FitResult& fit) {

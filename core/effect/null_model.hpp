@@ -30,8 +30,9 @@ double dominantPeriod(const NullModel& null);
 std::vector<Trajectory> observe(const NullModel& null, const PreparedTask& held, const std::vector<std::string>& names,
                                 const SimulationOptions& simulation);
 
-constexpr double equivalenceMargin = 10;  // evidence within which two candidates cannot be told apart
-constexpr double largeResidual = 1.2;     // in units of the noise: above it, first-order scores may mislead
+constexpr double equivalenceMargin = 10;    // evidence within which two candidates cannot be told apart
+constexpr double largeResidual = 1.2;       // in units of the noise: above it, first-order scores may mislead
+constexpr double whiteSignificance = 1e-4;  // probability below which a residual does not pass for white
 
 /// Whether a fit keeps the noise level it is given, or finds it anew from what it leaves.
 enum class NoiseLevel { Keep, Estimate };

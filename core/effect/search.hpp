@@ -84,10 +84,12 @@ private:
     std::vector<Trial> tryLaws(NullModel& null);
     void bringBackDisplaced(NullModel& null);
     bool replace(NullModel& null, std::size_t effect);
+    std::vector<Remainder> conclude(NullModel& null, bool mayAddLaw);
     void removeUnneeded(NullModel& null, std::size_t least, bool isLast = false);
     bool allowForRecordings(NullModel& null, const Round& round);
     bool refitQuiet(NullModel& null, Variant quiet, const std::vector<NoisyInput>& noisy);
-    bool refitWith(NullModel& null, const ToldStart& start, bool isFitted);
+    Outcome<NullModel> fittedWith(const NullModel& null, const ToldStart& start, bool isFitted) const;
+    bool refitWith(NullModel& null, const ToldStart& start);
     void holdUnneededStarts(NullModel& null);
     std::vector<Text> recordingRemarks(const NullModel& null) const;
     void treatAlike(NullModel& null);
@@ -111,7 +113,8 @@ private:
     std::vector<EffectClass> catalogue_;
     std::vector<CandidateResult> candidates_;
     std::vector<Step> steps_;
-    std::vector<Displaced> displaced_;
+    std::vector<Displaced> displaced_;         // not needed any more beside a proposed equation
+    std::vector<Path> otherEnds_;              // of paths that explain less
     std::optional<Path> opening_;              // where the first choice of all led
     std::map<std::string, std::string> laws_;  // texts of the classes that were written for this model, by name
     std::optional<Change> change_;             // in mid run, that explains better than any effect

@@ -87,6 +87,7 @@ Outcome<Search::Path> Search::bestPath(NullModel& base) {
         if (!path || !beginsAnew_ || progress_.stopRequested()) return path;
         beginsAnew_ = false;
         opening_.reset();
+        otherEnds_.clear();
         base.variant.task.recordings = base_.task.recordings;
         Outcome<NullModel> next = fitNull(base.variant, base.noise, NoiseLevel::Estimate, search_.fit, progress_);
         if (!next) return next.diagnostics();
@@ -126,7 +127,8 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
         Path path{base, {}, {}, {}, {}};
         if (Outcome<Done> done = goOn(path, std::move(round)); !done) continue;
         if (beginsAnew_) return best;
-        if (isBetter(path)) best = std::move(path);
+        if (isBetter(path)) std::swap(best, path);
+        otherEnds_.push_back(std::move(path));
     }
     if (progress_.stopRequested() || isNoise(best.null) || levelOf(best.null.fit) < structuredResidual) return best;
     if (work_ > mostWork) return best;
@@ -143,7 +145,9 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
         if (progress_.stopRequested()) break;
         std::optional<Path> path = withLaw(std::move(begin));
         if (beginsAnew_) return best;
-        if (path && isBetter(*path)) best = std::move(*path);
+        if (!path || !isBetter(*path)) continue;
+        otherEnds_.push_back(std::move(best));
+        best = std::move(*path);
     }
     return best;
 }

@@ -42,7 +42,7 @@ bool Search::allowForRecordings(NullModel& null, const Round& round) {
         say("reconsider", "noise of the inputs", -1);
         if (explainsMore(quiet, static_cast<int>(noisy.size()))) return refitQuiet(null, std::move(quiet), noisy);
     }
-    return best && refitWith(null, *best, true);
+    return best && refitWith(null, *best);
 }
 
 /// The model beside inputs without their noise; so in all that the search fits from here on.
@@ -55,25 +55,24 @@ bool Search::refitQuiet(NullModel& null, Variant quiet, const std::vector<NoisyI
     return true;
 }
 
-/// The model with a start value fitted, or held where it was told to be; so in all that the search fits from here on.
-bool Search::refitWith(NullModel& null, const ToldStart& start, bool isFitted) {
+/// The model with a start value fitted, or held where it was told to be.
+Outcome<NullModel> Search::fittedWith(const NullModel& null, const ToldStart& start, bool isFitted) const {
     Variant variant = null.variant;
     setFitted(variant.task, start, isFitted);
     if (!isFitted)
         std::erase_if(variant.values, [&](const ParameterValue& v) {
             return v.experiment == start.experiment && v.name == start.parameter;
         });
-    Outcome<NullModel> next =
-        fitNull(variant, null.noise, isFitted ? NoiseLevel::Estimate : NoiseLevel::Keep, search_.fit, progress_);
+    return fitNull(variant, null.noise, isFitted ? NoiseLevel::Estimate : NoiseLevel::Keep, search_.fit, progress_);
+}
+
+/// A start value is fitted in all that the search fits from here on.
+bool Search::refitWith(NullModel& null, const ToldStart& start) {
+    Outcome<NullModel> next = fittedWith(null, start, true);
     if (!next || progress_.stopRequested()) return false;
-    setFitted(base_.task, start, isFitted);
-    setFitted(full_.task, start, isFitted);
-    if (isFitted)
-        freedStarts_.push_back(start);
-    else
-        std::erase_if(freedStarts_, [&](const ToldStart& s) {
-            return s.recording == start.recording && s.parameter == start.parameter;
-        });
+    setFitted(base_.task, start, true);
+    setFitted(full_.task, start, true);
+    freedStarts_.push_back(start);
     null = std::move(*next);
     return true;
 }
@@ -81,13 +80,8 @@ bool Search::refitWith(NullModel& null, const ToldStart& start, bool isFitted) {
 /// Holds those start values again that, beside the effects found since, explain nothing that counts.
 void Search::holdUnneededStarts(NullModel& null) {
     for (const ToldStart& start : std::vector<ToldStart>(freedStarts_)) {
+        Outcome<NullModel> held = fittedWith(null, start, false);
         if (progress_.stopRequested()) return;
-        Variant variant = null.variant;
-        setFitted(variant.task, start, false);
-        std::erase_if(variant.values, [&](const ParameterValue& v) {
-            return v.experiment == start.experiment && v.name == start.parameter;
-        });
-        const Outcome<NullModel> held = fitNull(variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
         if (!held) continue;
         const Acceptance missed = examine(*held, null.fit, 1, 0);
         const auto isMore = [&] {
@@ -95,8 +89,13 @@ void Search::holdUnneededStarts(NullModel& null) {
                               besideDisturbance(null, search_.fit.simulation, progress_),
                               null.fit.optimum.residuals.size(), 1);
         };
-        if (!missed.isSignificant || !missed.isWorthwhile || (!isNoise(null) && !isMore()))
-            refitWith(null, start, false);
+        if (missed.isSignificant && missed.isWorthwhile && (isNoise(null) || isMore())) continue;
+        setFitted(base_.task, start, false);
+        setFitted(full_.task, start, false);
+        std::erase_if(freedStarts_, [&](const ToldStart& s) {
+            return s.recording == start.recording && s.parameter == start.parameter;
+        });
+        null = std::move(*held);
     }
 }
 
@@ -104,21 +103,20 @@ void Search::holdUnneededStarts(NullModel& null) {
 std::vector<Text> Search::recordingRemarks(const NullModel& null) const {
     std::vector<Text> remarks;
     for (const NoisyInput& input : noisyInputs_)
-        remarks.push_back(phrase(
-            "the input '{}' of '{}' is recorded with noise ({:.2g} rms) that drives the model and not the component: "
-            "the "
-            "search has smoothed it, the errors that are reported are with it; record it with less noise, or smooth it",
-            input.name, full_.task.recordings[static_cast<std::size_t>(input.recording)].name, input.deviation));
+        remarks.push_back(
+            phrase("the input '{}' of '{}' is recorded with noise ({:.2g} rms) that drives the model and not the "
+                   "component: the search has smoothed it, the errors that are reported are with it; record it with "
+                   "less noise, or smooth it",
+                   input.name, full_.task.recordings[static_cast<std::size_t>(input.recording)].name, input.deviation));
     for (const ToldStart& start : freedStarts_)
         for (const FitEstimate& e : null.fit.estimates) {
             if (e.name != start.parameter || e.experiment != start.experiment) continue;
             const Recording& recording = full_.task.recordings[static_cast<std::size_t>(start.recording)];
             remarks.push_back(
-                fmt::format("'{}' does not begin where the model was told: {} is {:.5g} ± {:.2g}{}{} there, not "
-                            "{:.5g}; it is fitted "
-                            "for this recording (\"initial\": \"fit\")",
-                            recording.name, start.parameter, e.value, e.standardError, e.unit.empty() ? "" : " ",
-                            e.unit, start.value));
+                phrase("'{}' does not begin where the model was told: {} is {:.5g} ± {:.2g}{}{} there, not {:.5g}; "
+                       "it is fitted for this recording (\"initial\": \"fit\")",
+                       recording.name, start.parameter, e.value, e.standardError, e.unit.empty() ? "" : " ", e.unit,
+                       start.value));
         }
     return remarks;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 
 #include "core/base/unit.hpp"
 #include "core/diagram/edit.hpp"
@@ -89,30 +90,31 @@ Outcome<Variant> withEffect(const Variant& variant, const EffectClass& effect, c
 Outcome<Variant> withEffects(const Variant& base, const std::vector<PlacedEffect>& effects,
                              const std::vector<ParameterValue>& values) {
     Variant variant = base;
+    // values of effects that are not in this variant belong to nothing
     variant.values = values;
+    std::erase_if(variant.values, [&](const ParameterValue& v) {
+        return v.experiment < 0 && std::none_of(base.task.parameters.begin(), base.task.parameters.end(),
+                                                [&](const FitParameter& p) { return p.name == v.name; });
+    });
+    std::set<std::string> taken;  // an effect that stood aside may be called as another one is now
     for (const PlacedEffect& e : effects) {
         Outcome<Variant> wider = withEffect(variant, e.effect, e.place, e.values);
         if (!wider) return wider;
         variant = std::move(*wider);
         PlacedEffect& placed = variant.effects.back();
         // an instance may be named otherwise than before: its parameters and their values follow it
-        const auto renamed = [&](const std::string& name) { return placed.instance + name.substr(e.instance.size()); };
         for (FitParameter p : e.freed) {
             const std::string before = p.name;
-            p.name = renamed(before);
-            for (ParameterValue& v : variant.values)
-                if (v.name == before) v.name = p.name;
+            p.name = placed.instance + before.substr(e.instance.size());
+            if (taken.insert(before).second)
+                for (const ParameterValue& v : values)
+                    if (v.name == before) variant.values.push_back({p.name, v.experiment, v.value});
             placed.freed.push_back(p);
             variant.task.parameters.push_back(std::move(p));
         }
         for (const EffectPlace& twin : e.twins)
             if (Outcome<Done> added = addTwin(variant, twin); !added) return added.diagnostics();
     }
-    // values of effects that are not in this variant belong to nothing
-    std::erase_if(variant.values, [&](const ParameterValue& v) {
-        return v.experiment < 0 && std::none_of(variant.task.parameters.begin(), variant.task.parameters.end(),
-                                                [&](const FitParameter& p) { return p.name == v.name; });
-    });
     return variant;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/median.hpp"
 #include "core/base/unit.hpp"
 
 namespace analogon {
@@ -90,9 +91,7 @@ Outcome<UnitConversion> conversion(const Table& table, const Column& column, con
 double medianStep(const std::vector<double>& time) {
     std::vector<double> steps(time.size() - 1);
     for (std::size_t i = 0; i + 1 < time.size(); ++i) steps[i] = time[i + 1] - time[i];
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    return *middle;
+    return median(std::move(steps));
 }
 
 /// One warning for all gaps, at the first.

@@ -4,6 +4,7 @@
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 
+#include "core/base/median.hpp"
 #include "core/base/range.hpp"
 #include "core/residual/quantisation.hpp"
 
@@ -36,14 +37,6 @@ std::vector<double> differences(const std::vector<std::vector<double>>& runs, in
         result.insert(result.end(), run.begin(), run.end());
     }
     return result;
-}
-
-double median(std::vector<double> values) {
-    if (values.empty()) return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    if (values.size() % 2) return *middle;
-    return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
 std::vector<double> magnitudes(std::vector<double> values) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/median.hpp"
+
 namespace analogon {
 
 double quantisationNoise(const Eigen::Ref<const Eigen::VectorXd>& measured) {
@@ -17,9 +19,7 @@ double quantisationNoise(const Eigen::Ref<const Eigen::VectorXd>& measured) {
     if (values.size() < 3 || values.size() * 4 > count) return 0;
     std::vector<double> gaps;
     for (std::size_t i = 1; i < values.size(); ++i) gaps.push_back(values[i] - values[i - 1]);
-    const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
-    std::nth_element(gaps.begin(), middle, gaps.end());
-    return *middle / std::sqrt(12.0);
+    return median(std::move(gaps)) / std::sqrt(12.0);
 }
 
 }  // namespace analogon

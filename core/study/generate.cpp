@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/base/median.hpp"
 #include "core/base/unit.hpp"
 #include "core/study/column_guess.hpp"
 #include "core/study/composition.hpp"

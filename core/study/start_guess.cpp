@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/median.hpp"
+
 namespace analogon {
 
 namespace {
@@ -56,8 +58,6 @@ double mean(const std::vector<double>& values) {
 }
 
 }  // namespace
-
-double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
 
 double changeTime(const std::vector<double>& time, const std::vector<double>& signal) {
     const std::size_t count = std::min(time.size(), signal.size());

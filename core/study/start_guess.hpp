@@ -17,8 +17,6 @@ struct StartGuess {
     std::string reason;  // "from voltage over current"; empty: a usual value
 };
 
-double median(std::vector<double> values);
-
 /// Order of magnitude of the time in which a signal changes by its own spread, in s.
 double changeTime(const std::vector<double>& time, const std::vector<double>& signal);
 

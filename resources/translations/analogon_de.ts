@@ -4465,5 +4465,57 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <source>outer</source>
         <translation>outer</translation>
     </message>
+    <message>
+        <source>it looks like an offset of {:+.3g}{} in this recording alone ({:.3g}{} remain without it)</source>
+        <translation>es sieht nach einem Versatz von {}{} nur in dieser Aufzeichnung aus ({}{} bleiben ohne ihn)</translation>
+    </message>
+    <message>
+        <source>it looks like a gain of {:.4g} in this recording alone ({:.3g}{} remain without it)</source>
+        <translation>es sieht nach einer Verstärkung von {} nur in dieser Aufzeichnung aus ({}{} bleiben ohne sie)</translation>
+    </message>
+    <message>
+        <source>neither an offset ({:+.3g}{} at best, {:.3g}{} remain) nor a gain ({:.4g}, {:.3g}{} remain) accounts for it: this recording shows what the fitted ones do not</source>
+        <translation>weder ein Versatz (bestenfalls {}{}, {}{} bleiben) noch eine Verstärkung ({}, {}{} bleiben) erklärt das: Diese Aufzeichnung zeigt etwas, das die angepassten nicht zeigen</translation>
+    </message>
+    <message>
+        <source>'{}': {} is off by {:.3g}{}{} (root mean square), {:.2g} times what is left in the fitted recordings; {}</source>
+        <translation>„{}“: {} liegt um {}{}{} daneben (quadratisches Mittel), das {}-Fache dessen, was in den angepassten Aufzeichnungen bleibt; {}</translation>
+    </message>
+    <message>
+        <source>a command that is held between its samples looks like half a sample of dead time, since inputs run linearly between theirs here</source>
+        <translation>ein Befehl, der zwischen seinen Abtastwerten gehalten wird, sieht nach einem halben Abtastschritt Totzeit aus, denn Eingänge verlaufen hier zwischen den Abtastwerten linear</translation>
+    </message>
+    <message>
+        <source>when exactly within the interval each channel was sampled may be all there is to it</source>
+        <translation>vielleicht liegt es nur daran, wann genau innerhalb des Abtastschritts jeder Kanal abgetastet wurde</translation>
+    </message>
+    <message>
+        <source>the dead time of {:.3g} s at {} is {:.2g} of a sample interval ({:.3g} s): {}</source>
+        <translation>die Totzeit von {} s an {} beträgt das {}-Fache eines Abtastschritts ({} s): {}</translation>
+    </message>
+    <message>
+        <source>the input '{}' of '{}' is recorded with noise ({:.2g} rms) that drives the model and not the component: the search has smoothed it, the errors that are reported are with it; record it with less noise, or smooth it</source>
+        <translation>der Eingang „{}“ von „{}“ ist mit Rauschen aufgezeichnet (Effektivwert {}), das das Modell antreibt und nicht das Bauteil: Die Suche hat es geglättet, die angegebenen Fehler gelten mit ihm; den Eingang rauschärmer aufzeichnen oder glätten</translation>
+    </message>
+    <message>
+        <source>'{}' does not begin where the model was told: {} is {:.5g} ± {:.2g}{}{} there, not {:.5g}; it is fitted for this recording (&quot;initial&quot;: &quot;fit&quot;)</source>
+        <translation>„{}“ beginnt nicht dort, wo es dem Modell gesagt wurde: {} ist dort {} ± {}{}{}, nicht {}; der Wert wird für diese Aufzeichnung angepasst (&quot;initial&quot;: &quot;fit&quot;)</translation>
+    </message>
+    <message>
+        <source>Only outputs may have empty cells.</source>
+        <translation>Nur Ausgänge dürfen leere Zellen haben.</translation>
+    </message>
+    <message>
+        <source>column '{}' was not measured in {} of {} rows, first in data row {}</source>
+        <translation>Spalte „{}“ wurde in {} von {} Zeilen nicht gemessen, zuerst in Datenzeile {}</translation>
+    </message>
+    <message>
+        <source>What the model says there is compared with nothing.</source>
+        <translation>Was das Modell dort sagt, wird mit nichts verglichen.</translation>
+    </message>
+    <message>
+        <source>Only numbers can be read; leave the cell of an output empty where it was not measured.</source>
+        <translation>Nur Zahlen können gelesen werden; die Zelle eines Ausgangs leer lassen, wo er nicht gemessen wurde.</translation>
+    </message>
 </context>
 </TS>

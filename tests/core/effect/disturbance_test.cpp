@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-#include "core/library/library.hpp"
+#include "tests/core/effect/warm_body.hpp"
 
 namespace analogon {
 namespace {
@@ -113,36 +113,10 @@ protected:
     static constexpr double capacity = 4, conductance = 0.2;  // [J/K], [W/K]
 
     static EstimationTask task() {
-        EstimationTask task;
-        task.model = std::make_shared<Source>("model.mo", R"(model Body
-  Analogon.Interfaces.RealInput P(unit="W");
-  Analogon.Interfaces.RealOutput T(unit="K");
-  Analogon.Sources.PrescribedHeatFlow heater;
-  Analogon.Thermal.HeatCapacitor body(C=6, T_start=300);
-  Analogon.Thermal.ThermalConductor joint(G=0.3);
-  Analogon.Sources.FixedTemperature surroundings(T=300);
-  Analogon.Sensors.TemperatureSensor sensor;
-equation
-  connect(P, heater.Q_flow);
-  connect(heater.port, body.port);
-  connect(body.port, joint.port_a);
-  connect(joint.port_b, surroundings.port);
-  connect(body.port, sensor.port);
-  connect(sensor.T, T);
-end Body;
-)");
-        task.className = "Body";
-        if (Outcome<Library> library = builtInLibrary()->withSource(task.model)) task.library = std::move(*library);
-        task.parameters = {{"body.C", "J/K", 6, 0.1, 100}, {"joint.G", "W/K", 0.3, 0.001, 10}};
-        Recording r;
-        r.name = "steps";
-        r.inputNames = {"P"};
-        r.outputNames = {"T"};
         constexpr int samples = 2000, inner = 20;
         constexpr double step = 0.25;  // [s]
-        r.inputs.resize(1, samples);
-        r.outputs.resize(1, samples);
-        r.weights = Eigen::VectorXd::Ones(1);
+        EstimationTask task = warmBody({{"body.C", "J/K", 6, 0.1, 100}, {"joint.G", "W/K", 0.3, 0.001, 10}});
+        Recording r = warmBodyRecording("steps", samples);
         std::mt19937 random(8);
         std::normal_distribution<double> normal;
         double temperature = 300, draught = 0;

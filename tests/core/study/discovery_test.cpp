@@ -1,4 +1,5 @@
 // The closed loop on recordings made here, by equations of their own.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -127,17 +128,18 @@ TEST_F(Discovery, AddsNothingToNoise) {
     EXPECT_TRUE(finding.remainders.empty());
 }
 
-/// A heated body in a draught that nobody measures. Its model begins at 300 K.
-class DiscoveryInADraught : public Discovery {
+/// A heated plate whose model cools to a room alone.
+class DiscoveryOnAPlate : public Discovery {
 protected:
-    Finding search(unsigned seed, double strength = 0.7, double begin = 300, double inputNoise = 0) {
-        std::ofstream(directory_ / "model.mo") << R"(model Plate
+    /// `fitted`: the study's "parameters".
+    void writeStudy(double room, const std::string& fitted) {
+        std::ofstream(directory_ / "model.mo") << fmt::format(R"(model Plate
   Analogon.Interfaces.RealInput P(unit="W");
   Analogon.Interfaces.RealOutput T(unit="K");
   Analogon.Sources.PrescribedHeatFlow heater;
-  Analogon.Thermal.HeatCapacitor plate(C=20, T_start=300);
-  Analogon.Thermal.ThermalConductor toRoom(G=0.2);
-  Analogon.Sources.FixedTemperature room(T=300);
+  Analogon.Thermal.HeatCapacitor plate(C=20, T_start={0});
+  Analogon.Thermal.ThermalConductor toRoom(G=0.3);
+  Analogon.Sources.FixedTemperature room(T={0});
   Analogon.Sensors.TemperatureSensor thermometer;
 equation
   connect(P, heater.Q_flow);
@@ -147,27 +149,44 @@ equation
   connect(plate.port, thermometer.port);
   connect(thermometer.T, T);
 end Plate;
-)";
+)",
+                                                              room);
         std::ofstream(directory_ / "study.json") << R"({"format": "analogon-study-1", "class": "Plate",
   "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
                    "inputs": {"P": "P"}, "outputs": {"T": "T"}}],
-  "parameters": {"plate.C": {"fit": true, "min": 1, "max": 200}, "toRoom.G": {"fit": true, "min": 0.01, "max": 5}}})";
+  "parameters": )" << fitted << '}';
+    }
+
+    /// The plate's temperature [K] after a sample; the power goes from one value to the next, `taken` [W] is lost.
+    template <class Flow>
+    static double after(double temperature, double power, double next, const Flow& taken) {
+        constexpr int inner = 10;
+        for (int i = 0; i < inner; ++i)
+            temperature += interval / inner * (power + (next - power) * (i + 0.5) / inner - taken(temperature)) / 15;
+        return temperature;
+    }
+
+    static constexpr double interval = 0.5;  // [s]
+};
+
+/// In a draught that nobody measures. The model begins at 300 K.
+class DiscoveryInADraught : public DiscoveryOnAPlate {
+protected:
+    Finding search(unsigned seed, double strength = 0.7, double begin = 300, double inputNoise = 0) {
+        writeStudy(300, R"({"plate.C": {"fit": true, "min": 1, "max": 200},
+                           "toRoom.G": {"fit": true, "value": 0.2, "min": 0.01, "max": 5}})");
         std::mt19937 random(seed);
         std::normal_distribution<double> normal;
         std::ofstream csv(directory_ / "run.csv");
         csv.precision(10);
         csv << "t [s],P [W],T [K]\n";
-        constexpr int inner = 10;
         double temperature = begin, draught = 0;  // [K], [W]
         for (int k = 0; k < samples; ++k) {
             const double here = 20 + 20 * excitation(0.02 * k), next = 20 + 20 * excitation(0.02 * (k + 1));
-            csv << 0.5 * k << ',' << here + inputNoise * normal(random) << ',' << temperature + 0.1 * normal(random)
-                << '\n';
+            csv << interval * k << ',' << here + inputNoise * normal(random) << ','
+                << temperature + 0.1 * normal(random) << '\n';
             draught = 0.96 * draught + strength * normal(random);
-            for (int i = 0; i < inner; ++i) {
-                const double power = here + (next - here) * (i + 0.5) / inner;
-                temperature += 0.5 / inner * (power + draught - 0.3 * (temperature - 300)) / 15;
-            }
+            temperature = after(temperature, here, next, [&](double T) { return 0.3 * (T - 300) - draught; });
         }
         csv.close();
         return discovered();
@@ -221,48 +240,25 @@ TEST_F(DiscoveryInADraught, LeavesARightStartAsItIsTold) {
     for (const FitEstimate& e : finding.final.parameters) EXPECT_LT(e.experiment, 0) << e.name;
 }
 
-/// A heated plate on a mount that takes heat away; its model knows the room alone.
-class DiscoveryOnAMount : public Discovery {
+/// On a mount that takes heat away.
+class DiscoveryOnAMount : public DiscoveryOnAPlate {
 protected:
     Finding search(const std::function<double(double t)>& mount, bool isRecorded) {
-        std::ofstream(directory_ / "model.mo") << R"(model Plate
-  Analogon.Interfaces.RealInput P(unit="W");
-  Analogon.Interfaces.RealOutput T(unit="K");
-  Analogon.Sources.PrescribedHeatFlow heater;
-  Analogon.Thermal.HeatCapacitor plate(C=20, T_start=290);
-  Analogon.Thermal.ThermalConductor toRoom(G=0.3);
-  Analogon.Sources.FixedTemperature room(T=290);
-  Analogon.Sensors.TemperatureSensor thermometer;
-equation
-  connect(plate.port, toRoom.port_a);
-  connect(toRoom.port_b, room.port);
-  connect(P, heater.Q_flow);
-  connect(heater.port, plate.port);
-  connect(plate.port, thermometer.port);
-  connect(thermometer.T, T);
-end Plate;
-)";
-        std::ofstream(directory_ / "study.json") << R"({"format": "analogon-study-1", "class": "Plate",
-  "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
-                   "inputs": {"P": "P"}, "outputs": {"T": "T"}}],
-  "parameters": {"plate.C": {"fit": true, "min": 1, "max": 200}}})";
+        writeStudy(290, R"({"plate.C": {"fit": true, "min": 1, "max": 200}})");
         std::mt19937 random(5);
         std::normal_distribution<double> normal;
         std::ofstream csv(directory_ / "run.csv");
         csv.precision(10);
         csv << "t [s],P [W],T [K]" << (isRecorded ? ",mount [degC]\n" : "\n");
-        constexpr int inner = 10;
-        double temperature = 290;  // [K], in a room of 290 K, on a mount
+        double temperature = 290;  // [K]
         for (int k = 0; k < samples; ++k) {
             const double here = 10 + 10 * excitation(0.02 * k), next = 10 + 10 * excitation(0.02 * (k + 1));
-            csv << 0.5 * k << ',' << here << ',' << temperature + 0.1 * normal(random);
-            if (isRecorded) csv << ',' << mount(0.5 * k) - 273.15;
+            const double t = interval * k;
+            csv << t << ',' << here << ',' << temperature + 0.1 * normal(random);
+            if (isRecorded) csv << ',' << mount(t) - 273.15;
             csv << '\n';
-            for (int i = 0; i < inner; ++i)
-                temperature += 0.5 / inner *
-                               (here + (next - here) * (i + 0.5) / inner - 0.3 * (temperature - 290) -
-                                0.1 * (temperature - mount(0.5 * k))) /
-                               15;
+            temperature =
+                after(temperature, here, next, [&](double T) { return 0.3 * (T - 290) + 0.1 * (T - mount(t)); });
         }
         csv.close();
         return discovered();

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "core/fit/estimation_task.hpp"
+
+namespace analogon {
+
+/// A body (C [J/K]) that is heated with P and cools over a joint (G [W/K]) to 300 K; its temperature is measured as T.
+/// A task with these fitted parameters, and without a recording.
+inline EstimationTask warmBody(std::vector<FitParameter> parameters) {
+    EstimationTask task;
+    task.model = std::make_shared<Source>("model.mo", R"(model Body
+  Analogon.Interfaces.RealInput P(unit="W");
+  Analogon.Interfaces.RealOutput T(unit="K");
+  Analogon.Sources.PrescribedHeatFlow heater;
+  Analogon.Thermal.HeatCapacitor body(C=4, T_start=300);
+  Analogon.Thermal.ThermalConductor joint(G=0.2);
+  Analogon.Sources.FixedTemperature surroundings(T=300);
+  Analogon.Sensors.TemperatureSensor sensor;
+equation
+  connect(P, heater.Q_flow);
+  connect(heater.port, body.port);
+  connect(body.port, joint.port_a);
+  connect(joint.port_b, surroundings.port);
+  connect(body.port, sensor.port);
+  connect(sensor.T, T);
+end Body;
+)");
+    task.className = "Body";
+    Outcome<Library> library = builtInLibrary()->withSource(task.model);
+    EXPECT_TRUE(library) << format(library.diagnostics());
+    if (library) task.library = std::move(*library);
+    task.parameters = std::move(parameters);
+    return task;
+}
+
+/// A recording of P and T whose values are still to be filled in: `samples` of them.
+inline Recording warmBodyRecording(const std::string& name, int samples) {
+    Recording r;
+    r.name = name;
+    r.inputNames = {"P"};
+    r.outputNames = {"T"};
+    r.inputs.resize(1, samples);
+    r.outputs.resize(1, samples);
+    r.weights = Eigen::VectorXd::Ones(1);
+    return r;
+}
+
+}  // namespace analogon
