@@ -143,19 +143,22 @@ AddedEffect Search::describe(const NullModel& last, const ModelState& state, con
 
 /// Takes out of what a path ends with all that is not missed, or no more than a disturbance, and the equations without
 /// a name, which are returned.
-std::vector<Remainder> Search::conclude(NullModel& null, bool mayAddLaw) {
+Search::Conclusion Search::conclude(NullModel& null, bool mayAddLaw) {
     if (!isNoise(null)) removeUnneeded(null, 0, true);
     if (mayAddLaw && !isNoise(null) && !progress_.stopRequested() && addLaw(null)) removeUnneeded(null, 0, true);
     // where a proposal explains all, what it made needless only imitated it
     const bool leavesMuch = levelOf(null.fit) > largeResidual;
     if (leavesMuch) setAsideBehindProposal(null);
-    const bool hadProposal = hasProposal(null);
-    std::vector<Remainder> proposed = takeOutProposals(null);
-    if (hadProposal) {
+    const NullModel withProposals = null;
+    Conclusion conclusion;
+    conclusion.leavesMuch = leavesMuch;
+    conclusion.proposed = takeOutProposals(null);
+    if (hasProposal(withProposals)) {
         if (leavesMuch) bringBackDisplaced(null);
         removeUnneeded(null, 0, true);  // what was seen only beside a proposal is not kept without it
     }
-    return proposed;
+    conclusion.best = conclusion.proposed.empty() ? null : withProposals;
+    return conclusion;
 }
 
 Outcome<Finding> Search::run() {
@@ -221,19 +224,29 @@ Outcome<Finding> Search::run() {
         null = base;
         finding.final = finding.baseline;
     }
-    std::vector<Remainder> proposed = conclude(*null, !change_ && !dependence_);
+    Conclusion conclusion = conclude(*null, !change_ && !dependence_);
+    const auto misfit = [&](const NullModel& model) {
+        const double rows = static_cast<double>(base.fit.optimum.residuals.size());
+        return sumInUnitsOf(base, model) + model.parameterCount() * std::log(rows);
+    };
+    const auto isOpenStill = [&] {
+        return steps_.empty() && !isNoise(*null) && !change_ && !dependence_ && conclusion.leavesMuch &&
+               !progress_.stopRequested();
+    };
     // what explains most may be what a disturbance takes over best; then the next best path is judged
     for (Path& other : otherEnds_) {
-        if (!steps_.empty() || isNoise(*null) || change_ || dependence_ || progress_.stopRequested()) break;
+        if (!isOpenStill()) break;
         exchange(other);
-        std::vector<Remainder> itsProposed = conclude(other.null, false);
-        if (steps_.empty()) {
+        Conclusion next = conclude(other.null, false);
+        const bool explainsMore = misfit(other.null) < misfit(conclusion.best);
+        if (steps_.empty() || !explainsMore) {
             exchange(other);
             continue;
         }
         std::swap(*null, other.null);
-        proposed = std::move(itsProposed);
+        conclusion = std::move(next);
     }
+    std::vector<Remainder> proposed = std::move(conclusion.proposed);
     holdUnneededStarts(*null);
     finding.nextExperiment = proposeExperiments(*null);
     const bool isOpen = proposed.empty() && !change_ && !dependence_ && !isNoise(*null);
@@ -242,10 +255,10 @@ Outcome<Finding> Search::run() {
     // what is left with the inputs as recorded is their noise; it says nothing of the component
     std::optional<NullModel> quiet;
     // the search was content with less: on every sample, and integrated as exactly as was asked for
+    const bool isOther = onAll || !noisyInputs_.empty();
     bool isFinal = isAsGiven();
     while (!isFinal && !progress_.stopRequested()) {
         if (!noisyInputs_.empty()) quiet = *null;
-        const bool isOther = onAll || !noisyInputs_.empty();
         Outcome<Variant> whole = null->variant;
         if (isOther) whole = withEffects(full_, null->variant.effects, null->variant.values);
         if (!whole) return whole.diagnostics();

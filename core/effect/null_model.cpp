@@ -11,6 +11,9 @@
 namespace analogon {
 namespace {
 
+constexpr double fewestSteps = 8;     // of a converter, for what it rounds off to be told from the signal
+constexpr double allRounding = 1.15;  // of the rms of what a converter rounds off: there is little else
+
 constexpr double indistinctShare = 0.03;  // of a large residual
 
 /// Noise of every output from what the model leaves, in the units of the output.
@@ -73,10 +76,18 @@ double levelOf(const FitResult& fit) {
     return std::sqrt(fit.optimum.residuals.squaredNorm() / static_cast<double>(fit.optimum.residuals.size()));
 }
 
+bool isNoise(const ResidualChannel& channel, const Eigen::VectorXd& residuals) {
+    const auto isWhite = [](const Eigen::VectorXd& r) { return summarise(r).whiteProbability > whiteSignificance; };
+    const Eigen::VectorXd own = residuals.segment(channel.begin, channel.end - channel.begin);
+    if (isWhite(own)) return true;
+    if (!(channel.step > 0) || channel.cells.maxCoeff() - channel.cells.minCoeff() < fewestSteps) return false;
+    const double rms = own.norm() / std::sqrt(static_cast<double>(own.size()));
+    return rms < allRounding * channel.step / std::sqrt(12.0) || isWhite(channel.besideRounding(residuals));
+}
+
 bool isNoise(const std::vector<ResidualChannel>& channels, const FitResult& fit) {
-    return std::all_of(channels.begin(), channels.end(), [&](const ResidualChannel& c) {
-        return summarise(fit.optimum.residuals.segment(c.begin, c.end - c.begin)).whiteProbability > whiteSignificance;
-    });
+    return std::all_of(channels.begin(), channels.end(),
+                       [&](const ResidualChannel& c) { return isNoise(c, fit.optimum.residuals); });
 }
 
 bool isNoise(const NullModel& null) { return isNoise(null.channels, null.fit); }

@@ -48,7 +48,8 @@ std::optional<FitResult> fitBeside(const NullModel& null, const Variant& variant
 /// What a fit leaves, in units of the noise.
 double levelOf(const FitResult& fit);
 
-/// Whether every channel of a residual passes for white.
+/// Whether a channel of a residual passes for white, but for what its converter rounds off; whether all do.
+bool isNoise(const ResidualChannel& channel, const Eigen::VectorXd& residuals);
 bool isNoise(const std::vector<ResidualChannel>& channels, const FitResult& fit);
 bool isNoise(const NullModel& null);
 

@@ -5,7 +5,10 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
+
+#include "core/residual/quantisation.hpp"
 
 namespace analogon {
 namespace {
@@ -36,6 +39,18 @@ Eigen::MatrixXd orthonormalBasis(const Eigen::MatrixXd& columns, double threshol
 
 }  // namespace
 
+Eigen::VectorXd ResidualChannel::besideRounding(const Eigen::VectorXd& residual) const {
+    constexpr int harmonics = 5;
+    const Eigen::VectorXd own = residual.segment(begin, end - begin);
+    const Eigen::ArrayXd turns = 2 * std::numbers::pi * (cells + own / step).array();
+    Eigen::MatrixXd waves(own.size(), 2 * harmonics);
+    for (int k = 1; k <= harmonics; ++k) {
+        waves.col(2 * k - 2) = (k * turns).sin();
+        waves.col(2 * k - 1) = (k * turns).cos();
+    }
+    return own - waves * waves.colPivHouseholderQr().solve(own);
+}
+
 std::vector<ResidualChannel> residualChannels(const FitProblem& problem) {
     std::vector<ResidualChannel> channels;
     int row = 0;
@@ -48,6 +63,13 @@ std::vector<ResidualChannel> residualChannels(const FitProblem& problem) {
                 if (!std::isnan(experiment.measured(o, k))) channel.samples.push_back(static_cast<int>(k));
             row += static_cast<int>(channel.samples.size());
             channel.end = row;
+            const Eigen::VectorXd measured = experiment.measured.row(o).transpose();
+            if (const double step = quantisationStep(measured); step > 0) {
+                channel.step = step * experiment.weights[o];
+                channel.cells.resize(static_cast<Eigen::Index>(channel.samples.size()));
+                for (Eigen::Index k = 0; k < channel.cells.size(); ++k)
+                    channel.cells[k] = measured[channel.samples[static_cast<std::size_t>(k)]] / step;
+            }
             if (channel.end > channel.begin) channels.push_back(std::move(channel));
         }
     }

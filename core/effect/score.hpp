@@ -16,6 +16,12 @@ struct ResidualChannel {
     int output{};
     int begin{}, end{};        // rows [begin, end)
     std::vector<int> samples;  // sample index of each row
+    double step{};             // of a coarse converter, in the units of the rows; 0: not visible
+    Eigen::VectorXd cells{};   // where there is one: the measured values in its steps
+
+    /// The values of a segment of the residual that are not what the converter rounds off: without what follows from
+    /// where the model lies between two steps, a periodic function of that (Widrow 1956).
+    Eigen::VectorXd besideRounding(const Eigen::VectorXd& residual) const;
 };
 std::vector<ResidualChannel> residualChannels(const FitProblem& problem);
 

@@ -62,6 +62,13 @@ private:
         std::optional<ModelState> state;  // after the last effect: at hand when the search is interrupted
     };
 
+    /// What the end of a path comes to.
+    struct Conclusion {
+        std::vector<Remainder> proposed;  // equations without a name
+        bool leavesMuch{};                // even with them
+        NullModel best;                   // with them
+    };
+
     Round tryAll(const NullModel& null);
     void decide(const NullModel& null, Round& round) const;
     void preferSimple(const NullModel& null, Round& round) const;
@@ -84,7 +91,7 @@ private:
     std::vector<Trial> tryLaws(NullModel& null);
     void bringBackDisplaced(NullModel& null);
     bool replace(NullModel& null, std::size_t effect);
-    std::vector<Remainder> conclude(NullModel& null, bool mayAddLaw);
+    Conclusion conclude(NullModel& null, bool mayAddLaw);
     void removeUnneeded(NullModel& null, std::size_t least, bool isLast = false);
     bool allowForRecordings(NullModel& null, const Round& round);
     bool refitQuiet(NullModel& null, Variant quiet, const std::vector<NoisyInput>& noisy);

@@ -68,7 +68,7 @@ double bulkDeviation(const std::vector<double>& values) {
 
 /// The step of a quantised signal that shows as jumps of one common size (or few multiples of it) scattered over
 /// the record; 0 when there is no sign of it. `quiet`: what the signal moves between two samples otherwise.
-double quantisationStep(const std::vector<std::vector<double>>& runs, double quiet) {
+double commonJump(const std::vector<std::vector<double>>& runs, double quiet) {
     std::size_t count = 0;
     std::vector<double> jumps;
     for (const std::vector<double>& run : runs) {
@@ -107,7 +107,7 @@ double noiseFromDifferences(const Eigen::Ref<const Eigen::VectorXd>& signal) {
         if (moved.size() < (order > 1 ? 8u : 1u)) continue;
         const double white = bulkDeviation(moved) / std::sqrt(gains[order]);
         const double quiet = bulkDeviation(differences(runs, 1));
-        const double step = quantisationStep(runs, quiet);
+        const double step = commonJump(runs, quiet);
         return std::hypot(white, step / std::sqrt(12.0));
     }
     return 0.0;

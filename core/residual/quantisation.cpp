@@ -8,7 +8,7 @@
 
 namespace analogon {
 
-double quantisationNoise(const Eigen::Ref<const Eigen::VectorXd>& measured) {
+double quantisationStep(const Eigen::Ref<const Eigen::VectorXd>& measured) {
     std::vector<double> values;
     for (const double x : measured)
         if (!std::isnan(x)) values.push_back(x);
@@ -19,7 +19,11 @@ double quantisationNoise(const Eigen::Ref<const Eigen::VectorXd>& measured) {
     if (values.size() < 3 || values.size() * 4 > count) return 0;
     std::vector<double> gaps;
     for (std::size_t i = 1; i < values.size(); ++i) gaps.push_back(values[i] - values[i - 1]);
-    return median(std::move(gaps)) / std::sqrt(12.0);
+    return median(std::move(gaps));
+}
+
+double quantisationNoise(const Eigen::Ref<const Eigen::VectorXd>& measured) {
+    return quantisationStep(measured) / std::sqrt(12.0);
 }
 
 }  // namespace analogon

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <random>
 
+#include "core/effect/null_model.hpp"
+#include "core/residual/noise.hpp"
+
 namespace analogon {
 namespace {
 
@@ -41,6 +44,38 @@ TEST(ResidualChannels, LeaveOutWhatWasNotMeasuredOrHasNoWeight) {
     EXPECT_EQ(channels[1].output, 2);
     EXPECT_EQ(channels[1].begin, 4);
     EXPECT_EQ(channels[1].end, 9);
+}
+
+/// A slow signal read by a converter of steps of 1, with noise of a tenth of a step; the model knows the signal but
+/// for `missed` of it.
+struct Converted {
+    FitProblem problem;
+    Eigen::VectorXd residual;
+
+    explicit Converted(double missed) {
+        constexpr int n = 3000;
+        const Eigen::VectorXd signal = 12 * wave(n, 3), noise = 0.1 * gaussian(n, 4);
+        const Eigen::VectorXd simulated = signal - missed * wave(n, 7);
+        FitExperiment e;
+        e.measured = (signal + noise).array().round().matrix().transpose();
+        constexpr double weight = 2.5;  // 1/deviation
+        e.weights = Eigen::VectorXd::Constant(1, weight);
+        residual = weight * (simulated - e.measured.row(0).transpose());
+        problem.experiments.push_back(e);
+    }
+    ResidualChannel channel() const { return residualChannels(problem).front(); }
+};
+
+TEST(ResidualChannels, AreNoiseBesideWhatAConverterRoundsOff) {
+    const Converted right(0);
+    EXPECT_DOUBLE_EQ(right.channel().step, 2.5);
+    EXPECT_LT(summarise(right.residual).whiteProbability, whiteSignificance) << "rounding repeats with the signal";
+    EXPECT_TRUE(isNoise(right.channel(), right.residual));
+}
+
+TEST(ResidualChannels, AreNoNoiseWhereMoreIsMissing) {
+    const Converted wrong(0.3);
+    EXPECT_FALSE(isNoise(wrong.channel(), wrong.residual));
 }
 
 TEST(Complement, TakesOutWhatTheParametersCanImitate) {
