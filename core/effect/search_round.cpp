@@ -159,14 +159,19 @@ Search::Round Search::tryAll(const NullModel& null) {
 /// The best that passes its tests; what lies close to it is its class, of which the simplest is taken.
 void Search::decide(const NullModel& null, Round& round) const {
     const std::vector<Trial>& trials = round.trials;
-    std::optional<std::size_t> proposal;
-    Acceptance ofProposal;
+    std::optional<std::size_t> proposal, unconfirmed;
+    Acceptance ofProposal, ofUnconfirmed;
     for (std::size_t i = 0; i < trials.size() && !round.chosen; ++i) {
         if (!trials[i].ok || trials[i].evidence < equivalenceMargin) break;
         if (isProposal(trials[i])) {
             if (proposal || isAtBound(trials[i])) continue;
             ofProposal = examine(null, trials[i].fit, trials[i].freed(), round.threshold);
-            if (ofProposal.accepted()) proposal = i;
+            if (ofProposal.accepted()) {
+                proposal = i;
+            } else if (!unconfirmed && ofProposal.isSignificant && isNoise(null.channels, trials[i].fit)) {
+                unconfirmed = i;
+                ofUnconfirmed = ofProposal;
+            }
             continue;
         }
         if (isAtBound(trials[i]) || fightsAnother(null, trials[i].fit)) continue;
@@ -177,6 +182,16 @@ void Search::decide(const NullModel& null, Round& round) const {
             round.failsHeldOut.insert(i);
     }
     if (round.chosen) preferSimple(null, round);
+    // An equation that leaves nothing refutes the names that explain far less, even where only one part of the record
+    // tells of it.
+    if (!proposal && unconfirmed && round.chosen) {
+        const Trial& equation = trials[*unconfirmed];
+        const double gap = equation.evidence - trials[*round.chosen].evidence;
+        if (independentShare(null, equation.fit) * gap > 3 * equivalenceMargin) {
+            proposal = unconfirmed;
+            ofProposal = ofUnconfirmed;
+        }
+    }
     // Where an equation without a name explains clearly more than any name, none of the names fits.
     if (proposal && beatsNames(null, trials, *proposal, round.chosen)) {
         round.chosen = proposal;
