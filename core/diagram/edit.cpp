@@ -10,6 +10,7 @@
 #include "core/diagram/annotation.hpp"
 #include "core/diagram/edit_text.hpp"
 #include "core/diagram/references.hpp"
+#include "core/syntax/parser.hpp"
 
 namespace analogon {
 
@@ -514,7 +515,7 @@ std::string freeName(const ClassDefinition& definition, const std::string& base)
     for (const Component& c : definition.components) taken.insert(c.name);
     for (const syntax::ClassPtr& c : definition.classes) taken.insert(c->name);
     for (const syntax::Import& i : definition.imports) taken.insert(i.alias);
-    if (!taken.contains(base)) return base;
+    if (!taken.contains(base) && !syntax::isKeyword(base)) return base;
     for (int number = 1;; ++number) {
         const std::string name = fmt::format("{}{}", base, number);
         if (!taken.contains(name)) return name;

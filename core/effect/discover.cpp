@@ -268,7 +268,7 @@ Outcome<Finding> Search::run() {
         if (progress_.stopRequested()) break;
         Outcome<ModelState> after = stateOf(fitted->variant, fitted->fit, options_.fit.simulation, progress_);
         if (!after) return after.diagnostics();
-        if (dropIndistinct(*fitted, *after, *null)) {
+        if (dropIndistinct(*fitted, *after, *null) || (onAll && noisyInputs_.empty() && dropUnmissed(*fitted, *null))) {
             isFinal = isAsGiven();
             continue;
         }

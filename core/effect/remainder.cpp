@@ -8,6 +8,7 @@ namespace analogon {
 namespace {
 
 constexpr double significance = 1e-4;
+constexpr double leastMotion = 1e-9;  // of a quantity, after what the parameters can imitate is taken out
 constexpr double leastCorrelation = 0.05;
 
 /// A quantity the residual may move with, at the samples of every fitted experiment.
@@ -161,7 +162,9 @@ std::vector<Remainder> remainders(const NullModel& null, const SimulationOptions
         for (std::size_t j = 0; j < candidates.size(); ++j) {
             const Eigen::VectorXd c = rest.col(static_cast<Eigen::Index>(j));
             const double n = c.norm();
-            if (n <= 0) continue;
+            // what hardly moves here (the sign of a temperature) moves with nothing
+            if (!(n > leastMotion * candidates[j].series[static_cast<std::size_t>(channel.experiment)].norm()))
+                continue;
             const double correlation = c.dot(white) / n / std::sqrt(total);
             if (std::abs(correlation) > leastCorrelation) r.movesWith.push_back({candidates[j].variable, correlation});
         }
@@ -171,6 +174,8 @@ std::vector<Remainder> remainders(const NullModel& null, const SimulationOptions
         if (r.movesWith.size() > 5) r.movesWith.resize(5);
         if (r.evidence > 0) found.push_back(std::move(r));
     }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Remainder& a, const Remainder& b) { return a.evidence > b.evidence; });
     return found;
 }
 

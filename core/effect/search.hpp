@@ -105,6 +105,7 @@ private:
     void setVerdict(const std::string& kind, const std::string& at, Verdict verdict);
     void note(const Screened& s, Verdict verdict, std::optional<double> deltaBic);
     bool dropIndistinct(const NullModel& last, const ModelState& state, NullModel& null);
+    bool dropUnmissed(const NullModel& last, NullModel& null);
     AddedEffect describe(const NullModel& last, const ModelState& state, const PlacedEffect& placed,
                          const Step& step) const;
     void say(std::string stage, std::string detail, double fraction) const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/parallel.hpp"
 #include "core/effect/model_state.hpp"
@@ -339,6 +340,37 @@ bool Search::dropIndistinct(const NullModel& last, const ModelState& state, Null
         return true;
     }
     return false;
+}
+
+/// Means of neighbouring samples blur what is faster than they are, and an effect can mend just that. On all samples
+/// each must be missed as well; true: one was not, and is taken out of the model of the search.
+bool Search::dropUnmissed(const NullModel& last, NullModel& null) {
+    std::optional<std::size_t> least;
+    double leastEvidence = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < steps_.size() && !progress_.stopRequested(); ++i) {
+        say("remove", last.variant.effects[i].effect.kind + " at " + last.variant.effects[i].place.at, -1);
+        std::vector<PlacedEffect> others = last.variant.effects;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+        const Outcome<Variant> variant = withEffects(full_, others, last.variant.values);
+        if (!variant) continue;
+        const Outcome<NullModel> rest = fitNull(*variant, last.noise, NoiseLevel::Keep, options_.fit, progress_);
+        if (!rest) continue;
+        const Acceptance missed = examine(*rest, last.fit, static_cast<int>(last.variant.effects[i].freed.size()), 0);
+        if (isMissed(missed)) {
+            steps_[i].acceptance = missed;
+        } else if (missed.evidence < leastEvidence) {
+            least = i;
+            leastEvidence = missed.evidence;
+        }
+    }
+    if (!least || progress_.stopRequested()) return false;
+    std::optional<NullModel> rest = without(null, *least);
+    if (!rest) return false;
+    const PlacedEffect& unmissed = null.variant.effects[*least];
+    setVerdict(unmissed.effect.kind, unmissed.place.at, Verdict::NotSignificant);
+    null = std::move(*rest);
+    steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(*least));
+    return true;
 }
 
 /// What the newest effect rounds off for the sake of the integration (the change of sign of a friction, the corner of a

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "core/diagram/edit.hpp"
+#include "core/syntax/parser.hpp"
 #include "core/syntax/printer.hpp"
 
 namespace analogon {
@@ -134,7 +135,9 @@ private:
     void addSpareInput(const std::string& instance) {
         std::string base;
         for (const char c : place_.spare) base += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
-        if (base.empty() || std::isdigit(static_cast<unsigned char>(base[0]))) base = "channel_" + base;
+        // a column may be called "flow" or "output"
+        const bool isNone = base.empty() || std::isdigit(static_cast<unsigned char>(base[0]));
+        if (isNone || base == "time" || syntax::isKeyword(base)) base = "channel_" + base;
         NewComponent input;
         input.className = "Analogon.Interfaces.RealInput";
         input.name = base;

@@ -27,6 +27,20 @@ std::vector<std::vector<double>> runsOf(const Eigen::Ref<const Eigen::VectorXd>&
     return runs;
 }
 
+/// The signal as it is, or, where hardly any values have neighbours (a logger of a lower rate), its values alone.
+Eigen::VectorXd onItsOwnRaster(const Eigen::Ref<const Eigen::VectorXd>& signal) {
+    constexpr std::size_t neighbours = 4;
+    Eigen::Index count = 0, inRuns = 0;
+    for (const std::vector<double>& run : runsOf(signal)) {
+        count += static_cast<Eigen::Index>(run.size());
+        if (run.size() >= neighbours) inRuns += static_cast<Eigen::Index>(run.size());
+    }
+    if (2 * inRuns >= count) return signal;
+    Eigen::VectorXd values(count);
+    std::copy_if(signal.begin(), signal.end(), values.begin(), [](double x) { return !std::isnan(x); });
+    return values;
+}
+
 std::vector<double> differences(const std::vector<std::vector<double>>& runs, int order) {
     std::vector<double> result;
     for (std::vector<double> run : runs) {
@@ -99,7 +113,7 @@ double commonJump(const std::vector<std::vector<double>>& runs, double quiet) {
 }  // namespace
 
 double noiseFromDifferences(const Eigen::Ref<const Eigen::VectorXd>& signal) {
-    const std::vector<std::vector<double>> runs = runsOf(signal);
+    const std::vector<std::vector<double>> runs = runsOf(onItsOwnRaster(signal));
     // Third differences of white noise have 1 + 9 + 9 + 1 times its variance; a short record must do with less.
     constexpr double gains[] = {1.0, 2.0, 6.0, 20.0};
     for (int order = 3; order >= 1; --order) {

@@ -6,8 +6,9 @@
 #include <array>
 #include <string_view>
 
-namespace analogon::syntax {
+#include "core/syntax/parser.hpp"
 
+namespace analogon::syntax {
 namespace {
 
 constexpr std::size_t largestText = 64u << 20;
@@ -25,6 +26,12 @@ constexpr auto keywords = std::to_array<std::string_view>({
     "when",         "while",         "within",
 });
 static_assert(std::is_sorted(keywords.begin(), keywords.end()));
+
+}  // namespace
+
+bool isKeyword(std::string_view word) { return std::binary_search(keywords.begin(), keywords.end(), word); }
+
+namespace {
 
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
@@ -134,8 +141,7 @@ private:
     void identifier() {
         const std::size_t begin = at_;
         while (isLetter(look()) || isDigit(look())) ++at_;
-        const bool isKeyword = std::binary_search(keywords.begin(), keywords.end(), text_.substr(begin, at_ - begin));
-        push(isKeyword ? Token::Kind::Keyword : Token::Kind::Identifier, begin);
+        push(isKeyword(text_.substr(begin, at_ - begin)) ? Token::Kind::Keyword : Token::Kind::Identifier, begin);
     }
 
     void digits() {

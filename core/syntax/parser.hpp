@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "core/base/outcome.hpp"
 #include "core/syntax/ast.hpp"
 
@@ -16,5 +18,8 @@ ParseResult parse(SourcePtr source);
 
 /// A single expression (an inspector field, a test).
 Outcome<Expression> parseExpression(SourcePtr source);
+
+/// Whether a word belongs to the language (Modelica 3.6, section 2.3.3), so that nothing can be called by it.
+bool isKeyword(std::string_view word);
 
 }  // namespace analogon::syntax

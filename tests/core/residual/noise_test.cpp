@@ -36,6 +36,15 @@ TEST(NoiseFromDifferences, LeavesGapsOut) {
     EXPECT_NEAR(noiseFromDifferences(signal), 1.0, 0.04);
 }
 
+TEST(NoiseFromDifferences, KnowsALoggerOfALowerRate) {
+    for (const int interval : {2, 5, 20}) {
+        Eigen::VectorXd signal = gaussian(6000, 1.0, 7);
+        for (int k = 0; k < 6000; ++k)
+            if (k % interval != 0) signal[k] = std::numeric_limits<double>::quiet_NaN();
+        EXPECT_NEAR(noiseFromDifferences(signal), 1.0, 0.15) << interval;
+    }
+}
+
 TEST(NoiseFromDifferences, IsZeroForASmoothSignalAndForOneWithFewSteps) {
     Eigen::VectorXd steps(3000);
     for (int k = 0; k < 3000; ++k) steps[k] = (k / 1000) * 2.0;
