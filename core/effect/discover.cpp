@@ -249,6 +249,7 @@ Outcome<Finding> Search::run() {
     std::vector<Remainder> proposed = std::move(conclusion.proposed);
     holdUnneededStarts(*null);
     finding.nextExperiment = proposeExperiments(*null);
+    const std::map<int, Text> held = heldRemarks(*null);
     const bool isOpen = proposed.empty() && !change_ && !dependence_ && !isNoise(*null);
     const std::string place = isOpen ? likeliestPlace(*null, search_.fit.simulation, progress_) : std::string();
     const auto isAsGiven = [&] { return steps_.empty() && freedStarts_.empty() && noisyInputs_.empty(); };
@@ -323,6 +324,8 @@ Outcome<Finding> Search::run() {
     for (const auto& sentences : {recordingRemarks(*null), extrapolations(full_.task), driftBetweenRecordings(*null),
                                   boundHits(null->fit), delaysBelowSampling(full_.task, finding.effects)})
         finding.warnings.insert(finding.warnings.end(), sentences.begin(), sentences.end());
+    for (const Step& step : steps_)
+        if (const auto remark = held.find(step.order); remark != held.end()) finding.warnings.push_back(remark->second);
     // an interrupted search has not looked at what is left in detail, but must not call it noise
     const bool leavesStructure = !finding.remainders.empty() || (finding.interrupted && !isNoise(*null));
     finding.kind = !leavesStructure ? (finding.effects.empty() ? FindingKind::Adequate : FindingKind::Effect)

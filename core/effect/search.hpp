@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 
@@ -102,6 +103,7 @@ private:
     void treatAlike(NullModel& null);
     void sharpen(NullModel& null);
     Text proposeExperiments(const NullModel& null);
+    std::map<int, Text> heldRemarks(const NullModel& null);
     void setVerdict(const std::string& kind, const std::string& at, Verdict verdict);
     void note(const Screened& s, Verdict verdict, std::optional<double> deltaBic);
     bool dropIndistinct(const NullModel& last, const ModelState& state, NullModel& null);

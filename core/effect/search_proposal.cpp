@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/effect/held_parameter.hpp"
 #include "core/effect/missing_flow.hpp"
 #include "core/effect/model_state.hpp"
 #include "core/effect/next_experiment.hpp"
@@ -203,6 +204,26 @@ Text Search::proposeExperiments(const NullModel& null) {
                          next->programme, names, next->separation);
     }
     return text;
+}
+
+/// Where another value of a held parameter would explain as much as an effect: what to say of it, by the effect's
+/// choice.
+std::map<int, Text> Search::heldRemarks(const NullModel& null) {
+    std::map<int, Text> remarks;
+    for (std::size_t i = 0; i < steps_.size() && !progress_.stopRequested(); ++i) {
+        const PlacedEffect& own = null.variant.effects[i];
+        say("reconsider", own.effect.kind + " at " + own.place.at, -1);
+        const std::optional<NullModel> rest = without(null, i);
+        if (!rest) continue;
+        const std::optional<HeldInstead> h = heldInstead(*rest, null, search_.fit, progress_);
+        if (!h) continue;
+        remarks[steps_[i].order] = phrase(
+            "{} at {} explains no more than another value of {}, which is held at {:.5g}: {:.5g} ± {:.2g}{}{} instead; "
+            "hold it only if it is known for certain",
+            own.effect.kind, own.place.at, h->parameter, h->held, h->value, h->standardError,
+            h->unit.empty() ? "" : " ", h->unit);
+    }
+    return remarks;
 }
 
 }  // namespace analogon

@@ -168,7 +168,7 @@ void Search::decide(const NullModel& null, Round& round) const {
             ofProposal = examine(null, trials[i].fit, trials[i].freed(), round.threshold);
             if (ofProposal.accepted()) {
                 proposal = i;
-            } else if (!unconfirmed && ofProposal.isSignificant && isNoise(null.channels, trials[i].fit)) {
+            } else if (!unconfirmed && ofProposal.isSignificant && levelOf(trials[i].fit) <= largeResidual) {
                 unconfirmed = i;
                 ofUnconfirmed = ofProposal;
             }
@@ -182,8 +182,8 @@ void Search::decide(const NullModel& null, Round& round) const {
             round.failsHeldOut.insert(i);
     }
     if (round.chosen) preferSimple(null, round);
-    // An equation that leaves nothing refutes the names that explain far less, even where only one part of the record
-    // tells of it.
+    // An equation that leaves next to nothing refutes the names that explain far less, even where only one part of the
+    // record tells of it.
     if (!proposal && unconfirmed && round.chosen) {
         const Trial& equation = trials[*unconfirmed];
         const double gap = equation.evidence - trials[*round.chosen].evidence;

@@ -4517,5 +4517,9 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <source>Only numbers can be read; leave the cell of an output empty where it was not measured.</source>
         <translation>Nur Zahlen können gelesen werden; die Zelle eines Ausgangs leer lassen, wo er nicht gemessen wurde.</translation>
     </message>
+    <message>
+        <source>{} at {} explains no more than another value of {}, which is held at {:.5g}: {:.5g} ± {:.2g}{}{} instead; hold it only if it is known for certain</source>
+        <translation>{} an {} erklärt nicht mehr als ein anderer Wert von {}, gehalten bei {}: stattdessen {} ± {}{}{}; nur halten, wenn er sicher bekannt ist</translation>
+    </message>
 </context>
 </TS>

@@ -299,6 +299,7 @@ TEST(FreeName, CountsOnWhereTheNameIsTaken) {
     EXPECT_EQ(freeName(text.definition(), "lag"), "lag2");
     EXPECT_EQ(freeName(text.definition(), "friction"), "friction");
     EXPECT_EQ(freeName(text.definition(), "M"), "M1");
+    EXPECT_EQ(freeName(text.definition(), "flow"), "flow1") << "a word of the language";
 }
 
 TEST(FreePlacement, CoversNoBlockAndStaysOnTheGrid) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <numeric>
 #include <random>
 
 #include "core/study/run.hpp"
@@ -174,9 +175,10 @@ end Plate;
 /// In a draught that nobody measures. The model begins at 300 K.
 class DiscoveryInADraught : public DiscoveryOnAPlate {
 protected:
-    Finding search(unsigned seed, double strength = 0.7, double begin = 300, double inputNoise = 0) {
-        writeStudy(300, R"({"plate.C": {"fit": true, "min": 1, "max": 200},
-                           "toRoom.G": {"fit": true, "value": 0.2, "min": 0.01, "max": 5}})");
+    Finding search(unsigned seed, double strength = 0.7, double begin = 300, double inputNoise = 0,
+                   const std::string& fitted = R"({"plate.C": {"fit": true, "min": 1, "max": 200},
+                       "toRoom.G": {"fit": true, "value": 0.2, "min": 0.01, "max": 5}})") {
+        writeStudy(300, fitted);
         std::mt19937 random(seed);
         std::normal_distribution<double> normal;
         std::ofstream csv(directory_ / "run.csv");
@@ -296,6 +298,20 @@ TEST_F(DiscoveryOnAMount, FindsALossToARecordedTemperature) {
         EXPECT_EQ(finding.kind, FindingKind::Effect);
         EXPECT_NEAR(valueOf(loss, "G"), 0.1, 0.005);
     }
+}
+
+// A conductance that is known 5 % wrongly looks like a gain of the heater.
+TEST_F(DiscoveryInADraught, SaysThatAHeldParameterWouldExplainAsMuch) {
+    const std::string held =
+        R"({"plate.C": {"fit": true, "min": 1, "max": 200}, "toRoom.G": {"fit": false, "value": 0.315}})";
+    const Finding finding = search(6, 0, 300, 0, held);
+    const std::string said = std::accumulate(finding.warnings.begin(), finding.warnings.end(), std::string(),
+                                             [](const std::string& all, const std::string& w) { return all + w; });
+    EXPECT_FALSE(finding.effects.empty());
+    const std::string before = "another value of toRoom.G, which is held at 0.315: ";
+    const std::size_t at = said.find(before);
+    ASSERT_NE(at, std::string::npos) << said;
+    EXPECT_NEAR(std::stod(said.substr(at + before.size())), 0.3, 0.001);
 }
 
 /// A motor whose current settles within two samples; its long record is searched on means of five. Nothing is missing,

@@ -1,0 +1,120 @@
+#include "core/effect/held_parameter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/effect/start_value.hpp"
+#include "core/flat/flat_model.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr double likelyShare = 0.5;  // of what the effect explains, in first order, for a fit to be tried
+constexpr std::size_t mostFitted = 2;
+constexpr double plausibleChange = 0.34;  // of the value at which a parameter is held
+
+/// Where the recordings hold a parameter: as the study says, else as the model does; nothing where they differ.
+std::optional<double> heldAt(const EstimationTask& task, const std::string& name, std::optional<double> inModel) {
+    std::optional<double> common;
+    for (const Recording& r : task.recordings) {
+        std::optional<double> here = inModel;
+        for (const RecordingStart& s : r.starts)
+            if (s.parameter == name) here = s.isFitted ? std::nullopt : std::optional<double>(s.value);
+        if (!here || (common && *common != *here)) return std::nullopt;
+        common = here;
+    }
+    return common;
+}
+
+/// The variant with these parameters fitted that were held.
+Variant withFreed(Variant variant, const std::vector<FitParameter>& held) {
+    for (const FitParameter& p : held) {
+        variant.task.parameters.push_back(p);
+        for (Recording& r : variant.task.recordings)
+            std::erase_if(r.starts, [&](const RecordingStart& s) { return s.parameter == p.name; });
+    }
+    return variant;
+}
+
+/// Real parameters with a number of their own (other than 0) that are not fitted and belong to no effect.
+std::vector<FitParameter> heldParameters(const Variant& variant) {
+    const Outcome<FlatModel> flat = flatten(variant.task.library, variant.task.className);
+    if (!flat) return {};
+    const std::vector<std::string> starts = startParameters(*flat);
+    const auto isOfAnEffect = [&](const std::string& name) {
+        return std::any_of(variant.effects.begin(), variant.effects.end(),
+                           [&](const PlacedEffect& e) { return name.starts_with(e.instance + "."); });
+    };
+    const auto isFitted = [&](const std::string& name) {
+        return std::any_of(variant.task.parameters.begin(), variant.task.parameters.end(),
+                           [&](const FitParameter& p) { return p.name == name; });
+    };
+    std::vector<FitParameter> held;
+    for (std::size_t i = 0; i < flat->variables.size(); ++i) {
+        const FlatVariable& v = flat->variables[i];
+        if (v.variability != FlatVariability::Parameter || v.type != FlatType::Real || v.isFinal || v.isStructural ||
+            !v.binding.valid() || !flat->pool->leaves(std::vector<ExpressionId>{v.binding}).empty())
+            continue;
+        if (isFitted(v.name) || isOfAnEffect(v.name) || std::binary_search(starts.begin(), starts.end(), v.name))
+            continue;
+        const std::optional<double> value = heldAt(variant.task, v.name, flat->parameterValue(flat->find(v.name)));
+        if (!value || *value == 0 || !std::isfinite(*value)) continue;
+        FitParameter p;
+        p.name = v.name;
+        p.unit = v.unit;
+        p.start = *value;
+        p.min = std::min(*value / 3, *value * 3);
+        p.max = std::max(*value / 3, *value * 3);
+        held.push_back(std::move(p));
+    }
+    return held;
+}
+
+struct Likely {
+    const FitParameter* parameter;
+    double explained;
+};
+
+/// What each could explain, in first order; the most first.
+std::vector<Likely> likely(const NullModel& without, const std::vector<FitParameter>& held, const FitOptions& options,
+                           const Progress& progress) {
+    const Outcome<PreparedTask> prepared = prepareAt(withFreed(without.variant, held), without.noise);
+    if (!prepared) return {};
+    const FitProblem& problem = prepared->problem;
+    const Linearisation line = linearise(problem, problem.startValues(), true, {}, options.simulation, progress);
+    if (!line.ok || line.residuals.size() != without.fit.optimum.residuals.size()) return {};
+    const Complement complement(without.fit.optimum.jacobian);
+    std::vector<Likely> all;
+    for (std::size_t j = 0; j < problem.parameters.size(); ++j)
+        for (const FitParameter& p : held) {
+            if (problem.parameters[j].name != p.name) continue;
+            const Eigen::MatrixXd column = line.jacobian.col(static_cast<Eigen::Index>(j));
+            all.push_back({&p, scoreColumns(complement, without.fit.optimum.residuals, column, false).explained});
+        }
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Likely& a, const Likely& b) { return a.explained > b.explained; });
+    return all;
+}
+
+}  // namespace
+
+std::optional<HeldInstead> heldInstead(const NullModel& without, const NullModel& with, const FitOptions& options,
+                                       const Progress& progress) {
+    const double rows = static_cast<double>(with.fit.optimum.residuals.size());
+    const double left = sumInUnitsOf(without, with), fall = without.sumOfSquares() - left;
+    const double variance = left / rows;
+    const std::vector<FitParameter> held = heldParameters(without.variant);
+    const std::vector<Likely> order = likely(without, held, options, progress);
+    for (std::size_t i = 0; i < std::min(mostFitted, order.size()) && !progress.stopRequested(); ++i) {
+        if (order[i].explained < likelyShare * fall) break;
+        const FitParameter& p = *order[i].parameter;
+        const std::optional<FitResult> fit = fitBeside(without, withFreed(without.variant, {p}), options, progress);
+        if (!fit || fit->optimum.residuals.squaredNorm() > left + equivalenceMargin * variance) continue;
+        for (const FitEstimate& e : fit->estimates)
+            if (e.name == p.name && std::abs(e.value - p.start) < plausibleChange * std::abs(p.start))
+                return HeldInstead{p.name, p.unit, p.start, e.value, e.standardError};
+    }
+    return std::nullopt;
+}
+
+}  // namespace analogon
