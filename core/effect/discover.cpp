@@ -47,6 +47,12 @@ bool isBetterThan(const NullModel& base, const NullModel& with, const Change& ch
     return isBorneOut(beside(base), beside(changed), changed.fit.optimum.residuals.size(), freed + 1);
 }
 
+/// What a model leaves, in units of the noise of the model as given, and what its parameters cost (BIC).
+double misfitIn(const NullModel& base, const NullModel& model) {
+    const double rows = static_cast<double>(base.fit.optimum.residuals.size());
+    return sumInUnitsOf(base, model) + model.parameterCount() * std::log(rows);
+}
+
 /// Puts proposals first among what is left; the strongest channel tells when it shows and what it moves with.
 void offer(std::vector<Remainder> proposed, std::vector<Remainder>& left) {
     for (Remainder& r : proposed)
@@ -143,22 +149,21 @@ AddedEffect Search::describe(const NullModel& last, const ModelState& state, con
 
 /// Takes out of what a path ends with all that is not missed, or no more than a disturbance, and the equations without
 /// a name, which are returned.
-Search::Conclusion Search::conclude(NullModel& null, bool mayAddLaw) {
+Search::Conclusion Search::conclude(NullModel& null, const NullModel& base, bool mayAddLaw) {
     if (!isNoise(null)) removeUnneeded(null, 0, true);
     if (mayAddLaw && !isNoise(null) && !progress_.stopRequested() && addLaw(null)) removeUnneeded(null, 0, true);
     // where a proposal explains all, what it made needless only imitated it
     const bool leavesMuch = levelOf(null.fit) > largeResidual;
     if (leavesMuch) setAsideBehindProposal(null);
-    const NullModel withProposals = null;
-    Conclusion conclusion;
-    conclusion.leavesMuch = leavesMuch;
-    conclusion.proposed = takeOutProposals(null);
-    if (hasProposal(withProposals)) {
+    const bool hadProposal = hasProposal(null);
+    const double with = misfitIn(base, null);
+    std::vector<Remainder> proposed = takeOutProposals(null);
+    if (hadProposal) {
         if (leavesMuch) bringBackDisplaced(null);
         removeUnneeded(null, 0, true);  // what was seen only beside a proposal is not kept without it
     }
-    conclusion.best = conclusion.proposed.empty() ? null : withProposals;
-    return conclusion;
+    const double misfit = proposed.empty() ? misfitIn(base, null) : with;
+    return {std::move(proposed), leavesMuch, misfit};
 }
 
 Outcome<Finding> Search::run() {
@@ -224,11 +229,7 @@ Outcome<Finding> Search::run() {
         null = base;
         finding.final = finding.baseline;
     }
-    Conclusion conclusion = conclude(*null, !change_ && !dependence_);
-    const auto misfit = [&](const NullModel& model) {
-        const double rows = static_cast<double>(base.fit.optimum.residuals.size());
-        return sumInUnitsOf(base, model) + model.parameterCount() * std::log(rows);
-    };
+    Conclusion conclusion = conclude(*null, base, !change_ && !dependence_);
     const auto isOpenStill = [&] {
         return steps_.empty() && !isNoise(*null) && !change_ && !dependence_ && conclusion.leavesMuch &&
                !progress_.stopRequested();
@@ -237,9 +238,8 @@ Outcome<Finding> Search::run() {
     for (Path& other : otherEnds_) {
         if (!isOpenStill()) break;
         exchange(other);
-        Conclusion next = conclude(other.null, false);
-        const bool explainsMore = misfit(other.null) < misfit(conclusion.best);
-        if (steps_.empty() || !explainsMore) {
+        Conclusion next = conclude(other.null, base, false);
+        if (steps_.empty() || !(misfitIn(base, other.null) < conclusion.misfit)) {
             exchange(other);
             continue;
         }

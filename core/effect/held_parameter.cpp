@@ -50,22 +50,13 @@ std::vector<FitParameter> heldParameters(const Variant& variant) {
                            [&](const FitParameter& p) { return p.name == name; });
     };
     std::vector<FitParameter> held;
-    for (std::size_t i = 0; i < flat->variables.size(); ++i) {
-        const FlatVariable& v = flat->variables[i];
-        if (v.variability != FlatVariability::Parameter || v.type != FlatType::Real || v.isFinal || v.isStructural ||
-            !v.binding.valid() || !flat->pool->leaves(std::vector<ExpressionId>{v.binding}).empty())
-            continue;
+    for (const FlatVariable& v : flat->variables) {
+        if (!isTunable(v) || !v.binding.valid() || !flat->pool->isConstant(v.binding)) continue;
         if (isFitted(v.name) || isOfAnEffect(v.name) || std::binary_search(starts.begin(), starts.end(), v.name))
             continue;
         const std::optional<double> value = heldAt(variant.task, v.name, flat->parameterValue(flat->find(v.name)));
         if (!value || *value == 0 || !std::isfinite(*value)) continue;
-        FitParameter p;
-        p.name = v.name;
-        p.unit = v.unit;
-        p.start = *value;
-        p.min = std::min(*value / 3, *value * 3);
-        p.max = std::max(*value / 3, *value * 3);
-        held.push_back(std::move(p));
+        held.push_back({v.name, v.unit, *value, std::min(*value / 3, *value * 3), std::max(*value / 3, *value * 3)});
     }
     return held;
 }

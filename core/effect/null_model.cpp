@@ -7,6 +7,7 @@
 
 #include "core/base/range.hpp"
 #include "core/residual/noise.hpp"
+#include "core/residual/quantisation.hpp"
 
 namespace analogon {
 namespace {
@@ -80,9 +81,10 @@ bool isNoise(const ResidualChannel& channel, const Eigen::VectorXd& residuals) {
     const auto isWhite = [](const Eigen::VectorXd& r) { return summarise(r).whiteProbability > whiteSignificance; };
     const Eigen::VectorXd own = residuals.segment(channel.begin, channel.end - channel.begin);
     if (isWhite(own)) return true;
-    if (!(channel.step > 0) || channel.cells.maxCoeff() - channel.cells.minCoeff() < fewestSteps) return false;
+    const double step = quantisationStep(channel.measured);
+    if (!(step > 0) || rangeOf(channel.measured).width() < fewestSteps * step) return false;
     const double rms = own.norm() / std::sqrt(static_cast<double>(own.size()));
-    return rms < allRounding * channel.step / std::sqrt(12.0) || isWhite(channel.besideRounding(residuals));
+    return rms < allRounding * step / std::sqrt(12.0) || isWhite(besideRounding(channel, residuals, step));
 }
 
 bool isNoise(const std::vector<ResidualChannel>& channels, const FitResult& fit) {

@@ -4,6 +4,8 @@
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 
+#include "core/residual/quantisation.hpp"
+
 namespace analogon {
 namespace {
 
@@ -131,7 +133,7 @@ std::vector<Remainder> remainders(const NullModel& null, const SimulationOptions
     const Eigen::VectorXd white = complement(null.whitener(null.fit.optimum.residuals));
     const double tests = static_cast<double>(null.channels.size());
     for (const ResidualChannel& channel : null.channels) {
-        if (channel.step > 0 && isNoise(channel, null.fit.optimum.residuals)) continue;
+        if (quantisationStep(channel.measured) > 0 && isNoise(channel, null.fit.optimum.residuals)) continue;
         const int count = channel.end - channel.begin;
         // every regressor enters through this channel alone
         Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(white.size(), static_cast<Eigen::Index>(candidates.size()));

@@ -8,8 +8,6 @@
 #include <numbers>
 #include <random>
 
-#include "core/residual/quantisation.hpp"
-
 namespace analogon {
 namespace {
 
@@ -39,10 +37,10 @@ Eigen::MatrixXd orthonormalBasis(const Eigen::MatrixXd& columns, double threshol
 
 }  // namespace
 
-Eigen::VectorXd ResidualChannel::besideRounding(const Eigen::VectorXd& residual) const {
+Eigen::VectorXd besideRounding(const ResidualChannel& channel, const Eigen::VectorXd& residual, double step) {
     constexpr int harmonics = 5;
-    const Eigen::VectorXd own = residual.segment(begin, end - begin);
-    const Eigen::ArrayXd turns = 2 * std::numbers::pi * (cells + own / step).array();
+    const Eigen::VectorXd own = residual.segment(channel.begin, channel.end - channel.begin);
+    const Eigen::ArrayXd turns = 2 * std::numbers::pi * (channel.measured + own).array() / step;
     Eigen::MatrixXd waves(own.size(), 2 * harmonics);
     for (int k = 1; k <= harmonics; ++k) {
         waves.col(2 * k - 2) = (k * turns).sin();
@@ -63,13 +61,7 @@ std::vector<ResidualChannel> residualChannels(const FitProblem& problem) {
                 if (!std::isnan(experiment.measured(o, k))) channel.samples.push_back(static_cast<int>(k));
             row += static_cast<int>(channel.samples.size());
             channel.end = row;
-            const Eigen::VectorXd measured = experiment.measured.row(o).transpose();
-            if (const double step = quantisationStep(measured); step > 0) {
-                channel.step = step * experiment.weights[o];
-                channel.cells.resize(static_cast<Eigen::Index>(channel.samples.size()));
-                for (Eigen::Index k = 0; k < channel.cells.size(); ++k)
-                    channel.cells[k] = measured[channel.samples[static_cast<std::size_t>(k)]] / step;
-            }
+            channel.measured = experiment.weights[o] * experiment.measured.row(o)(channel.samples).transpose();
             if (channel.end > channel.begin) channels.push_back(std::move(channel));
         }
     }

@@ -14,16 +14,15 @@ namespace analogon {
 struct ResidualChannel {
     int experiment{};
     int output{};
-    int begin{}, end{};        // rows [begin, end)
-    std::vector<int> samples;  // sample index of each row
-    double step{};             // of a coarse converter, in the units of the rows; 0: not visible
-    Eigen::VectorXd cells{};   // where there is one: the measured values in its steps
-
-    /// The values of a segment of the residual that are not what the converter rounds off: without what follows from
-    /// where the model lies between two steps, a periodic function of that (Widrow 1956).
-    Eigen::VectorXd besideRounding(const Eigen::VectorXd& residual) const;
+    int begin{}, end{};          // rows [begin, end)
+    std::vector<int> samples;    // sample index of each row
+    Eigen::VectorXd measured{};  // of each row, in the units of the rows
 };
 std::vector<ResidualChannel> residualChannels(const FitProblem& problem);
+
+/// A channel's part of a residual without what a converter of that step (in the units of the rows) rounds off: that
+/// follows from where the model lies between two steps, a periodic function of it (Widrow 1956).
+Eigen::VectorXd besideRounding(const ResidualChannel& channel, const Eigen::VectorXd& residual, double step);
 
 /// Makes the noise of every channel white: one autoregressive model per channel, and the rows in units of the
 /// innovation. Default: leaves rows as they are.

@@ -67,7 +67,7 @@ private:
     struct Conclusion {
         std::vector<Remainder> proposed;  // equations without a name
         bool leavesMuch{};                // even with them
-        NullModel best;                   // with them
+        double misfit{};                  // with them
     };
 
     Round tryAll(const NullModel& null);
@@ -84,6 +84,8 @@ private:
     std::vector<std::size_t> equivalents(const NullModel& null, const std::vector<Trial>& trials,
                                          std::size_t best) const;
     std::optional<NullModel> without(const NullModel& null, std::size_t effect);
+    std::optional<NullModel> withoutOnAll(const NullModel& last, std::size_t effect);
+    bool takeOut(NullModel& null, std::size_t effect);
     std::optional<NullModel> refittedWith(const NullModel& null, const std::vector<PlacedEffect>& effects);
     bool reconsider(NullModel& null);
     std::vector<Remainder> takeOutProposals(NullModel& null);
@@ -92,7 +94,7 @@ private:
     std::vector<Trial> tryLaws(NullModel& null);
     void bringBackDisplaced(NullModel& null);
     bool replace(NullModel& null, std::size_t effect);
-    Conclusion conclude(NullModel& null, bool mayAddLaw);
+    Conclusion conclude(NullModel& null, const NullModel& base, bool mayAddLaw);
     void removeUnneeded(NullModel& null, std::size_t least, bool isLast = false);
     bool allowForRecordings(NullModel& null, const Round& round);
     bool refitQuiet(NullModel& null, Variant quiet, const std::vector<NoisyInput>& noisy);

@@ -20,6 +20,21 @@ constexpr double leastGain = 1;             // in evidence, for which an effect 
 constexpr int mostSharpenings = 2;
 constexpr double leastSharpening = 8;  // fall in the sum of squares, in units of the noise
 
+std::vector<PlacedEffect> allBut(std::vector<PlacedEffect> effects, std::size_t one) {
+    effects.erase(effects.begin() + static_cast<std::ptrdiff_t>(one));
+    return effects;
+}
+
+/// The model with these effects instead, on the samples of `on`, beside the same noise.
+std::optional<NullModel> refitted(const Variant& on, const NullModel& model, const std::vector<PlacedEffect>& effects,
+                                  const FitOptions& options, const Progress& progress) {
+    const Outcome<Variant> variant = withEffects(on, effects, model.variant.values);
+    if (!variant) return std::nullopt;
+    Outcome<NullModel> fitted = fitNull(*variant, model.noise, NoiseLevel::Keep, options, progress);
+    if (!fitted) return std::nullopt;
+    return std::move(*fitted);
+}
+
 }  // namespace
 
 /// Walks on a path instead of the present one, or back.
@@ -168,19 +183,28 @@ std::optional<Search::Path> Search::withLaw(Path begin) {
 
 /// The model refitted with one effect taken out.
 std::optional<NullModel> Search::without(const NullModel& null, std::size_t effect) {
-    std::vector<PlacedEffect> others;
-    for (std::size_t k = 0; k < null.variant.effects.size(); ++k)
-        if (k != effect) others.push_back(null.variant.effects[k]);
-    return refittedWith(null, others);
+    return refittedWith(null, allBut(null.variant.effects, effect));
+}
+
+/// The same on all samples, of a model that was fitted to them.
+std::optional<NullModel> Search::withoutOnAll(const NullModel& last, std::size_t effect) {
+    return refitted(full_, last, allBut(last.variant.effects, effect), options_.fit, progress_);
 }
 
 /// The model with these effects instead, refitted beside the same noise.
 std::optional<NullModel> Search::refittedWith(const NullModel& null, const std::vector<PlacedEffect>& effects) {
-    Outcome<Variant> variant = withEffects(base_, effects, null.variant.values);
-    if (!variant) return std::nullopt;
-    Outcome<NullModel> refitted = fitNull(*variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
-    if (!refitted) return std::nullopt;
-    return std::move(*refitted);
+    return refitted(base_, null, effects, search_.fit, progress_);
+}
+
+/// Takes an effect out of the model of the search; false where the rest cannot be fitted.
+bool Search::takeOut(NullModel& null, std::size_t effect) {
+    std::optional<NullModel> rest = without(null, effect);
+    if (!rest) return false;
+    const PlacedEffect& unneeded = null.variant.effects[effect];
+    setVerdict(unneeded.effect.kind, unneeded.place.at, Verdict::NotSignificant);
+    null = std::move(*rest);
+    steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(effect));
+    return true;
 }
 
 /// Tries the rivals of one effect again, now that others have joined it: what came second alone may be the better
@@ -330,15 +354,8 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
 /// the model of the search; false: there is none.
 bool Search::dropIndistinct(const NullModel& last, const ModelState& state, NullModel& null) {
     const std::vector<PlacedEffect>& effects = last.variant.effects;
-    for (std::size_t i = 0; i < effects.size(); ++i) {
-        if (isDetermined(effects[i], state.parameters)) continue;
-        std::optional<NullModel> rest = without(null, i);
-        if (!rest) continue;
-        setVerdict(effects[i].effect.kind, effects[i].place.at, Verdict::NotSignificant);
-        null = std::move(*rest);
-        steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
-        return true;
-    }
+    for (std::size_t i = 0; i < effects.size(); ++i)
+        if (!isDetermined(effects[i], state.parameters) && takeOut(null, i)) return true;
     return false;
 }
 
@@ -349,11 +366,7 @@ bool Search::dropUnmissed(const NullModel& last, NullModel& null) {
     double leastEvidence = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < steps_.size() && !progress_.stopRequested(); ++i) {
         say("remove", last.variant.effects[i].effect.kind + " at " + last.variant.effects[i].place.at, -1);
-        std::vector<PlacedEffect> others = last.variant.effects;
-        others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-        const Outcome<Variant> variant = withEffects(full_, others, last.variant.values);
-        if (!variant) continue;
-        const Outcome<NullModel> rest = fitNull(*variant, last.noise, NoiseLevel::Keep, options_.fit, progress_);
+        const std::optional<NullModel> rest = withoutOnAll(last, i);
         if (!rest) continue;
         const Acceptance missed = examine(*rest, last.fit, static_cast<int>(last.variant.effects[i].freed.size()), 0);
         if (isMissed(missed)) {
@@ -363,14 +376,7 @@ bool Search::dropUnmissed(const NullModel& last, NullModel& null) {
             leastEvidence = missed.evidence;
         }
     }
-    if (!least || progress_.stopRequested()) return false;
-    std::optional<NullModel> rest = without(null, *least);
-    if (!rest) return false;
-    const PlacedEffect& unmissed = null.variant.effects[*least];
-    setVerdict(unmissed.effect.kind, unmissed.place.at, Verdict::NotSignificant);
-    null = std::move(*rest);
-    steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(*least));
-    return true;
+    return least && !progress_.stopRequested() && takeOut(null, *least);
 }
 
 /// What the newest effect rounds off for the sake of the integration (the change of sign of a friction, the corner of a

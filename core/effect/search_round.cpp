@@ -159,19 +159,20 @@ Search::Round Search::tryAll(const NullModel& null) {
 /// The best that passes its tests; what lies close to it is its class, of which the simplest is taken.
 void Search::decide(const NullModel& null, Round& round) const {
     const std::vector<Trial>& trials = round.trials;
-    std::optional<std::size_t> proposal, unconfirmed;
-    Acceptance ofProposal, ofUnconfirmed;
+    struct Judged {
+        std::size_t trial;
+        Acceptance acceptance;
+    };
+    std::optional<Judged> proposal, unconfirmed;
     for (std::size_t i = 0; i < trials.size() && !round.chosen; ++i) {
         if (!trials[i].ok || trials[i].evidence < equivalenceMargin) break;
         if (isProposal(trials[i])) {
             if (proposal || isAtBound(trials[i])) continue;
-            ofProposal = examine(null, trials[i].fit, trials[i].freed(), round.threshold);
-            if (ofProposal.accepted()) {
-                proposal = i;
-            } else if (!unconfirmed && ofProposal.isSignificant && levelOf(trials[i].fit) <= largeResidual) {
-                unconfirmed = i;
-                ofUnconfirmed = ofProposal;
-            }
+            const Judged judged{i, examine(null, trials[i].fit, trials[i].freed(), round.threshold)};
+            if (judged.acceptance.accepted())
+                proposal = judged;
+            else if (!unconfirmed && judged.acceptance.isSignificant && levelOf(trials[i].fit) <= largeResidual)
+                unconfirmed = judged;
             continue;
         }
         if (isAtBound(trials[i]) || fightsAnother(null, trials[i].fit)) continue;
@@ -185,18 +186,15 @@ void Search::decide(const NullModel& null, Round& round) const {
     // An equation that leaves next to nothing refutes the names that explain far less, even where only one part of the
     // record tells of it.
     if (!proposal && unconfirmed && round.chosen) {
-        const Trial& equation = trials[*unconfirmed];
+        const Trial& equation = trials[unconfirmed->trial];
         const double gap = equation.evidence - trials[*round.chosen].evidence;
-        if (independentShare(null, equation.fit) * gap > 3 * equivalenceMargin) {
-            proposal = unconfirmed;
-            ofProposal = ofUnconfirmed;
-        }
+        if (independentShare(null, equation.fit) * gap > 3 * equivalenceMargin) proposal = unconfirmed;
     }
     // Where an equation without a name explains clearly more than any name, none of the names fits.
-    if (proposal && beatsNames(null, trials, *proposal, round.chosen)) {
-        round.chosen = proposal;
-        round.acceptance = ofProposal;
-        round.members = {*proposal};
+    if (proposal && beatsNames(null, trials, proposal->trial, round.chosen)) {
+        round.chosen = proposal->trial;
+        round.acceptance = proposal->acceptance;
+        round.members = {proposal->trial};
     }
 }
 

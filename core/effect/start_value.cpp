@@ -4,6 +4,11 @@
 
 namespace analogon {
 
+bool isTunable(const FlatVariable& variable) {
+    return variable.variability == FlatVariability::Parameter && variable.type == FlatType::Real && !variable.isFinal &&
+           !variable.isStructural;
+}
+
 std::vector<std::string> startParameters(const FlatModel& model) {
     std::vector<ExpressionId> atStart, throughout;
     for (const FlatVariable& v : model.variables) {
@@ -19,9 +24,7 @@ std::vector<std::string> startParameters(const FlatModel& model) {
     for (const ExpressionId leaf : model.pool->leaves(atStart)) {
         const VariableId id = (*model.pool)[leaf].variable;
         const FlatVariable& v = model[id];
-        if (v.variability == FlatVariability::Parameter && v.type == FlatType::Real && !v.isFinal && !v.isStructural &&
-            !isElsewhere[id.value])
-            names.push_back(v.name);
+        if (isTunable(v) && !isElsewhere[id.value]) names.push_back(v.name);
     }
     std::sort(names.begin(), names.end());
     names.erase(std::unique(names.begin(), names.end()), names.end());

@@ -8,6 +8,9 @@
 
 namespace analogon {
 
+/// Whether a variable is a Real parameter that may have another value without another flattening.
+bool isTunable(const FlatVariable& variable);
+
 /// Real parameters of a model that act where a recording begins and nowhere else: they stand in start attributes and
 /// initial equations alone.
 std::vector<std::string> startParameters(const FlatModel& model);

@@ -7,6 +7,7 @@
 
 #include "core/effect/null_model.hpp"
 #include "core/residual/noise.hpp"
+#include "core/residual/quantisation.hpp"
 
 namespace analogon {
 namespace {
@@ -68,7 +69,7 @@ struct Converted {
 
 TEST(ResidualChannels, AreNoiseBesideWhatAConverterRoundsOff) {
     const Converted right(0);
-    EXPECT_DOUBLE_EQ(right.channel().step, 2.5);
+    EXPECT_DOUBLE_EQ(quantisationStep(right.channel().measured), 2.5);
     EXPECT_LT(summarise(right.residual).whiteProbability, whiteSignificance) << "rounding repeats with the signal";
     EXPECT_TRUE(isNoise(right.channel(), right.residual));
 }
