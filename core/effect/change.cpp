@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/range.hpp"
 #include "core/fit/clock.hpp"
 #include "core/flat/parameter_change.hpp"
 
@@ -13,6 +14,7 @@ constexpr int coarse = 40;           // moments that are tried over a recording,
 constexpr double margin = 0.04;      // of the recording at either end, where a break is no break
 constexpr double leastLikely = 0.3;  // of what the likeliest explains
 constexpr std::size_t mostFitted = 4;
+constexpr double mostShrunk = 0.05;  // of a quantity that has one sign: less is no change but a fault
 
 /// Rows of one experiment at or after a moment.
 Eigen::VectorXd from(const NullModel& null, const std::vector<double>& time, int experiment, double moment,
@@ -66,6 +68,18 @@ std::vector<Change> likelyChanges(const NullModel& null) {
     return likely;
 }
 
+/// How far a parameter can step from its value: to the ends of its own range, and never to the other sign where it has
+/// but one.
+Range stepsOf(const NullModel& null, const std::string& parameter, double value) {
+    Range after{-1e300, 1e300};
+    if (const Outcome<PreparedTask> prepared = prepareAt(null.variant, null.noise))
+        for (const FitParameter& p : prepared->problem.parameters)
+            if (p.name == parameter) after = {p.min, p.max};
+    if (after.low >= 0) after.low = std::max(after.low, mostShrunk * value);
+    if (after.high <= 0) after.high = std::min(after.high, mostShrunk * value);
+    return {after.low - value, after.high - value};
+}
+
 /// The change fitted together with all parameters of the model.
 std::optional<Change> fitted(const NullModel& null, const Change& likely, const FitOptions& options,
                              const Progress& progress) {
@@ -75,7 +89,11 @@ std::optional<Change> fitted(const NullModel& null, const Change& likely, const 
     variant.task.change = ParameterChange{likely.parameter, span / static_cast<double>(time.size() - 1)};
     FitParameter step, moment;
     step.name = stepOf(likely.parameter);
-    step.start = likely.after - likely.before;
+    const Range steps = stepsOf(null, likely.parameter, likely.before);
+    step.min = std::min(steps.low, 0.0);
+    step.max = std::max(steps.high, 0.0);
+    step.scale = ParameterScale::Linear;
+    step.start = std::clamp(likely.after - likely.before, 0.9 * step.min, 0.9 * step.max);
     moment.name = momentOf(likely.parameter);
     moment.start = likely.time;
     moment.min = time.front() + margin * span;
@@ -102,7 +120,8 @@ std::optional<Change> fitted(const NullModel& null, const Change& likely, const 
 
 }  // namespace
 
-std::optional<Change> bestChange(const NullModel& null, const FitOptions& options, const Progress& progress) {
+std::optional<Change> bestChange(const NullModel& null, FitOptions options, const Progress& progress) {
+    options.simulation = limited(null, options.simulation);
     std::optional<Change> best;
     const std::vector<Change> likely = likelyChanges(null);
     for (std::size_t i = 0; i < std::min(likely.size(), mostFitted) && !progress.stopRequested(); ++i) {

@@ -100,7 +100,8 @@ std::optional<Dependence> fitted(const NullModel& null, const Channel& channel, 
 
 }  // namespace
 
-std::optional<Dependence> bestDependence(const NullModel& null, const FitOptions& options, const Progress& progress) {
+std::optional<Dependence> bestDependence(const NullModel& null, FitOptions options, const Progress& progress) {
+    options.simulation = limited(null, options.simulation);
     const std::vector<Channel> channels = unusedChannels(null.variant.task);
     if (channels.empty()) return std::nullopt;
     const std::vector<int> recordings = recordingsOf(null.variant.task, Role::Fit);
