@@ -844,6 +844,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Im Lauf einsetzendes Drehmoment</translation>
     </message>
     <message>
+        <source>Friction that builds up over a travel</source>
+        <translation>Über einen Weg sich aufbauende Reibung</translation>
+    </message>
+    <message>
         <source>Viscous friction that differs with the direction</source>
         <translation>Richtungsabhängige viskose Reibung</translation>
     </message>

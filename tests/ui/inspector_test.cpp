@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QLineEdit>
+#include <QMenu>
 #include <QTableView>
 #include <QTest>
 #include <QTreeWidget>
@@ -57,13 +58,27 @@ protected:
         QTest::keyClick(keys, Qt::Key_Return);
         QTest::qWait(10);
     }
+    /// What the context menu of a row offers.
+    void choose(QAbstractItemView* view, const QModelIndex& row, const QString& action) {
+        Q_EMIT view->customContextMenuRequested(view->visualRect(row).center());
+        for (QMenu* menu : window.findChildren<QMenu*>())
+            for (QAction* each : menu->actions())
+                if (menu->isVisible() && each->text() == action) {
+                    each->trigger();
+                    menu->close();
+                    return;
+                }
+        FAIL() << qPrintable(action);
+    }
     /// The field of a channel's clock.
     void typeClock(const char* signal, const QString& text) {
         auto* measurements = window.findChild<MeasurementPanel*>();
         QTreeWidgetItem* item =
             measurements->signalItem(QString::fromStdString(document().study().experiments.front().name), signal);
         ASSERT_TRUE(item);
-        type(measurements->tree(), measurements->tree()->indexFromItem(item, 2), text);
+        QTreeWidget* tree = measurements->tree();
+        if (tree->isColumnHidden(2)) choose(tree, tree->indexFromItem(item, 0), "Set the clock …");
+        type(tree, tree->indexFromItem(item, 2), text);
     }
     const ChannelMapping& output() { return document().study().experiments.front().outputs.at("i_mod"); }
 
@@ -74,6 +89,9 @@ TEST_F(Inspector, TakesWhatIsKnownOfAParameterInTheUnitThatIsShown) {
     QTableView* table = window.findChild<ParameterPanel*>()->table();
     const std::string original = studyJson(document().study());
     ASSERT_TRUE(model()->setData(at("heater.R", ParameterModel::Unit), "mOhm", Qt::EditRole));
+    EXPECT_TRUE(table->isColumnHidden(ParameterModel::Prior)) << "nothing is known: the names need the room";
+    choose(table, at("heater.R", 0), "Give a prior …");
+    ASSERT_FALSE(table->isColumnHidden(ParameterModel::Prior));
     type(table, at("heater.R", ParameterModel::Prior), "3200 +- 100");
     ASSERT_TRUE(document().study().parameters.at("heater.R").prior);
     EXPECT_DOUBLE_EQ(document().study().parameters.at("heater.R").prior->mean, 3.2);

@@ -130,6 +130,12 @@ int ParameterModel::rowCount(const QModelIndex& parent) const {
 
 int ParameterModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
 
+bool ParameterModel::hasPriors() const {
+    if (!document_.isOpen()) return false;
+    const auto& parameters = document_.study().parameters;
+    return std::any_of(parameters.begin(), parameters.end(), [](const auto& p) { return p.second.prior.has_value(); });
+}
+
 int ParameterModel::rowOf(const std::string& name) const {
     const auto it = std::find_if(rows_.begin(), rows_.end(), [&](const Row& r) { return r.name == name; });
     return it == rows_.end() ? -1 : static_cast<int>(it - rows_.begin());

@@ -37,6 +37,8 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
     int rowOf(const std::string& name) const;
+    /// Whether something is known beforehand of any parameter of the study.
+    bool hasPriors() const;
 
 private:
     struct Row {

@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPainter>
 #include <QStackedLayout>
 #include <QStyledItemDelegate>
@@ -147,6 +148,7 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
     table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);  // names give way, figures never
     table_->horizontalHeader()->setMinimumSectionSize(9 * style::unit);
     table_->setAccessibleName(tr("Parameters"));
+    table_->setContextMenuPolicy(Qt::CustomContextMenu);
 
     empty_->setAlignment(Qt::AlignCenter);
     empty_->setWordWrap(true);
@@ -173,6 +175,11 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
         showComponent({});
         Q_EMIT componentCleared();
     });
+    connect(table_, &QWidget::customContextMenuRequested, this, &ParameterPanel::showMenu);
+    connect(&document, &Document::opened, this, [this] {
+        wantsPriors_ = false;
+        updateState();
+    });
     connect(model_, &QAbstractItemModel::modelReset, this, &ParameterPanel::updateState);
     connect(model_, &QAbstractItemModel::dataChanged, this, &ParameterPanel::updateState);
     updateState();
@@ -182,6 +189,24 @@ void ParameterPanel::showComponent(const QString& component) {
     component_ = component;
     model_->setComponent(component);
     updateState();
+}
+
+/// What few parameters need is a column only where it is used, or was asked for here.
+void ParameterPanel::showMenu(QPoint at) {
+    const QModelIndex index = table_->indexAt(at);
+    if (!index.isValid()) return;
+    const QModelIndex prior = index.siblingAtColumn(ParameterModel::Prior);
+    if (!(prior.flags() & Qt::ItemIsEditable)) return;
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("Give a prior …"), this, [this, prior = QPersistentModelIndex(prior)] {
+        wantsPriors_ = true;
+        updateState();
+        table_->setCurrentIndex(prior);
+        table_->scrollTo(prior);
+        table_->edit(prior);
+    });
+    menu->popup(table_->viewport()->mapToGlobal(at));
 }
 
 /// Names give way to figures; where even then not all figures are seen, the table scrolls and nothing gives way.
@@ -202,6 +227,7 @@ void ParameterPanel::resizeEvent(QResizeEvent* event) {
 void ParameterPanel::updateState() {
     chip_->setText(component_);
     chip_->setVisible(model_->isOfComponent());
+    table_->setColumnHidden(ParameterModel::Prior, !wantsPriors_ && !model_->hasPriors());
     if (model_->rowCount() > 0) {
         fitColumns();
         return pages_->setCurrentWidget(table_);

@@ -30,6 +30,7 @@ protected:
 private:
     void updateState();
     void fitColumns();
+    void showMenu(QPoint at);
 
     Document& document_;
     ParameterModel* model_;
@@ -40,6 +41,7 @@ private:
     QStackedLayout* pages_;
     QLabel* empty_;
     QString component_;
+    bool wantsPriors_{};  // asked for, though no parameter has one yet
 
 Q_SIGNALS:
     void componentCleared();

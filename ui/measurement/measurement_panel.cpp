@@ -340,7 +340,10 @@ void MeasurementPanel::showMenu(QPoint at) {
     if (experiment) {
         QTreeWidgetItem* item = tree_->itemAt(at);
         if (mappingOf(item))
-            menu->addAction(tr("Set the clock …"), this, [this, item] { tree_->editItem(item, Clock); });
+            menu->addAction(tr("Set the clock …"), this, [this, item] {
+                tree_->showColumn(Clock);
+                tree_->editItem(item, Clock);
+            });
         while (item->parent()) item = item->parent();
         const bool isFit = experiment->role == Role::Fit;
         menu->addSeparator();
@@ -453,6 +456,11 @@ void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
 
 void MeasurementPanel::refresh() {
     const QSignalBlocker blocker(tree_);
+    const auto hasClock = [](const StudyExperiment& experiment) {
+        const auto isOwn = [](const auto& channel) { return channel.second.fitsClock || channel.second.clock != 0; };
+        return std::any_of(experiment.inputs.begin(), experiment.inputs.end(), isOwn) ||
+               std::any_of(experiment.outputs.begin(), experiment.outputs.end(), isOwn);
+    };
     const int scrolled = tree_->verticalScrollBar()->value();
     tree_->clear();
     const bool isOpen = document_.isOpen();
@@ -460,6 +468,9 @@ void MeasurementPanel::refresh() {
     propose_->setEnabled(isOpen && !document_.study().experiments.empty());
     if (isOpen)
         for (const StudyExperiment& experiment : document_.study().experiments) addExperiment(experiment);
+    // few loggers have one: the names of columns need the room
+    const auto& experiments = document_.study().experiments;
+    tree_->setColumnHidden(Clock, !isOpen || std::none_of(experiments.begin(), experiments.end(), hasClock));
     tree_->verticalScrollBar()->setValue(scrolled);
     empty_->setText(isOpen
                         ? tr("Drop a measurement file on the window, or press Import.\nIts columns are then mapped to "
