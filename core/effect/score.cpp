@@ -170,29 +170,38 @@ double noiseThreshold(const std::vector<Eigen::MatrixXd>& directions, double log
 
 namespace {
 
-/// Residual on the left-out rows after one Gauss-Newton refit to the others.
+/// A part of the record, all but the directions of its rows that are `kept` (columns, orthonormal).
+Eigen::MatrixXd beside(const Eigen::MatrixXd& kept, const Eigen::MatrixXd& part) {
+    return part - kept * (kept.transpose() * part);
+}
+
+/// Residual on the left-out part after one Gauss-Newton refit to the rest.
 Eigen::VectorXd leftOutResidual(const Linearisation& model, const Eigen::MatrixXd& normal, const Eigen::VectorXd& scale,
-                                const std::vector<Eigen::Index>& rows) {
-    const Eigen::MatrixXd block = model.jacobian(rows, Eigen::all) * scale.asDiagonal();
-    const Eigen::VectorXd residual = model.residuals(rows);
-    if (block.cols() == 0) return residual;
+                                const std::vector<Eigen::Index>& rows, const Eigen::MatrixXd& kept) {
+    const Eigen::VectorXd residual = beside(kept, model.residuals(rows));
+    if (normal.cols() == 0) return residual;
+    const Eigen::MatrixXd block = beside(kept, model.jacobian(rows, Eigen::all) * scale.asDiagonal());
     Eigen::MatrixXd rest = normal - block.transpose() * block;
     rest.diagonal().array() +=
         1e-6;  // columns are scaled to unit norm: keeps a direction seen in this block alone in place
     return residual + block * rest.ldlt().solve(block.transpose() * residual);
 }
 
-/// Smallest share of what the whole record says about any direction of the parameters that is left without these rows.
-double leastInformation(const Linearisation& model, const Eigen::MatrixXd& normal, const Eigen::VectorXd& scale,
-                        const std::vector<Eigen::Index>& rows) {
-    if (normal.cols() == 0) return 1;
+/// What these rows alone tell of the parameters, as directions of the rows (columns, orthonormal): those of which the
+/// rest of the record has next to no information.
+Eigen::MatrixXd toldHereAlone(const Linearisation& model, const Eigen::MatrixXd& normal, const Eigen::VectorXd& scale,
+                              const std::vector<Eigen::Index>& rows) {
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    if (normal.cols() == 0) return Eigen::MatrixXd(count, 0);
     const Eigen::MatrixXd block = model.jacobian(rows, Eigen::all) * scale.asDiagonal();
     Eigen::MatrixXd whole = normal;
     whole.diagonal().array() += 1e-9;  // unit columns: a direction that nothing tells of loses nothing
     const Eigen::LLT<Eigen::MatrixXd> root(whole);
-    const Eigen::MatrixXd own = root.matrixL().solve(block.transpose());
-    const Eigen::MatrixXd shares = own * own.transpose();
-    return 1 - Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(shares, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+    const Eigen::MatrixXd own = root.matrixL().solve(block.transpose());  // of parameters in which all rows count 1
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> shares(own * own.transpose());
+    const Eigen::Index alone = (shares.eigenvalues().array() > 1 - leastSharedInformation).count();
+    return own.transpose() * shares.eigenvectors().rightCols(alone) *
+           shares.eigenvalues().tail(alone).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 }  // namespace
@@ -221,13 +230,11 @@ double heldOutGain(const std::vector<ResidualChannel>& channels, const Linearisa
                     rows.push_back(row);
         }
         if (rows.empty()) continue;
-        if (leastInformation(with, normal1, scale1, rows) < leastSharedInformation) {
-            // only this part of the record says what the effect is: what it claims to explain here stays unconfirmed
-            moved += (with.residuals(rows) - without.residuals(rows)).squaredNorm();
-            continue;
-        }
-        const Eigen::VectorXd r0 = leftOutResidual(without, normal0, scale0, rows);
-        const Eigen::VectorXd r1 = leftOutResidual(with, normal1, scale1, rows);
+        // what only this part of the record says of the effect is not left out; what it claims there is unconfirmed
+        const Eigen::MatrixXd alone = toldHereAlone(with, normal1, scale1, rows);
+        moved += (alone.transpose() * (with.residuals(rows) - without.residuals(rows))).squaredNorm();
+        const Eigen::VectorXd r0 = leftOutResidual(without, normal0, scale0, rows, alone);
+        const Eigen::VectorXd r1 = leftOutResidual(with, normal1, scale1, rows, alone);
         gained += r0.squaredNorm() - r1.squaredNorm();
         moved += (r1 - r0).squaredNorm();
     }
