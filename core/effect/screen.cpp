@@ -151,8 +151,13 @@ ShapeContext contextOf(const NullModel& null, const Observations& observations) 
     return context;
 }
 
-/// All combinations of the shape values.
-Outcome<std::vector<std::map<std::string, double>>> shapesOf(const EffectClass& effect, const ShapeContext& context) {
+/// All combinations of the shape values that go with a strength, which they may name.
+Outcome<std::vector<std::map<std::string, double>>> shapesOf(const EffectClass& effect, const ShapeContext& anyStrength,
+                                                             double strength) {
+    ShapeContext context = anyStrength;
+    context.quantity = [&](const std::string& name) {
+        return name == effect.strength ? strength : anyStrength.quantity(name);
+    };
     std::vector<std::map<std::string, double>> shapes{{}};
     for (const auto& [name, list] : effect.shape) {
         std::vector<std::map<std::string, double>> wider;
@@ -371,8 +376,6 @@ Screened screen(const NullModel& null, const Candidate& candidate, const Simulat
     Outcome<Variant> wired = withEffect(null.variant, effect, candidate.place, result.fixed);
     if (!wired) return fail(wired.diagnostics());
     result.wired = std::move(*wired);
-    Outcome<std::vector<std::map<std::string, double>>> shapes = shapesOf(effect, context);
-    if (!shapes) return fail(shapes.diagnostics());
     std::vector<double> secants;
     for (const std::string& text : effect.secant) {
         Outcome<double> value = shapeValue(text, context);
@@ -383,12 +386,15 @@ Screened screen(const NullModel& null, const Candidate& candidate, const Simulat
 
     Prober prober(null, result, simulation, progress);
     if (Outcome<Done> compiled = prober.compile(); !compiled) return fail(compiled.diagnostics());
-    for (const std::map<std::string, double>& shape : *shapes)
-        for (const double secant : secants) {
+    for (const double secant : secants) {
+        Outcome<std::vector<std::map<std::string, double>>> shapes = shapesOf(effect, context, secant);
+        if (!shapes) return fail(shapes.diagnostics());
+        for (const std::map<std::string, double>& shape : *shapes) {
             if (progress.stopRequested()) return fail({error("cancelled")});
             Probe probe;
             if (prober.take(shape, secant, probe)) result.probes.push_back(std::move(probe));
         }
+    }
     if (result.probes.empty()) return fail({error("no simulation with this effect succeeded")});
     std::stable_sort(result.probes.begin(), result.probes.end(),
                      [](const Probe& a, const Probe& b) { return scoreOf(a.plain) > scoreOf(b.plain); });

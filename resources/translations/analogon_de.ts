@@ -1796,6 +1796,10 @@ Relativer Standardfehler %1 %</translation>
 <context>
     <name>ParameterPanel</name>
     <message>
+        <source>Give a prior …</source>
+        <translation>Vorwissen angeben …</translation>
+    </message>
+    <message>
         <source>Place a block: its parameters appear here.</source>
         <translation>Einen Block einsetzen: Seine Parameter erscheinen hier.</translation>
     </message>

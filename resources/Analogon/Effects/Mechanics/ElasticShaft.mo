@@ -24,8 +24,8 @@ equation
       ports = {"flange_a", "flange_b"},
       strength = "e",
       oneSided = true,
-      shape(d = {"0.02*maxabs(tau)/maxabs(w)", "0.2*maxabs(tau)/maxabs(w)"}),
-      secant = {"0.01/maxabs(tau)", "0.1/maxabs(tau)"})),
+      shape(d = {"0.2*sqrt(maxabs(tau)/rate(w)/e)", "sqrt(maxabs(tau)/rate(w)/e)"}),
+      secant = {"(6*sample)^2*rate(w)/maxabs(tau)", "(24*sample)^2*rate(w)/maxabs(tau)", "(96*sample)^2*rate(w)/maxabs(tau)", "0.1/maxabs(tau)"})),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
         Rectangle(extent={{-90,90},{90,-90}}, lineColor={213,94,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid, radius=10),
         Line(points={{-100,0},{-50,0},{-40,30},{-20,-30},{0,30},{20,-30},{40,30},{50,0},{100,0}}, color={95,95,95}, thickness=0.75)}),
