@@ -94,11 +94,15 @@ int runStudy(const Options& options) {
         return fails(namedAs(result.diagnostics(), *opened));
     }
     if (!result.diagnostics().empty()) std::cerr << format(result.diagnostics()) << std::endl;
-    for (const Text& remark : result->finding.final.remarks) std::cerr << "note: " << remark << std::endl;
+    for (const Text& remark : result->finding.final.remarks) view.note(remark);
     if (const Outcome<Done> written = writeResults(*result, name(options.command), options.out); !written)
         return fails(written.diagnostics());
     std::cout << summaryText(result->finding) << "\nreport: " << (options.out / "report.html").string() << std::endl;
-    if (!interrupt.wasRaised()) return done;
+    if (!interrupt.wasRaised()) {
+        if (options.command != Command::Fit || result->finding.final.status != FitStatus::Failed) return done;
+        return fails(
+            {numericalError(result->finding.final.message, phrase("give other start values, or narrower bounds"))});
+    }
     std::cerr << "interrupted; the best result so far was written" << std::endl;
     return interrupted;
 }

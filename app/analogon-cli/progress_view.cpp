@@ -56,6 +56,16 @@ void ProgressView::clear() {
     hasBar_ = false;
 }
 
+void ProgressView::note(const std::string& remark) {
+    clear();
+    if (kind_ != ProgressKind::Json)
+        stream_ << "note: " << remark << std::endl;
+    else
+        stream_ << nlohmann::ordered_json{{"note", remark}}.dump(-1, ' ', false,
+                                                                 nlohmann::json::error_handler_t::replace)
+                << std::endl;
+}
+
 std::string progressJson(const Progress::Report& report) {
     nlohmann::ordered_json json{{"stage", report.stage}};
     if (!report.detail.empty()) json["detail"] = report.detail;

@@ -21,6 +21,8 @@ public:
     Progress::Sink sink();
     /// Wipes the bar, so that other text can follow.
     void clear();
+    /// What people should know of the result: a line, or a JSON object like the rest.
+    void note(const std::string& remark);
 
 private:
     void show(const Progress::Report& report);

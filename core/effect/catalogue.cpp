@@ -131,9 +131,12 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
         for (const Modification& m : fixed->arguments)
             if (m.value)
                 for (const std::string& t : read.texts(*m.value, m.name.text())) e.fixed[m.name.text()] = t;
-    if (const Modification* sharper = child(annotation, "sharper"))
-        for (const Modification& m : sharper->arguments)
-            if (m.value) e.sharper[m.name.text()] = read.number(*m.value, m.name.text());
+    if (const Modification* states = child(annotation, "states"); states && states->value)
+        e.states = static_cast<int>(read.number(*states->value, "states"));
+    for (const auto& [name, factors] : {std::pair{"sharper", &e.sharper}, std::pair{"reach", &e.reach}})
+        if (const Modification* given = child(annotation, name))
+            for (const Modification& m : given->arguments)
+                if (m.value) (*factors)[m.name.text()] = read.number(*m.value, m.name.text());
     if (const Modification* shape = child(annotation, "shape"))
         for (const Modification& m : shape->arguments)
             if (m.value) e.shape[m.name.text()] = read.texts(*m.value, m.name.text());

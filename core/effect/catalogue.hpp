@@ -19,6 +19,8 @@
 ///     oneSided = true,                  // the physical sign: strength >= 0
 ///     linear = {"tau_s"},               // further parameters in which the model is linear at 0
 ///     fixed(w_eps = "0.002*maxabs(w)"), // set before screening and kept
+///     states = 2,                        // that it must add to the model, or its place is none (both sides turn)
+///     reach(phi_h = 3),                  // factor by which a shape may leave the values it is tried with
 ///     sharper(w_eps = 0.25),             // factor by which a numerical width falls where the data ask for it
 ///     shape(w_s = {"0.05*maxabs(w)", "0.3*maxabs(w)"}),  // tried in turn, freed in the refit
 ///     valid = "n*range(phi) - 6.28",    // a shape for which this is not above 0 is left out
@@ -44,7 +46,9 @@ struct EffectClass {
     bool oneSided{};
     std::vector<std::string> linear;
     std::map<std::string, std::string> fixed;  // parameter -> expression
+    int states{};                              // that it must add, or its place is none
     std::map<std::string, double> sharper;     // numerical parameter -> factor
+    std::map<std::string, double> reach;       // shape -> factor by which it may leave the values it is tried with
     std::map<std::string, std::vector<std::string>> shape;
     std::string valid;
     std::string proposal;  // equation; empty: a named effect

@@ -132,7 +132,7 @@ AddedEffect Search::describe(const NullModel& last, const ModelState& state, con
                     {p.name.substr(placed.instance.size() + 1), e.value, e.standardError, e.unit});
     for (const auto& [name, value] : placed.values) {
         const auto unit = placed.effect.units.find(name);
-        effect.parameters.push_back({name, value, 0, unit == placed.effect.units.end() ? "" : unit->second});
+        effect.parameters.push_back({name, value, std::nan(""), unit == placed.effect.units.end() ? "" : unit->second});
     }
     effect.evidence.score = step.acceptance.explained;
     effect.evidence.pValue = pValue(step.acceptance.explained, static_cast<int>(placed.freed.size()), step.tried);
@@ -265,8 +265,16 @@ Outcome<Finding> Search::run() {
         if (!whole) return whole.diagnostics();
         Outcome<NullModel> fitted = fitNull(*whole, onAll ? onAll->noise : null->noise,
                                             isOther ? NoiseLevel::Estimate : NoiseLevel::Keep, options_.fit, progress_);
-        if (!fitted) return fitted.diagnostics();
         if (progress_.stopRequested()) break;
+        if (!fitted) {
+            // what the search came to stands, integrated as it was there
+            finding.warnings.push_back(
+                phrase("the last fit failed, the search's own stands: {}", fitted.diagnostics().front().message));
+            Outcome<ModelState> found = stateOf(null->variant, null->fit, search_.fit.simulation, progress_);
+            if (!found) return found.diagnostics();
+            finding.final = std::move(*found);
+            break;
+        }
         Outcome<ModelState> after = stateOf(fitted->variant, fitted->fit, options_.fit.simulation, progress_);
         if (!after) return after.diagnostics();
         if (dropIndistinct(*fitted, *after, *null) || (onAll && noisyInputs_.empty() && dropUnmissed(*fitted, *null))) {
@@ -278,13 +286,11 @@ Outcome<Finding> Search::run() {
         isFinal = true;
     }
     if (isAsGiven()) null = onAll ? *onAll : base;
-    if (!isFinal && path->state) finding.final = std::move(*path->state);
+    if (!isFinal && progress_.stopRequested() && path->state) finding.final = std::move(*path->state);
     const Outcome<FlatModel> valued = flattened(null->variant.task, finding.final.modelText);
     for (std::size_t i = 0; i < steps_.size() && i < null->variant.effects.size(); ++i) {
         AddedEffect effect = describe(*null, finding.final, null->variant.effects[i], steps_[i]);
-        if (valued)
-            for (EffectValue& v : derivedParameters(*valued, effect.instance))
-                effect.parameters.push_back(std::move(v));
+        if (valued) addOtherParameters(*valued, effect.instance, effect.parameters);
         // what the model is without this effect, and with it; the others are there in both
         effect.evidence.errorPercentBefore =
             steps_[i].errorWithout >= 0 ? steps_[i].errorWithout : errorPercentOf(finding.baseline, Role::Fit);
@@ -301,6 +307,7 @@ Outcome<Finding> Search::run() {
                 effect.kind, placed.place.at, effect.at));
         }
     }
+    settleVerdicts(finding.effects);
     finding.candidates = std::move(candidates_);
     finding.interrupted = progress_.stopRequested();
     if (!finding.interrupted) {

@@ -92,6 +92,7 @@ struct CandidateResult {
     Verdict verdict{Verdict::NotSignificant};
     std::vector<std::string> absorbedBy;  // parameters
     int round{};
+    Text failure{};  // why it could not be tried
 };
 
 struct Correlate {

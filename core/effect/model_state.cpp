@@ -184,6 +184,30 @@ std::vector<Text> switchingRemarks(const FitProblem& problem, const Eigen::Vecto
     return remarks;
 }
 
+/// What no fit has to agree with is integrated by the engine that locates events and controls its error, where fixed
+/// steps may not do: relations that switch, stiff models.
+void integrateClosely(const FitProblem& problem, const Eigen::VectorXd& values, SimulationOptions options,
+                      const Progress& progress, Linearisation& fixed) {
+    if (options.engine != Engine::Auto) return;
+    const auto mayNotDo = [&](std::size_t e) {
+        const Trajectory& t = fixed.trajectories[e];
+        return t.failure.failed || t.plan.method == GridMethod::Esdirk ||
+               problem.experiments[e].system->rootCount() > 0;
+    };
+    bool isNeeded = false;
+    for (std::size_t e = 0; e < fixed.trajectories.size(); ++e) isNeeded = isNeeded || mayNotDo(e);
+    if (!isNeeded || progress.stopRequested()) return;
+    options.engine = Engine::Adaptive;
+    Linearisation close = linearise(problem, values, false, {}, options, progress);
+    for (std::size_t e = 0; e < close.trajectories.size(); ++e) {
+        if (close.trajectories[e].failure.failed) continue;
+        if (e >= fixed.trajectories.size())
+            fixed.trajectories.push_back(std::move(close.trajectories[e]));
+        else if (mayNotDo(e))
+            fixed.trajectories[e] = std::move(close.trajectories[e]);
+    }
+}
+
 }  // namespace
 
 Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const SimulationOptions& simulation,
@@ -207,7 +231,8 @@ Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const 
         if (problem.experiments.empty()) continue;
         const OpenStarts open(problem, role, fit, simulation, progress);
         const Eigen::VectorXd& values = open.values();
-        const Linearisation l = linearise(problem, values, false, {}, simulation, progress);
+        Linearisation l = linearise(problem, values, false, {}, simulation, progress);
+        if (fit.simulations == 0) integrateClosely(problem, values, simulation, progress, l);
         const bool hasBands = detail == Detail::Report && fit.covariance.size() > 0;
         Eigen::MatrixXd covariance = hasBands ? covarianceIn(problem, role, fit) : Eigen::MatrixXd();
         if (hasBands) open.addTo(problem, covariance);
@@ -235,18 +260,19 @@ Outcome<FlatModel> flattened(const EstimationTask& task, const std::string& text
     return flatten(*library, task.className);
 }
 
-std::vector<EffectValue> derivedParameters(const FlatModel& model, const std::string& instance) {
-    std::vector<EffectValue> values;
+void addOtherParameters(const FlatModel& model, const std::string& instance, std::vector<EffectValue>& values) {
     const std::string prefix = instance + ".";
     for (std::size_t v = 0; v < model.variables.size(); ++v) {
         const FlatVariable& variable = model.variables[v];
-        if (!variable.isFinal || variable.isProtected || variable.variability != FlatVariability::Parameter ||
+        if (variable.isProtected || variable.variability != FlatVariability::Parameter ||
             variable.type != FlatType::Real || variable.name.rfind(prefix, 0) != 0)
             continue;
+        const std::string name = variable.name.substr(prefix.size());
+        if (std::any_of(values.begin(), values.end(), [&](const EffectValue& known) { return known.name == name; }))
+            continue;
         if (const std::optional<double> value = model.parameterValue({static_cast<std::uint32_t>(v)}))
-            values.push_back({variable.name.substr(prefix.size()), *value, 0, variable.unit});
+            values.push_back({name, *value, std::nan(""), variable.unit});
     }
-    return values;
 }
 
 double errorPercentOf(const ModelState& state, Role role) {

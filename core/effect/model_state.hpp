@@ -18,9 +18,9 @@ Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const 
 /// The equations of a model with its values written in.
 Outcome<FlatModel> flattened(const EstimationTask& task, const std::string& textWithValues);
 
-/// What an effect computes from its fitted parameters for people to read (the limit behind its reciprocal): its
-/// final parameters.
-std::vector<EffectValue> derivedParameters(const FlatModel& model, const std::string& instance);
+/// Adds what an effect holds or computes beside the values known of it (the temperature of the surroundings, the limit
+/// behind a reciprocal), without a standard error.
+void addOtherParameters(const FlatModel& model, const std::string& instance, std::vector<EffectValue>& values);
 
 /// Root mean square of error_percent over the experiments of a role; 0 when there is none.
 double errorPercentOf(const ModelState& state, Role role);

@@ -13,11 +13,15 @@ namespace analogon {
 struct EffectPlace {
     std::string at;         // as the report says it: "rotor.flange_a", "element", "output i_mod"
     std::string connector;  // attach, insert: "rotor.flange_a" or the top-level signal's name; specialise: the instance
-    std::string spare;      // recorded channel that drives the effect's signal input; empty: none
-    std::string node{};     // connector of the node that the effect's further connector joins; empty: none
+    std::string
+        spare;  // recorded channel that drives the effect's signal input, or "input NAME" of the model; empty: none
+    std::string node{};  // connector of the node that the effect's further connector joins; empty: none
 
     bool operator==(const EffectPlace&) const = default;
 };
+
+/// Before the name of an input of the model that drives an effect.
+inline constexpr std::string_view inputPrefix = "input ";
 
 /// The connectors of a composed model by the node they belong to, with what the structure knows of them.
 class ModelNodes {

@@ -243,6 +243,8 @@ public:
         return true;
     }
 
+    int stateCount() const { return held_.system->stateCount(); }
+
     std::vector<std::string> imitators(const Eigen::VectorXd& column) const {
         const Eigen::VectorXd c = complement_.coefficients(column);
         std::vector<std::pair<double, std::string>> parts;
@@ -321,13 +323,20 @@ Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std:
     Outcome<ModelNodes> nodes = nodesOf(variant, diagram);
     if (!nodes) return nodes.diagnostics();
 
+    const Outcome<FlatModel> flat = flatten(variant.task.library, variant.task.className);
     const auto first = std::find_if(variant.task.recordings.begin(), variant.task.recordings.end(),
                                     [](const Recording& r) { return r.role == Role::Fit && !r.spares.empty(); });
     const auto sparesFor = [&](const EffectClass& effect) {
         std::vector<std::string> names;
-        if (!effect.channel.empty() && first != variant.task.recordings.end())
+        if (effect.channel.empty()) return names;
+        if (first != variant.task.recordings.end())
             for (const SpareChannel& s : first->spares)
                 if (effect.quantity.empty() || areConvertible(s.unit, effect.quantity)) names.push_back(s.name);
+        // surroundings that one part of the model knows may be those of another
+        if (effect.quantity == "K" && flat)
+            for (const FlatVariable& v : flat->variables)
+                if (v.causality == FlatCausality::Input && v.unit == effect.quantity)
+                    names.push_back(std::string(inputPrefix) + v.name);
         return names;
     };
     std::vector<Candidate> candidates;
@@ -386,6 +395,12 @@ Screened screen(const NullModel& null, const Candidate& candidate, const Simulat
 
     Prober prober(null, result, simulation, progress);
     if (Outcome<Done> compiled = prober.compile(); !compiled) return fail(compiled.diagnostics());
+    if (effect.states > 0) {
+        const Outcome<PreparedTask> without = prepareHeld(null.variant, {}, null.noise);
+        if (!without) return fail(without.diagnostics());
+        if (prober.stateCount() < without->system->stateCount() + effect.states)
+            return fail({error(phrase("nothing there has a motion of its own"))});
+    }
     for (const double secant : secants) {
         Outcome<std::vector<std::map<std::string, double>>> shapes = shapesOf(effect, context, secant);
         if (!shapes) return fail(shapes.diagnostics());

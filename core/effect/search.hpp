@@ -75,7 +75,7 @@ private:
     void preferSimple(const NullModel& null, Round& round) const;
     Step stepOf(const Round& round);
     void noteAll(const Round& round);
-    Outcome<Done> goOn(Path& path, Round first);
+    void goOn(Path& path, Round first);
     std::vector<std::size_t> otherBeginnings(const NullModel& null, const Round& round) const;
     Outcome<Path> bestPath(NullModel& base);
     Outcome<Path> bestPathFrom(NullModel& base);
@@ -107,7 +107,9 @@ private:
     Text proposeExperiments(const NullModel& null);
     std::map<int, Text> heldRemarks(const NullModel& null);
     void setVerdict(const std::string& kind, const std::string& at, Verdict verdict);
-    void note(const Screened& s, Verdict verdict, std::optional<double> deltaBic);
+    void note(const Screened& s, Verdict verdict, std::optional<double> deltaBic, const Text& failure);
+    void retryNames(const NullModel& null, std::vector<Trial>& trials);
+    void settleVerdicts(const std::vector<AddedEffect>& effects);
     bool dropIndistinct(const NullModel& last, const ModelState& state, NullModel& null);
     bool dropUnmissed(const NullModel& last, NullModel& null);
     AddedEffect describe(const NullModel& last, const ModelState& state, const PlacedEffect& placed,

@@ -45,9 +45,8 @@ void Search::exchange(Path& path) {
 }
 
 /// Adds one effect a round until nothing passes its tests. The first round is given.
-Outcome<Done> Search::goOn(Path& path, Round first) {
+void Search::goOn(Path& path, Round first) {
     exchange(path);
-    Outcome<Done> done = Done{};
     for (round_ = 1; round_ <= options_.maxRounds && !progress_.stopRequested(); ++round_) {
         Round round = round_ == 1 ? std::move(first) : tryAll(path.null);
         if (progress_.stopRequested()) break;
@@ -61,8 +60,12 @@ Outcome<Done> Search::goOn(Path& path, Round first) {
         steps_.push_back(std::move(step));
         // the noise shows better with every effect that is explained
         Outcome<NullModel> next = fitNull(wider, path.null.noise, NoiseLevel::Estimate, search_.fit, progress_);
+        if (!next) next = fitNull(wider, path.null.noise, NoiseLevel::Keep, search_.fit, progress_);
         if (!next) {
-            done = next.diagnostics();
+            // the model without it stands
+            const Candidate& failed = steps_.back().winner.screened.candidate;
+            setVerdict(failed.effect.kind, failed.place.at, Verdict::NotSignificant);
+            steps_.pop_back();
             break;
         }
         path.null = std::move(*next);
@@ -78,7 +81,6 @@ Outcome<Done> Search::goOn(Path& path, Round first) {
         if (!opening_) opening_ = Path{path.null, steps_, displaced_, candidates_, path.state};
     }
     exchange(path);
-    return done;
 }
 
 /// The other effects with which the search may begin: they pass the same tests alone.
@@ -124,7 +126,7 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
     Path best{base, {}, {}, {}, {}};
     std::vector<std::size_t> others;
     if (first.chosen) others = otherBeginnings(base, first);
-    if (Outcome<Done> done = goOn(best, first); !done) return done.diagnostics();
+    goOn(best, first);
     if (beginsAnew_) return best;
     const auto misfit = [&](const Path& p) {
         const double rows = static_cast<double>(p.null.fit.optimum.residuals.size());
@@ -141,7 +143,7 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
         round.members = equivalents(base, round.trials, other);
         round.acceptance = examine(base, round.trials[other].fit, round.trials[other].freed(), round.threshold);
         Path path{base, {}, {}, {}, {}};
-        if (Outcome<Done> done = goOn(path, std::move(round)); !done) continue;
+        goOn(path, std::move(round));
         if (beginsAnew_) return best;
         if (isBetter(path)) std::swap(best, path);
         otherEnds_.push_back(std::move(path));
@@ -177,7 +179,7 @@ std::optional<Search::Path> Search::withLaw(Path begin) {
     if (!isExplained) return std::nullopt;
     Round next = tryAll(begin.null);
     decide(begin.null, next);
-    if (!goOn(begin, std::move(next))) return std::nullopt;
+    goOn(begin, std::move(next));
     return begin;
 }
 
@@ -353,6 +355,10 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
 /// Of the last refit, an effect whose strength as it would be reported is not distinguishable from 0 is taken out of
 /// the model of the search; false: there is none.
 bool Search::dropIndistinct(const NullModel& last, const ModelState& state, NullModel& null) {
+    // where the fit found no errors at all they tell nothing of an effect
+    if (std::none_of(state.parameters.begin(), state.parameters.end(),
+                     [](const FitEstimate& e) { return std::isfinite(e.standardError); }))
+        return false;
     const std::vector<PlacedEffect>& effects = last.variant.effects;
     for (std::size_t i = 0; i < effects.size(); ++i)
         if (!isDetermined(effects[i], state.parameters) && takeOut(null, i)) return true;

@@ -98,7 +98,7 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
                     values.push_back({p.name.substr(placed.instance.size() + 1), e.value, e.standardError, e.unit});
         if (with)
             if (const Outcome<FlatModel> valued = flattened(null.variant.task, with->modelText))
-                for (EffectValue& v : derivedParameters(*valued, placed.instance)) values.push_back(std::move(v));
+                addOtherParameters(*valued, placed.instance, values);
         r.proposedEquation = withValues(equation, values);
         if (with) {
             r.errorFitWith = errorPercentOf(*with, Role::Fit);
@@ -171,8 +171,11 @@ Text Search::proposeExperiments(const NullModel& null) {
     for (std::size_t i = 0; i < steps_.size() && count < mostExperiments && !progress_.stopRequested(); ++i) {
         const PlacedEffect& own = null.variant.effects[i];
         const auto open =
-            std::find_if(steps_[i].alternatives.begin(), steps_[i].alternatives.end(),
-                         [](const Alternative& a) { return a.equivalent && !a.kind.starts_with("proposal."); });
+            std::find_if(steps_[i].alternatives.begin(), steps_[i].alternatives.end(), [&](const Alternative& a) {
+                // one kind has several classes where something of it may be known or not
+                const bool isOther = a.kind != own.effect.kind || a.at != own.place.at;
+                return a.equivalent && isOther && !a.kind.starts_with("proposal.");
+            });
         if (open == steps_[i].alternatives.end()) continue;
         const Text names = phrase("{} at {} from {} at {}", own.effect.kind, own.place.at, open->kind, open->at);
         say("next experiment", names, -1);

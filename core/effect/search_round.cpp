@@ -11,6 +11,7 @@ namespace {
 constexpr double twinCorrelation = 0.999;  // projected traces more alike than this are twins
 constexpr double falseAlarmQuantile = 0.99;
 constexpr std::size_t mostRivals = 5, mostAlternatives = 6;
+constexpr std::size_t mostRetried = 4;
 constexpr int glanceIterations = 5;  // of the whole catalogue, to see who deserves a trial
 
 /// What a fit took, in steps of the explicit method.
@@ -92,7 +93,35 @@ std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>&
         trials.insert(trials.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
         continueBest(null, trials);
     }
+    retryNames(null, trials);
     return trials;
+}
+
+/// Where an equation without a name leaves next to nothing, the names at its place begin once more with what it found
+/// of the model's parameters: from those of the model without either a fit may end elsewhere.
+void Search::retryNames(const NullModel& null, std::vector<Trial>& trials) {
+    rank(null, trials);
+    if (trials.empty() || !trials.front().ok || !isProposal(trials.front())) return;
+    const Trial& equation = trials.front();
+    if (levelOf(equation.fit) > largeResidual) return;
+    std::vector<std::size_t> names;
+    std::vector<Screened> begun;
+    for (std::size_t i = 1; i < trials.size() && names.size() < mostRetried; ++i) {
+        if (!trials[i].ok || isProposal(trials[i])) continue;
+        if (trials[i].screened.candidate.place.connector != equation.screened.candidate.place.connector) continue;
+        Screened screened = trials[i].screened;
+        for (ParameterValue& own : screened.wired.values)
+            for (const ParameterValue& found : equation.variant.values)
+                if (found.name == own.name && found.experiment == own.experiment) own.value = found.value;
+        names.push_back(i);
+        begun.push_back(std::move(screened));
+    }
+    std::vector<const Screened*> chosen;
+    for (const Screened& s : begun) chosen.push_back(&s);
+    std::vector<Trial> again = tryThese(null, chosen, trialIterations, startsPerTrial);
+    for (std::size_t i = 0; i < again.size(); ++i)
+        if (again[i].ok && again[i].sumOfSquares() < trials[names[i]].sumOfSquares())
+            trials[names[i]] = std::move(again[i]);
 }
 
 /// Takes the trials that a short fit brought to the front further.
@@ -127,7 +156,7 @@ std::vector<std::size_t> Search::equivalents(const NullModel& null, const std::v
     return members;
 }
 
-void Search::note(const Screened& s, Verdict verdict, std::optional<double> deltaBic) {
+void Search::note(const Screened& s, Verdict verdict, std::optional<double> deltaBic, const Text& failure) {
     CandidateResult c;
     c.kind = s.candidate.effect.kind;
     c.at = s.candidate.place.at;
@@ -138,6 +167,7 @@ void Search::note(const Screened& s, Verdict verdict, std::optional<double> delt
     c.verdict = verdict;
     c.absorbedBy = s.absorbedBy;
     c.round = round_;
+    c.failure = failure;
     candidates_.push_back(std::move(c));
 }
 
@@ -280,7 +310,7 @@ void Search::noteAll(const Round& round) {
             verdict = Verdict::FailsHeldOut;
         else if (round.chosen && t.evidence > equivalenceMargin)
             verdict = Verdict::Weaker;
-        note(t.screened, verdict, t.ok ? std::optional<double>(-t.evidence) : std::nullopt);
+        note(t.screened, verdict, t.ok ? std::optional<double>(-t.evidence) : std::nullopt, t.ok ? Text() : t.failure);
     }
     for (const Screened& s : round.screened) {
         if (refitted.contains(key(s.candidate))) continue;
@@ -289,7 +319,23 @@ void Search::noteAll(const Round& round) {
                                 : s.isWrongSign()                                   ? Verdict::WrongSign
                                 : round.chosen && s.score() > 2 * equivalenceMargin ? Verdict::Weaker
                                                                                     : Verdict::NotSignificant;
-        note(s, verdict, std::nullopt);
+        note(s, verdict, std::nullopt, s.failure);
+    }
+}
+
+/// What was chosen on the way and is not in the end is no choice, nor are its equals.
+void Search::settleVerdicts(const std::vector<AddedEffect>& effects) {
+    const auto isAmong = [](const auto& all, const CandidateResult& c) {
+        return std::any_of(all.begin(), all.end(), [&](const auto& x) { return x.kind == c.kind && x.at == c.at; });
+    };
+    const auto isEqual = [&](const CandidateResult& c) {
+        return isAmong(effects, c) || std::any_of(effects.begin(), effects.end(),
+                                                  [&](const AddedEffect& e) { return isAmong(e.alternatives, c); });
+    };
+    for (CandidateResult& c : candidates_) {
+        if (c.kind.starts_with("proposal.")) continue;
+        if (c.verdict == Verdict::Chosen && !isAmong(effects, c)) c.verdict = Verdict::NotSignificant;
+        if (c.verdict == Verdict::Equivalent && !isEqual(c)) c.verdict = Verdict::Weaker;
     }
 }
 

@@ -13,6 +13,8 @@ constexpr std::size_t mostStarts = 8;  // that are weighed against each other
 constexpr double structureFactor = 3;
 constexpr double trialTolerance = 1e-6;
 constexpr double leastHeldOut = 0.5;
+constexpr double leastHeldOutOfAll = 0.2;   // where nothing else remains, and far more is explained than chance can
+constexpr double farMore = 100;             // in evidence
 constexpr double leastHeldOutOfMuch = 0.7;  // where other structure remains, which a wrong effect may feed on
 constexpr double muchLeft = 1.44;           // squared residual over squared noise
 constexpr double leastShare = 0.05;  // beside what stays unexplained: a detail on top of a riddle explains nothing
@@ -58,8 +60,10 @@ FitParameter shapeParameter(const Screened& s, const std::string& name, double s
         high = std::max(high, value->second);
     }
     if (low > 0) {
-        p.min = low / 100;
-        p.max = high * 100;
+        const auto reach = s.candidate.effect.reach.find(name);
+        const double factor = reach == s.candidate.effect.reach.end() ? 100 : reach->second;
+        p.min = low / factor;
+        p.max = high * factor;
         p.scale = ParameterScale::Logarithmic;
     }
     return p;
@@ -241,7 +245,10 @@ Acceptance examine(const NullModel& null, const FitResult& with, int freed, doub
     a.isSignificant = std::max(a.evidence, a.effective) >
                       std::max(leastEvidence, threshold) * (leavesStructure ? structureFactor : 1);
     const double left = with.optimum.residuals.squaredNorm(), unexplained = left - rows;
-    a.holdsOut = a.heldOut > (left > muchLeft * rows ? leastHeldOutOfMuch : leastHeldOut);
+    const bool explainsAll = !leavesStructure && std::min(a.evidence, a.effective) > farMore;
+    a.holdsOut = a.heldOut > (explainsAll              ? leastHeldOutOfAll
+                              : left > muchLeft * rows ? leastHeldOutOfMuch
+                                                       : leastHeldOut);
     a.share = unexplained > 0 ? (null.sumOfSquares() - left) / unexplained : std::numeric_limits<double>::infinity();
     a.isWorthwhile = a.share > leastShare;
     return a;

@@ -131,8 +131,16 @@ private:
         edit_.addConnection(from, to, route(diagram_.anchor(from).value_or(toAt), toAt), colour_);
     }
 
-    /// A new top-level input that drives the effect's signal input of this instance.
+    /// A top-level input that drives the effect's signal input of this instance: one of the model, or a new one.
     void addSpareInput(const std::string& instance) {
+        if (const std::string_view spare = place_.spare; spare.starts_with(inputPrefix)) {
+            const std::string own(spare.substr(inputPrefix.size())), signal = instance + "." + effect_.channel;
+            if (isConnector(own))
+                edit_.addConnection(own, signal, {}, domainColour(Domain::RealInput));
+            else
+                edit_.addEquation(signal + " = " + own);
+            return;
+        }
         std::string base;
         for (const char c : place_.spare) base += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
         // a column may be called "flow" or "output"

@@ -61,6 +61,17 @@ auto Misfit::attempt(const Eigen::VectorXd& values, const Evaluate& evaluate) {
             if (result.ok) plans_ = std::move(finer);
         }
     }
+    // explicit steps may meet a stiffness that their plan did not: a fit that cannot even begin tries without them
+    // (a trial, whose effort is limited, is given up instead)
+    const bool isLimited = options_.simulation.evaluationLimit < SimulationOptions().evaluationLimit;
+    const bool mayBeImplicit = options_.simulation.engine != Engine::Adaptive && !isLimited &&
+                               options_.simulation.method == GridMethod::Auto && !hasBest() && failedSimulations_ == 0;
+    if (!result.ok && !isCancelled() && mayBeImplicit) {
+        std::vector<GridPlan> implicit = plansFor(values, 1.0, GridMethod::Esdirk);
+        result = evaluate(implicit);
+        ++simulations_;
+        if (result.ok) plans_ = std::move(implicit);
+    }
     if (!result.ok && !isCancelled()) {
         ++failedSimulations_;
         failure_ = result.failure;
@@ -211,13 +222,15 @@ bool Misfit::rescalePriors(const Eigen::VectorXd& values) {
     return true;
 }
 
-std::vector<GridPlan> Misfit::plansFor(const Eigen::VectorXd& values, double looseness) const {
+std::vector<GridPlan> Misfit::plansFor(const Eigen::VectorXd& values, double looseness, GridMethod method) const {
     SimulationOptions options = options_.simulation;
     options.relativeTolerance *= looseness;
+    if (method != GridMethod::Auto) options.method = method;
     std::vector<GridPlan> plans;
     for (std::size_t e = 0; e < problem_.experiments.size(); ++e) {
-        plans.push_back(planFor(problem_, static_cast<int>(e), values, options, progress_,
-                                e < plans_.size() ? &plans_[e] : nullptr));
+        const bool isKept = e < plans_.size() && method == GridMethod::Auto;
+        plans.push_back(
+            planFor(problem_, static_cast<int>(e), values, options, progress_, isKept ? &plans_[e] : nullptr));
     }
     return plans;
 }

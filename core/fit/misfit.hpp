@@ -70,7 +70,8 @@ private:
     MisfitSums sum(const Eigen::VectorXd& values, bool withJacobian);
     void applyLoss(Eigen::VectorXd& residuals, Eigen::MatrixXd* jacobian) const;
     void note(const Eigen::VectorXd& values, double cost, Linearisation line = {});
-    std::vector<GridPlan> plansFor(const Eigen::VectorXd& values, double looseness) const;
+    std::vector<GridPlan> plansFor(const Eigen::VectorXd& values, double looseness,
+                                   GridMethod method = GridMethod::Auto) const;
     bool take(std::vector<GridPlan> plans);
 
     const FitProblem& problem_;

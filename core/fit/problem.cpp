@@ -327,7 +327,8 @@ Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values
             return result;
         }
     }
-    if (withJacobian && !allFinite(result.jacobian.data(), result.jacobian.size())) {
+    // so large that their squares are not: the steps were stable for the states and not for what moves them
+    if (withJacobian && !std::isfinite(result.jacobian.squaredNorm())) {
         result.failure = phrase("the sensitivities are not finite");
         return result;
     }

@@ -79,10 +79,11 @@ Json stateJson(const ModelState& state) {
                                     {"std", number(residual.standardDeviation)},
                                     {"autocorrelation_time", number(residual.autocorrelationTime)},
                                     {"white", residual.white}};
-    json["convergence"] = {{"status", statusWords(state.status)},
-                           {"message", state.message},
-                           {"simulations", state.simulations},
-                           {"seconds", number(state.seconds)}};
+    if (state.simulations > 0)
+        json["convergence"] = {{"status", statusWords(state.status)},
+                               {"message", state.message},
+                               {"simulations", state.simulations},
+                               {"seconds", number(state.seconds)}};
     json["remarks"] = state.remarks;
     return json;
 }
@@ -123,7 +124,8 @@ Json candidateJson(const CandidateResult& candidate) {
               {"round", candidate.round},
               {"score", number(candidate.score)},
               {"strength", number(candidate.strength)},
-              {"verdict", name(candidate.verdict)}};
+              {"verdict", name(candidate.verdict == Verdict::Failed ? Verdict::NotSignificant : candidate.verdict)}};
+    if (candidate.verdict == Verdict::Failed) json["failure"] = candidate.failure;
     if (candidate.deltaBic) json["delta_bic"] = number(*candidate.deltaBic);
     if (candidate.verdict == Verdict::Absorbed) json["absorbed_by"] = candidate.absorbedBy;
     return json;

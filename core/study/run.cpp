@@ -51,14 +51,32 @@ RunResult fitted(const Study& study, ModelState state) {
     return result;
 }
 
+Diagnostic stopped(const ExperimentState& e) {
+    return numericalError(phrase("the simulation of experiment \"{}\" stopped at t = {:.6g} s: {}{}", e.name,
+                                 e.failure.time, Text(e.failure.reason, {}, e.failure.reason),
+                                 e.failure.variable.empty() ? "" : " (" + e.failure.variable + ")"),
+                          phrase("look at the values of the parameters near that variable"));
+}
+
+bool hasFailed(const ExperimentState& e) { return e.failure.failed && e.failure.reason != "cancelled"; }
+
 Diagnostics failures(const ModelState& state) {
     Diagnostics faults;
     for (const ExperimentState& e : state.experiments)
-        if (e.failure.failed && e.failure.reason != "cancelled")
-            faults.push_back(numericalError(phrase("the simulation of experiment \"{}\" stopped at t = {:.6g} s: {}{}",
-                                                   e.name, e.failure.time, Text(e.failure.reason, {}, e.failure.reason),
-                                                   e.failure.variable.empty() ? "" : " (" + e.failure.variable + ")"),
-                                            phrase("look at the values of the parameters near that variable")));
+        if (hasFailed(e)) faults.push_back(stopped(e));
+    return faults;
+}
+
+/// Of what was fitted. A recording that only validates is reported and costs nothing else; it is said.
+Diagnostics failuresOfTheFit(ModelState& state) {
+    Diagnostics faults;
+    for (const ExperimentState& e : state.experiments) {
+        if (!hasFailed(e)) continue;
+        if (e.role == Role::Fit)
+            faults.push_back(stopped(e));
+        else
+            state.remarks.push_back(stopped(e).message);
+    }
     return faults;
 }
 
@@ -103,7 +121,7 @@ Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const P
     if (Diagnostics faults = checkProfiled(*task, options.profiled); !faults.empty()) return faults;
     Outcome<ModelState> state = fitModel(*task, options.discover.fit, progress);
     if (!state) return state.diagnostics();
-    if (Diagnostics faults = failures(*state); !faults.empty()) return faults;
+    if (Diagnostics faults = failuresOfTheFit(*state); !faults.empty()) return faults;
     if (!progress.stopRequested()) addConfidence(*task, options.profiled, options.discover.fit, *state, progress);
     RunResult result = fitted(study, std::move(*state));
     result.finding.interrupted = progress.stopRequested();
@@ -115,7 +133,7 @@ Outcome<RunResult> runDiscover(const Study& study, const RunOptions& options, co
     if (!task) return task.diagnostics();
     Outcome<Finding> finding = discover(*task, options.discover, progress);
     if (!finding) return finding.diagnostics();
-    if (Diagnostics faults = failures(finding->final); !faults.empty()) return faults;
+    if (Diagnostics faults = failuresOfTheFit(finding->final); !faults.empty()) return faults;
     RunResult result;
     result.finding = std::move(*finding);
     result.completed = completedStudy(study, result.finding);

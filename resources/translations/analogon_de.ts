@@ -2594,6 +2594,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>der Zustand scheint sich während des Laufs geändert zu haben: {} bei etwa {} s</translation>
     </message>
     <message>
+        <source>nothing there has a motion of its own</source>
+        <translation>Dort hat nichts eine eigene Bewegung</translation>
+    </message>
+    <message>
+        <source>the last fit failed, the search's own stands: {}</source>
+        <translation>Die letzte Anpassung schlug fehl, es gilt die der Suche: {}</translation>
+    </message>
+    <message>
         <source>{} seems to move with the recorded channel {}</source>
         <translation>{} scheint dem aufgezeichneten Kanal {} zu folgen</translation>
     </message>

@@ -249,11 +249,13 @@ TEST(EffectAnnotations, TheStrengthIsAParameterThatIsZeroByDefault) {
 }
 
 /// Names used in the texts: statistics of variables of the class itself, and the three times.
-void checkText(const syntax::Expression& e, const std::map<std::string, const Component*>& variables) {
+void checkText(const syntax::Expression& e, const std::map<std::string, const Component*>& variables,
+               const std::string& strength) {
     static const std::set<std::string> statistics{"range",   "maxabs",  "rms",  "mean", "start",
                                                   "minimum", "maximum", "rate", "flow"};
     using Kind = syntax::Expression::Kind;
     if (e.kind == Kind::Call) {
+        if (e.name.text() == "sqrt") return checkText(e.operands.at(0), variables, strength);
         EXPECT_TRUE(statistics.contains(e.name.text())) << e.name.text();
         ASSERT_EQ(e.operands.size(), 1u);
         ASSERT_EQ(e.operands[0].kind, Kind::Reference);
@@ -261,10 +263,11 @@ void checkText(const syntax::Expression& e, const std::map<std::string, const Co
         return;
     }
     if (e.kind == Kind::Reference) {
-        EXPECT_TRUE(e.name.text() == "sample" || e.name.text() == "duration" || e.name.text() == "period")
+        EXPECT_TRUE(e.name.text() == "sample" || e.name.text() == "duration" || e.name.text() == "period" ||
+                    e.name.text() == strength)
             << e.name.text();
     }
-    for (const syntax::Expression& operand : e.operands) checkText(operand, variables);
+    for (const syntax::Expression& operand : e.operands) checkText(operand, variables, strength);
 }
 
 TEST(EffectAnnotations, TheTextsSpeakOfVariablesOfTheClass) {
@@ -274,14 +277,16 @@ TEST(EffectAnnotations, TheTextsSpeakOfVariablesOfTheClass) {
         SCOPED_TRACE(effect.className);
         std::map<std::string, const Component*> variables;
         collectVariables(*library().find(effect.className), variables);
-        std::vector<std::string> texts = effect.secant;
-        for (const auto& [parameter, text] : effect.fixed) texts.push_back(text);
-        for (const auto& [parameter, values] : effect.shape) texts.insert(texts.end(), values.begin(), values.end());
-        for (const std::string& text : texts) {
+        const auto check = [&](const std::string& text, const std::string& strength) {
             const Outcome<syntax::Expression> parsed = syntax::parseExpression(std::make_shared<Source>("text", text));
             ASSERT_TRUE(parsed) << text;
-            checkText(*parsed, variables);
-        }
+            checkText(*parsed, variables, strength);
+        };
+        for (const std::string& text : effect.secant) check(text, {});
+        for (const auto& [parameter, text] : effect.fixed) check(text, {});
+        // a shape may be told in terms of the strength that it is tried with
+        for (const auto& [parameter, values] : effect.shape)
+            for (const std::string& text : values) check(text, effect.strength);
     }
 }
 

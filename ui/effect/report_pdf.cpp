@@ -78,7 +78,9 @@ QString bodyOf(const QString& title, RunKind kind, const Finding& finding, std::
         html += "<h2>" + effectTitle(e).toHtmlEscaped() + "</h2>";
         HtmlTable evidence({text(e.kind), QString()});
         for (const EffectValue& p : e.parameters)
-            evidence.add({text(p.name), number(p.value) + " ± " + number(p.standardError, 2) + " " + text(p.unit)});
+            evidence.add({text(p.name), number(p.value) +
+                                            (p.standardError > 0 ? " ± " + number(p.standardError, 2) : QString()) +
+                                            " " + text(p.unit)});
         evidence.add({tr("Score"), number(e.evidence.score)});
         evidence.add({tr("ΔBIC"), number(e.evidence.deltaBic)});
         evidence.add({tr("Held out"), number(e.evidence.heldOut, 2)});

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/effect/screen.hpp"
 
 namespace analogon {
@@ -65,6 +67,44 @@ TEST(WireIn, PutsAnActuatorsEffectBeforeAPlainInput) {
     EXPECT_THAT(with->task.model->text(), HasSubstr("offset.u = u"));
     EXPECT_THAT(with->task.model->text(), HasSubstr("der(E) = offset.y*i - 0.1*E"));
     const Outcome<FlatModel> flat = flatten(with->task.library, "Heater");
+    ASSERT_TRUE(flat) << format(flat.diagnostics());
+    EXPECT_TRUE(analyse(std::make_shared<FlatModel>(*flat), {}));
+}
+
+TEST(WireIn, LetsAnInputOfTheModelBeTheSurroundingsOfAnotherPart) {
+    const Variant variant{taskOf(R"(model Body
+  Analogon.Interfaces.RealInput P(unit="W");
+  Analogon.Interfaces.RealInput T_room(unit="K");
+  Analogon.Sources.PrescribedHeatFlow heater;
+  Analogon.Thermal.HeatCapacitor core(C=4), shell(C=2);
+  Analogon.Thermal.ThermalConductor joint(G=0.2), skin(G=0.1);
+  Analogon.Sources.PrescribedTemperature room;
+equation
+  connect(P, heater.Q_flow);
+  connect(heater.port, core.port);
+  connect(core.port, joint.port_a);
+  connect(joint.port_b, shell.port);
+  connect(shell.port, skin.port_a);
+  connect(skin.port_b, room.port);
+  connect(T_room, room.T);
+end Body;
+)",
+                                 "Body"),
+                          {},
+                          {}};
+    const Outcome<std::vector<EffectClass>> catalogue = effectCatalogue(variant.task.library);
+    ASSERT_TRUE(catalogue);
+    const Outcome<std::vector<Candidate>> candidates = candidatesFor(variant, *catalogue);
+    ASSERT_TRUE(candidates) << format(candidates.diagnostics());
+    const auto found = std::find_if(candidates->begin(), candidates->end(), [](const Candidate& c) {
+        return c.effect.kind == "thermal.radiation" && c.place.spare == "input T_room" && c.place.at == "heater.port";
+    });
+    ASSERT_NE(found, candidates->end());
+    const Outcome<Variant> with = withEffect(variant, found->effect, found->place, {});
+    ASSERT_TRUE(with) << format(with.diagnostics());
+    EXPECT_THAT(with->task.model->text(), HasSubstr("connect(T_room, radiationToMeasured."));
+    EXPECT_TRUE(with->effects.back().newInput.empty()) << "it is there already";
+    const Outcome<FlatModel> flat = flatten(with->task.library, "Body");
     ASSERT_TRUE(flat) << format(flat.diagnostics());
     EXPECT_TRUE(analyse(std::make_shared<FlatModel>(*flat), {}));
 }

@@ -322,3 +322,15 @@ TEST(Numbers, CarryTheDigitsTheyAreWorth) {
     EXPECT_EQ(percentText(0.012345), "0.0123 %");
     EXPECT_EQ(percentText(123.4), "123 %");
 }
+
+TEST(ReportJson, SaysOfACandidateThatCouldNotBeTriedWhyAndNamesNoVerdictOfItsOwn) {
+    Finding finding;
+    CandidateResult candidate;
+    candidate.kind = "compliance.shaft";
+    candidate.verdict = Verdict::Failed;
+    candidate.failure = phrase("no simulation with this effect succeeded");
+    finding.candidates.push_back(candidate);
+    const auto json = nlohmann::json::parse(reportJson(finding, discoverContext));
+    EXPECT_EQ(json["candidates"][0]["verdict"], "not significant");
+    EXPECT_EQ(json["candidates"][0]["failure"], "no simulation with this effect succeeded");
+}

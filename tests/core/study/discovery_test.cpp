@@ -416,7 +416,7 @@ TEST_F(Discovery, ProposesAnEquationWhereNoNameFits) {
 TEST_F(Discovery, WritesALawThatNoBlockHas) {
     const Finding stiffening =
         search({0.02, [](double, double w, double phi) { return 0.03 * w + 0.004 * phi * phi * phi; }});
-    EXPECT_TRUE(stiffening.effects.empty());
+    EXPECT_TRUE(stiffening.effects.empty()) << stiffening.effects.front().kind;
     EXPECT_EQ(stiffening.kind, FindingKind::Unexplained);
     ASSERT_FALSE(stiffening.remainders.empty());
     EXPECT_NE(stiffening.remainders.front().proposedEquation.find("tau = a1*phi^3 with a1 = 0.004"), std::string::npos)

@@ -79,6 +79,48 @@ end Heater;
     EXPECT_THAT(format(result.diagnostics()), HasSubstr("(x)"));
 }
 
+/// Two recordings of one input, the second to validate.
+class TwoRecordings : public testing::StudyTest {
+protected:
+    void putStudy(const std::string& equation, double uFit, double uValidate) {
+        put("study.json", R"({"format": "analogon-study-1", "class": "M", "experiments": [
+  {"name": "bench", "role": "fit", "file": "a.csv", "time": "t", "inputs": {"u": "u"}, "outputs": {"y": "y"}},
+  {"name": "drive", "role": "validate", "file": "b.csv", "time": "t", "inputs": {"u": "u"}, "outputs": {"y": "y"}}],
+ "parameters": {"k": {"fit": true, "min": 0.1, "max": 10}}})");
+        put("model.mo",
+            "model M\n  input Real u;\n  output Real y = x;\n  parameter Real k = 1;\n"
+            "  Real x(start=0.5, fixed=true);\nequation\n  " +
+                equation + ";\nend M;\n");
+        for (const auto& [file, u] : {std::pair{"a.csv", uFit}, std::pair{"b.csv", uValidate}}) {
+            std::ostringstream csv;
+            csv << "t [s],u,y\n";
+            for (int k = 0; k < 21; ++k) csv << 0.5 * k << ',' << u << ',' << 0.5 + 0.01 * (k % 3) << '\n';
+            put(file, csv.str());
+        }
+    }
+};
+
+TEST_F(TwoRecordings, OfWhichTheValidationFailsGiveTheFitAndSayWhatFailed) {
+    putStudy("der(x) = u*x^2 - k*(x - 0.51)", 0, 12);
+    const Outcome<RunResult> result = runFit(read(), {}, {});
+    ASSERT_TRUE(result) << format(result.diagnostics());
+    const ModelState& state = result->finding.final;
+    ASSERT_EQ(state.experiments.size(), 2u);
+    EXPECT_TRUE(std::isfinite(state.experiments[0].errorPercent));
+    EXPECT_TRUE(state.experiments[1].failure.failed);
+    ASSERT_FALSE(state.remarks.empty());
+    EXPECT_THAT(state.remarks.back(), HasSubstr("\"drive\" stopped at t = "));
+}
+
+TEST_F(TwoRecordings, AreSimulatedFromEventToEvent) {
+    putStudy("der(x) = if x < 0.7734 then k else 0.1*k", 0, 0);
+    const Outcome<RunResult> result = runSimulate(read(), {}, {});
+    ASSERT_TRUE(result) << format(result.diagnostics());
+    const OutputState& y = result->finding.final.experiments.at(0).outputs.at(0);
+    EXPECT_NEAR(y.simulated[1], 0.7734 + 0.1 * (0.5 - 0.2734), 1e-6) << "far more than a step of the recording is off";
+    EXPECT_NEAR(y.simulated[20], 0.7734 + 0.1 * (10 - 0.2734), 1e-5);
+}
+
 /// A heater whose current follows a swinging voltage and its own temperature, recorded by a logger 37 ms ahead.
 class LateCurrent : public Run {
 protected:

@@ -34,7 +34,7 @@ equation
       fixed(phi_eps = "0.01*sample*rms(w)"),
       sharper(phi_eps = 0.25),
       shape(c = {"5*maxabs(tau)/(sample*rms(w))"}, d = {"0.3*maxabs(tau)/rms(w)"}),
-      secant = {"2*sample*rms(w)", "10*sample*rms(w)"})),
+      secant = {"2*sample*rms(w)", "10*sample*rms(w)", "50*sample*rms(w)"})),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
         Rectangle(extent={{-90,90},{90,-90}}, lineColor={213,94,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid, radius=10),
         Line(points={{-100,0},{-40,0}}, color={95,95,95}, thickness=0.75),

@@ -24,6 +24,7 @@ equation
       ports = {"flange_a", "flange_b"},
       strength = "e",
       oneSided = true,
+      states = 2,
       shape(d = {"0.2*sqrt(maxabs(tau)/rate(w)/e)", "sqrt(maxabs(tau)/rate(w)/e)"}),
       secant = {"(6*sample)^2*rate(w)/maxabs(tau)", "(24*sample)^2*rate(w)/maxabs(tau)", "(96*sample)^2*rate(w)/maxabs(tau)", "0.1/maxabs(tau)"})),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={

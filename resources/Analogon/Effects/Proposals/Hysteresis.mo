@@ -17,6 +17,7 @@ equation
       ports = {"flange"},
       strength = "tau_h",
       oneSided = true,
+      reach(phi_h = 3),
       shape(phi_h = {"0.03*range(phi)", "0.1*range(phi)", "0.3*range(phi)"}))),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
         Rectangle(extent={{-90,90},{90,-90}}, lineColor={213,94,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid, pattern=LinePattern.Dash, radius=10),
