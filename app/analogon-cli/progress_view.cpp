@@ -7,6 +7,14 @@
 #include <nlohmann/json.hpp>
 
 namespace analogon::cli {
+namespace {
+
+/// On one line, whatever bytes a file put into it.
+std::string line(const nlohmann::ordered_json& json) {
+    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace
 
 ProgressView::ProgressView(ProgressKind kind, std::ostream& stream, bool isTerminal) : kind_(kind), stream_(stream) {
     if (kind_ == ProgressKind::Automatic) kind_ = isTerminal ? ProgressKind::Bar : ProgressKind::None;
@@ -61,9 +69,7 @@ void ProgressView::note(const std::string& remark) {
     if (kind_ != ProgressKind::Json)
         stream_ << "note: " << remark << std::endl;
     else
-        stream_ << nlohmann::ordered_json{{"note", remark}}.dump(-1, ' ', false,
-                                                                 nlohmann::json::error_handler_t::replace)
-                << std::endl;
+        stream_ << line({{"note", remark}}) << std::endl;
 }
 
 std::string progressJson(const Progress::Report& report) {
@@ -71,7 +77,7 @@ std::string progressJson(const Progress::Report& report) {
     if (!report.detail.empty()) json["detail"] = report.detail;
     if (report.fraction >= 0) json["fraction"] = report.fraction;
     if (report.error >= 0) json["error_percent"] = report.error;
-    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return line(json);
 }
 
 }  // namespace analogon::cli

@@ -126,6 +126,7 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
     e.valid = read.text(annotation, "valid", false);
     e.proposal = read.text(annotation, "proposal", false);
     e.channel = read.text(annotation, "channel", false);
+    e.orInput = read.flag(annotation, "orInput");
     e.node = read.text(annotation, "node", false);
     if (const Modification* fixed = child(annotation, "fixed"))
         for (const Modification& m : fixed->arguments)

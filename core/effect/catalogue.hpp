@@ -28,7 +28,8 @@
 ///     secant = {"2*sample", "8*sample"},// strengths of the screening where the slope at 0 misleads
 ///     quantity = "K",                   // signals and channels: restrict to those of this unit; absent: any
 ///     node = "heatPort",                // specialise: a connector to be joined to a node of the model
-///     channel = "flow")))               // specialise, attach: a signal input that a recorded, unused channel drives
+///     channel = "flow",                 // specialise, attach: a signal input that a recorded, unused channel drives
+///     orInput = true)))                 // or an input of the model in the unit of `quantity`
 ///
 /// Texts are Modelica expressions over sample, duration (of the recording, s) and range(v), minimum(v), maximum(v),
 /// maxabs(v), rms(v), mean(v), start(v), rate(v), flow(port) of the variables v and connectors of the effect's own
@@ -55,6 +56,7 @@ struct EffectClass {
     std::vector<std::string> secant;
     std::string quantity;
     std::string channel;                       // signal input driven by a spare channel; empty: none
+    bool orInput{};                            // an input of the model in that unit may drive it as well
     std::string node;                          // connector joined to an existing node; empty: none
     std::string base;                          // specialise: qualified name of the class it extends
     std::map<std::string, std::string> units;  // of its parameters

@@ -70,26 +70,25 @@ std::vector<Change> likelyChanges(const NullModel& null) {
 
 /// How far a parameter can step from its value: to the ends of its own range, and never to the other sign where it has
 /// but one.
-Range stepsOf(const NullModel& null, const std::string& parameter, double value) {
+Range stepsOf(const std::vector<FitParameter>& parameters, const std::string& parameter, double value) {
     Range after{-1e300, 1e300};
-    if (const Outcome<PreparedTask> prepared = prepareAt(null.variant, null.noise))
-        for (const FitParameter& p : prepared->problem.parameters)
-            if (p.name == parameter) after = {p.min, p.max};
+    for (const FitParameter& p : parameters)
+        if (p.name == parameter) after = {p.min, p.max};
     if (after.low >= 0) after.low = std::max(after.low, mostShrunk * value);
     if (after.high <= 0) after.high = std::min(after.high, mostShrunk * value);
     return {after.low - value, after.high - value};
 }
 
 /// The change fitted together with all parameters of the model.
-std::optional<Change> fitted(const NullModel& null, const Change& likely, const FitOptions& options,
-                             const Progress& progress) {
+std::optional<Change> fitted(const NullModel& null, const std::vector<FitParameter>& parameters, const Change& likely,
+                             const FitOptions& options, const Progress& progress) {
     const std::vector<double>& time = fittedRecording(null.variant.task, likely.experiment).time;
     const double span = time.back() - time.front();
     Variant variant = null.variant;
     variant.task.change = ParameterChange{likely.parameter, span / static_cast<double>(time.size() - 1)};
     FitParameter step, moment;
     step.name = stepOf(likely.parameter);
-    const Range steps = stepsOf(null, likely.parameter, likely.before);
+    const Range steps = stepsOf(parameters, likely.parameter, likely.before);
     step.min = std::min(steps.low, 0.0);
     step.max = std::max(steps.high, 0.0);
     step.scale = ParameterScale::Linear;
@@ -122,11 +121,13 @@ std::optional<Change> fitted(const NullModel& null, const Change& likely, const 
 
 std::optional<Change> bestChange(const NullModel& null, FitOptions options, const Progress& progress) {
     options.simulation = limited(null, options.simulation);
+    const Outcome<PreparedTask> prepared = prepareAt(null.variant, null.noise);
+    if (!prepared) return std::nullopt;
     std::optional<Change> best;
     const std::vector<Change> likely = likelyChanges(null);
     for (std::size_t i = 0; i < std::min(likely.size(), mostFitted) && !progress.stopRequested(); ++i) {
         if (likely[i].explained < leastLikely * likely.front().explained) break;
-        std::optional<Change> change = fitted(null, likely[i], options, progress);
+        std::optional<Change> change = fitted(null, prepared->problem.parameters, likely[i], options, progress);
         if (change && (!best || change->explained > best->explained)) best = std::move(change);
     }
     if (!best) return best;
@@ -137,7 +138,7 @@ std::optional<Change> bestChange(const NullModel& null, FitOptions options, cons
         Change near = first;
         near.time += away * (time.back() - time.front()) / coarse;
         if (near.time <= time.front() || near.time >= time.back() || progress.stopRequested()) continue;
-        std::optional<Change> change = fitted(null, near, options, progress);
+        std::optional<Change> change = fitted(null, prepared->problem.parameters, near, options, progress);
         if (change && change->explained > best->explained) best = std::move(change);
     }
     return best;

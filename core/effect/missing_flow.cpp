@@ -498,7 +498,7 @@ std::vector<FlowResponse> flowResponses(const NullModel& null, int pieces, const
         }
     }
     for (auto& [output, columns] : ofOutput) {
-        std::string place = "output " + held->system->outputs()[static_cast<std::size_t>(output)].name;
+        std::string place = std::string(outputPrefix) + held->system->outputs()[static_cast<std::size_t>(output)].name;
         if (isWanted(place)) responses.push_back({std::move(place), false, std::move(columns)});
     }
     return responses;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/fit/clock.hpp"
 #include "core/fit/own_parameters.hpp"
@@ -159,22 +160,60 @@ void summariseResiduals(ModelState& state) {
             summarise(Eigen::Map<const Eigen::VectorXd>(r.data(), static_cast<Eigen::Index>(r.size())));
 }
 
-/// Fixed steps pass over what switches; the engine that locates events tells where a relation holds the model, or
-/// switches without end. Bounded, since the figures do not depend on it.
-std::vector<Text> switchingRemarks(const FitProblem& problem, const Eigen::VectorXd& values, SimulationOptions options,
-                                   const Progress& progress) {
-    const auto switches = [](const FitExperiment& e) { return e.system->rootCount() > 0; };
-    if (std::none_of(problem.experiments.begin(), problem.experiments.end(), switches)) return {};
+bool switches(const FitExperiment& experiment) { return experiment.system->rootCount() > 0; }
+
+bool anySwitches(const FitProblem& problem) {
+    return std::any_of(problem.experiments.begin(), problem.experiments.end(), switches);
+}
+
+/// By the engine that locates events and controls its error.
+Linearisation integrateClosely(const FitProblem& problem, const Eigen::VectorXd& values, SimulationOptions options,
+                               const Progress& progress) {
     options.engine = Engine::Adaptive;
+    return linearise(problem, values, false, {}, options, progress);
+}
+
+/// What no fit has to agree with is integrated closely where fixed steps may not do: relations that switch, stiff
+/// models. Nothing: they do.
+std::optional<Linearisation> integrateCloselyWhereNeeded(const FitProblem& problem, const Eigen::VectorXd& values,
+                                                         const SimulationOptions& options, const Progress& progress,
+                                                         Linearisation& fixed) {
+    if (options.engine != Engine::Auto || progress.stopRequested()) return std::nullopt;
+    const auto mayNotDo = [&](std::size_t e) {
+        const Trajectory& t = fixed.trajectories[e];
+        return t.failure.failed || t.plan.method == GridMethod::Esdirk || switches(problem.experiments[e]);
+    };
+    bool isNeeded = false;
+    for (std::size_t e = 0; e < fixed.trajectories.size(); ++e) isNeeded = isNeeded || mayNotDo(e);
+    if (!isNeeded) return std::nullopt;
+    Linearisation close = integrateClosely(problem, values, options, progress);
+    for (std::size_t e = 0; e < close.trajectories.size(); ++e) {
+        if (close.trajectories[e].failure.failed) continue;
+        if (e >= fixed.trajectories.size())
+            fixed.trajectories.push_back(close.trajectories[e]);
+        else if (mayNotDo(e))
+            fixed.trajectories[e] = close.trajectories[e];
+    }
+    return close;
+}
+
+/// The same beside a fit, whose figures do not depend on it: bounded.
+Linearisation integrateCloselyBeside(const FitProblem& problem, const Eigen::VectorXd& values,
+                                     SimulationOptions options, const Progress& progress) {
     options.stepLimit = std::min(options.stepLimit, 200'000L);
     options.wallClockLimit = std::min(options.wallClockLimit, 10.0);
-    const Linearisation l = linearise(problem, values, false, {}, options, progress);
+    return integrateClosely(problem, values, options, progress);
+}
+
+/// Fixed steps pass over what switches; the engine that locates events tells where a relation holds the model, or
+/// switches without end.
+std::vector<Text> switchingRemarks(const FitProblem& problem, const Linearisation& close) {
     std::vector<Text> remarks;
-    for (std::size_t e = 0; e < l.trajectories.size(); ++e) {
+    for (std::size_t e = 0; e < close.trajectories.size(); ++e) {
         const std::string& name = problem.experiments[e].name;
-        for (const Text& remark : l.trajectories[e].remarks)
+        for (const Text& remark : close.trajectories[e].remarks)
             remarks.push_back(phrase("experiment '{}': {}", name, remark));
-        const SimulationFailure& failure = l.trajectories[e].failure;
+        const SimulationFailure& failure = close.trajectories[e].failure;
         if (failure.failed && (failure.reason.starts_with("events") || failure.reason.ends_with("events")))
             remarks.push_back(
                 phrase("experiment '{}': a relation of {} switches without end at t = {:.6g} s; "
@@ -182,30 +221,6 @@ std::vector<Text> switchingRemarks(const FitProblem& problem, const Eigen::Vecto
                        name, failure.variable, failure.time));
     }
     return remarks;
-}
-
-/// What no fit has to agree with is integrated by the engine that locates events and controls its error, where fixed
-/// steps may not do: relations that switch, stiff models.
-void integrateClosely(const FitProblem& problem, const Eigen::VectorXd& values, SimulationOptions options,
-                      const Progress& progress, Linearisation& fixed) {
-    if (options.engine != Engine::Auto) return;
-    const auto mayNotDo = [&](std::size_t e) {
-        const Trajectory& t = fixed.trajectories[e];
-        return t.failure.failed || t.plan.method == GridMethod::Esdirk ||
-               problem.experiments[e].system->rootCount() > 0;
-    };
-    bool isNeeded = false;
-    for (std::size_t e = 0; e < fixed.trajectories.size(); ++e) isNeeded = isNeeded || mayNotDo(e);
-    if (!isNeeded || progress.stopRequested()) return;
-    options.engine = Engine::Adaptive;
-    Linearisation close = linearise(problem, values, false, {}, options, progress);
-    for (std::size_t e = 0; e < close.trajectories.size(); ++e) {
-        if (close.trajectories[e].failure.failed) continue;
-        if (e >= fixed.trajectories.size())
-            fixed.trajectories.push_back(std::move(close.trajectories[e]));
-        else if (mayNotDo(e))
-            fixed.trajectories[e] = std::move(close.trajectories[e]);
-    }
 }
 
 }  // namespace
@@ -232,7 +247,8 @@ Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const 
         const OpenStarts open(problem, role, fit, simulation, progress);
         const Eigen::VectorXd& values = open.values();
         Linearisation l = linearise(problem, values, false, {}, simulation, progress);
-        if (fit.simulations == 0) integrateClosely(problem, values, simulation, progress, l);
+        std::optional<Linearisation> close;
+        if (fit.simulations == 0) close = integrateCloselyWhereNeeded(problem, values, simulation, progress, l);
         const bool hasBands = detail == Detail::Report && fit.covariance.size() > 0;
         Eigen::MatrixXd covariance = hasBands ? covarianceIn(problem, role, fit) : Eigen::MatrixXd();
         if (hasBands) open.addTo(problem, covariance);
@@ -243,9 +259,9 @@ Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const 
                 addDeviations(problem, static_cast<int>(e), values, covariance, simulation, progress, experiment);
             byRecording.emplace(prepared->fitRecordings[e], std::move(experiment));
         }
-        if (detail != Detail::Report) continue;
-        for (Text& remark : switchingRemarks(problem, values, simulation, progress))
-            state.remarks.push_back(std::move(remark));
+        if (detail != Detail::Report || !anySwitches(problem)) continue;
+        if (!close) close = integrateCloselyBeside(problem, values, simulation, progress);
+        for (Text& remark : switchingRemarks(problem, *close)) state.remarks.push_back(std::move(remark));
     }
     for (auto& [index, experiment] : byRecording) state.experiments.push_back(std::move(experiment));
     summariseResiduals(state);

@@ -178,6 +178,13 @@ std::vector<ModelNodes::FlowNode> ModelNodes::flowNodes() const {
     return found;
 }
 
+std::vector<std::string> ModelNodes::inputsIn(const std::string& unit) const {
+    std::vector<std::string> found;
+    for (const auto& [name, of] : inputs_)
+        if (of == unit) found.push_back(std::string(inputPrefix) + name);
+    return found;
+}
+
 std::vector<EffectPlace> ModelNodes::insertPlaces(const std::string& signature) const {
     std::vector<EffectPlace> places;
     for (const Node& n : nodes_) {
@@ -196,7 +203,7 @@ std::vector<EffectPlace> ModelNodes::signalPlaces(const EffectClass& effect) con
     const bool isOutput = effect.signalSide == "output";
     for (const auto& [name, unit] : isOutput ? outputs_ : inputs_) {
         if (!effect.quantity.empty() && !areConvertible(unit, effect.quantity)) continue;
-        places.push_back({(isOutput ? "output " : "input ") + name, name, {}});
+        places.push_back({std::string(isOutput ? outputPrefix : inputPrefix) + name, name, {}});
     }
     return places;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/diagram/diagram.hpp"
@@ -13,15 +14,14 @@ namespace analogon {
 struct EffectPlace {
     std::string at;         // as the report says it: "rotor.flange_a", "element", "output i_mod"
     std::string connector;  // attach, insert: "rotor.flange_a" or the top-level signal's name; specialise: the instance
-    std::string
-        spare;  // recorded channel that drives the effect's signal input, or "input NAME" of the model; empty: none
-    std::string node{};  // connector of the node that the effect's further connector joins; empty: none
+    std::string spare;      // what drives its signal input: a recorded channel or "input NAME" of the model
+    std::string node{};     // connector of the node that the effect's further connector joins; empty: none
 
     bool operator==(const EffectPlace&) const = default;
 };
 
-/// Before the name of an input of the model that drives an effect.
-inline constexpr std::string_view inputPrefix = "input ";
+/// Before the name of a signal of the model, where it is an effect's place or drives an effect.
+inline constexpr std::string_view inputPrefix = "input ", outputPrefix = "output ";
 
 /// The connectors of a composed model by the node they belong to, with what the structure knows of them.
 class ModelNodes {
@@ -36,6 +36,9 @@ public:
     };
     /// All of them but those whose potential is imposed, one each.
     std::vector<FlowNode> flowNodes() const;
+
+    /// Inputs of the model in a unit, as a place writes them: "input T_room".
+    std::vector<std::string> inputsIn(const std::string& unit) const;
 
     /// All places at which an effect can go. Connectors on one rigid shaft, or on heat ports of equal temperature, are
     /// one place (named by its first connector); nodes whose potential is imposed take no attached effect.

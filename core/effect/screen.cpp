@@ -323,7 +323,6 @@ Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std:
     Outcome<ModelNodes> nodes = nodesOf(variant, diagram);
     if (!nodes) return nodes.diagnostics();
 
-    const Outcome<FlatModel> flat = flatten(variant.task.library, variant.task.className);
     const auto first = std::find_if(variant.task.recordings.begin(), variant.task.recordings.end(),
                                     [](const Recording& r) { return r.role == Role::Fit && !r.spares.empty(); });
     const auto sparesFor = [&](const EffectClass& effect) {
@@ -332,11 +331,8 @@ Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std:
         if (first != variant.task.recordings.end())
             for (const SpareChannel& s : first->spares)
                 if (effect.quantity.empty() || areConvertible(s.unit, effect.quantity)) names.push_back(s.name);
-        // surroundings that one part of the model knows may be those of another
-        if (effect.quantity == "K" && flat)
-            for (const FlatVariable& v : flat->variables)
-                if (v.causality == FlatCausality::Input && v.unit == effect.quantity)
-                    names.push_back(std::string(inputPrefix) + v.name);
+        if (effect.orInput)
+            for (std::string& input : nodes->inputsIn(effect.quantity)) names.push_back(std::move(input));
         return names;
     };
     std::vector<Candidate> candidates;

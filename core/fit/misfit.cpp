@@ -53,25 +53,20 @@ template <class Evaluate>
 auto Misfit::attempt(const Eigen::VectorXd& values, const Evaluate& evaluate) {
     auto result = evaluate(plans_);
     ++simulations_;
-    if (!result.ok && !isCancelled() && options_.simulation.engine != Engine::Adaptive) {
-        std::vector<GridPlan> finer = plansFor(values, 1.0);
-        if (finer != plans_) {
-            result = evaluate(finer);
-            ++simulations_;
-            if (result.ok) plans_ = std::move(finer);
-        }
-    }
+    const auto tryWith = [&](std::vector<GridPlan> plans) {
+        result = evaluate(plans);
+        ++simulations_;
+        if (result.ok) plans_ = std::move(plans);
+    };
+    const bool mayPlan = options_.simulation.engine != Engine::Adaptive;
+    if (!result.ok && !isCancelled() && mayPlan)
+        if (std::vector<GridPlan> finer = plansFor(values, 1.0); finer != plans_) tryWith(std::move(finer));
     // explicit steps may meet a stiffness that their plan did not: a fit that cannot even begin tries without them
     // (a trial, whose effort is limited, is given up instead)
     const bool isLimited = options_.simulation.evaluationLimit < SimulationOptions().evaluationLimit;
-    const bool mayBeImplicit = options_.simulation.engine != Engine::Adaptive && !isLimited &&
-                               options_.simulation.method == GridMethod::Auto && !hasBest() && failedSimulations_ == 0;
-    if (!result.ok && !isCancelled() && mayBeImplicit) {
-        std::vector<GridPlan> implicit = plansFor(values, 1.0, GridMethod::Esdirk);
-        result = evaluate(implicit);
-        ++simulations_;
-        if (result.ok) plans_ = std::move(implicit);
-    }
+    const bool mayBeImplicit = mayPlan && !isLimited && options_.simulation.method == GridMethod::Auto && !hasBest() &&
+                               failedSimulations_ == 0;
+    if (!result.ok && !isCancelled() && mayBeImplicit) tryWith(plansFor(values, 1.0, GridMethod::Esdirk));
     if (!result.ok && !isCancelled()) {
         ++failedSimulations_;
         failure_ = result.failure;

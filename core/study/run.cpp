@@ -60,19 +60,12 @@ Diagnostic stopped(const ExperimentState& e) {
 
 bool hasFailed(const ExperimentState& e) { return e.failure.failed && e.failure.reason != "cancelled"; }
 
-Diagnostics failures(const ModelState& state) {
-    Diagnostics faults;
-    for (const ExperimentState& e : state.experiments)
-        if (hasFailed(e)) faults.push_back(stopped(e));
-    return faults;
-}
-
-/// Of what was fitted. A recording that only validates is reported and costs nothing else; it is said.
-Diagnostics failuresOfTheFit(ModelState& state) {
+/// Simulations that stopped. After a fit, a recording that only validates is told in a remark and costs nothing else.
+Diagnostics failures(ModelState& state, bool isFitted) {
     Diagnostics faults;
     for (const ExperimentState& e : state.experiments) {
         if (!hasFailed(e)) continue;
-        if (e.role == Role::Fit)
+        if (e.role == Role::Fit || !isFitted)
             faults.push_back(stopped(e));
         else
             state.remarks.push_back(stopped(e).message);
@@ -111,7 +104,7 @@ Outcome<RunResult> runSimulate(const Study& study, const RunOptions& options, co
     if (!task) return task.diagnostics();
     Outcome<ModelState> state = simulateModel(*task, options.discover.fit.simulation, progress);
     if (!state) return state.diagnostics();
-    if (Diagnostics faults = failures(*state); !faults.empty()) return faults;
+    if (Diagnostics faults = failures(*state, false); !faults.empty()) return faults;
     return {fitted(study, std::move(*state)), task.diagnostics()};
 }
 
@@ -121,7 +114,7 @@ Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const P
     if (Diagnostics faults = checkProfiled(*task, options.profiled); !faults.empty()) return faults;
     Outcome<ModelState> state = fitModel(*task, options.discover.fit, progress);
     if (!state) return state.diagnostics();
-    if (Diagnostics faults = failuresOfTheFit(*state); !faults.empty()) return faults;
+    if (Diagnostics faults = failures(*state, true); !faults.empty()) return faults;
     if (!progress.stopRequested()) addConfidence(*task, options.profiled, options.discover.fit, *state, progress);
     RunResult result = fitted(study, std::move(*state));
     result.finding.interrupted = progress.stopRequested();
@@ -133,7 +126,7 @@ Outcome<RunResult> runDiscover(const Study& study, const RunOptions& options, co
     if (!task) return task.diagnostics();
     Outcome<Finding> finding = discover(*task, options.discover, progress);
     if (!finding) return finding.diagnostics();
-    if (Diagnostics faults = failuresOfTheFit(finding->final); !faults.empty()) return faults;
+    if (Diagnostics faults = failures(finding->final, true); !faults.empty()) return faults;
     RunResult result;
     result.finding = std::move(*finding);
     result.completed = completedStudy(study, result.finding);

@@ -50,6 +50,8 @@ QString mappingTip(const ChannelMapping& mapping, const QString& file) {
     return tip;
 }
 
+bool hasOwnClock(const ChannelMapping& mapping) { return mapping.fitsClock || mapping.clock != 0; }
+
 QString clockText(const ChannelMapping& mapping) {
     return mapping.fitsClock ? MeasurementPanel::tr("fit") : QStringLiteral("%1 s").arg(mapping.clock, 0, 'g', 6);
 }
@@ -418,11 +420,10 @@ void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
             }
             item->setData(1, columnRole, QString::fromStdString(mapping->column));
             item->setToolTip(1, mappingTip(*mapping, file));
-            const bool hasOwnClock = mapping->fitsClock || mapping->clock != 0;
             item->setText(Clock, clockText(*mapping));
-            item->setForeground(Clock, mapping->fitsClock ? style::accent(palette())
-                                       : hasOwnClock      ? palette().color(QPalette::Text)
-                                                          : muted);
+            item->setForeground(Clock, mapping->fitsClock      ? style::accent(palette())
+                                       : hasOwnClock(*mapping) ? palette().color(QPalette::Text)
+                                                               : muted);
             item->setToolTip(Clock, clockTip(!isInput));
             used.insert(mapping->column);
         };
@@ -457,7 +458,7 @@ void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
 void MeasurementPanel::refresh() {
     const QSignalBlocker blocker(tree_);
     const auto hasClock = [](const StudyExperiment& experiment) {
-        const auto isOwn = [](const auto& channel) { return channel.second.fitsClock || channel.second.clock != 0; };
+        const auto isOwn = [](const auto& channel) { return hasOwnClock(channel.second); };
         return std::any_of(experiment.inputs.begin(), experiment.inputs.end(), isOwn) ||
                std::any_of(experiment.outputs.begin(), experiment.outputs.end(), isOwn);
     };

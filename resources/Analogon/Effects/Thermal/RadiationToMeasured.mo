@@ -15,7 +15,8 @@ equation
       strength = "k_r",
       oneSided = true,
       quantity = "K",
-      channel = "T_surround")),
+      channel = "T_surround",
+      orInput = true)),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
         Rectangle(extent={{-90,90},{90,-90}}, lineColor={213,94,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid, radius=10),
         Line(points={{-100,0},{-60,0}}, color={191,0,0}, thickness=0.5),
