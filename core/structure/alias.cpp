@@ -44,6 +44,7 @@ private:
     ExpressionId signedNode(ExpressionId node, int sign) { return sign < 0 ? pool_.negate(node) : node; }
     ExpressionId representative(ExpressionId node);
     void rewriteEquations();
+    std::vector<char> idleDerivatives();
     void listUnknowns();
     void mergeAttributes();
     void mergeStart(VariableId id, int sign, Unknown& unknown, VariableId& fixedBy);
@@ -365,7 +366,28 @@ void AliasElimination::rewriteEquations() {
     }
 }
 
+/// By root: a derivative that no equation asks for any more (its factor has turned out to be 0). What it is the
+/// derivative of is no state then.
+std::vector<char> AliasElimination::idleDerivatives() {
+    std::vector<char> isIdle(static_cast<std::size_t>(classes_.size()));
+    for (std::size_t root = 0; root < isIdle.size(); ++root)
+        isIdle[root] = standsFor_[root].valid() && pool_[standsFor_[root]].operation == Operation::Derivative &&
+                       classes_.of(static_cast<int>(root)).known < 0;
+    LeafCollector collect(pool_);
+    const auto enter = [&](const Equation& equation) {
+        const ExpressionId sides[] = {equation.left, equation.right};
+        for (const ExpressionId leaf : std::vector(collect.leaves(sides)))
+            if (isUnknownVariable((*system_.model)[pool_[leaf].variable]))
+                isIdle[static_cast<std::size_t>(classes_.find(entityOf(leaf)).entity)] = 0;
+    };
+    for (std::size_t i = 0; i < system_.equations.size(); ++i)
+        if (isOpen_[i]) enter(system_.equations[i]);
+    for (const Equation& equation : system_.initialEquations) enter(equation);
+    return isIdle;
+}
+
 void AliasElimination::listUnknowns() {
+    const std::vector<char> isIdle = idleDerivatives();
     std::vector<int> unknownOfRoot(static_cast<std::size_t>(classes_.size()), -1);
     // Every class that is neither constant nor known, in the order of its first member.
     const int count = classes_.size();
@@ -373,6 +395,7 @@ void AliasElimination::listUnknowns() {
         const int root = classes_.find(e).entity;
         const AliasClasses::Class& c = classes_.of(root);
         if (c.constant || c.known >= 0 || unknownOfRoot[static_cast<std::size_t>(root)] >= 0) continue;
+        if (isIdle[static_cast<std::size_t>(root)]) continue;
         Unknown unknown;
         unknown.node = standsFor_[static_cast<std::size_t>(root)];
         unknown.declared = (*system_.model)[pool_[unknown.node].variable].declared;
@@ -382,6 +405,7 @@ void AliasElimination::listUnknowns() {
         const int u = unknownOfRoot[static_cast<std::size_t>(root)];
         const Signed derivative = classes_.of(root).derivative;
         if (u < 0 || derivative.entity < 0) continue;
+        if (isIdle[static_cast<std::size_t>(classes_.find(derivative.entity).entity)]) continue;
         Unknown& unknown = system_.unknowns[static_cast<std::size_t>(u)];
         const int sign = derivative.sign * classes_.find(entityOf(unknown.node)).sign;
         unknown.derivative = signedNode(representative(nodeOf_[static_cast<std::size_t>(derivative.entity)]), sign);

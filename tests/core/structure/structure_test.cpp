@@ -164,6 +164,22 @@ TEST(Structure, FollowsConstantsThroughTheEquations) {
     EXPECT_EQ(s.equationsAfter, 1);
 }
 
+TEST(Structure, TakesNothingForAStateWhoseDerivativeHasTheFactorZero) {
+    // v = R*i + L_i*der(i), L_i = L*f: without an inductance the current follows the voltage
+    for (const double L : {0.0, 0.1}) {
+        ModelBuilder m;
+        m.parameter("L", L);
+        m.input("v");
+        m.variables({"i", "f", "L_i"});
+        m.eq(m.v("f"), m.c(1) + m.v("i") * m.v("i"));
+        m.eq(m.v("L_i"), m.v("L") * m.v("f"));
+        m.eq(m.v("v"), m.c(2) * m.v("i") + m.v("L_i") * m.der("i"));
+        const Structure s = analysed(m.model());
+        EXPECT_EQ(s.states.size(), L > 0 ? 1u : 0u);
+        EXPECT_EQ(s.indexReduction, 0);
+    }
+}
+
 TEST(Structure, AcceptsAVariableThatIsItsOwnDerivative) {
     ModelBuilder m;
     m.variables({"x", "y"});
