@@ -400,6 +400,7 @@ void Search::sharpen(NullModel& null) {
         if (!changes) return;
         std::optional<NullModel> sharper = refittedWith(null, effects);
         if (!sharper || !(null.sumOfSquares() - sharper->sumOfSquares() > leastSharpening)) return;
+        if (sharper->fit.takesDifferences) return;  // too sharp for the steps: nothing could be screened beside it
         null = std::move(*sharper);
     }
 }

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "core/base/parallel.hpp"
+#include "core/fit/difference_slopes.hpp"
 #include "core/fit/misfit.hpp"
 #include "core/fit/uncertainty.hpp"
 
@@ -28,6 +29,7 @@ struct Descent {
     int simulations{}, failedSimulations{};
     double lossScale{1};
     double scatter{1};
+    bool takesDifferences{};
 };
 
 /// A descent goes on in rounds: the scatter of the residuals and the integration steps are judged where it starts, and
@@ -79,6 +81,10 @@ public:
             plannedAt_ = minimum.values;
         }
         isRough_ = false;
+        if (!goesOn && !isDirect(options_.method) && misfit_.slopesMislead(minimum.values)) {
+            misfit_.takeDifferences();
+            goesOn = true;
+        }
         return goesOn;
     }
 
@@ -186,6 +192,7 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
     descent.failedSimulations = misfit.failedSimulations();
     descent.lossScale = misfit.lossScale();
     descent.scatter = misfit.scatter();
+    descent.takesDifferences = misfit.takesDifferences();
     return descent;
 }
 
@@ -282,11 +289,15 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
     const bool isAsked = (options.keepsOptimum || !best.reduced.ok) && !(isLong && progress.stopRequested());
     const int most = best.reduced.ok ? mostFailures : 1;
     for (int tries = 0; isAsked && !result.optimum.ok && tries < most; ++tries) {
-        result.optimum =
-            linearise(problem, result.values, true, best.plans, options.simulation, isLong ? progress : Progress{});
+        const Progress watched = isLong ? progress : Progress{};
+        result.optimum = best.takesDifferences
+                             ? lineariseByDifferences(problem, result.values, best.plans, options.simulation, watched,
+                                                      best.simulations)
+                             : linearise(problem, result.values, true, best.plans, options.simulation, watched);
         if (isLong && progress.stopRequested()) break;
     }
     result.scatter = best.scatter;
+    result.takesDifferences = best.takesDifferences;
     const PriorResiduals priors = priorResiduals(problem, result.values, best.scatter);
     // The search has looked at the optimum as closely as can be, unless a robust loss bends what it saw.
     const bool isReduced = best.reduced.ok && (options.loss == RobustLoss::None || !result.optimum.ok);

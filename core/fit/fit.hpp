@@ -81,6 +81,7 @@ struct FitResult {
     int failedSimulations{};
     Linearisation optimum;  // residuals, Jacobian, trajectories at the optimum
     std::vector<GridPlan> plans;
+    bool takesDifferences{};    // the tangents of this model mislead (core/fit/difference_slopes.hpp)
     std::vector<Text> remarks;  // "R and k only appear as k/R here: fix one"
 };
 

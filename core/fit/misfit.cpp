@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/fit/difference_slopes.hpp"
 #include "core/fit/normal_equations.hpp"
 
 namespace analogon {
@@ -41,10 +42,17 @@ Misfit::Misfit(const FitProblem& problem, const FitOptions& options, const Progr
     // The data speak first (weighed by range, as if they scattered by a hundredth of it): a prior that they contradict
     // must not hide behind the misfit that it causes itself.
     scatter_ = problem.scatter > 0.0 ? problem.scatter : problem.weightsAreNoise ? 1.0 : 0.01;
+    // a trial, whose effort is limited, takes its chances
+    maySwitch_ = options.loss == RobustLoss::None && options.simulation.engine != Engine::Adaptive && !isLimited() &&
+                 maySwitch(problem);
+    if (maySwitch_) signal_ = signalOf(problem);
 }
 
+bool Misfit::isLimited() const { return options_.simulation.evaluationLimit < SimulationOptions().evaluationLimit; }
+
 bool Misfit::maySumUp() const {
-    return isLong_ && options_.loss == RobustLoss::None && options_.simulation.engine != Engine::Adaptive;
+    return isLong_ && options_.loss == RobustLoss::None && options_.simulation.engine != Engine::Adaptive &&
+           !takesDifferences_;
 }
 
 /// One evaluation, counted. Steps that were fine where they were chosen may be too long for a stiffer model (a lag that
@@ -63,9 +71,8 @@ auto Misfit::attempt(const Eigen::VectorXd& values, const Evaluate& evaluate) {
         if (std::vector<GridPlan> finer = plansFor(values, 1.0); finer != plans_) tryWith(std::move(finer));
     // explicit steps may meet a stiffness that their plan did not: a fit that cannot even begin tries without them
     // (a trial, whose effort is limited, is given up instead)
-    const bool isLimited = options_.simulation.evaluationLimit < SimulationOptions().evaluationLimit;
-    const bool mayBeImplicit = mayPlan && !isLimited && options_.simulation.method == GridMethod::Auto && !hasBest() &&
-                               failedSimulations_ == 0;
+    const bool mayBeImplicit = mayPlan && !isLimited() && options_.simulation.method == GridMethod::Auto &&
+                               !hasBest() && failedSimulations_ == 0;
     if (!result.ok && !isCancelled() && mayBeImplicit) tryWith(plansFor(values, 1.0, GridMethod::Esdirk));
     if (!result.ok && !isCancelled()) {
         ++failedSimulations_;
@@ -82,6 +89,8 @@ MisfitSums Misfit::sum(const Eigen::VectorXd& values, bool withJacobian) {
 
 Linearisation Misfit::simulate(const Eigen::VectorXd& values, bool withJacobian) {
     return attempt(values, [&](const std::vector<GridPlan>& plans) {
+        if (withJacobian && takesDifferences_)
+            return lineariseByDifferences(problem_, values, plans, options_.simulation, progress_, simulations_);
         return linearise(problem_, values, withJacobian, plans, options_.simulation, progress_);
     });
 }
@@ -159,6 +168,50 @@ const ReducedMisfit& Misfit::reduced(const Eigen::VectorXd& values) {
 }
 
 void Misfit::evaluate(const Eigen::VectorXd& values, ReducedMisfit& reduced) {
+    evaluateSlopes(values, reduced);
+    if (!reduced.ok || !arousesDoubt(values, reduced) || !mislead(values, reduced)) return;
+    // perhaps only here: on the way some zone may be narrower than it is in the end
+    constexpr int oftenEnough = 3;
+    takeDifferences();
+    evaluateSlopes(values, reduced);
+    takesDifferences_ = ++misled_ >= oftenEnough;
+}
+
+void Misfit::takeDifferences() {
+    takesDifferences_ = true;
+    forgetBest();
+}
+
+/// A hundredth of a parameter that moves the outputs by as much as they move at all.
+bool Misfit::arousesDoubt(const Eigen::VectorXd& values, const ReducedMisfit& reduced) const {
+    constexpr int mostDoubts = 6;
+    if (!maySwitch_ || takesDifferences_ || doubts_ >= mostDoubts) return false;
+    const Eigen::ArrayXd moved = 1e-2 * values.array().abs() * reduced.jacobian.colwise().norm().transpose().array();
+    return (moved > signal_).any();
+}
+
+bool Misfit::slopesMislead(const Eigen::VectorXd& values) {
+    if (!maySwitch_ || takesDifferences_ || isCancelled()) return false;
+    const ReducedMisfit& here = reduced(values);
+    return here.ok && !takesDifferences_ && mislead(values, here);
+}
+
+/// All parameters changed at once, visibly: the length of what the slopes promise against what comes of it.
+bool Misfit::mislead(const Eigen::VectorXd& values, const ReducedMisfit& reduced) {
+    constexpr double tolerated = 10.0, floor = 1e-3;  // factor; of the signal
+    ++doubts_;
+    const Eigen::VectorXd steps = visibleSteps(problem_, values);
+    const double ofPriors = (priorsAt(values).jacobian * steps).squaredNorm();
+    const double promised = std::sqrt(std::max(0.0, (reduced.jacobian * steps).squaredNorm() - ofPriors));
+    if (promised <= floor * signal_) return false;
+    simulations_ += 2;
+    const Linearisation here = linearise(problem_, values, false, plans_, options_.simulation, progress_);
+    const Linearisation there = linearise(problem_, values + steps, false, plans_, options_.simulation, progress_);
+    if (!here.ok || !there.ok) return false;
+    return promised > tolerated * (there.residuals - here.residuals).norm() + floor * signal_;
+}
+
+void Misfit::evaluateSlopes(const Eigen::VectorXd& values, ReducedMisfit& reduced) {
     if (maySumUp() && !isIllConditioned_ && summed(values, reduced)) {
         if (reduced.ok) note(values, reduced.cost());
         return;

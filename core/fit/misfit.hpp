@@ -44,6 +44,12 @@ public:
     /// Costs under another plan or loss do not compare.
     void forgetBest();
 
+    /// Whether the slopes here promise far more than changes of the parameters do (core/fit/difference_slopes.hpp).
+    bool slopesMislead(const Eigen::VectorXd& values);
+    /// From here on slopes are differences.
+    void takeDifferences();
+    bool takesDifferences() const { return takesDifferences_; }
+
     const std::vector<GridPlan>& plans() const { return plans_; }
     int simulations() const { return simulations_; }
     int failedSimulations() const { return failedSimulations_; }
@@ -60,9 +66,13 @@ private:
         ReducedMisfit reduced;
     };
     void evaluate(const Eigen::VectorXd& values, ReducedMisfit& reduced);
+    void evaluateSlopes(const Eigen::VectorXd& values, ReducedMisfit& reduced);
+    bool arousesDoubt(const Eigen::VectorXd& values, const ReducedMisfit& reduced) const;
+    bool mislead(const Eigen::VectorXd& values, const ReducedMisfit& reduced);
     Linearisation simulate(const Eigen::VectorXd& values, bool withJacobian);
     /// Without a robust loss and in records of some length, sums do where they are exact enough.
     bool maySumUp() const;
+    bool isLimited() const;
     bool summed(const Eigen::VectorXd& values, ReducedMisfit& reduced);
     PriorResiduals priorsAt(const Eigen::VectorXd& values) const { return priorResiduals(problem_, values, scatter_); }
     template <class Evaluate>
@@ -87,6 +97,9 @@ private:
     double scatter_{1};
     bool isLong_{};  // and every output can be summed up sample by sample
     bool isIllConditioned_{};
+    bool maySwitch_{}, takesDifferences_{};
+    int doubts_{}, misled_{};  // how often slopes were looked at, and were wrong
+    double signal_{};          // the size of the data, in residuals
     int threads_{1};
     int simulations_{}, failedSimulations_{};
     Text failure_;

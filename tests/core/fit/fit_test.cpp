@@ -367,5 +367,51 @@ TEST(Fit, AFiveStateMotorWithTwentyThousandSamplesIsAMatterOfASecond) {
     EXPECT_LT(spent, 20.0);  // many times what it takes, for a busy or an instrumented machine
 }
 
+/// A machine behind brushes under a noisy voltage: the current changes its sign at almost every sample, within zones
+/// far narrower than any step. The tangents of the numerical solution grow at each of them.
+const char* const brushText = R"(
+model Brush
+  input Real v;
+  output Real i(start=0, fixed=true), w(start=0, fixed=true);
+  parameter Real R = 0.5, L = 3e-4, k = 0.023, J = 3e-5, V_b = 0.25, i_eps = 1e-3;
+equation
+  L*der(i) = v - R*i - V_b*tanh(i/i_eps) - k*w;
+  J*der(w) = k*i - 1e-6*w*abs(w);
+end Brush;
+)";
+
+TEST(Fit, IsNotMisledByTheTangentsOfAModelThatSwitchesFasterThanItsSteps) {
+    const SystemPtr system = test::compileText(brushText, "Brush", {"R", "k", "J", "V_b"});
+    constexpr int count = 500;
+    SampledInputs inputs;
+    inputs.values.resize(1, count);
+    std::mt19937 random(5);
+    std::normal_distribution<double> noise(0, 0.4);
+    for (int n = 0; n < count; ++n) {
+        inputs.time.push_back(0.005 * n);
+        inputs.values(0, n) = (n / 125) % 2 == 0 ? 6 + noise(random) : noise(random);
+    }
+    FitProblem problem;
+    problem.experiments.push_back(test::simulated("run", system, inputs, {0.45, 0.022, 2.8e-5, 0.3}, 0, 1));
+    FitExperiment& run = problem.experiments.front();
+    const double sigma[] = {0.2, 2};
+    for (Eigen::Index o = 0; o < 2; ++o) {
+        std::normal_distribution<double> scatter(0, sigma[o]);
+        for (Eigen::Index n = 0; n < count; ++n) run.measured(o, n) += scatter(random);
+        run.weights[o] = 1 / sigma[o];
+    }
+    problem.parameters = {test::parameter("R", 0.55, 0.01, 10), test::parameter("k", 0.025, 1e-3, 0.5),
+                          test::parameter("J", 3.5e-5, 1e-6, 1e-3), test::parameter("V_b", 0.2, 0, 5)};
+    const FitResult result = fit(problem);
+    EXPECT_EQ(result.status, FitStatus::Converged);
+    EXPECT_LT(result.cost, 0.5 * 1.15 * 2 * count) << "nothing but the noise is left";
+    const double truth[] = {0.45, 0.022, 2.8e-5, 0.3};
+    for (Eigen::Index p = 0; p < 4; ++p) {
+        const FitEstimate& estimate = result.estimates[static_cast<std::size_t>(p)];
+        EXPECT_NEAR(result.values[p], truth[p], 5 * estimate.standardError) << estimate.name;
+        EXPECT_LT(estimate.standardError, 0.1 * truth[p]) << estimate.name;
+    }
+}
+
 }  // namespace
 }  // namespace analogon
