@@ -86,10 +86,14 @@ private:
     bool ok_{true};
 };
 
-const Modification* effectAnnotation(const syntax::ClassDefinition& definition) {
+const Modification* vendorAnnotation(const syntax::ClassDefinition& definition, std::string_view name) {
     if (!definition.annotation) return nullptr;
     const Modification* vendor = definition.annotation->find("__Analogon");
-    return vendor ? child(*vendor, "effect") : nullptr;
+    return vendor ? child(*vendor, name) : nullptr;
+}
+
+const Modification* effectAnnotation(const syntax::ClassDefinition& definition) {
+    return vendorAnnotation(definition, "effect");
 }
 
 /// Parameters a class declares or inherits, with their unit: those an effect can name.
@@ -169,6 +173,11 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
         e.base = base->qualifiedName;
     }
     collectParameters(library, of, e.units);
+    if (e.way == Way::Specialise) {
+        std::map<std::string, std::string> ofBase;
+        collectParameters(library, *library.find(e.base), ofBase);
+        for (const auto& [name, unit] : ofBase) e.units.erase(name);
+    }
     std::vector<std::string> named = e.linear;
     named.push_back(e.strength);
     for (const auto& [parameter, value] : e.fixed) named.push_back(parameter);
@@ -181,6 +190,22 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
 }
 
 }  // namespace
+
+std::optional<EffectClass> effectOf(const Library& library, const LibraryClass& one) {
+    const Modification* annotation = effectAnnotation(*one.definition);
+    if (annotation == nullptr) return std::nullopt;
+    Outcome<EffectClass> effect = readEffect(library, one, *annotation);
+    return effect ? std::optional(std::move(*effect)) : std::nullopt;
+}
+
+std::vector<std::string> combinedIn(const LibraryClass& one) {
+    std::vector<std::string> names;
+    const Modification* combines = vendorAnnotation(*one.definition, "combines");
+    if (combines == nullptr || !combines->value) return names;
+    for (const Expression& e : combines->value->operands)
+        if (e.kind == Expression::Kind::String) names.push_back(e.text);
+    return names;
+}
 
 Outcome<std::vector<EffectClass>> effectCatalogue(const Library& library) {
     std::vector<EffectClass> effects;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,9 +60,15 @@ struct EffectClass {
     bool orInput{};                            // an input of the model in that unit may drive it as well
     std::string node;                          // connector joined to an existing node; empty: none
     std::string base;                          // specialise: qualified name of the class it extends
-    std::map<std::string, std::string> units;  // of its parameters
+    std::map<std::string, std::string> units;  // of its own parameters
     std::map<std::string, std::string> bound;  // inputs -> variable of the model (a law found for one model alone)
 };
+
+/// The effect that a class is by its annotation. Nothing: it is none, or the annotation is malformed.
+std::optional<EffectClass> effectOf(const Library& library, const LibraryClass& one);
+
+/// Effects that a class holds at once by its annotation `combines` (core/effect/combination.hpp).
+std::vector<std::string> combinedIn(const LibraryClass& one);
 
 /// All effects of a library, in library order. A malformed annotation is a warning that names class and place.
 Outcome<std::vector<EffectClass>> effectCatalogue(const Library& library);

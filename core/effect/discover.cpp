@@ -138,9 +138,9 @@ AddedEffect Search::describe(const NullModel& last, const ModelState& state, con
     effect.evidence.pValue = pValue(step.acceptance.explained, static_cast<int>(placed.freed.size()), step.tried);
     effect.evidence.deltaBic = -step.acceptance.evidence;
     effect.evidence.heldOut = step.acceptance.heldOut;
-    // another class of the same kind at the same place is no other explanation, and each is named once
+    // what stands in the model as well is no other explanation, nor is another class of it; and each is named once
     for (const Alternative& a : step.alternatives)
-        if ((a.kind != effect.kind || a.at != effect.at) &&
+        if (!stands(last.variant, a.kind, a.at) &&
             std::none_of(effect.alternatives.begin(), effect.alternatives.end(),
                          [&](const Alternative& b) { return b.kind == a.kind && b.at == a.at; }))
             effect.alternatives.push_back(a);
@@ -290,7 +290,7 @@ Outcome<Finding> Search::run() {
     const Outcome<FlatModel> valued = flattened(null->variant.task, finding.final.modelText);
     for (std::size_t i = 0; i < steps_.size() && i < null->variant.effects.size(); ++i) {
         AddedEffect effect = describe(*null, finding.final, null->variant.effects[i], steps_[i]);
-        if (valued) addOtherParameters(*valued, effect.instance, effect.parameters);
+        if (valued) addOtherParameters(*valued, null->variant.effects[i], effect.parameters);
         // what the model is without this effect, and with it; the others are there in both
         effect.evidence.errorPercentBefore =
             steps_[i].errorWithout >= 0 ? steps_[i].errorWithout : errorPercentOf(finding.baseline, Role::Fit);

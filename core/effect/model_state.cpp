@@ -276,15 +276,16 @@ Outcome<FlatModel> flattened(const EstimationTask& task, const std::string& text
     return flatten(*library, task.className);
 }
 
-void addOtherParameters(const FlatModel& model, const std::string& instance, std::vector<EffectValue>& values) {
-    const std::string prefix = instance + ".";
+void addOtherParameters(const FlatModel& model, const PlacedEffect& placed, std::vector<EffectValue>& values) {
+    const std::string prefix = placed.instance + ".";
     for (std::size_t v = 0; v < model.variables.size(); ++v) {
         const FlatVariable& variable = model.variables[v];
         if (variable.isProtected || variable.variability != FlatVariability::Parameter ||
             variable.type != FlatType::Real || variable.name.rfind(prefix, 0) != 0)
             continue;
         const std::string name = variable.name.substr(prefix.size());
-        if (std::any_of(values.begin(), values.end(), [&](const EffectValue& known) { return known.name == name; }))
+        if (!placed.effect.units.contains(name) ||
+            std::any_of(values.begin(), values.end(), [&](const EffectValue& known) { return known.name == name; }))
             continue;
         if (const std::optional<double> value = model.parameterValue({static_cast<std::uint32_t>(v)}))
             values.push_back({name, *value, std::nan(""), variable.unit});

@@ -20,7 +20,7 @@ Outcome<FlatModel> flattened(const EstimationTask& task, const std::string& text
 
 /// Adds what an effect holds or computes beside the values known of it (the temperature of the surroundings, the limit
 /// behind a reciprocal), without a standard error.
-void addOtherParameters(const FlatModel& model, const std::string& instance, std::vector<EffectValue>& values);
+void addOtherParameters(const FlatModel& model, const PlacedEffect& placed, std::vector<EffectValue>& values);
 
 /// Root mean square of error_percent over the experiments of a role; 0 when there is none.
 double errorPercentOf(const ModelState& state, Role role);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/base/unit.hpp"
+#include "core/effect/combination.hpp"
 
 namespace analogon {
 namespace {
@@ -212,9 +213,8 @@ std::vector<EffectPlace> ModelNodes::specialisePlaces(const EffectClass& effect,
                                                       const std::vector<std::string>& spares) const {
     std::vector<EffectPlace> places;
     for (const Block& b : diagram_.blocks) {
-        if (b.isConnector || !b.isResolved || b.className == effect.className) continue;
-        if (!library_.isDerived(b.className, effect.base)) continue;
-        if (b.isEffect) continue;  // already specialised: the new class would take the old effect away
+        if (b.isConnector || !b.isResolved) continue;
+        if (!library_.isDerived(b.className, effect.base) || classWith(library_, b, effect).empty()) continue;
         if (!effect.node.empty())
             for (const EffectPlace& n : attachPlaces(signatureOf(effect, effect.node)))
                 places.push_back({b.name, b.name, {}, n.connector});

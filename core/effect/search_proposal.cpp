@@ -98,7 +98,7 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
                     values.push_back({p.name.substr(placed.instance.size() + 1), e.value, e.standardError, e.unit});
         if (with)
             if (const Outcome<FlatModel> valued = flattened(null.variant.task, with->modelText))
-                addOtherParameters(*valued, placed.instance, values);
+                addOtherParameters(*valued, placed, values);
         r.proposedEquation = withValues(equation, values);
         if (with) {
             r.errorFitWith = errorPercentOf(*with, Role::Fit);
@@ -172,9 +172,7 @@ Text Search::proposeExperiments(const NullModel& null) {
         const PlacedEffect& own = null.variant.effects[i];
         const auto open =
             std::find_if(steps_[i].alternatives.begin(), steps_[i].alternatives.end(), [&](const Alternative& a) {
-                // one kind has several classes where something of it may be known or not
-                const bool isOther = a.kind != own.effect.kind || a.at != own.place.at;
-                return a.equivalent && isOther && !a.kind.starts_with("proposal.");
+                return a.equivalent && !stands(null.variant, a.kind, a.at) && !a.kind.starts_with("proposal.");
             });
         if (open == steps_[i].alternatives.end()) continue;
         const Text names = phrase("{} at {} from {} at {}", own.effect.kind, own.place.at, open->kind, open->at);

@@ -61,6 +61,11 @@ Outcome<Done> addTwin(Variant& variant, const EffectPlace& place) {
 
 }  // namespace
 
+bool stands(const Variant& variant, std::string_view kind, std::string_view at) {
+    return std::any_of(variant.effects.begin(), variant.effects.end(),
+                       [&](const PlacedEffect& e) { return e.effect.kind == kind && e.place.at == at; });
+}
+
 std::vector<int> recordingsOf(const EstimationTask& task, Role role) {
     std::vector<int> indices;
     for (std::size_t i = 0; i < task.recordings.size(); ++i)

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/effect/place.hpp"
@@ -35,6 +36,9 @@ struct Variant {
     std::vector<PlacedEffect> effects;
     std::vector<ParameterValue> values;
 };
+
+/// Whether an effect of that kind, of whatever class, stands at that place.
+bool stands(const Variant& variant, std::string_view kind, std::string_view at);
 
 /// Indices of the recordings with a role, in order.
 std::vector<int> recordingsOf(const EstimationTask& task, Role role);

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "core/diagram/edit.hpp"
+#include "core/effect/combination.hpp"
 #include "core/syntax/parser.hpp"
 #include "core/syntax/printer.hpp"
 
@@ -103,7 +104,11 @@ public:
 
     void specialise(const std::map<std::string, double>& values) {
         component_.name = place_.connector;
-        edit_.setClass(place_.connector, effect_.className);
+        const Block* component = diagram_.find(place_.connector);
+        const std::string held = component != nullptr ? classWith(library_, *component, effect_) : std::string();
+        edit_.setClass(place_.connector, held.empty() ? effect_.className : held);
+        // a class that holds several effects has those whose strength is told
+        if (!values.contains(effect_.strength)) edit_.setModifier(place_.connector, effect_.strength, "0");
         for (const auto& [name, value] : modifications(values)) edit_.setModifier(place_.connector, name, value);
         if (!place_.spare.empty()) addSpareInput(place_.connector);
         if (!place_.node.empty())

@@ -716,6 +716,26 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Zuleitungs- oder Kontaktwiderstand in Reihe zur Wicklung</translation>
     </message>
     <message>
+        <source>Leads, brushes and a saturating inductance at once</source>
+        <translation>Zuleitung, Bürsten und sättigende Induktivität zugleich</translation>
+    </message>
+    <message>
+        <source>Electric machine with several effects, a warm winding among them</source>
+        <translation>Elektrische Maschine mit mehreren Effekten, darunter eine warme Wicklung</translation>
+    </message>
+    <message>
+        <source>Electric machine with several effects, warm magnets among them</source>
+        <translation>Elektrische Maschine mit mehreren Effekten, darunter warme Magnete</translation>
+    </message>
+    <message>
+        <source>Electric machine with several effects, the temperature of a node among their causes</source>
+        <translation>Elektrische Maschine mit mehreren Effekten, darunter die Temperatur eines Knotens als Ursache</translation>
+    </message>
+    <message>
+        <source>Heater with leads and the drop of a switch</source>
+        <translation>Heizer mit Zuleitung und Spannungsabfall eines Schalters</translation>
+    </message>
+    <message>
         <source>Warming of the winding, which gains resistance</source>
         <translation>Erwärmung der Wicklung, deren Widerstand steigt</translation>
     </message>

@@ -1,8 +1,7 @@
 // Generates studies with a hidden effect and a known truth; see README.md beside this file.
 //
-//   generate_cases --out DIR [--seed N] [--count N] [--system A..F] [--class C] [--kind K] [--rho X] [--no-twins]
-//   generate_cases --replay FILE
-//   generate_cases --self-check N [--seed N]
+//   generate_cases --out DIR [--seed N] [--count N] [--system A..F] [--class C] [--kind K] [--with K] [--rho X]
+//   [--no-twins] generate_cases --replay FILE generate_cases --self-check N [--seed N]
 //
 // Classes: none, none-coloured, none-disturbed, single, double, outside. What is not given is drawn at random.
 
@@ -20,7 +19,7 @@ namespace bench {
 struct Options {
     std::uint64_t seed{1};
     int count{1};
-    std::string out, system, cls, kind;
+    std::string out, system, cls, kind, with;
     double rho{};
     bool twins{true};
     double threshold{10.0};  // chi-square under which two effects count as not told apart
@@ -133,15 +132,15 @@ private:
             if (key == "phi_0") v = rounded(v + random_.uniform(0.0, 0.5), 2);
         return c;
     }
-    std::vector<Proposal> wanted(const std::vector<Proposal>& from) const {
+    static std::vector<Proposal> wanted(const std::vector<Proposal>& from, const std::string& kind) {
         std::vector<Proposal> out;
         for (const auto& p : from)
-            if (options_.kind.empty() || p.place.kind == options_.kind) out.push_back(p);
+            if (kind.empty() || p.place.kind == kind) out.push_back(p);
         return out;
     }
 
     bool single(const Refit& refit, const std::vector<Proposal>& from) {
-        const auto proposals = wanted(from);
+        const auto proposals = wanted(from, options_.kind);
         if (proposals.empty()) return false;
         for (int attempt = 0; attempt < 6; ++attempt) {
             Choice c = draw(proposals);
@@ -156,14 +155,17 @@ private:
     bool pairOf(const Refit& refit, const std::vector<Proposal>& proposals) {
         target_ = std::max(1.0, target_);
         for (int attempt = 0; attempt < 4; ++attempt) {
-            const auto mine = wanted(proposals);
-            if (mine.empty()) return false;
-            Choice a = draw(mine), b = draw(proposals);
+            const auto mine = wanted(proposals, options_.kind), others = wanted(proposals, options_.with);
+            if (mine.empty() || others.empty()) return false;
+            Choice a = draw(mine), b = draw(others);
             const auto group = [](const Choice& c) {
                 return c.proposal.place.kind.substr(0, c.proposal.place.kind.find('.'));
             };
-            const bool sameSignal = a.proposal.place.at == b.proposal.place.at;
-            if (a.proposal.place.kind == b.proposal.place.kind || group(a) == group(b) || sameSignal) continue;
+            const std::string& at = a.proposal.place.at.front();
+            const bool isSignal = at.starts_with("input ") || at.starts_with("output ");
+            const bool sameSignal = isSignal && a.proposal.place.at == b.proposal.place.at;
+            const bool sameGroup = group(a) == group(b) && options_.with.empty();
+            if (a.proposal.place.kind == b.proposal.place.kind || sameGroup || sameSignal) continue;
             if (!scaleTo(refit, a, target_) || !scaleTo(refit, b, target_)) continue;
             choices_ = {a, b};
             bool ok = false;
@@ -342,6 +344,8 @@ int main_(int argc, char** argv) {
             options.cls = value;
         else if (key == "--kind")
             options.kind = value;
+        else if (key == "--with")
+            options.with = value;
         else if (key == "--rho")
             options.rho = std::stod(value);
         else

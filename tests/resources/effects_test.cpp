@@ -503,6 +503,48 @@ std::string rig(const EffectClass* effect) {
     return text;
 }
 
+TEST(CombinedEffects, AreEachOfThemWhereTheOthersAreOff) {
+    const Outcome<Library> library = builtInLibrary();
+    ASSERT_TRUE(library) << format(library.diagnostics());
+    const std::map<std::string, double> strengths{{"R_s", 0.2},  {"V_b", 1.5},    {"s_i", 0.3},
+                                                  {"e_w", 0.05}, {"alpha", 4e-3}, {"beta", 2e-3}};
+    const std::vector<Signal> inputs{[](double t) { return 6 + 4 * std::sin(3 * t); }, [](double t) { return 2 + t; }};
+    const Recording plain = run(rig(nullptr), 2, 101, inputs);
+    int checked = 0;
+    for (const LibraryClass* combined : library->classes())
+        for (const std::string& name : combinedIn(*combined)) {
+            SCOPED_TRACE(combined->qualifiedName + " for " + name);
+            const std::optional<EffectClass> effect = effectOf(*library, *library->find(name));
+            ASSERT_TRUE(effect);
+            // the others' switches are told where they are no strength of this one: alpha of a winding without warmth
+            std::string alone = rig(&*effect);
+            const std::string component = effect->base.ends_with("Thermal") ? " heater(" : " motor(";
+            const std::size_t at = alone.find(component) + component.size();
+            alone.insert(at, effect->strength + "=" + std::to_string(strengths.at(effect->strength)) + ", ");
+            std::string both = alone;
+            both.replace(both.find(name), name.size(), combined->qualifiedName);
+            if (combined->qualifiedName.ends_with("OfNode") && effect->node.empty())
+                both += "  connect(motor.heatPort, element.solid);\n";
+            const Recording single = run(alone, 2, 101, inputs), among = run(both, 2, 101, inputs);
+            ASSERT_EQ(single.fault, "");
+            ASSERT_EQ(among.fault, "");
+            double change = 0;
+            for (const char* output : {"w", "i", "T"}) {
+                const auto& a = single[output];
+                const auto& b = among[output];
+                const auto& c = plain[output];
+                ASSERT_EQ(a.size(), b.size());
+                for (std::size_t k = 0; k < a.size(); ++k) {
+                    EXPECT_NEAR(a[k], b[k], 1e-6 * (1 + std::abs(a[k]))) << output << " at sample " << k;
+                    change = std::max(change, std::abs(a[k] - c[k]));
+                }
+            }
+            EXPECT_GT(change, 1e-3) << "the effect is off as well";
+            ++checked;
+        }
+    EXPECT_GE(checked, 15);
+}
+
 TEST(Effects, ChangeNothingWhileTheirStrengthIsZero) {
     const Outcome<Library> library = builtInLibrary();
     ASSERT_TRUE(library) << format(library.diagnostics());

@@ -208,8 +208,35 @@ TEST(EffectAnnotations, AreAllWellFormed) {
     EXPECT_TRUE(effects.diagnostics().empty()) << format(effects.diagnostics());
     std::size_t blocks = 0;
     for (const LibraryClass* c : library().classes())
-        if (c->qualifiedName.starts_with("Analogon.Effects.") && isBlock(*c) && !c->definition->isPartial) ++blocks;
+        if (c->qualifiedName.starts_with("Analogon.Effects.") && isBlock(*c) && !c->definition->isPartial &&
+            combinedIn(*c).empty())
+            ++blocks;
     EXPECT_EQ(effects->size(), blocks) << "a class below Effects has no effect annotation";
+}
+
+TEST(EffectAnnotations, AClassOfSeveralEffectsTakesTheParametersOfEach) {
+    int checked = 0;
+    for (const LibraryClass* c : library().classes())
+        for (const std::string& name : combinedIn(*c)) {
+            SCOPED_TRACE(c->qualifiedName + " for " + name);
+            const LibraryClass* single = library().find(name);
+            ASSERT_TRUE(single);
+            const std::optional<EffectClass> effect = effectOf(library(), *single);
+            ASSERT_TRUE(effect);
+            EXPECT_TRUE(library().isDerived(c->qualifiedName, effect->base));
+            std::map<std::string, const Component*> of, own;
+            collectVariables(*single, of);
+            collectVariables(*c, own);
+            for (const auto& [parameter, unit] : effect->units) {
+                ASSERT_TRUE(own.contains(parameter)) << parameter;
+                ASSERT_TRUE(own[parameter]->binding && of[parameter]->binding) << parameter;
+                EXPECT_EQ(own[parameter]->isFinal, of[parameter]->isFinal) << parameter;
+                const bool isNode = name.ends_with("OfNode") || !own[parameter]->binding->number;
+                EXPECT_TRUE(isNode || own[parameter]->binding->number == of[parameter]->binding->number) << parameter;
+            }
+            ++checked;
+        }
+    EXPECT_GE(checked, 15);
 }
 
 TEST(EffectAnnotations, CoverEveryKind) {

@@ -79,6 +79,15 @@ protected:
         return applied.text;
     }
 
+    /// The library's present model with an effect wired in.
+    std::string libraryText(const std::string& kind, const EffectPlace& place,
+                            const std::map<std::string, double>& values) {
+        const LibraryClass* model = library.find("Pump");
+        Outcome<WiredEffect> w = wireIn(library, *model->definition, effect(kind), place, values);
+        EXPECT_TRUE(w) << format(w.diagnostics());
+        return w ? syntax::apply(std::string(model->definition->span.source->text()), w->edit).text : std::string();
+    }
+
     Library library;
     std::vector<EffectClass> catalogue;
 };
@@ -124,6 +133,31 @@ TEST_F(Places, TakeASpecialisedEffectAsAnotherClassOfTheComponent) {
     const std::string text = wired("resistance.series", {"motor", "motor", {}}, {{"R_s", 0.1}});
     EXPECT_THAT(text, HasSubstr("SeriesResistance motor("));
     EXPECT_THAT(text, HasSubstr("R_s=0.1"));
+}
+
+TEST_F(Places, OfAComponentThatIsSpecialisedAlreadyAreThoseThatOneClassCanHold) {
+    const auto withMotor = [this](const std::string& declaration) {
+        std::string text = pump;
+        const std::string plain = "BasicElectricMechanical motor(";
+        text.replace(text.find("ElectricMechanical." + plain), std::string("ElectricMechanical.").size() + plain.size(),
+                     declaration);
+        Outcome<Library> with = library.withSource(std::make_shared<Source>("model.mo", text));
+        ASSERT_TRUE(with) << format(with.diagnostics());
+        library = std::move(*with);
+    };
+    withMotor("Effects.ElectricMechanical.VoltageDrop motor(V_b=0.3, ");
+    EXPECT_EQ(placesOf("resistance.temperature"), std::vector<std::string>{"motor"});
+    EXPECT_THAT(placesOf("voltage.drop"), IsEmpty()) << "it is there";
+    const std::string text = libraryText("resistance.temperature", {"motor", "motor", {}}, {{"tau_w", 20}});
+    EXPECT_THAT(text, HasSubstr("CombinedWithWinding motor("));
+    EXPECT_THAT(text, HasSubstr("V_b=0.3"));
+    EXPECT_THAT(text, HasSubstr("e_w=0"));
+    EXPECT_THAT(text, HasSubstr("tau_w=20"));
+
+    withMotor("Effects.ElectricMechanical.CombinedWithWinding motor(V_b=0.3, e_w=0.1, ");
+    EXPECT_EQ(placesOf("resistance.series"), std::vector<std::string>{"motor"});
+    EXPECT_THAT(placesOf("voltage.drop"), IsEmpty()) << "it is there";
+    EXPECT_THAT(placesOf("flux.temperature"), IsEmpty()) << "no class holds it beside the winding";
 }
 
 }  // namespace

@@ -28,6 +28,8 @@ struct Shaft {
     double lag{};       // [s] of the tachometer
 };
 
+double signOf(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
+
 double excitation(double t) {
     const double levels[] = {0.4, -0.3, 0.8, 0.1, -0.7, 0.5, -0.1, 0.9, -0.5, 0.2};
     return levels[static_cast<int>(t / 3.0) % 10] + 0.15 * std::sin(1.7 * t);
@@ -121,8 +123,6 @@ end Rotor;
 
     fs::path directory_;
 };
-
-double signOf(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
 TEST_F(Discovery, AddsNothingToNoise) {
     const Finding finding = search({0.02, [](double, double w, double) { return 0.03 * w; }});
@@ -391,6 +391,78 @@ TEST_F(Discovery, FindsTwoEffectsThatHideEachOther) {
     EXPECT_EQ(finding.kind, FindingKind::Effect);
     EXPECT_NE(finding.nextExperiment.find("no programme"), std::string::npos)
         << "an offset of the command and a load torque are one to every experiment: " << finding.nextExperiment;
+}
+
+/// A motor at a supply: a winding that warms and brushes.
+class DiscoveryInAMotor : public Discovery {
+protected:
+    Finding searchMotor(double brushes, double warming) {
+        std::ofstream(directory_ / "model.mo") << R"(model Drive
+  Analogon.Interfaces.RealInput v(unit="V");
+  Analogon.Interfaces.RealOutput i(unit="A");
+  Analogon.Interfaces.RealOutput w(unit="rad/s");
+  Analogon.ElectricMechanical.BasicElectricMechanical motor(R=0.5, L=0, k=0.04);
+  Analogon.Mechanics.Inertia rotor(J=2e-4);
+  Analogon.Mechanics.ViscousLoad load(b=1e-4);
+  Analogon.Sensors.SpeedSensor tacho;
+equation
+  connect(v, motor.v);
+  connect(motor.i, i);
+  connect(motor.flange, rotor.flange_a);
+  connect(rotor.flange_b, load.flange);
+  connect(rotor.flange_b, tacho.flange);
+  connect(tacho.w, w);
+end Drive;
+)";
+        std::ofstream(directory_ / "study.json") << R"({"format": "analogon-study-1", "class": "Drive",
+  "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
+                   "inputs": {"v": "v"}, "outputs": {"i": "i", "w": "w"}}],
+  "parameters": {"motor.R": {"fit": true, "min": 0.05, "max": 5}, "motor.k": {"fit": true, "min": 0.001, "max": 1},
+                 "rotor.J": {"fit": true, "min": 1e-5, "max": 1e-2}, "load.b": {"fit": true, "min": 1e-6, "max": 0.1}}})";
+        std::mt19937 random(11);
+        std::normal_distribution<double> scatter;
+        std::ofstream csv(directory_ / "run.csv");
+        csv.precision(10);
+        csv << "t [s],v [V],i [A],w [rad/s]\n";
+        double w = 0, warm = 0;
+        constexpr double R = 0.45, k = 0.045, J = 2.5e-4, b = 2e-4, interval = 0.02;
+        const auto current = [&](double v) {
+            const double gap = v - k * w;
+            return std::abs(gap) < brushes ? 0 : (gap - brushes * signOf(gap)) / (R * (1 + 0.00393 * warm));
+        };
+        const auto supply = [](int sample) { return 14 * excitation(sample * interval); };
+        for (int n = 0; n < samples; ++n) {
+            csv << n * interval << ',' << supply(n) << ',' << current(supply(n)) + 0.05 * scatter(random) << ','
+                << w + 0.3 * scatter(random) << '\n';
+            constexpr int inner = 100;
+            for (int m = 0; m < inner; ++m) {
+                const double a = (m + 0.5) / inner, h = interval / inner;
+                const double i = current((1 - a) * supply(n) + a * supply(n + 1));
+                w += h * (k * i - b * w) / J;
+                warm += h * (warming * R * (1 + 0.00393 * warm) * i * i - warm / 25);
+            }
+        }
+        csv.close();
+        return discovered();
+    }
+};
+
+TEST_F(DiscoveryInAMotor, FindsTwoEffectsInOneComponent) {
+    const Finding finding = searchMotor(0.8, 1.5);
+    EXPECT_EQ(finding.kind, FindingKind::Effect);
+    ASSERT_EQ(finding.effects.size(), 2u);
+    std::map<std::string, double> found;
+    for (const AddedEffect& e : finding.effects) {
+        EXPECT_EQ(e.at, "motor");
+        found[e.kind] = e.parameters.front().value;
+        for (const EffectValue& p : e.parameters) {
+            EXPECT_NE(p.name, "R") << "is the component's own";
+            EXPECT_NE(p.name, e.kind == "voltage.drop" ? "e_w" : "V_b") << "is the other effect's";
+        }
+    }
+    EXPECT_NEAR(found["voltage.drop"], 0.8, 0.05);
+    EXPECT_NEAR(found["resistance.temperature"], 1.5, 0.15);
+    EXPECT_NE(finding.final.modelText.find("CombinedWithWinding motor("), std::string::npos);
 }
 
 TEST_F(Discovery, SaysWhatToRunWhereTheDataLeaveAChoice) {

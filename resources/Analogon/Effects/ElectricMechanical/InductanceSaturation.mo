@@ -7,7 +7,7 @@ model InductanceSaturation "Saturation of the inductance with the current"
   Real L_i(unit="H") "Inductance at the present current";
 equation
   L_i = L/(1 + (s_i*i)^2);
-  v = R*i + L_i*der(i) + k*w;
+  v = R*i + L*(der(i)/(1 + (s_i*i)^2)) + k*w;
   flange.tau = -k*i;
   annotation (
     __Analogon(effect(
