@@ -34,9 +34,9 @@ Eigen::VectorXd visibleSteps(const FitProblem& problem, const Eigen::VectorXd& v
     Eigen::VectorXd steps(values.size());
     for (Eigen::Index k = 0; k < values.size(); ++k) {
         const FitParameter& p = problem.parameters[static_cast<std::size_t>(k)];
-        const double range = p.max - p.min;
-        const double step = values[k] != 0 ? 1e-2 * std::abs(values[k]) : range < 1e100 ? 1e-4 * range : 1e-6;
-        steps[k] = values[k] + step <= p.max ? step : -step;
+        const double up = p.max - values[k], down = values[k] - p.min, range = p.max - p.min;
+        const double wanted = values[k] != 0 ? 1e-2 * std::abs(values[k]) : range < 1e100 ? 1e-4 * range : 1e-6;
+        steps[k] = wanted <= up || up >= down ? std::min(wanted, up) : -std::min(wanted, down);
     }
     return steps;
 }
@@ -45,7 +45,6 @@ Linearisation lineariseByDifferences(const FitProblem& problem, const Eigen::Vec
                                      const std::vector<GridPlan>& plans, const SimulationOptions& options,
                                      const Progress& progress, int& simulations) {
     const auto residualsAt = [&](const Eigen::VectorXd& at) {
-        ++simulations;
         return linearise(problem, at, false, plans, options, progress);
     };
     Linearisation here = residualsAt(values);
@@ -60,10 +59,15 @@ Linearisation lineariseByDifferences(const FitProblem& problem, const Eigen::Vec
     here.jacobian.resize(here.residuals.size(), values.size());
     for (Eigen::Index k = 0; k < values.size(); ++k) {
         const FitParameter& p = problem.parameters[static_cast<std::size_t>(k)];
+        if (steps[k] == 0) {  // its bounds leave it no room
+            here.jacobian.col(k).setZero();
+            continue;
+        }
         Eigen::VectorXd there = values, change;
         for (int tries = 0;; ++tries) {
             there[k] = values[k] + steps[k];
             const Linearisation l = residualsAt(there);
+            ++simulations;
             if (!l.ok) return fail(l);
             change = l.residuals - here.residuals;
             const double moved = change.norm() / std::max(signal, 1e-300);
@@ -81,6 +85,7 @@ Linearisation lineariseByDifferences(const FitProblem& problem, const Eigen::Vec
             continue;
         }
         const Linearisation back = residualsAt(there);
+        ++simulations;
         if (!back.ok) return fail(back);
         here.jacobian.col(k) = (change - (back.residuals - here.residuals)) / (2 * steps[k]);
     }

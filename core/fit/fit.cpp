@@ -260,6 +260,10 @@ void addRemarks(const FitProblem& problem, const Descent& best, const Uncertaint
     }
     result.remarks.insert(result.remarks.end(), uncertainty.remarks.begin(), uncertainty.remarks.end());
     addPriorRemarks(problem, result);
+    if (result.takesDifferences)
+        result.remarks.push_back(
+            phrase("the model switches faster than its steps: slopes are taken from changes of the parameters, and "
+                   "the fit is slow; widen what rounds the change off (\"i_eps\", \"w_eps\") if you can"));
     if (result.failedSimulations > 0) {
         result.remarks.push_back(
             phrase("{} of {} simulations failed and were passed over", result.failedSimulations, result.simulations));

@@ -2622,6 +2622,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Die letzte Anpassung schlug fehl, es gilt die der Suche: {}</translation>
     </message>
     <message>
+        <source>the model switches faster than its steps: slopes are taken from changes of the parameters, and the fit is slow; widen what rounds the change off (&quot;i_eps&quot;, &quot;w_eps&quot;) if you can</source>
+        <translation>das Modell schaltet schneller als seine Schritte: Steigungen werden aus Änderungen der Parameter bestimmt, und die Schätzung ist langsam; was den Wechsel rundet („i_eps“, „w_eps“), nach Möglichkeit verbreitern</translation>
+    </message>
+    <message>
         <source>{} seems to move with the recorded channel {}</source>
         <translation>{} scheint dem aufgezeichneten Kanal {} zu folgen</translation>
     </message>
