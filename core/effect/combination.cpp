@@ -11,13 +11,11 @@ bool isModified(const Block& component, const std::string& parameter) {
                        [&](const auto& modified) { return modified.first == parameter; });
 }
 
-/// The effects that specialise a component.
-std::vector<EffectClass> effectsOn(const Library& library, const Block& component) {
+/// The effects that specialise a component of this class.
+std::vector<EffectClass> effectsOn(const Library& library, const LibraryClass& of, const Block& component) {
     std::vector<EffectClass> effects;
-    const LibraryClass* of = library.find(component.className);
-    if (of == nullptr) return effects;
-    if (std::optional<EffectClass> own = effectOf(library, *of)) return {std::move(*own)};
-    for (const std::string& name : combinedIn(*of))
+    if (std::optional<EffectClass> own = effectOf(library, of)) return {std::move(*own)};
+    for (const std::string& name : combinedIn(of))
         if (const LibraryClass* c = library.find(name))
             if (std::optional<EffectClass> e = effectOf(library, *c); e && isModified(component, e->strength))
                 effects.push_back(std::move(*e));
@@ -27,10 +25,10 @@ std::vector<EffectClass> effectsOn(const Library& library, const Block& componen
 }  // namespace
 
 std::string classWith(const Library& library, const Block& component, const EffectClass& effect) {
-    const std::vector<EffectClass> there = effectsOn(library, component);
     const LibraryClass* of = library.find(component.className);
-    if (of == nullptr || (there.empty() && combinedIn(*of).empty()))
-        return component.isEffect ? std::string() : effect.className;
+    if (of == nullptr) return {};
+    const std::vector<EffectClass> there = effectsOn(library, *of, component);
+    if (there.empty() && combinedIn(*of).empty()) return component.isEffect ? std::string() : effect.className;
     std::set<std::string> wanted{effect.className};
     for (const EffectClass& e : there) {
         // a second connector to a node would join the two nodes

@@ -296,7 +296,7 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
         const Progress watched = isLong ? progress : Progress{};
         result.optimum = best.takesDifferences
                              ? lineariseByDifferences(problem, result.values, best.plans, options.simulation, watched,
-                                                      best.simulations)
+                                                      result.simulations)
                              : linearise(problem, result.values, true, best.plans, options.simulation, watched);
         if (isLong && progress.stopRequested()) break;
     }

@@ -1,7 +1,11 @@
 // Generates studies with a hidden effect and a known truth; see README.md beside this file.
 //
 //   generate_cases --out DIR [--seed N] [--count N] [--system A..F] [--class C] [--kind K] [--with K] [--rho X]
-//   [--no-twins] generate_cases --replay FILE generate_cases --self-check N [--seed N]
+//                  [--no-twins]
+//
+//   generate_cases --replay FILE
+//
+//   generate_cases --self-check N [--seed N]
 //
 // Classes: none, none-coloured, none-disturbed, single, double, outside. What is not given is drawn at random.
 

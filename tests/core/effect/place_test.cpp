@@ -67,25 +67,18 @@ protected:
     }
 
     std::string wired(const std::string& kind, const EffectPlace& place, const std::map<std::string, double>& values) {
-        Outcome<WiredEffect> w = wireIn(library, *library.find("Pump")->definition, effect(kind), place, values);
+        const syntax::ClassDefinition& model = *library.find("Pump")->definition;
+        const std::string before(model.span.source->text());
+        Outcome<WiredEffect> w = wireIn(library, model, effect(kind), place, values);
         EXPECT_TRUE(w) << format(w.diagnostics());
         if (!w) return {};
-        const syntax::AppliedEdit applied = syntax::apply(pump, w->edit);
-        EXPECT_EQ(syntax::apply(applied.text, applied.inverse).text, pump) << "undone byte for byte";
+        const syntax::AppliedEdit applied = syntax::apply(before, w->edit);
+        EXPECT_EQ(syntax::apply(applied.text, applied.inverse).text, before) << "undone byte for byte";
         Outcome<Library> with = library.withSource(std::make_shared<Source>("model.mo", applied.text));
         EXPECT_TRUE(with) << format(with.diagnostics());
         Outcome<SystemPtr> system = compile(*with, "Pump");
         EXPECT_TRUE(system) << format(system.diagnostics());
         return applied.text;
-    }
-
-    /// The library's present model with an effect wired in.
-    std::string libraryText(const std::string& kind, const EffectPlace& place,
-                            const std::map<std::string, double>& values) {
-        const LibraryClass* model = library.find("Pump");
-        Outcome<WiredEffect> w = wireIn(library, *model->definition, effect(kind), place, values);
-        EXPECT_TRUE(w) << format(w.diagnostics());
-        return w ? syntax::apply(std::string(model->definition->span.source->text()), w->edit).text : std::string();
     }
 
     Library library;
@@ -148,7 +141,7 @@ TEST_F(Places, OfAComponentThatIsSpecialisedAlreadyAreThoseThatOneClassCanHold) 
     withMotor("Effects.ElectricMechanical.VoltageDrop motor(V_b=0.3, ");
     EXPECT_EQ(placesOf("resistance.temperature"), std::vector<std::string>{"motor"});
     EXPECT_THAT(placesOf("voltage.drop"), IsEmpty()) << "it is there";
-    const std::string text = libraryText("resistance.temperature", {"motor", "motor", {}}, {{"tau_w", 20}});
+    const std::string text = wired("resistance.temperature", {"motor", "motor", {}}, {{"tau_w", 20}});
     EXPECT_THAT(text, HasSubstr("CombinedWithWinding motor("));
     EXPECT_THAT(text, HasSubstr("V_b=0.3"));
     EXPECT_THAT(text, HasSubstr("e_w=0"));
