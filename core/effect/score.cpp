@@ -13,6 +13,7 @@ namespace {
 
 constexpr double rankThreshold = 1e-9;
 constexpr int maxAutoregressiveOrder = 12;
+constexpr double leastApart = 1e-4;  // of two directions, smallest over largest eigenvalue: else they count as one
 constexpr double leastSharedInformation = 0.05;  // of a direction, outside a part of the record that is left out
 
 /// Columns scaled to unit norm, so that parameters of any magnitude weigh alike in a rank decision.
@@ -130,6 +131,16 @@ ColumnScore scoreColumns(const Complement& complement, const Eigen::VectorXd& re
     score.directions = orthonormalBasis(rest, 1e-6);
     score.explained = (score.directions.transpose() * residual).squaredNorm();
     return score;
+}
+
+double explainedTogether(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, const Eigen::VectorXd& residual) {
+    Eigen::MatrixXd both(residual.size(), a.cols() + b.cols());
+    both << a, b;
+    const Eigen::VectorXd along = both.transpose() * residual;
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> gram;
+    gram.setThreshold(leastApart);
+    gram.compute(both.transpose() * both);
+    return along.dot(gram.solve(along));
 }
 
 double noiseThreshold(const std::vector<Eigen::MatrixXd>& directions, double logRows, double quantile,

@@ -67,6 +67,10 @@ struct ColumnScore {
 ColumnScore scoreColumns(const Complement& complement, const Eigen::VectorXd& residual, const Eigen::MatrixXd& columns,
                          bool oneSided);
 
+/// What two effects explain of a residual together, their projected columns (`directions`) fitted at once: far more
+/// than the sum of what each does alone where they hide each other.
+double explainedTogether(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, const Eigen::VectorXd& residual);
+
 /// Quantile of the largest `explained - columns * ln(rows)` over all candidates when the residual is noise alone,
 /// from draws with the candidates' own correlation: accounts for how many were tried and how alike they are.
 double noiseThreshold(const std::vector<Eigen::MatrixXd>& directions, double logRows, double quantile,

@@ -77,6 +77,9 @@ private:
     void noteAll(const Round& round);
     void goOn(Path& path, Round first);
     std::vector<std::size_t> otherBeginnings(const NullModel& null, const Round& round) const;
+    std::vector<std::size_t> pairBeginnings(const NullModel& null, const Round& round, std::size_t most,
+                                            const std::vector<std::size_t>& taken) const;
+    Path pathFrom(const NullModel& base, Round round, std::size_t begin);
     Outcome<Path> bestPath(NullModel& base);
     Outcome<Path> bestPathFrom(NullModel& base);
     std::optional<Path> withLaw(Path begin);

@@ -14,7 +14,7 @@ namespace analogon {
 namespace {
 
 constexpr double mostWork = 3e7;  // in steps of the trials, beyond which no other beginning is tried
-constexpr std::size_t otherPaths = 2;
+constexpr std::size_t otherPaths = 2, otherPairs = 2;
 constexpr double structuredResidual = 1.1;  // in units of the noise: something is left to find
 constexpr double leastGain = 1;             // in evidence, for which an effect is exchanged: exact twins are not
 constexpr int mostSharpenings = 2;
@@ -113,6 +113,16 @@ Outcome<Search::Path> Search::bestPath(NullModel& base) {
     }
 }
 
+/// The path that begins with another of the first trials.
+Search::Path Search::pathFrom(const NullModel& base, Round round, std::size_t begin) {
+    round.chosen = begin;
+    round.members = equivalents(base, round.trials, begin);
+    round.acceptance = examine(base, round.trials[begin].fit, round.trials[begin].freed(), round.threshold);
+    Path path{base, {}, {}, {}, {}};
+    goOn(path, std::move(round));
+    return path;
+}
+
 /// Where the first choices leave structure, the search begins again with what came next: two effects that hide each
 /// other may not show in the order of their size.
 Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
@@ -138,15 +148,28 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
     for (const std::size_t other : others) {
         if (progress_.stopRequested() || levelOf(best.null.fit) < structuredResidual) break;
         if (work_ > mostWork) break;
-        Round round = first;
-        round.chosen = other;
-        round.members = equivalents(base, round.trials, other);
-        round.acceptance = examine(base, round.trials[other].fit, round.trials[other].freed(), round.threshold);
-        Path path{base, {}, {}, {}, {}};
-        goOn(path, std::move(round));
+        Path path = pathFrom(base, first, other);
         if (beginsAnew_) return best;
         if (isBetter(path)) std::swap(best, path);
         otherEnds_.push_back(std::move(path));
+    }
+    // an equation that took the place of names may stand for two that hide each other
+    const auto isExplained = [&] {
+        const auto isEquation = [](const PlacedEffect& e) { return !e.effect.proposal.empty(); };
+        const std::vector<PlacedEffect>& effects = best.null.variant.effects;
+        return isNoise(best.null) && effects.size() <= 2 && std::none_of(effects.begin(), effects.end(), isEquation);
+    };
+    if (first.chosen && !isExplained()) {
+        std::vector<std::size_t> taken = others;
+        taken.push_back(*first.chosen);
+        for (const std::size_t begin : pairBeginnings(base, first, otherPairs, taken)) {
+            if (progress_.stopRequested() || isExplained() || work_ > mostWork) break;
+            Path path = pathFrom(base, first, begin);
+            if (beginsAnew_) return best;
+            if (path.steps.size() < 2) continue;  // it has passed no test alone
+            if (isBetter(path)) std::swap(best, path);
+            otherEnds_.push_back(std::move(path));
+        }
     }
     if (progress_.stopRequested() || isNoise(best.null) || levelOf(best.null.fit) < structuredResidual) return best;
     if (work_ > mostWork) return best;
@@ -218,9 +241,16 @@ bool Search::replace(NullModel& null, std::size_t effect) {
     Outcome<std::vector<Candidate>> places = candidatesFor(rest->variant, catalogue_);
     if (!places) return false;
     std::vector<Candidate> rivals;
-    for (const Candidate& rival : steps_[effect].rivals)
-        for (const Candidate& place : *places)
-            if (place.effect.className == rival.effect.className && place.place == rival.place) rivals.push_back(place);
+    const auto isRival = [&](const Candidate& c) {
+        // at a signal's place, what goes there too is taken for it most easily; no round may have told so
+        if (!old.effect.signalSide.empty() && c.place == old.place && c.effect.className != old.effect.className &&
+            c.effect.proposal.empty())
+            return true;
+        return std::any_of(steps_[effect].rivals.begin(), steps_[effect].rivals.end(), [&](const Candidate& rival) {
+            return c.effect.className == rival.effect.className && c.place == rival.place;
+        });
+    };
+    std::copy_if(places->begin(), places->end(), std::back_inserter(rivals), isRival);
     std::vector<Screened> screened(rivals.size());
     parallelFor(static_cast<int>(rivals.size()), options_.threads, [&](int i) {
         say("reconsider",
@@ -293,11 +323,14 @@ bool Search::replace(NullModel& null, std::size_t effect) {
 
 /// Gives the rivals of every effect but the newest another chance. Bounded: each change lowers the misfit.
 bool Search::reconsider(NullModel& null) {
+    const auto hasRivals = [&](std::size_t i) {
+        return !steps_[i].rivals.empty() || !null.variant.effects[i].effect.signalSide.empty();
+    };
     bool changed = false;
     for (int pass = 0; pass < 2; ++pass) {
         bool changedNow = false;
         for (std::size_t i = 0; i + 1 < steps_.size() && !progress_.stopRequested();)
-            if (!steps_[i].rivals.empty() && replace(null, i))
+            if (hasRivals(i) && replace(null, i))
                 changedNow = true;
             else
                 ++i;

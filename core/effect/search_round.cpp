@@ -281,9 +281,12 @@ Search::Step Search::stepOf(const Round& round) {
         s.alternatives.push_back(alternative(m, true));
         s.rivals.push_back(trials[m].screened.candidate);
     }
+    const EffectPlace& place = trials[chosen].screened.candidate.place;
     for (std::size_t i = 0; i < trials.size(); ++i) {
         if (!trials[i].ok || isMember(i) || i == chosen) continue;
-        if (s.rivals.size() < mostRivals && trials[i].evidence > rivalShare * trials[chosen].evidence)
+        // what goes to the same place is taken for it most easily, however many places did better
+        const bool isNear = trials[i].screened.candidate.place.connector == place.connector;
+        if ((s.rivals.size() < mostRivals || isNear) && trials[i].evidence > rivalShare * trials[chosen].evidence)
             s.rivals.push_back(trials[i].screened.candidate);
         if (s.alternatives.size() < mostAlternatives) s.alternatives.push_back(alternative(i, false));
     }

@@ -119,6 +119,23 @@ TEST(ScoreColumns, SaysHowLittleOfAnAbsorbedEffectIsVisible) {
     EXPECT_NEAR(s.visible, 1e-3, 1e-5);
 }
 
+TEST(ExplainedTogether, ShowsTwoEffectsThatHideEachOther) {
+    const int n = 400;
+    const auto direction = [](Eigen::VectorXd v) { return Eigen::MatrixXd(v / v.norm()); };
+    const Eigen::VectorXd common = wave(n, 3);
+    // alike but for a tenth, and present with opposite signs: alone, each explains next to nothing
+    const Eigen::MatrixXd a = direction(common + 0.1 * wave(n, 7)), b = direction(common - 0.1 * wave(n, 7));
+    const Eigen::MatrixXd other = direction(wave(n, 7) + 2 * wave(n, 11));
+    const Eigen::VectorXd residual = 10 * (a - b).col(0);
+    const auto alone = [&](const Eigen::MatrixXd& columns) { return (columns.transpose() * residual).squaredNorm(); };
+    EXPECT_LT(alone(a), 0.02 * residual.squaredNorm());
+    EXPECT_GT(alone(other), 5 * alone(a));
+    EXPECT_NEAR(explainedTogether(a, b, residual), residual.squaredNorm(), 1e-9);
+    EXPECT_LT(explainedTogether(a, other, residual), 0.5 * residual.squaredNorm());
+    // two of a kind are one
+    EXPECT_NEAR(explainedTogether(a, a, residual), alone(a), 1e-9);
+}
+
 TEST(Whitener, MakesAnAutoregressiveResidualWhite) {
     const int n = 4000;
     Eigen::VectorXd r = gaussian(n, 3);

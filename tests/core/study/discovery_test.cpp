@@ -393,6 +393,82 @@ TEST_F(Discovery, FindsTwoEffectsThatHideEachOther) {
         << "an offset of the command and a load torque are one to every experiment: " << finding.nextExperiment;
 }
 
+/// A housing in coolant, heated through a wall; the model knows no loss to the room and believes the thermometer.
+class DiscoveryInCoolant : public Discovery {
+protected:
+    Finding searchHousing(double loss, double offset) {
+        std::ofstream(directory_ / "model.mo") << R"(model Heater
+  Analogon.Interfaces.RealInput P(unit="W");
+  Analogon.Interfaces.RealInput T_cool(unit="K");
+  Analogon.Interfaces.RealOutput T(unit="K");
+  Analogon.Sources.PrescribedHeatFlow heater;
+  Analogon.Thermal.HeatCapacitor core(C=250);
+  Analogon.Thermal.ThermalConductor wall(G=30);
+  Analogon.ThermalFluid.BasicThermalFluid jacket(C=350, c_o=40, A=0.06);
+  Analogon.Sources.PrescribedTemperature coolant;
+  Analogon.Sensors.TemperatureSensor thermometer;
+equation
+  connect(P, heater.Q_flow);
+  connect(heater.port, core.port);
+  connect(core.port, wall.port_a);
+  connect(wall.port_b, jacket.solid);
+  connect(jacket.fluid, coolant.port);
+  connect(T_cool, coolant.T);
+  connect(jacket.solid, thermometer.port);
+  connect(thermometer.T, T);
+end Heater;
+)";
+        std::ofstream(directory_ / "study.json") << R"({"format": "analogon-study-1", "class": "Heater",
+  "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
+                   "inputs": {"P": "P", "T_cool": "T_cool"}, "outputs": {"T": "T"},
+                   "initial": {"core.T_start": "T_cool", "jacket.T_start": "T_cool"}}],
+  "parameters": {"core.C": {"fit": true, "min": 2, "max": 5000}, "wall.G": {"fit": true, "min": 0.5, "max": 2000},
+                 "jacket.C": {"fit": true, "min": 4, "max": 10000},
+                 "jacket.c_o": {"fit": true, "min": 0.3, "max": 2000}}})";
+        constexpr double interval = 0.2, room = 293.15;  // [s], [K]
+        constexpr double core = 270, wall = 36, jacket = 350, contact = 44 * 0.06;
+        const auto power = [](int k) {
+            const double levels[] = {0, 1800, 600, 2400, 300, 1500, 2700, 900};
+            return levels[k / 200 % 8] + 100 * std::sin(0.31 * interval * k);
+        };
+        const auto coolant = [](int k) {
+            const double t = interval * k;
+            return room + 12 * (1 - std::exp(-t / 90)) + (t > 20 ? 25 * std::sin(0.037 * t) : 0);
+        };
+        std::mt19937 random(2);
+        std::normal_distribution<double> scatter(0, 0.1);
+        std::ofstream csv(directory_ / "run.csv");
+        csv.precision(10);
+        csv << "t [s],P [W],T_cool [K],T [K]\n";
+        double inside = room, shell = room;
+        for (int k = 0; k <= 2000; ++k) {
+            csv << interval * k << ',' << power(k) << ',' << coolant(k) << ',' << shell + offset + scatter(random)
+                << '\n';
+            constexpr int inner = 20;
+            for (int m = 0; m < inner; ++m) {
+                const double a = (m + 0.5) / inner, h = interval / inner;
+                const double fluid = (1 - a) * coolant(k) + a * coolant(k + 1);
+                const double through = wall * (inside - shell);
+                const double away = contact * std::pow(fluid / 3.6, 0.78) * (shell - fluid) + loss * (shell - room);
+                inside += h * ((1 - a) * power(k) + a * power(k + 1) - through) / core;
+                shell += h * (through - away) / jacket;
+            }
+        }
+        csv.close();
+        return discovered();
+    }
+};
+
+TEST_F(DiscoveryInCoolant, TakesAnOffsetForNoGainBesideALoss) {
+    const Finding finding = searchHousing(5, -3);
+    EXPECT_EQ(finding.kind, FindingKind::Effect);
+    ASSERT_EQ(finding.effects.size(), 2u);
+    for (const AddedEffect& e : finding.effects) {
+        EXPECT_TRUE(e.kind == "sensor.offset" || e.kind == "thermal.loss") << e.kind;
+        EXPECT_NEAR(e.parameters.front().value, e.kind == "sensor.offset" ? -3 : 5, 0.1);
+    }
+}
+
 /// A motor at a supply: a winding that warms and brushes.
 class DiscoveryInAMotor : public Discovery {
 protected:
