@@ -20,6 +20,10 @@ namespace analogon {
 namespace {
 
 constexpr double integrationShare = 2e-3, coarsestTolerance = 3e-5;  // of the noise, and of a channel's range at most
+constexpr int otherStarts = 7;
+constexpr double startsWithin = 4;  // of the values in the study, by this factor
+constexpr std::size_t fewestOfImitation = 3;
+constexpr double shareOfImitation = 0.05;  // of what they explain together
 constexpr double changeShare = 0.5, leastChange = 100;
 
 /// Whether a parameter that changes (in mid run, or with a channel) accounts for most of what is above the noise, by a
@@ -147,10 +151,24 @@ AddedEffect Search::describe(const NullModel& last, const ModelState& state, con
     return effect;
 }
 
+/// Whether several effects explain much together of which none is missed much: a flexible sum of what bends alike
+/// stands for something that has no name.
+bool Search::onlyImitate(const NullModel& base, const NullModel& null) const {
+    if (steps_.size() < fewestOfImitation) return false;
+    const double fall = sumInUnitsOf(null, base) - null.sumOfSquares();
+    return std::all_of(steps_.begin(), steps_.end(), [&](const Step& s) { return s.fall < shareOfImitation * fall; });
+}
+
 /// Takes out of what a path ends with all that is not missed, or no more than a disturbance, and the equations without
 /// a name, which are returned.
 Search::Conclusion Search::conclude(NullModel& null, const NullModel& base, bool mayAddLaw) {
     if (!isNoise(null)) removeUnneeded(null, 0, true);
+    if (onlyImitate(base, null)) {
+        for (const PlacedEffect& e : null.variant.effects)
+            setVerdict(e.effect.kind, e.place.at, Verdict::NotSignificant);
+        steps_.clear();
+        null = base;
+    }
     if (mayAddLaw && !isNoise(null) && !progress_.stopRequested() && addLaw(null)) removeUnneeded(null, 0, true);
     // where a proposal explains all, what it made needless only imitated it
     const bool leavesMuch = levelOf(null.fit) > largeResidual;
@@ -164,6 +182,27 @@ Search::Conclusion Search::conclude(NullModel& null, const NullModel& base, bool
     }
     const double misfit = proposed.empty() ? misfitIn(base, null) : with;
     return {std::move(proposed), leavesMuch, misfit};
+}
+
+/// A fit may end at another optimum than the best, and what it leaves there is no missing effect. True: the model and
+/// all that follows begin where start values near the given ones led to less.
+bool Search::beginElsewhere(NullModel& null) {
+    if (isNoise(null) || null.fit.estimates.empty() || isDirect(options_.fit.method)) return false;
+    FitOptions around = options_.fit;
+    around.starts = 1 + otherStarts;
+    around.startsWithin = startsWithin;
+    around.simulation = limited(null, around.simulation);
+    const std::optional<FitResult> other = fitBeside(null, base_, around, progress_);
+    if (!other || progress_.stopRequested()) return false;
+    const double fall = null.sumOfSquares() - other->optimum.residuals.squaredNorm();
+    if (!(fall > equivalenceMargin)) return false;
+    Variant begin = base_;
+    begin.values = valuesOf(*other);
+    Outcome<NullModel> better = fitNull(begin, null.noise, NoiseLevel::Estimate, options_.fit, progress_);
+    if (!better) return false;
+    base_.values = full_.values = begin.values;
+    null = std::move(*better);
+    return true;
 }
 
 Outcome<Finding> Search::run() {
@@ -181,6 +220,11 @@ Outcome<Finding> Search::run() {
     say("fit", base_.task.className, 0);
     Outcome<NullModel> null = fitNull(base_, {}, NoiseLevel::Estimate, options_.fit, progress_);
     if (!null) return null.diagnostics();
+    if (beginElsewhere(*null))
+        finding.warnings.push_back(
+            phrase("from the start values of the study the fit ends at a poorer optimum: the search begins at the best "
+                   "of {} starts about them",
+                   1 + otherStarts));
     std::optional<NullModel> onAll;
     if (thinning_ > 1) {
         finding.warnings.push_back(

@@ -28,11 +28,19 @@ bool isBorneOut(const BesideDisturbance& without, const BesideDisturbance& with,
     return evidenceBeside(without, with, rows, freed) > leastBesideDisturbance;
 }
 
-bool isAtBound(const Trial& trial) {
-    const std::string& strength = trial.variant.effects.back().freed.front().name;
-    return std::any_of(trial.fit.estimates.begin(), trial.fit.estimates.end(),
-                       [&](const FitEstimate& e) { return e.name == strength && e.atBound; });
+bool isAtBound(const PlacedEffect& placed, const FitResult& fit) {
+    return std::any_of(placed.freed.begin(), placed.freed.end(), [&](const FitParameter& p) {
+        const auto estimate = std::find_if(fit.estimates.begin(), fit.estimates.end(),
+                                           [&](const FitEstimate& e) { return e.name == p.name; });
+        if (estimate == fit.estimates.end() || !estimate->atBound) return false;
+        if (&p == &placed.freed.front()) return true;
+        // below its reach a shape is not what the effect is called: no turn of a period, no warming
+        const bool isLow = estimate->value < 1.01 * p.min;
+        return isLow && placed.effect.reach.contains(p.name.substr(placed.instance.size() + 1));
+    });
 }
+
+bool isAtBound(const Trial& trial) { return isAtBound(trial.variant.effects.back(), trial.fit); }
 
 bool fightsAnother(const NullModel& null, const FitResult& with) {
     const auto valueOf = [](const FitResult& fit, const std::string& name) {

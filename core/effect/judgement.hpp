@@ -27,7 +27,9 @@ bool isMissed(const Acceptance& a);
 /// second mass or a small exponent imitates it well from one short block to the next.
 bool isBorneOut(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int freed);
 
-/// Whether the strength rests at a bound: the effect then stands for something else.
+/// Whether the strength rests at a bound, or a shape at the low end of its reach: the effect then stands for something
+/// else.
+bool isAtBound(const PlacedEffect& placed, const FitResult& fit);
 bool isAtBound(const Trial& trial);
 
 /// Whether a new effect and an old one grow against each other: two that cancel explain what neither does.

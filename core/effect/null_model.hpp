@@ -30,6 +30,7 @@ double dominantPeriod(const NullModel& null);
 std::vector<Trajectory> observe(const NullModel& null, const PreparedTask& held, const std::vector<std::string>& names,
                                 const SimulationOptions& simulation);
 
+constexpr double leastLike = 0.5;           // of a winner's evidence, for what explains less to be like it
 constexpr double equivalenceMargin = 10;    // evidence within which two candidates cannot be told apart
 constexpr double largeResidual = 1.2;       // in units of the noise: above it, first-order scores may mislead
 constexpr double whiteSignificance = 1e-4;  // probability below which a residual does not pass for white

@@ -31,6 +31,7 @@ private:
         std::vector<Alternative> alternatives;
         std::vector<Candidate> rivals;  // what else explained a good part of the same
         int order{};                    // of all choices
+        double fall{};                  // in the sum of squares, that it alone is missed for
         double errorWithout{-1};        // [%] of the fitted data when this effect alone is left out; -1: not known
     };
 
@@ -98,6 +99,8 @@ private:
     void bringBackDisplaced(NullModel& null);
     bool replace(NullModel& null, std::size_t effect);
     Conclusion conclude(NullModel& null, const NullModel& base, bool mayAddLaw);
+    bool beginElsewhere(NullModel& null);
+    bool onlyImitate(const NullModel& base, const NullModel& null) const;
     void removeUnneeded(NullModel& null, std::size_t least, bool isLast = false);
     bool allowForRecordings(NullModel& null, const Round& round);
     bool refitQuiet(NullModel& null, Variant quiet, const std::vector<NoisyInput>& noisy);

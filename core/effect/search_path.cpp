@@ -16,6 +16,8 @@ namespace {
 constexpr double mostWork = 3e7;  // in steps of the trials, beyond which no other beginning is tried
 constexpr std::size_t otherPaths = 2, otherPairs = 2;
 constexpr double structuredResidual = 1.1;  // in units of the noise: something is left to find
+constexpr double clearlyMissed = 100;       // in evidence
+constexpr double mostForPairs = 10;         // level of what is left: far from an optimum no slopes tell of two effects
 constexpr double leastGain = 1;             // in evidence, for which an effect is exchanged: exact twins are not
 constexpr int mostSharpenings = 2;
 constexpr double leastSharpening = 8;  // fall in the sum of squares, in units of the noise
@@ -159,7 +161,7 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
         const std::vector<PlacedEffect>& effects = best.null.variant.effects;
         return isNoise(best.null) && effects.size() <= 2 && std::none_of(effects.begin(), effects.end(), isEquation);
     };
-    if (first.chosen && !isExplained()) {
+    if (first.chosen && !isExplained() && levelOf(best.null.fit) < mostForPairs) {
         std::vector<std::size_t> taken = others;
         taken.push_back(*first.chosen);
         for (const std::size_t begin : pairBeginnings(base, first, otherPairs, taken)) {
@@ -281,8 +283,8 @@ bool Search::replace(NullModel& null, std::size_t effect) {
         const EffectPlace& place = t.screened.candidate.place;
         const std::string& kind = t.screened.candidate.effect.kind;
         std::erase_if(alternatives, [&](const Alternative& a) { return a.kind == kind && a.at == place.at; });
-        if (t.ok && !isProposal(t))
-            alternatives.push_back({kind, place.at, -t.evidence, weight * (own - t.evidence) < equivalenceMargin});
+        const bool isLike = t.evidence > leastLike * own && weight * (own - t.evidence) < equivalenceMargin;
+        if (t.ok && !isProposal(t)) alternatives.push_back({kind, place.at, -t.evidence, isLike});
     }
     // what the data hardly tell apart is not exchanged for the less likely
     const bool isLessLikely = plausibility(best.screened.candidate.effect) > plausibility(old.effect);
@@ -301,11 +303,13 @@ bool Search::replace(NullModel& null, std::size_t effect) {
     step.tried = screened.size();
     step.alternatives.push_back(
         {old.effect.kind, old.place.at, -(best.evidence - gain), weight * gain < equivalenceMargin});
-    for (std::size_t i = 1; i < trials.size(); ++i)
+    for (std::size_t i = 1; i < trials.size(); ++i) {
+        const bool isLike = trials[i].evidence > leastLike * best.evidence &&
+                            weight * (best.evidence - trials[i].evidence) < equivalenceMargin;
         if (trials[i].ok && !isProposal(trials[i]))
             step.alternatives.push_back({trials[i].screened.candidate.effect.kind,
-                                         trials[i].screened.candidate.place.at, -trials[i].evidence,
-                                         weight * (best.evidence - trials[i].evidence) < equivalenceMargin});
+                                         trials[i].screened.candidate.place.at, -trials[i].evidence, isLike});
+    }
     for (const Candidate& c : steps_[effect].rivals)
         if (c.effect.className != best.screened.candidate.effect.className ||
             c.place.at != best.screened.candidate.place.at)
@@ -367,8 +371,12 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
             return isBorneOut(besideDisturbance(*refitted, search_.fit.simulation, progress_), *beside,
                               null.fit.optimum.residuals.size(), freed);
         };
-        if (isMissed(missed) && isDetermined(null, i) && (!isDoubtful || isMore())) {
+        // where the model's own parameters are not determined the errors are no measure, what is missed without it is
+        const bool isTold = isDetermined(null, i) || std::min(missed.evidence, missed.effective) > clearlyMissed;
+        const bool isItself = !isAtBound(null.variant.effects[i], null.fit);
+        if (isMissed(missed) && isTold && isItself && (!isDoubtful || isMore())) {
             steps_[i].acceptance = missed;
+            steps_[i].fall = refitted->sumOfSquares() - null.sumOfSquares();
             if (Outcome<ModelState> state =
                     stateOf(refitted->variant, refitted->fit, search_.fit.simulation, progress_, Detail::Errors))
                 steps_[i].errorWithout = errorPercentOf(*state, Role::Fit);
@@ -394,7 +402,10 @@ bool Search::dropIndistinct(const NullModel& last, const ModelState& state, Null
         return false;
     const std::vector<PlacedEffect>& effects = last.variant.effects;
     for (std::size_t i = 0; i < effects.size(); ++i)
-        if (!isDetermined(effects[i], state.parameters) && takeOut(null, i)) return true;
+        if (!isDetermined(effects[i], state.parameters) &&
+            !(std::min(steps_[i].acceptance.evidence, steps_[i].acceptance.effective) > clearlyMissed) &&
+            takeOut(null, i))
+            return true;
     return false;
 }
 

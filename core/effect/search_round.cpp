@@ -91,8 +91,8 @@ std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>&
         std::vector<Trial> others =
             tryThese(null, {chosen.begin() + static_cast<std::ptrdiff_t>(before), chosen.end()}, glanceIterations, 1);
         trials.insert(trials.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
-        continueBest(null, trials);
     }
+    continueBest(null, trials);
     retryNames(null, trials);
     return trials;
 }
@@ -148,6 +148,7 @@ std::vector<std::size_t> Search::equivalents(const NullModel& null, const std::v
     const double weight = independentShare(null, trials[best].fit);
     for (std::size_t i = 0; i < trials.size(); ++i) {
         if (i == best || !trials[i].ok || isProposal(trials[i])) continue;
+        if (trials[i].evidence < leastLike * trials[best].evidence) continue;
         const double gap = weight * std::abs(trials[best].evidence - trials[i].evidence);
         if (gap < equivalenceMargin ||
             (gap < 3 * equivalenceMargin && std::abs(own.dot(direction(trials[i]))) > twinCorrelation))

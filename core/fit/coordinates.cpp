@@ -85,6 +85,11 @@ double Coordinates::bound(int i, double value) const {
     return (toQ(i, value) - origin_[i]) / scale_[i];
 }
 
+double Coordinates::near(int i, double fraction, double factor) const {
+    const FitParameter& p = parameters_[static_cast<std::size_t>(i)];
+    return std::clamp(p.start * std::pow(factor, 2.0 * fraction - 1.0), p.min, p.max);
+}
+
 double Coordinates::within(int i, double fraction) const {
     const FitParameter& p = parameters_[static_cast<std::size_t>(i)];
     const double start = toQ(i, p.start);

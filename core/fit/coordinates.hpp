@@ -27,6 +27,8 @@ public:
     double upper(int i) const { return bound(i, parameters_[static_cast<std::size_t>(i)].max); }
     /// A place to start a search: fraction 0 … 1 of the range, or of a span around the start where it is open.
     double within(int i, double fraction) const;
+    /// The same within a factor of the start (which keeps its sign) and within the bounds; a start at 0 stays there.
+    double near(int i, double fraction, double factor) const;
     /// A sensible first move for a method that knows no slopes, in z.
     double firstMove(int i) const;
 

@@ -196,8 +196,8 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
     return descent;
 }
 
-/// Latin hypercube (McKay et al. 1979) over the bounds: start s of dimension i lies in its own stratum. The first
-/// start is the problem's own. Each depends on the seed and its index alone.
+/// Latin hypercube (McKay et al. 1979) over the bounds, or about the start: start s of dimension i lies in its own
+/// stratum. The first start is the problem's own. Each depends on the seed and its index alone.
 std::vector<Eigen::VectorXd> startsOf(const FitProblem& problem, const FitOptions& options) {
     const auto K = static_cast<Eigen::Index>(problem.parameters.size());
     const Eigen::VectorXd own = problem.startValues();
@@ -215,7 +215,10 @@ std::vector<Eigen::VectorXd> startsOf(const FitProblem& problem, const FitOption
         for (int s = 0; s < further; ++s) {
             const double within = static_cast<double>(random() >> 11) * 0x1p-53;
             const double fraction = (strata[static_cast<std::size_t>(s)] + within) / further;
-            starts[static_cast<std::size_t>(s) + 1][i] = coordinates.within(static_cast<int>(i), fraction);
+            const int index = static_cast<int>(i);
+            starts[static_cast<std::size_t>(s) + 1][i] = options.startsWithin > 1.0
+                                                             ? coordinates.near(index, fraction, options.startsWithin)
+                                                             : coordinates.within(index, fraction);
         }
     }
     return starts;

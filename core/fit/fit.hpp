@@ -28,6 +28,7 @@ struct FitOptions {
     int maxSimulations{20000};    // methods without slopes
     double costTolerance{1e-10};  // relative fall of the cost at which the fit has converged
     int starts{1};                // > 1: further starts from a Latin hypercube within the bounds, best one kept
+    double startsWithin{};        // > 1: these lie within this factor of the start values, of whatever bounds
     std::uint64_t seed{1};
     int threads{1};
     /// False: FitResult::optimum stays empty; the fit then needs no memory that grows with the record.

@@ -852,6 +852,30 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Zuleitungs- oder Kontaktwiderstand mit Wärmeabgabe an anderer Stelle</translation>
     </message>
     <message>
+        <source>Torque constant that falls with the current</source>
+        <translation>Drehmomentkonstante, die mit dem Strom sinkt</translation>
+    </message>
+    <message>
+        <source>Torque constant that changes with the angle</source>
+        <translation>Drehmomentkonstante, die sich mit dem Winkel ändert</translation>
+    </message>
+    <message>
+        <source>1/i_s^2: at the current i_s the torque constant is down to 0.71 (0: off)</source>
+        <translation>1/i_s^2: beim Strom i_s ist die Drehmomentkonstante auf 0,71 gesunken (0: aus)</translation>
+    </message>
+    <message>
+        <source>Relative change per angle (0: off)</source>
+        <translation>Relative Änderung je Winkel (0: aus)</translation>
+    </message>
+    <message>
+        <source>Relative change per square of the angle</source>
+        <translation>Relative Änderung je Quadrat des Winkels</translation>
+    </message>
+    <message>
+        <source>Driver that limits the current</source>
+        <translation>Treiber, der den Strom begrenzt</translation>
+    </message>
+    <message>
         <source>Torque that grows with the third power of speed</source>
         <translation>Drehmoment mit der dritten Potenz der Drehzahl</translation>
     </message>
@@ -2624,6 +2648,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>the model switches faster than its steps: slopes are taken from changes of the parameters, and the fit is slow; widen what rounds the change off (&quot;i_eps&quot;, &quot;w_eps&quot;) if you can</source>
         <translation>das Modell schaltet schneller als seine Schritte: Steigungen werden aus Änderungen der Parameter bestimmt, und die Schätzung ist langsam; was den Wechsel rundet („i_eps“, „w_eps“), nach Möglichkeit verbreitern</translation>
+    </message>
+    <message>
+        <source>from the start values of the study the fit ends at a poorer optimum: the search begins at the best of {} starts about them</source>
+        <translation>von den Startwerten der Studie aus endet die Anpassung in einem schlechteren Optimum: die Suche beginnt beim besten von {} Starts um sie herum</translation>
     </message>
     <message>
         <source>{} seems to move with the recorded channel {}</source>

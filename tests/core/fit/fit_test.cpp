@@ -240,6 +240,33 @@ end Draining;
     EXPECT_NEAR(simplex.values[0], result.values[0], 1e-4);
 }
 
+TEST(Fit, LooksForABetterOptimumAboutTheStart) {
+    // a wave of which another period fits best from a frequency that is told wrongly
+    const SystemPtr system = compileText(R"(
+model Wave
+  input Real u;
+  output Real y;
+  parameter Real f = 1;
+equation
+  y = sin(f*u);
+end Wave;
+)",
+                                         "Wave", {"f"});
+    FitProblem problem;
+    SampledInputs ramp = steps(400, 0.05, 0.0, 1.0);
+    for (Eigen::Index k = 0; k < ramp.values.cols(); ++k) ramp.values(0, k) = 0.05 * static_cast<double>(k);
+    problem.experiments.push_back(simulated("ramp", system, ramp, {2.0}, 0.01, 3));
+    problem.parameters = {parameter("f", 3.1, 1e-3, 1e3)};
+    EXPECT_GT(std::abs(fit(problem).values[0] - 2.0), 0.1);
+    FitOptions options;
+    options.starts = 16;
+    options.startsWithin = 2;
+    EXPECT_NEAR(fit(problem, options).values[0], 2.0, 0.01);
+    // within a factor of 1.05 there is nothing better
+    options.startsWithin = 1.05;
+    EXPECT_GT(std::abs(fit(problem, options).values[0] - 2.0), 0.1);
+}
+
 TEST(Fit, SaysWhyItCannotStart) {
     FitProblem problem = charging();
     problem.parameters[0].name = "Rr";

@@ -24,6 +24,7 @@ equation
       way = "specialise",
       strength = "e_w",
       oneSided = true,
+      reach(tau_w = 10),
       shape(tau_w = {"0.05*duration", "0.25*duration", "duration", "5*duration"}))),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
         Text(extent={{-50,40},{50,-40}}, textString="M", textColor={0,0,0}, textStyle={TextStyle.Bold}),

@@ -21,6 +21,7 @@ equation
       linear = {"tau_c"},
       fixed(w_eps = "0.002*rms(w)"),
       sharper(w_eps = 0.25),
+      reach(w_s = 8),
       shape(w_s = {"0.03*maxabs(w)", "0.1*maxabs(w)", "0.3*maxabs(w)"}))),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
         Rectangle(extent={{-90,90},{90,-90}}, lineColor={213,94,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid, radius=10),

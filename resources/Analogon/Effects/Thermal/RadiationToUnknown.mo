@@ -8,6 +8,7 @@ model RadiationToUnknown "Radiation to constant surroundings of unknown temperat
       ports = {"port"},
       strength = "k_r",
       oneSided = true,
+      reach(T_amb = 1.4),
       shape(T_amb = {"start(T)", "minimum(T)", "maximum(T)"}))),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
         Rectangle(extent={{-90,90},{90,-90}}, lineColor={213,94,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid, radius=10),

@@ -1,0 +1,50 @@
+#include "core/effect/judgement.hpp"
+
+#include <gtest/gtest.h>
+
+namespace analogon {
+namespace {
+
+/// A periodic torque of strength tau_n and n periods a turn, of which fewer than 7 do not show in the record.
+PlacedEffect cogging() {
+    PlacedEffect placed;
+    placed.instance = "cogging";
+    placed.effect.reach["n"] = 1.3;
+    FitParameter strength, periods, phase;
+    strength.name = "cogging.tau_n";
+    periods.name = "cogging.n";
+    periods.min = 7;
+    periods.max = 15;
+    phase.name = "cogging.phi_0";
+    phase.min = -1;
+    placed.freed = {strength, periods, phase};
+    return placed;
+}
+
+FitResult ended(double n, bool nAtBound, bool strengthAtBound = false, bool phaseAtBound = false) {
+    FitResult fit;
+    FitEstimate estimate;
+    estimate.name = "cogging.tau_n";
+    estimate.atBound = strengthAtBound;
+    fit.estimates.push_back(estimate);
+    estimate.name = "cogging.n";
+    estimate.value = n;
+    estimate.atBound = nAtBound;
+    fit.estimates.push_back(estimate);
+    estimate.name = "cogging.phi_0";
+    estimate.value = -1;
+    estimate.atBound = phaseAtBound;
+    fit.estimates.push_back(estimate);
+    return fit;
+}
+
+TEST(IsAtBound, IsAnEffectThatEndsWhereItIsNoLongerWhatItIsCalled) {
+    EXPECT_FALSE(isAtBound(cogging(), ended(9, false)));
+    EXPECT_TRUE(isAtBound(cogging(), ended(9, false, true))) << "its strength ends at a bound";
+    EXPECT_TRUE(isAtBound(cogging(), ended(7, true))) << "fewer periods than the record shows";
+    EXPECT_FALSE(isAtBound(cogging(), ended(15, true))) << "more of them are the same effect";
+    EXPECT_FALSE(isAtBound(cogging(), ended(9, false, false, true))) << "a phase may be any";
+}
+
+}  // namespace
+}  // namespace analogon
