@@ -147,7 +147,7 @@ AddedEffect Search::describe(const NullModel& last, const ModelState& state, con
         if (!stands(last.variant, a.kind, a.at) &&
             std::none_of(effect.alternatives.begin(), effect.alternatives.end(),
                          [&](const Alternative& b) { return b.kind == a.kind && b.at == a.at; }))
-            effect.alternatives.push_back(a);
+            effect.alternatives.push_back({a.kind, a.at, effect.evidence.deltaBic + a.deltaBic, a.equivalent});
     return effect;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -58,7 +59,8 @@ struct EffectValue {
 /// Where an effect was put and how it did, compared with the chosen one.
 struct Alternative {
     std::string kind, at;
-    double deltaBic{};
+    double
+        deltaBic{};  // as that of the chosen one; while the search goes on, what it is worse by beside the same others
     bool equivalent{};
 };
 
@@ -98,6 +100,8 @@ struct CandidateResult {
 struct Correlate {
     std::string variable;
     double correlation{};
+
+    bool isWorthAWord() const { return std::abs(correlation) >= 0.15; }
 };
 
 struct Remainder {

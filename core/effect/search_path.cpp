@@ -284,7 +284,7 @@ bool Search::replace(NullModel& null, std::size_t effect) {
         const std::string& kind = t.screened.candidate.effect.kind;
         std::erase_if(alternatives, [&](const Alternative& a) { return a.kind == kind && a.at == place.at; });
         const bool isLike = t.evidence > leastLike * own && weight * (own - t.evidence) < equivalenceMargin;
-        if (t.ok && !isProposal(t)) alternatives.push_back({kind, place.at, -t.evidence, isLike});
+        if (t.ok && !isProposal(t)) alternatives.push_back({kind, place.at, own - t.evidence, isLike});
     }
     // what the data hardly tell apart is not exchanged for the less likely
     const bool isLessLikely = plausibility(best.screened.candidate.effect) > plausibility(old.effect);
@@ -301,14 +301,14 @@ bool Search::replace(NullModel& null, std::size_t effect) {
     step.order = ++choices_;
     step.acceptance = examine(*rest, best.fit, best.freed(), 0);
     step.tried = screened.size();
-    step.alternatives.push_back(
-        {old.effect.kind, old.place.at, -(best.evidence - gain), weight * gain < equivalenceMargin});
+    step.alternatives.push_back({old.effect.kind, old.place.at, gain, weight * gain < equivalenceMargin});
     for (std::size_t i = 1; i < trials.size(); ++i) {
         const bool isLike = trials[i].evidence > leastLike * best.evidence &&
                             weight * (best.evidence - trials[i].evidence) < equivalenceMargin;
         if (trials[i].ok && !isProposal(trials[i]))
             step.alternatives.push_back({trials[i].screened.candidate.effect.kind,
-                                         trials[i].screened.candidate.place.at, -trials[i].evidence, isLike});
+                                         trials[i].screened.candidate.place.at, best.evidence - trials[i].evidence,
+                                         isLike});
     }
     for (const Candidate& c : steps_[effect].rivals)
         if (c.effect.className != best.screened.candidate.effect.className ||

@@ -270,7 +270,7 @@ Search::Step Search::stepOf(const Round& round) {
     };
     const auto alternative = [&](std::size_t i, bool isEquivalent) {
         const Candidate& c = trials[i].screened.candidate;
-        return Alternative{c.effect.kind, c.place.at, -trials[i].evidence, isEquivalent};
+        return Alternative{c.effect.kind, c.place.at, trials[chosen].evidence - trials[i].evidence, isEquivalent};
     };
     Step s;
     s.order = ++choices_;

@@ -21,16 +21,20 @@ std::string lowerFirst(std::string text) {
     return text;
 }
 
+constexpr double mostGrowth = 1.05;  // of the validation error, for a change of the model to pass
+
 /// "The error on validation data falls from 8.6 % to 1.1 %."
 std::string errorWords(const Finding& finding) {
     for (const Role role : {Role::Validate, Role::Fit}) {
         const double before = errorPercent(finding.baseline, role), after = errorPercent(finding.final, role);
         if (!std::isfinite(before) || !std::isfinite(after)) continue;
         const char* const data = role == Role::Validate ? "validation data" : "the fitted data";
-        const char* const verb = after < before ? "falls" : "goes";
+        const char* const verb = after < before ? "falls" : "grows";
         const auto [was, is] = percentTexts(before, after);
         if (was == is) return fmt::format("the error on {} stays at {}", data, is);
-        return fmt::format("the error on {} {} from {} to {}", data, verb, was, is);
+        const bool isBorneOut = role != Role::Validate || after < mostGrowth * before;
+        return fmt::format("the error on {} {} from {} to {}{}", data, verb, was, is,
+                           isBorneOut ? "" : " (it describes the fitted recordings only: do not rely on it)");
     }
     return "the model changes as listed below";
 }
@@ -90,8 +94,10 @@ std::string summaryWords(const Finding& finding, const std::string& command) {
     std::string text;
     std::vector<std::string> effects;
     for (const AddedEffect& effect : finding.effects) effects.push_back(effectWords(effect));
+    const char* const begin =
+        finding.kind == FindingKind::Partial ? "Part of what the model lacks is explained by" : "The model lacked";
     if (!effects.empty())
-        text = fmt::format("The model lacked {}. With {}, {}", listed(effects), effects.size() == 1 ? "it" : "them",
+        text = fmt::format("{} {}. With {}, {}", begin, listed(effects), effects.size() == 1 ? "it" : "them",
                            errorWords(finding));
     switch (finding.kind) {
         case FindingKind::Adequate:
@@ -147,7 +153,8 @@ std::string remainderWords(const Remainder& remainder) {
     if (!remainder.node.empty()) text += fmt::format("; it acts at {}", remainder.node);
     std::vector<std::string> variables;
     for (const Correlate& correlate : remainder.movesWith)
-        variables.push_back(fmt::format("{} (correlation {:.2f})", correlate.variable, correlate.correlation));
+        if (correlate.isWorthAWord())
+            variables.push_back(fmt::format("{} (correlation {:.2f})", correlate.variable, correlate.correlation));
     if (!variables.empty()) text += "; it moves with " + listed(variables).english();
     text += '.';
     const bool isWorse = remainder.worsensValidation();

@@ -384,7 +384,8 @@ void ResultPanel::addRemainder(const Finding& finding) {
         addText(sentence + ".");
         QStringList moves;
         for (const Correlate& c : r.movesWith)
-            moves << QStringLiteral("%1 (%2)").arg(text(c.variable), numberText(c.correlation, 2));
+            if (c.isWorthAWord())
+                moves << QStringLiteral("%1 (%2)").arg(text(c.variable), numberText(c.correlation, 2));
         if (!moves.isEmpty()) addText(tr("It moves with %1.").arg(moves.join(", ")), true);
         addProposal(r);
     }

@@ -268,6 +268,26 @@ TEST(Summary, AlignsTheTableAndTellsTheFinding) {
     for (const std::size_t end : ends) EXPECT_EQ(end, ends[0]);
 }
 
+TEST(Summary, SaysWhereValidationDoesNotBearOutWhatWasFound) {
+    Finding finding = sampleFinding();
+    EXPECT_THAT(summaryText(finding), Not(HasSubstr("do not rely on it")));
+    for (ExperimentState& e : finding.final.experiments)
+        if (e.role == Role::Validate) e.errorPercent = 50;
+    EXPECT_THAT(summaryText(finding), HasSubstr("grows from"));
+    EXPECT_THAT(summaryText(finding), HasSubstr("do not rely on it"));
+    finding.kind = FindingKind::Partial;
+    EXPECT_THAT(summaryText(finding), HasSubstr("Part of what the model lacks is explained by thermal.radiation"));
+}
+
+TEST(Summary, LeavesOutWhatHardlyMovesWithTheResidual) {
+    Remainder remainder;
+    remainder.output = "T";
+    remainder.movesWith = {{"u", 0.4}, {"w", -0.06}};
+    EXPECT_THAT(remainderWords(remainder), HasSubstr("moves with u (correlation 0.40)."));
+    remainder.movesWith.erase(remainder.movesWith.begin());
+    EXPECT_THAT(remainderWords(remainder), Not(HasSubstr("moves")));
+}
+
 TEST(Summary, NamesWhereASimulationStopped) {
     Finding finding = fitOnly();
     finding.final.experiments[0].failure = {true, 1.25, "heater.T", "not finite"};
