@@ -21,8 +21,9 @@
 ///     linear = {"tau_s"},               // further parameters in which the model is linear at 0
 ///     fixed(w_eps = "0.002*maxabs(w)"), // set before screening and kept
 ///     states = 2,                       // that it must add to the model, or its place is none (both sides turn)
-///     reach(phi_h = 3),                 // factor by which a shape may leave the values it is tried with
-///     sharper(w_eps = 0.25),             // factor by which a numerical width falls where the data ask for it
+///     reach(phi_h = 3),                 // factor by which a shape may leave the values it is tried with; at the low
+///                                       // end of it the effect is not what it is called, and is none
+///     sharper(w_eps = 0.25),            // factor by which a numerical width falls where the data ask for it
 ///     shape(w_s = {"0.05*maxabs(w)", "0.3*maxabs(w)"}),  // tried in turn, freed in the refit
 ///     valid = "n*range(phi) - 6.28",    // a shape for which this is not above 0 is left out
 ///     proposal = "flange.tau = a*w^3",  // no named effect: offered as this equation, never added by itself

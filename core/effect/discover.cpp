@@ -159,16 +159,18 @@ bool Search::onlyImitate(const NullModel& base, const NullModel& null) const {
     return std::all_of(steps_.begin(), steps_.end(), [&](const Step& s) { return s.fall < shareOfImitation * fall; });
 }
 
+/// Back to the model without effects.
+void Search::takeOutAll(NullModel& null, const NullModel& base) {
+    for (const PlacedEffect& e : null.variant.effects) setVerdict(e.effect.kind, e.place.at, Verdict::NotSignificant);
+    steps_.clear();
+    null = base;
+}
+
 /// Takes out of what a path ends with all that is not missed, or no more than a disturbance, and the equations without
 /// a name, which are returned.
 Search::Conclusion Search::conclude(NullModel& null, const NullModel& base, bool mayAddLaw) {
     if (!isNoise(null)) removeUnneeded(null, 0, true);
-    if (onlyImitate(base, null)) {
-        for (const PlacedEffect& e : null.variant.effects)
-            setVerdict(e.effect.kind, e.place.at, Verdict::NotSignificant);
-        steps_.clear();
-        null = base;
-    }
+    if (onlyImitate(base, null)) takeOutAll(null, base);
     if (mayAddLaw && !isNoise(null) && !progress_.stopRequested() && addLaw(null)) removeUnneeded(null, 0, true);
     // where a proposal explains all, what it made needless only imitated it
     const bool leavesMuch = levelOf(null.fit) > largeResidual;
@@ -267,10 +269,7 @@ Outcome<Finding> Search::run() {
             change_.reset();
     }
     if (change_ || dependence_) {
-        for (const PlacedEffect& e : null->variant.effects)
-            setVerdict(e.effect.kind, e.place.at, Verdict::NotSignificant);
-        steps_.clear();
-        null = base;
+        takeOutAll(*null, base);
         finding.final = finding.baseline;
     }
     Conclusion conclusion = conclude(*null, base, !change_ && !dependence_);

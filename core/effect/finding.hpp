@@ -59,8 +59,7 @@ struct EffectValue {
 /// Where an effect was put and how it did, compared with the chosen one.
 struct Alternative {
     std::string kind, at;
-    double
-        deltaBic{};  // as that of the chosen one; while the search goes on, what it is worse by beside the same others
+    double deltaBic{};  // on the scale of the chosen one
     bool equivalent{};
 };
 

@@ -8,6 +8,7 @@ namespace analogon {
 namespace {
 
 constexpr double leastBesideDisturbance = 30;  // fall in BIC
+constexpr double clearlyMissed = 100;          // in evidence
 constexpr double mostGrowth = 5;               // of an effect's strength when another joins it
 
 }  // namespace
@@ -23,6 +24,8 @@ bool isProposal(const Trial& trial) { return !trial.screened.candidate.effect.pr
 int plausibility(const EffectClass& effect) { return effect.signalSide == "input" ? 1 : 0; }
 
 bool isMissed(const Acceptance& a) { return a.isSignificant && a.isWorthwhile && a.heldOut > 0; }
+
+bool isClearlyMissed(const Acceptance& a) { return std::min(a.evidence, a.effective) > clearlyMissed; }
 
 bool isBorneOut(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int freed) {
     return evidenceBeside(without, with, rows, freed) > leastBesideDisturbance;

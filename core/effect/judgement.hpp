@@ -23,6 +23,10 @@ int plausibility(const EffectClass& effect);
 /// Whether an effect, by what the model loses without it, has to stay.
 bool isMissed(const Acceptance& a);
 
+/// Whether the model is so much worse without an effect that its standard error need not bear it out: where the model's
+/// own parameters are known but for a common factor, it tells nothing.
+bool isClearlyMissed(const Acceptance& a);
+
 /// Whether an effect is more than what a flow that nobody measured takes over, one that varies slowly at some node: a
 /// second mass or a small exponent imitates it well from one short block to the next.
 bool isBorneOut(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int freed);

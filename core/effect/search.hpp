@@ -27,12 +27,12 @@ private:
     struct Step {
         Trial winner;
         Acceptance acceptance;
-        std::size_t tried{1};  // candidates from which it was chosen
-        std::vector<Alternative> alternatives;
-        std::vector<Candidate> rivals;  // what else explained a good part of the same
-        int order{};                    // of all choices
-        double fall{};                  // in the sum of squares, that it alone is missed for
-        double errorWithout{-1};        // [%] of the fitted data when this effect alone is left out; -1: not known
+        std::size_t tried{1};                   // candidates from which it was chosen
+        std::vector<Alternative> alternatives;  // deltaBic: by how much they are worse than the chosen one
+        std::vector<Candidate> rivals;          // what else explained a good part of the same
+        int order{};                            // of all choices
+        double fall{};                          // in the sum of squares, that it alone is missed for
+        double errorWithout{-1};  // [%] of the fitted data when this effect alone is left out; -1: not known
     };
 
     std::vector<Screened> screenAll(const NullModel& null);
@@ -100,6 +100,7 @@ private:
     bool replace(NullModel& null, std::size_t effect);
     Conclusion conclude(NullModel& null, const NullModel& base, bool mayAddLaw);
     bool beginElsewhere(NullModel& null);
+    void takeOutAll(NullModel& null, const NullModel& base);
     bool onlyImitate(const NullModel& base, const NullModel& null) const;
     void removeUnneeded(NullModel& null, std::size_t least, bool isLast = false);
     bool allowForRecordings(NullModel& null, const Round& round);

@@ -16,7 +16,6 @@ namespace {
 constexpr double mostWork = 3e7;  // in steps of the trials, beyond which no other beginning is tried
 constexpr std::size_t otherPaths = 2, otherPairs = 2;
 constexpr double structuredResidual = 1.1;  // in units of the noise: something is left to find
-constexpr double clearlyMissed = 100;       // in evidence
 constexpr double mostForPairs = 10;         // level of what is left: far from an optimum no slopes tell of two effects
 constexpr double leastGain = 1;             // in evidence, for which an effect is exchanged: exact twins are not
 constexpr int mostSharpenings = 2;
@@ -279,12 +278,16 @@ bool Search::replace(NullModel& null, std::size_t effect) {
     std::vector<Alternative>& alternatives = steps_[effect].alternatives;
     const double own = best.evidence - gain;
     const double weight = independentShare(null, best.fit);
+    const auto beside = [&](const Trial& t, double evidence) {
+        const Candidate& c = t.screened.candidate;
+        const bool isLike = t.evidence > leastLike * evidence && weight * (evidence - t.evidence) < equivalenceMargin;
+        return Alternative{c.effect.kind, c.place.at, evidence - t.evidence, isLike};
+    };
     for (const Trial& t : trials) {
         const EffectPlace& place = t.screened.candidate.place;
         const std::string& kind = t.screened.candidate.effect.kind;
         std::erase_if(alternatives, [&](const Alternative& a) { return a.kind == kind && a.at == place.at; });
-        const bool isLike = t.evidence > leastLike * own && weight * (own - t.evidence) < equivalenceMargin;
-        if (t.ok && !isProposal(t)) alternatives.push_back({kind, place.at, own - t.evidence, isLike});
+        if (t.ok && !isProposal(t)) alternatives.push_back(beside(t, own));
     }
     // what the data hardly tell apart is not exchanged for the less likely
     const bool isLessLikely = plausibility(best.screened.candidate.effect) > plausibility(old.effect);
@@ -302,14 +305,8 @@ bool Search::replace(NullModel& null, std::size_t effect) {
     step.acceptance = examine(*rest, best.fit, best.freed(), 0);
     step.tried = screened.size();
     step.alternatives.push_back({old.effect.kind, old.place.at, gain, weight * gain < equivalenceMargin});
-    for (std::size_t i = 1; i < trials.size(); ++i) {
-        const bool isLike = trials[i].evidence > leastLike * best.evidence &&
-                            weight * (best.evidence - trials[i].evidence) < equivalenceMargin;
-        if (trials[i].ok && !isProposal(trials[i]))
-            step.alternatives.push_back({trials[i].screened.candidate.effect.kind,
-                                         trials[i].screened.candidate.place.at, best.evidence - trials[i].evidence,
-                                         isLike});
-    }
+    for (std::size_t i = 1; i < trials.size(); ++i)
+        if (trials[i].ok && !isProposal(trials[i])) step.alternatives.push_back(beside(trials[i], best.evidence));
     for (const Candidate& c : steps_[effect].rivals)
         if (c.effect.className != best.screened.candidate.effect.className ||
             c.place.at != best.screened.candidate.place.at)
@@ -371,8 +368,7 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
             return isBorneOut(besideDisturbance(*refitted, search_.fit.simulation, progress_), *beside,
                               null.fit.optimum.residuals.size(), freed);
         };
-        // where the model's own parameters are not determined the errors are no measure, what is missed without it is
-        const bool isTold = isDetermined(null, i) || std::min(missed.evidence, missed.effective) > clearlyMissed;
+        const bool isTold = isDetermined(null, i) || isClearlyMissed(missed);
         const bool isItself = !isAtBound(null.variant.effects[i], null.fit);
         if (isMissed(missed) && isTold && isItself && (!isDoubtful || isMore())) {
             steps_[i].acceptance = missed;
@@ -402,9 +398,7 @@ bool Search::dropIndistinct(const NullModel& last, const ModelState& state, Null
         return false;
     const std::vector<PlacedEffect>& effects = last.variant.effects;
     for (std::size_t i = 0; i < effects.size(); ++i)
-        if (!isDetermined(effects[i], state.parameters) &&
-            !(std::min(steps_[i].acceptance.evidence, steps_[i].acceptance.effective) > clearlyMissed) &&
-            takeOut(null, i))
+        if (!isDetermined(effects[i], state.parameters) && !isClearlyMissed(steps_[i].acceptance) && takeOut(null, i))
             return true;
     return false;
 }

@@ -512,11 +512,10 @@ end Drive;
         constexpr double R = 0.45, k = 0.045, J = 2.5e-4, b = 2e-4, interval = 0.02;
         const auto constant = [&](double i) { return k / std::sqrt(1 + motor.saturation * i * i); };
         const auto current = [&](double v) {
-            const double gap = v - k * w;
             double i = 0;
             // the torque constant is that of the current it takes
             for (int pass = 0; pass < 30; ++pass) {
-                const double pull = gap + k * w - constant(i) * w;
+                const double pull = v - constant(i) * w;
                 const double next = std::abs(pull) < motor.brushes
                                         ? 0
                                         : (pull - motor.brushes * signOf(pull)) / (R * (1 + 0.00393 * warm));
