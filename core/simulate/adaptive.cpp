@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <span>
+#include <utility>
 
 #include "core/simulate/grid.hpp"
 #include "core/simulate/sample_recorder.hpp"
@@ -404,7 +406,16 @@ private:
         if (progress_.stopRequested()) return fail(nextSample_, {}, "cancelled"), false;
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started_;
         if (spent.count() > options_.wallClockLimit) return fail(nextSample_, worstState(), "time limit"), false;
+        if (standsStill()) return fail(nextSample_, worstState(), "the step became too small for the tolerance"), false;
         return true;
+    }
+
+    /// Whether the steps since the clock was last read were no longer than rounding: a state that grows without bound
+    /// in finite time is followed for ever otherwise.
+    bool standsStill() {
+        constexpr double rounding = 256 * 16 * std::numeric_limits<double>::epsilon();
+        const double before = std::exchange(timeAtClock_, time_);
+        return time_ - before <= rounding * std::abs(time_) && steps_ > 256;
     }
 
     /// The state whose error test was worst in the last step.
@@ -490,6 +501,7 @@ private:
     double longestStep_{};  // 0: not limited
     int quietSteps_{};      // since it was limited
     long steps_{};
+    double timeAtClock_{};
     // Freed in the opposite order: the solver before what it uses, the context last.
     Owned<SUNContext, FreeContext> context_;
     Owned<N_Vector, FreeVector> y_;

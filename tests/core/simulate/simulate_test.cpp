@@ -311,5 +311,19 @@ end Root;
     EXPECT_THAT(y.failure.variable, ::testing::HasSubstr("y"));
 }
 
+TEST(Simulate, AStateThatGrowsWithoutBoundInFiniteTimeIsFollowedNoFurtherThanRounding) {
+    const SystemPtr system = compileText(
+        "model M\n input Real u;\n output Real y;\n Real x(start=1, fixed=true);\n"
+        "equation\n der(x) = 0.1*x^2;\n y = x + u;\nend M;\n",
+        "M");
+    ASSERT_TRUE(system);
+    const SampledInputs inputs{{0, 5, 20}, Eigen::MatrixXd::Zero(1, 3)};
+    const Trajectory y = simulateAdaptive(taskOf(system, inputs));
+    EXPECT_TRUE(y.failure.failed);
+    EXPECT_EQ(y.failure.reason, "the step became too small for the tolerance");
+    EXPECT_EQ(y.failure.variable, "x");
+    EXPECT_NEAR(y.failure.time, 10.0, 0.01);  // x = 1 / (1 - t/10)
+}
+
 }  // namespace
 }  // namespace analogon
