@@ -10,6 +10,7 @@ namespace {
 constexpr double leastBesideDisturbance = 30;  // fall in BIC
 constexpr double clearlyMissed = 100;          // in evidence
 constexpr double mostGrowth = 5;               // of an effect's strength when another joins it
+constexpr double leastOfRest = 0.5;            // of what is left above the noise
 
 }  // namespace
 
@@ -26,6 +27,10 @@ int plausibility(const EffectClass& effect) { return effect.signalSide == "input
 bool isMissed(const Acceptance& a) { return a.isSignificant && a.isWorthwhile && a.heldOut > 0; }
 
 bool isClearlyMissed(const Acceptance& a) { return std::min(a.evidence, a.effective) > clearlyMissed; }
+
+bool outweighsRest(double fall, const NullModel& null) {
+    return !(levelOf(null.fit) > largeResidual) || fall > leastOfRest * excess(null);
+}
 
 bool isBorneOut(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int freed) {
     return evidenceBeside(without, with, rows, freed) > leastBesideDisturbance;

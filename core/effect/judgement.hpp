@@ -31,6 +31,10 @@ bool isClearlyMissed(const Acceptance& a);
 /// second mass or a small exponent imitates it well from one short block to the next.
 bool isBorneOut(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int freed);
 
+/// Whether what the model loses without an effect (a fall in the sum of squares) is a good part of what the model
+/// leaves above the noise: in the shadow of something large that has no name, many an effect passes for a part of it.
+bool outweighsRest(double fall, const NullModel& null);
+
 /// Whether the strength rests at a bound, or a shape at the low end of its reach: the effect then stands for something
 /// else.
 bool isAtBound(const PlacedEffect& placed, const FitResult& fit);

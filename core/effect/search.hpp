@@ -96,13 +96,14 @@ private:
     void setAsideBehindProposal(NullModel& null);
     bool addLaw(NullModel& null);
     std::vector<Trial> tryLaws(NullModel& null);
-    void bringBackDisplaced(NullModel& null);
+    void bringBackDisplaced(NullModel& null, double leftByProposals);
     bool replace(NullModel& null, std::size_t effect);
     Conclusion conclude(NullModel& null, const NullModel& base, bool mayAddLaw);
     bool beginElsewhere(NullModel& null);
     void takeOutAll(NullModel& null, const NullModel& base);
     bool onlyImitate(const NullModel& base, const NullModel& null) const;
     void removeUnneeded(NullModel& null, std::size_t least, bool isLast = false);
+    void removeOutweighed(NullModel& null);
     bool allowForRecordings(NullModel& null, const Round& round);
     bool refitQuiet(NullModel& null, Variant quiet, const std::vector<NoisyInput>& noisy);
     Outcome<NullModel> fittedWith(const NullModel& null, const ToldStart& start, bool isFitted) const;

@@ -172,9 +172,10 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
             otherEnds_.push_back(std::move(path));
         }
     }
-    if (progress_.stopRequested() || isNoise(best.null) || levelOf(best.null.fit) < structuredResidual) return best;
-    if (work_ > mostWork) return best;
     // several effects may only imitate what has no name: a law that leaves next to nothing is the better account
+    const bool isExplainedByOne = isNoise(best.null) && best.steps.size() < 2;
+    if (progress_.stopRequested() || isExplainedByOne || work_ > mostWork) return best;
+    if (!isNoise(best.null) && levelOf(best.null.fit) < structuredResidual) return best;
     Path bare{base, {}, {}, {}, {}};
     first.chosen.reset();
     first.members.clear();
@@ -182,7 +183,7 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
     noteAll(first);
     exchange(bare);
     std::vector<Path> begins{std::move(bare)};
-    if (opening_) begins.push_back(std::move(*opening_));
+    if (opening_ && !isNoise(best.null)) begins.push_back(std::move(*opening_));
     for (Path& begin : begins) {
         if (progress_.stopRequested()) break;
         std::optional<Path> path = withLaw(std::move(begin));
@@ -386,6 +387,19 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
         beside.reset();
         steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
         i = 0;
+    }
+}
+
+/// Takes out the names that explain little against what is left beside them, least first: the others are judged without
+/// it.
+void Search::removeOutweighed(NullModel& null) {
+    while (!progress_.stopRequested()) {
+        std::optional<std::size_t> least;
+        for (std::size_t i = 0; i < steps_.size(); ++i)
+            if (null.variant.effects[i].effect.proposal.empty() && (!least || steps_[i].fall < steps_[*least].fall))
+                least = i;
+        if (!least || outweighsRest(steps_[*least].fall, null) || !takeOut(null, *least)) return;
+        removeUnneeded(null, 0, true);
     }
 }
 

@@ -16,6 +16,8 @@ namespace {
 
 constexpr int mostExperiments = 2;      // proposed to tell effects apart
 constexpr double clearSeparation = 20;  // squared, in standard deviations
+constexpr double leastAgainstRest = 2;  // times what is left above the noise
+constexpr double farLess = 0.1;         // of what is left above the noise
 
 bool hasRole(const ModelState& state, Role role) {
     return std::any_of(state.experiments.begin(), state.experiments.end(),
@@ -145,8 +147,9 @@ void Search::setAsideBehindProposal(NullModel& null) {
     displaced_.insert(displaced_.end(), std::make_move_iterator(aside.begin()), std::make_move_iterator(aside.end()));
 }
 
-/// Without the proposals, the named effects that they had made needless: each is kept if it is missed now.
-void Search::bringBackDisplaced(NullModel& null) {
+/// Without the proposals, the named effects that they had made needless: each is kept if it is missed now. It only
+/// imitates the proposals where it explains little against what is left, or leaves far more than they did.
+void Search::bringBackDisplaced(NullModel& null, double leftByProposals) {
     for (Displaced& each : displaced_) {
         if (progress_.stopRequested()) return;
         say("reconsider", each.effect.effect.kind + " at " + each.effect.place.at, -1);
@@ -156,6 +159,8 @@ void Search::bringBackDisplaced(NullModel& null) {
         if (!with) continue;
         const Acceptance missed = examine(null, with->fit, static_cast<int>(each.effect.freed.size()), 0);
         if (!isMissed(missed) || !isDetermined(*with, effects.size() - 1) || fightsAnother(null, with->fit)) continue;
+        const double fall = null.sumOfSquares() - with->sumOfSquares(), left = excess(*with);
+        if (fall < leastAgainstRest * left || leftByProposals < farLess * left) continue;
         null = std::move(*with);
         each.step.acceptance = missed;
         setVerdict(each.effect.effect.kind, each.effect.place.at, Verdict::Chosen);

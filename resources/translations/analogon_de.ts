@@ -876,6 +876,30 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Treiber, der den Strom begrenzt</translation>
     </message>
     <message>
+        <source>Driver that limits the current of a heater</source>
+        <translation>Treiber, der den Strom eines Heizers begrenzt</translation>
+    </message>
+    <message>
+        <source>Driver that limits the power of a heater</source>
+        <translation>Treiber, der die Leistung eines Heizers begrenzt</translation>
+    </message>
+    <message>
+        <source>Resistance that is not straight in the temperature</source>
+        <translation>Widerstand mit gekrümmtem Temperaturgang</translation>
+    </message>
+    <message>
+        <source>Largest power (0 while off)</source>
+        <translation>Größte Leistung (0: aus)</translation>
+    </message>
+    <message>
+        <source>Power at the voltage that is commanded</source>
+        <translation>Leistung bei der befohlenen Spannung</translation>
+    </message>
+    <message>
+        <source>Relative change with the square of the temperature above T_ref</source>
+        <translation>Relative Änderung mit dem Quadrat der Temperatur über T_ref</translation>
+    </message>
+    <message>
         <source>Torque that grows with the third power of speed</source>
         <translation>Drehmoment mit der dritten Potenz der Drehzahl</translation>
     </message>

@@ -469,6 +469,85 @@ TEST_F(DiscoveryInCoolant, TakesAnOffsetForNoGainBesideALoss) {
     }
 }
 
+/// A heater in still air at a driver.
+class DiscoveryInAHeater : public Discovery {
+protected:
+    struct Heater {
+        double power{1e9};  // [W] that the driver gives at most
+        double bend{};      // [1/K2] of the resistance
+    };
+
+    Finding searchHeater(const Heater& heater) {
+        std::ofstream(directory_ / "model.mo") << R"(model Heater
+  Analogon.Interfaces.RealInput v(unit="V");
+  Analogon.Interfaces.RealOutput i(unit="A");
+  Analogon.Interfaces.RealOutput T(unit="K");
+  Analogon.ElectricThermal.BasicElectricThermal coil(R=2, alpha=2e-3, T_ref=293.15);
+  Analogon.Thermal.HeatCapacitor body(C=8);
+  Analogon.Thermal.ThermalConductor loss(G=0.2);
+  Analogon.Sources.FixedTemperature room(T=293.15);
+  Analogon.Sensors.TemperatureSensor thermometer;
+equation
+  connect(v, coil.v);
+  connect(coil.i, i);
+  connect(coil.heatPort, body.port);
+  connect(body.port, loss.port_a);
+  connect(loss.port_b, room.port);
+  connect(body.port, thermometer.port);
+  connect(thermometer.T, T);
+end Heater;
+)";
+        std::ofstream(directory_ / "study.json") << R"({"format": "analogon-study-1", "class": "Heater",
+  "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
+                   "inputs": {"v": "v"}, "outputs": {"i": "i", "T": "T"}, "initial": {"body.T_start": 293.15}}],
+  "parameters": {"coil.R": {"fit": true, "min": 0.2, "max": 20}, "coil.alpha": {"fit": true, "min": 1e-4, "max": 0.02},
+                 "body.C": {"fit": true, "min": 0.5, "max": 100}, "loss.G": {"fit": true, "min": 0.01, "max": 5}}})";
+        constexpr double R = 2.3, alpha = 3e-3, C = 9, G = 0.15, room = 293.15, interval = 0.05;
+        const auto supply = [](int k) {
+            const double levels[] = {6, 12, 3, 9, 14, 5, 11, 2};
+            return levels[k / 150 % 8] + 0.5 * std::sin(0.9 * interval * k);
+        };
+        std::mt19937 random(3);
+        std::normal_distribution<double> scatter;
+        std::ofstream csv(directory_ / "run.csv");
+        csv.precision(10);
+        csv << "t [s],v [V],i [A],T [K]\n";
+        double T = room;
+        const auto resistance = [&] { return R * (1 + alpha * (T - room) + heater.bend * (T - room) * (T - room)); };
+        const auto current = [&](double v) {
+            return std::min(v, std::sqrt(heater.power * resistance())) / resistance();
+        };
+        for (int k = 0; k <= 1800; ++k) {
+            csv << interval * k << ',' << supply(k) << ',' << current(supply(k)) + 0.02 * scatter(random) << ','
+                << T + 0.5 * scatter(random) << '\n';
+            constexpr int inner = 20;
+            for (int m = 0; m < inner; ++m) {
+                const double a = (m + 0.5) / inner, h = interval / inner;
+                const double i = current((1 - a) * supply(k) + a * supply(k + 1));
+                T += h * (resistance() * i * i - G * (T - room)) / C;
+            }
+        }
+        csv.close();
+        return discovered();
+    }
+};
+
+TEST_F(DiscoveryInAHeater, ProposesALimitOfThePower) {
+    const Finding finding = searchHeater({.power = 30});
+    EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
+    ASSERT_FALSE(finding.remainders.empty());
+    EXPECT_NE(finding.remainders.front().proposedEquation.find("R_T*i^2 <= limit with limit = 30"), std::string::npos)
+        << finding.remainders.front().proposedEquation;
+}
+
+TEST_F(DiscoveryInAHeater, ProposesAResistanceThatBends) {
+    const Finding finding = searchHeater({.bend = 8e-6});
+    EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
+    ASSERT_FALSE(finding.remainders.empty());
+    EXPECT_NE(finding.remainders.front().proposedEquation.find("beta*(T - T_ref)^2) with beta ="), std::string::npos)
+        << finding.remainders.front().proposedEquation;
+}
+
 /// A motor at a supply: a winding that warms and brushes.
 class DiscoveryInAMotor : public Discovery {
 protected:
@@ -477,6 +556,7 @@ protected:
         double warming{};     // [K/J]
         double saturation{};  // [1/A2]
         double friction{};    // [N.m]
+        double limit{1e9};    // [A] of its driver
     };
 
     Finding searchMotor(const Motor& motor, bool showsSpeed = true) {
@@ -519,7 +599,7 @@ end Drive;
                 const double next = std::abs(pull) < motor.brushes
                                         ? 0
                                         : (pull - motor.brushes * signOf(pull)) / (R * (1 + 0.00393 * warm));
-                if (motor.saturation == 0) return next;
+                if (motor.saturation == 0) return std::clamp(next, -motor.limit, motor.limit);
                 i += 0.7 * (next - i);
             }
             return i;
@@ -568,6 +648,15 @@ TEST_F(DiscoveryInAMotor, TakesASaturatingFieldForNoWarming) {
     const Remainder& law = finding.remainders.front();
     EXPECT_NE(law.proposedEquation.find("k_i = k/sqrt(1 + q*i^2) with q = 0.004"), std::string::npos)
         << law.proposedEquation;
+}
+
+TEST_F(DiscoveryInAMotor, TakesALimitOfTheCurrentForNoLimitOfTheVoltage) {
+    const Finding finding = searchMotor({.limit = 8});
+    EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
+    EXPECT_EQ(finding.kind, FindingKind::Unexplained);
+    ASSERT_FALSE(finding.remainders.empty());
+    EXPECT_NE(finding.remainders.front().proposedEquation.find("abs(i) <= limit with limit = 7.99"), std::string::npos)
+        << finding.remainders.front().proposedEquation;
 }
 
 TEST_F(DiscoveryInAMotor, FindsFrictionThoughTheScaleOfAllTorquesIsFree) {
@@ -638,6 +727,105 @@ TEST_F(Discovery, WritesALawThatNoBlockHas) {
     EXPECT_NE(stiffening.remainders.front().proposedEquation.find("tau = a1*phi^3 with a1 = 0.004"), std::string::npos)
         << stiffening.remainders.front().proposedEquation;
     EXPECT_LT(stiffening.remainders.front().errorFitWith, 0.3 * stiffening.baseline.experiments.front().errorPercent);
+}
+
+TEST_F(Discovery, TakesASpringThatBendsForNoPairOfNames) {
+    std::ofstream(directory_ / "model.mo") << R"(model Throttle
+  Analogon.Interfaces.RealInput tau(unit="N.m");
+  Analogon.Interfaces.RealOutput phi(unit="rad");
+  Analogon.Sources.PrescribedTorque drive;
+  Analogon.Mechanics.Inertia flap(J=3e-3);
+  Analogon.Mechanics.ReturnSpring spring(c_r=1, phi_r=-0.6);
+  Analogon.Mechanics.ViscousLoad seal(b=0.05);
+  Analogon.Sensors.AngleSensor pot;
+equation
+  connect(tau, drive.tau);
+  connect(drive.flange, flap.flange_a);
+  connect(flap.flange_b, spring.flange);
+  connect(flap.flange_b, seal.flange);
+  connect(flap.flange_b, pot.flange);
+  connect(pot.phi, phi);
+end Throttle;
+)";
+    std::ofstream(directory_ / "study.json") << R"({"format": "analogon-study-1", "class": "Throttle",
+  "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
+                   "inputs": {"tau": "tau"}, "outputs": {"phi": "phi"}}],
+  "parameters": {"flap.J": {"fit": true, "min": 1e-4, "max": 0.1}, "spring.c_r": {"fit": true, "min": 0.05, "max": 20},  "seal.b": {"fit": true, "min": 0.001, "max": 1}}})";
+    std::mt19937 random(4);
+    std::normal_distribution<double> scatter(0, 0.004);
+    std::ofstream csv(directory_ / "run.csv");
+    csv.precision(10);
+    csv << "t [s],tau [N.m],phi [rad]\n";
+    const auto drive = [](double t) { return 1.6 + 1.2 * excitation(t); };
+    double phi = 0, w = 0;
+    constexpr double J = 3.5e-3, c = 1.2, b = 0.04, rest = -0.6;
+    for (int k = 0; k < samples; ++k) {
+        csv << k * step << ',' << drive(k * step) << ',' << phi + scatter(random) << '\n';
+        constexpr int inner = 100;
+        for (int m = 0; m < inner; ++m) {
+            const double a = (m + 0.5) / inner, h = step / inner;
+            const double tau = (1 - a) * drive(k * step) + a * drive((k + 1) * step);
+            w += h * (tau - c * (phi - rest) - 0.15 * phi * phi * phi - b * w) / J;
+            phi += h * w;
+        }
+    }
+    csv.close();
+    const Finding finding = discovered();
+    EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
+    ASSERT_FALSE(finding.remainders.empty());
+    EXPECT_NE(finding.remainders.front().proposedEquation.find("tau = a1*phi^3 with a1 = 0.1"), std::string::npos)
+        << finding.remainders.front().proposedEquation;
+}
+
+TEST_F(Discovery, GivesNoNameToAPartOfWhatHasNone) {
+    std::ofstream(directory_ / "model.mo") << R"(model Pump
+  Analogon.Interfaces.RealInput v(unit="V");
+  Analogon.Interfaces.RealOutput i(unit="A");
+  Analogon.Interfaces.RealOutput w(unit="rad/s");
+  Analogon.ElectricMechanical.BasicElectricMechanical motor(R=0.6, L=0, k=0.03);
+  Analogon.Mechanics.Inertia rotor(J=3e-5);
+  Analogon.Mechanics.QuadraticLoad wheel(k_q=5e-7);
+  Analogon.Sensors.SpeedSensor tacho;
+equation
+  connect(v, motor.v);
+  connect(motor.i, i);
+  connect(motor.flange, rotor.flange_a);
+  connect(rotor.flange_b, wheel.flange);
+  connect(rotor.flange_b, tacho.flange);
+  connect(tacho.w, w);
+end Pump;
+)";
+    std::ofstream(directory_ / "study.json") << R"({"format": "analogon-study-1", "class": "Pump",
+  "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
+                   "inputs": {"v": "v"}, "outputs": {"i": "i", "w": "w"}}],
+  "parameters": {"motor.R": {"fit": true, "min": 0.02, "max": 8}, "motor.k": {"fit": true, "min": 0.001, "max": 0.5},
+                 "rotor.J": {"fit": true, "min": 1e-6, "max": 1e-3},
+                 "wheel.k_q": {"fit": true, "min": 1e-8, "max": 1e-4}}})";
+    std::mt19937 random(6);
+    std::normal_distribution<double> scatter;
+    std::ofstream csv(directory_ / "run.csv");
+    csv.precision(10);
+    csv << "t [s],v [V],i [A],w [rad/s]\n";
+    constexpr double interval = 0.004, R = 0.42, k = 0.0185, J = 2.6e-5, wheel = 6.1e-7, relief = 380;
+    const auto supply = [](int sample) { return std::max(0.0, 6.5 + 7 * excitation(5 * interval * sample)); };
+    double w = 0;
+    for (int n = 0; n < samples; ++n) {
+        csv << n * interval << ',' << supply(n) << ',' << (supply(n) - k * w) / R + 0.12 * scatter(random) << ','
+            << w + 1.5 * scatter(random) << '\n';
+        constexpr int inner = 50;
+        for (int m = 0; m < inner; ++m) {
+            const double a = (m + 0.5) / inner, h = interval / inner;
+            const double i = ((1 - a) * supply(n) + a * supply(n + 1) - k * w) / R;
+            // a valve opens: the pressure grows no more
+            const double reached = std::min(std::abs(w), relief);
+            w += h * (k * i - wheel * signOf(w) * reached * reached) / J;
+        }
+    }
+    csv.close();
+    const Finding finding = discovered();
+    // friction would explain half of it
+    EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
+    EXPECT_EQ(finding.kind, FindingKind::Unexplained);
 }
 
 TEST_F(Discovery, WritesALawWithWhatItMovesWith) {

@@ -4,10 +4,10 @@ model CurrentLimit "Driver that limits the current"
   parameter Real s(unit="1/A", min=0) = 0 "1/limit (0: no limit)"
     annotation (Dialog(group="Effect"));
   final parameter Real limit(unit="A") = if s > 0 then 1/s else 0 "Largest current (0 while off)";
-  Real v_d(unit="V") "Voltage that the driver holds back";
+  Real v_i(unit="V") "Voltage that is left for the current";
 equation
-  v_d = 30*R*i*(1 - 1/(1 + (s*i)^16)^(1/16));
-  v - v_d = R*i + L*der(i) + k*w;
+  v_i = (v - k*w)/(1 + (s*(v - k*w)/R)^32)^(1/32);
+  v_i = R*i + L*der(i);
   flange.tau = -k*i;
   annotation (
     __Analogon(effect(
@@ -24,8 +24,8 @@ equation
     Documentation(info="<html>
 <p>A driver that takes voltage back where the current would pass its limit; the recorded voltage is the command.</p>
 <pre>
-  v_d = 30*R*(i - limit*sign(i)) beyond the limit, with a rounded corner
-  v - v_d = R*i + L*der(i) + k*w
+  v_i = v - k*w, within R*limit on either side, with a rounded corner
+  v_i = R*i + L*der(i)
   flange.tau = -k*i
 </pre>
 </html>"));
