@@ -16,7 +16,7 @@ namespace {
 
 constexpr int mostExperiments = 2;      // proposed to tell effects apart
 constexpr double clearSeparation = 20;  // squared, in standard deviations
-constexpr double leastAgainstRest = 2;  // times what is left above the noise
+constexpr double leastAgainstRest = 5;  // times what is left above the noise
 constexpr double farLess = 0.1;         // of what is left above the noise
 
 bool hasRole(const ModelState& state, Role role) {

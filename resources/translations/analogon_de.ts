@@ -900,6 +900,18 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Relative Änderung mit dem Quadrat der Temperatur über T_ref</translation>
     </message>
     <message>
+        <source>Convection that grows with the temperature of the body</source>
+        <translation>Konvektion, die mit der Temperatur des Körpers wächst</translation>
+    </message>
+    <message>
+        <source>Relative change of the conductance for each kelvin of the body (0: off)</source>
+        <translation>Relative Änderung des Leitwerts je Kelvin des Körpers (0: aus)</translation>
+    </message>
+    <message>
+        <source>Temperature of the body at which the conductance is that of eq. 8</source>
+        <translation>Temperatur des Körpers, bei welcher der Leitwert der aus Gl. 8 ist</translation>
+    </message>
+    <message>
         <source>Torque that grows with the third power of speed</source>
         <translation>Drehmoment mit der dritten Potenz der Drehzahl</translation>
     </message>
