@@ -413,7 +413,7 @@ private:
     /// Whether the steps since the clock was last read were no longer than rounding: a state that grows without bound
     /// in finite time is followed for ever otherwise.
     bool standsStill() {
-        constexpr double rounding = 256 * 16 * std::numeric_limits<double>::epsilon();
+        constexpr double rounding = 256 * std::numeric_limits<double>::epsilon();
         const double before = std::exchange(timeAtClock_, time_);
         return time_ - before <= rounding * std::abs(time_) && steps_ > 256;
     }
