@@ -126,6 +126,7 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
     e.oneSided = read.flag(annotation, "oneSided");
     e.linear = read.list(annotation, "linear");
     e.secant = read.list(annotation, "secant");
+    e.whole = read.list(annotation, "whole");
     e.quantity = read.text(annotation, "quantity", false);
     e.valid = read.text(annotation, "valid", false);
     e.proposal = read.text(annotation, "proposal", false);
@@ -179,6 +180,7 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
         for (const auto& [name, unit] : ofBase) e.units.erase(name);
     }
     std::vector<std::string> named = e.linear;
+    named.insert(named.end(), e.whole.begin(), e.whole.end());
     named.push_back(e.strength);
     for (const auto& [parameter, value] : e.fixed) named.push_back(parameter);
     for (const auto& [parameter, values] : e.shape) named.push_back(parameter);

@@ -213,9 +213,9 @@ std::optional<NullModel> Search::without(const NullModel& null, std::size_t effe
     return refittedWith(null, allBut(null.variant.effects, effect));
 }
 
-/// The same on all samples, of a model that was fitted to them.
+/// The same on all samples, of a model that was fitted to them; no more exact than the noise asks for.
 std::optional<NullModel> Search::withoutOnAll(const NullModel& last, std::size_t effect) {
-    return refitted(full_, last, allBut(last.variant.effects, effect), options_.fit, progress_);
+    return refitted(full_, last, allBut(last.variant.effects, effect), search_.fit, progress_);
 }
 
 /// The model with these effects instead, refitted beside the same noise.

@@ -147,6 +147,28 @@ void takeBack(const NullModel& null, Start& start, const SimulationOptions& simu
     strength->start = std::clamp(first, strength->min, strength->max);  // no way down: as promised
 }
 
+/// Over many turns a count of waves that is off by a little fits nearly as well one turn later, and no slope leads from
+/// there to the best: what is a whole number is held at the start until all else has followed.
+void followWholeNumbers(Start& start, const FitOptions& options, const Progress& progress) {
+    const PlacedEffect& placed = start.variant.effects.back();
+    const auto isWhole = [&](const FitParameter& p) {
+        return std::any_of(placed.effect.whole.begin(), placed.effect.whole.end(),
+                           [&](const std::string& name) { return p.name == placed.instance + "." + name; });
+    };
+    FitProblem held = start.prepared.problem;
+    for (const FitParameter& p : held.parameters)
+        for (FitExperiment& e : held.experiments)
+            if (const int index = e.system->parameterIndex(p.name); isWhole(p) && index >= 0)
+                e.parameters[static_cast<std::size_t>(index)] = p.start;
+    std::erase_if(held.parameters, isWhole);
+    if (held.parameters.size() == start.prepared.problem.parameters.size()) return;
+    const FitResult result = fit(held, options, progress);
+    if (!result.optimum.ok) return;
+    for (const FitEstimate& e : result.estimates)
+        for (FitParameter& p : start.prepared.problem.parameters)
+            if (p.name == e.name && p.experiment == e.experiment) p.start = e.value;
+}
+
 }  // namespace
 
 FitOptions trialOptions(FitOptions options, int iterations) {
@@ -183,6 +205,7 @@ Trial refit(const NullModel& null, const Screened& screened, const FitOptions& o
                      [](const Start& a, const Start& b) { return a.promised < b.promised; });
     for (std::size_t i = 0; i < std::min(ready.size(), static_cast<std::size_t>(starts)); ++i) {
         if (progress.stopRequested()) break;
+        followWholeNumbers(ready[i], options, progress);
         FitResult result = fit(ready[i].prepared.problem, options, progress);
         if (!result.optimum.ok) {
             best.failure = result.message;

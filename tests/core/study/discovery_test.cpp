@@ -557,10 +557,14 @@ protected:
         double saturation{};  // [1/A2]
         double friction{};    // [N.m]
         double limit{1e9};    // [A] of its driver
+        double cogging{};     // [N.m], eight times a turn
     };
 
-    Finding searchMotor(const Motor& motor, bool showsSpeed = true) {
-        std::ofstream(directory_ / "model.mo") << R"(model Drive
+    /// What is measured besides the current.
+    enum class Beside { Nothing, Speed, Angle };
+
+    Finding searchMotor(const Motor& motor, Beside beside = Beside::Speed) {
+        std::string model = R"(model Drive
   Analogon.Interfaces.RealInput v(unit="V");
   Analogon.Interfaces.RealOutput i(unit="A");
   Analogon.Interfaces.RealOutput w(unit="rad/s");
@@ -577,18 +581,24 @@ equation
   connect(tacho.w, w);
 end Drive;
 )";
+        if (beside == Beside::Angle)
+            for (const auto& [from, to] : {std::pair{"w(unit=\"rad/s\")", "w(unit=\"rad\")"},
+                                           std::pair{"SpeedSensor tacho", "AngleSensor tacho"},
+                                           std::pair{"connect(tacho.w, w)", "connect(tacho.phi, w)"}})
+                model.replace(model.find(from), std::string(from).size(), to);
+        std::ofstream(directory_ / "model.mo") << model;
         std::ofstream(directory_ / "study.json") << R"({"format": "analogon-study-1", "class": "Drive",
   "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
                    "inputs": {"v": "v"}, "outputs": {"i": "i")"
-                                                 << (showsSpeed ? R"(, "w": "w")" : "") << R"(}}],
+                                                 << (beside == Beside::Nothing ? "" : R"(, "w": "w")") << R"(}}],
   "parameters": {"motor.R": {"fit": true, "min": 0.05, "max": 5}, "motor.k": {"fit": true, "min": 0.001, "max": 1},
                  "rotor.J": {"fit": true, "min": 1e-5, "max": 1e-2}, "load.b": {"fit": true, "min": 1e-6, "max": 0.1}}})";
         std::mt19937 random(11);
         std::normal_distribution<double> scatter;
         std::ofstream csv(directory_ / "run.csv");
         csv.precision(10);
-        csv << "t [s],v [V],i [A],w [rad/s]\n";
-        double w = 0, warm = 0;
+        csv << (beside == Beside::Angle ? "t [s],v [V],i [A],w [rad]\n" : "t [s],v [V],i [A],w [rad/s]\n");
+        double w = 0, phi = 0, warm = 0;
         constexpr double R = 0.45, k = 0.045, J = 2.5e-4, b = 2e-4, interval = 0.02;
         const auto constant = [&](double i) { return k / std::sqrt(1 + motor.saturation * i * i); };
         const auto current = [&](double v) {
@@ -607,12 +617,14 @@ end Drive;
         const auto supply = [](int sample) { return 14 * excitation(sample * interval); };
         for (int n = 0; n < samples; ++n) {
             csv << n * interval << ',' << supply(n) << ',' << current(supply(n)) + 0.05 * scatter(random) << ','
-                << w + 0.3 * scatter(random) << '\n';
+                << (beside == Beside::Angle ? phi + 0.02 * scatter(random) : w + 0.3 * scatter(random)) << '\n';
             constexpr int inner = 100;
             for (int m = 0; m < inner; ++m) {
                 const double a = (m + 0.5) / inner, h = interval / inner;
                 const double i = current((1 - a) * supply(n) + a * supply(n + 1));
-                w += h * (constant(i) * i - b * w - motor.friction * signOf(w)) / J;
+                const double pull = motor.friction * signOf(w) + motor.cogging * std::sin(8 * phi - 0.4);
+                w += h * (constant(i) * i - b * w - pull) / J;
+                phi += h * w;
                 warm += h * (motor.warming * R * (1 + 0.00393 * warm) * i * i - warm / 25);
             }
         }
@@ -639,6 +651,18 @@ TEST_F(DiscoveryInAMotor, FindsTwoEffectsInOneComponent) {
     EXPECT_NE(finding.final.modelText.find("CombinedWithWinding motor("), std::string::npos);
 }
 
+TEST_F(DiscoveryInAMotor, CountsTheWavesOfACoggingOverManyTurns) {
+    const Finding finding = searchMotor({.cogging = 0.005}, Beside::Angle);
+    ASSERT_EQ(finding.effects.size(), 1u);
+    const AddedEffect& cogging = finding.effects.front();
+    EXPECT_EQ(cogging.kind, "torque.cogging");
+    const auto waves = std::find_if(cogging.parameters.begin(), cogging.parameters.end(),
+                                    [](const EffectValue& p) { return p.name == "n"; });
+    ASSERT_NE(waves, cogging.parameters.end());
+    EXPECT_NEAR(waves->value, 8, 1e-3);
+    EXPECT_NEAR(std::abs(cogging.parameters.front().value), 0.005, 0.0005);
+}
+
 TEST_F(DiscoveryInAMotor, TakesASaturatingFieldForNoWarming) {
     const Finding finding = searchMotor({.saturation = 4e-3});
     // magnets that warm within a sample would explain most of it
@@ -661,7 +685,7 @@ TEST_F(DiscoveryInAMotor, TakesALimitOfTheCurrentForNoLimitOfTheVoltage) {
 
 TEST_F(DiscoveryInAMotor, FindsFrictionThoughTheScaleOfAllTorquesIsFree) {
     // of the current alone nobody can tell k, J, b and the friction but for a common factor
-    const Finding finding = searchMotor({.friction = 0.02}, false);
+    const Finding finding = searchMotor({.friction = 0.02}, Beside::Nothing);
     EXPECT_EQ(finding.kind, FindingKind::Effect);
     ASSERT_EQ(finding.effects.size(), 1u);
     EXPECT_EQ(finding.effects.front().kind, "friction.coulomb");

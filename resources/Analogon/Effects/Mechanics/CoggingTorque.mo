@@ -16,6 +16,7 @@ equation
       ports = {"flange"},
       strength = "tau_n",
       valid = "n*range(phi) - 6.283185",
+      whole = {"n"},
       reach(n = 1.3),
       shape(n = {"2", "3", "4", "5", "6", "7", "8", "9", "10", "12"}, phi_0 = {"0", "1.570796"}))),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
