@@ -151,6 +151,7 @@ void takeBack(const NullModel& null, Start& start, const SimulationOptions& simu
 /// there to the best: what is a whole number is held at the start until all else has followed.
 void followWholeNumbers(Start& start, const FitOptions& options, const Progress& progress) {
     const PlacedEffect& placed = start.variant.effects.back();
+    if (placed.effect.whole.empty()) return;
     const auto isWhole = [&](const FitParameter& p) {
         return std::any_of(placed.effect.whole.begin(), placed.effect.whole.end(),
                            [&](const std::string& name) { return p.name == placed.instance + "." + name; });
@@ -161,7 +162,6 @@ void followWholeNumbers(Start& start, const FitOptions& options, const Progress&
             if (const int index = e.system->parameterIndex(p.name); isWhole(p) && index >= 0)
                 e.parameters[static_cast<std::size_t>(index)] = p.start;
     std::erase_if(held.parameters, isWhole);
-    if (held.parameters.size() == start.prepared.problem.parameters.size()) return;
     const FitResult result = fit(held, options, progress);
     if (!result.optimum.ok) return;
     for (const FitEstimate& e : result.estimates)

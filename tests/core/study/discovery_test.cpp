@@ -4,18 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <numeric>
 #include <random>
 
 #include "core/study/run.hpp"
+#include "study_fixture.hpp"
 
 namespace analogon {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int samples = 1501;
 constexpr double step = 0.02;  // [s]
@@ -56,20 +54,19 @@ std::vector<double> speedOf(const Shaft& shaft) {
     return speed;
 }
 
-class Discovery : public testing::Test {
+class Discovery : public testing::StudyTest {
 protected:
-    void SetUp() override {
-        directory_ =
-            fs::temp_directory_path() /
-            ("analogon-discovery-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-        fs::remove_all(directory_);
-        fs::create_directories(directory_);
+    /// The recording of the study, to be filled.
+    std::ofstream recording(const std::string& header, const std::string& file = "run.csv") const {
+        std::ofstream csv(directory_ / file);
+        csv.precision(10);
+        csv << header << '\n';
+        return csv;
     }
-    void TearDown() override { fs::remove_all(directory_); }
 
     /// Discovers what a model of inertia and viscous friction lacks.
     Finding search(const Shaft& shaft, double noise = 0.05, const std::function<double(double t)>& oil = {}) {
-        std::ofstream(directory_ / "model.mo") << R"(model Rotor
+        put("model.mo", R"(model Rotor
   Analogon.Interfaces.RealInput tau(unit="N.m");
   Analogon.Interfaces.RealOutput w(unit="rad/s");
   Analogon.Sources.PrescribedTorque drive;
@@ -83,16 +80,14 @@ equation
   connect(rotor.flange_b, tacho.flange);
   connect(tacho.w, w);
 end Rotor;
-)";
-        std::ofstream(directory_ / "study.json") << R"({"format": "analogon-study-1", "class": "Rotor",
+)");
+        put("study.json", R"({"format": "analogon-study-1", "class": "Rotor",
   "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
                    "inputs": {"tau": "tau"}, "outputs": {"w": "w"}}],
-  "parameters": {"rotor.J": {"fit": true, "min": 0.001, "max": 1}, "load.b": {"fit": true, "min": 0.0001, "max": 1}}})";
+  "parameters": {"rotor.J": {"fit": true, "min": 0.001, "max": 1}, "load.b": {"fit": true, "min": 0.0001, "max": 1}}})");
         std::mt19937 random(7);
         std::normal_distribution<double> scatter(0, noise);
-        std::ofstream csv(directory_ / "run.csv");
-        csv.precision(10);
-        csv << "t [s],tau [N.m],w [rad/s]" << (oil ? ",oil [degC]\n" : "\n");
+        std::ofstream csv = recording(std::string("t [s],tau [N.m],w [rad/s]") + (oil ? ",oil [degC]" : ""));
         const std::vector<double> speed = speedOf(shaft);
         for (int k = 0; k < samples; ++k) {
             csv << k * step << ',' << excitation(k * step) << ','
@@ -105,12 +100,9 @@ end Rotor;
     }
 
     Finding discovered(const std::vector<std::string>& kinds = {}) const {
-        const Outcome<Study> study = readStudy(directory_);
-        EXPECT_TRUE(study) << format(study.diagnostics());
-        if (!study) return {};
         RunOptions options;
         options.discover.kinds = kinds;
-        Outcome<RunResult> result = runDiscover(*study, options);
+        Outcome<RunResult> result = runDiscover(read(), options);
         EXPECT_TRUE(result) << format(result.diagnostics());
         if (!result) return {};
         for (const AddedEffect& e : result->finding.effects) {
@@ -120,8 +112,6 @@ end Rotor;
         }
         return std::move(result->finding);
     }
-
-    fs::path directory_;
 };
 
 TEST_F(Discovery, AddsNothingToNoise) {
@@ -136,7 +126,7 @@ class DiscoveryOnAPlate : public Discovery {
 protected:
     /// `fitted`: the study's "parameters".
     void writeStudy(double room, const std::string& fitted) {
-        std::ofstream(directory_ / "model.mo") << fmt::format(R"(model Plate
+        put("model.mo", fmt::format(R"(model Plate
   Analogon.Interfaces.RealInput P(unit="W");
   Analogon.Interfaces.RealOutput T(unit="K");
   Analogon.Sources.PrescribedHeatFlow heater;
@@ -153,11 +143,11 @@ equation
   connect(thermometer.T, T);
 end Plate;
 )",
-                                                              room);
-        std::ofstream(directory_ / "study.json") << R"({"format": "analogon-study-1", "class": "Plate",
+                                    room));
+        put("study.json", R"({"format": "analogon-study-1", "class": "Plate",
   "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
                    "inputs": {"P": "P"}, "outputs": {"T": "T"}}],
-  "parameters": )" << fitted << '}';
+  "parameters": )" + fitted + '}');
     }
 
     /// The plate's temperature [K] after a sample; the power goes from one value to the next, `taken` [W] is lost.
@@ -181,9 +171,7 @@ protected:
         writeStudy(300, fitted);
         std::mt19937 random(seed);
         std::normal_distribution<double> normal;
-        std::ofstream csv(directory_ / "run.csv");
-        csv.precision(10);
-        csv << "t [s],P [W],T [K]\n";
+        std::ofstream csv = recording("t [s],P [W],T [K]");
         double temperature = begin, draught = 0;  // [K], [W]
         for (int k = 0; k < samples; ++k) {
             const double here = 20 + 20 * excitation(0.02 * k), next = 20 + 20 * excitation(0.02 * (k + 1));
@@ -252,9 +240,7 @@ protected:
         writeStudy(290, R"({"plate.C": {"fit": true, "min": 1, "max": 200}})");
         std::mt19937 random(5);
         std::normal_distribution<double> normal;
-        std::ofstream csv(directory_ / "run.csv");
-        csv.precision(10);
-        csv << "t [s],P [W],T [K]" << (column.empty() ? "" : ',' + column + " [degC]") << '\n';
+        std::ofstream csv = recording("t [s],P [W],T [K]" + (column.empty() ? "" : ',' + column + " [degC]"));
         double temperature = 290;  // [K]
         for (int k = 0; k < samples; ++k) {
             const double here = 10 + 10 * excitation(0.02 * k), next = 10 + 10 * excitation(0.02 * (k + 1));
@@ -317,7 +303,7 @@ TEST_F(DiscoveryInADraught, SaysThatAHeldParameterWouldExplainAsMuch) {
 /// A motor whose current settles within two samples; its long record is searched on means of five. Nothing is missing,
 /// but on means a delay of the speed would mend what they blur.
 TEST_F(Discovery, TakesForNoEffectWhatOnlyMeansOfSamplesShow) {
-    std::ofstream(directory_ / "model.mo") << R"(model Drive
+    put("model.mo", R"(model Drive
   Analogon.Interfaces.RealInput u(unit="V");
   Analogon.Interfaces.RealOutput i(unit="A");
   Analogon.Interfaces.RealOutput w(unit="rad/s");
@@ -333,13 +319,13 @@ equation
   connect(tacho.w, w);
   connect(motor.i, i);
 end Drive;
-)";
-    std::ofstream(directory_ / "study.json") << R"({"format": "analogon-study-1", "class": "Drive",
+)");
+    put("study.json", R"({"format": "analogon-study-1", "class": "Drive",
   "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
                    "inputs": {"u": "u"}, "outputs": {"i": "i", "w": "w"}}],
   "parameters": {"motor.R": {"fit": true, "min": 0.1, "max": 5}, "motor.L": {"fit": true, "min": 1e-4, "max": 1e-2},
                  "motor.k": {"fit": true, "min": 0.001, "max": 0.5}, "rotor.J": {"fit": true, "min": 1e-6, "max": 1e-3},
-                 "load.b": {"fit": true, "min": 1e-6, "max": 1e-2}}})";
+                 "load.b": {"fit": true, "min": 1e-6, "max": 1e-2}}})");
     constexpr int count = 26001, inner = 20, held = 50;
     constexpr double interval = 1e-3, h = interval / inner;
     constexpr double R = 0.8, L = 1.6e-3, k = 0.03, J = 5e-5, b = 1e-4;
@@ -397,7 +383,7 @@ TEST_F(Discovery, FindsTwoEffectsThatHideEachOther) {
 class DiscoveryInCoolant : public Discovery {
 protected:
     Finding searchHousing(double loss, double offset) {
-        std::ofstream(directory_ / "model.mo") << R"(model Heater
+        put("model.mo", R"(model Heater
   Analogon.Interfaces.RealInput P(unit="W");
   Analogon.Interfaces.RealInput T_cool(unit="K");
   Analogon.Interfaces.RealOutput T(unit="K");
@@ -417,14 +403,14 @@ equation
   connect(jacket.solid, thermometer.port);
   connect(thermometer.T, T);
 end Heater;
-)";
-        std::ofstream(directory_ / "study.json") << R"({"format": "analogon-study-1", "class": "Heater",
+)");
+        put("study.json", R"({"format": "analogon-study-1", "class": "Heater",
   "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
                    "inputs": {"P": "P", "T_cool": "T_cool"}, "outputs": {"T": "T"},
                    "initial": {"core.T_start": "T_cool", "jacket.T_start": "T_cool"}}],
   "parameters": {"core.C": {"fit": true, "min": 2, "max": 5000}, "wall.G": {"fit": true, "min": 0.5, "max": 2000},
                  "jacket.C": {"fit": true, "min": 4, "max": 10000},
-                 "jacket.c_o": {"fit": true, "min": 0.3, "max": 2000}}})";
+                 "jacket.c_o": {"fit": true, "min": 0.3, "max": 2000}}})");
         constexpr double interval = 0.2, room = 293.15;  // [s], [K]
         constexpr double core = 270, wall = 36, jacket = 350, contact = 44 * 0.06;
         const auto power = [](int k) {
@@ -437,9 +423,7 @@ end Heater;
         };
         std::mt19937 random(2);
         std::normal_distribution<double> scatter(0, 0.1);
-        std::ofstream csv(directory_ / "run.csv");
-        csv.precision(10);
-        csv << "t [s],P [W],T_cool [K],T [K]\n";
+        std::ofstream csv = recording("t [s],P [W],T_cool [K],T [K]");
         double inside = room, shell = room;
         for (int k = 0; k <= 2000; ++k) {
             csv << interval * k << ',' << power(k) << ',' << coolant(k) << ',' << shell + offset + scatter(random)
@@ -478,7 +462,7 @@ protected:
     };
 
     Finding searchHeater(const Heater& heater) {
-        std::ofstream(directory_ / "model.mo") << R"(model Heater
+        put("model.mo", R"(model Heater
   Analogon.Interfaces.RealInput v(unit="V");
   Analogon.Interfaces.RealOutput i(unit="A");
   Analogon.Interfaces.RealOutput T(unit="K");
@@ -496,12 +480,12 @@ equation
   connect(body.port, thermometer.port);
   connect(thermometer.T, T);
 end Heater;
-)";
-        std::ofstream(directory_ / "study.json") << R"({"format": "analogon-study-1", "class": "Heater",
+)");
+        put("study.json", R"({"format": "analogon-study-1", "class": "Heater",
   "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
                    "inputs": {"v": "v"}, "outputs": {"i": "i", "T": "T"}, "initial": {"body.T_start": 293.15}}],
   "parameters": {"coil.R": {"fit": true, "min": 0.2, "max": 20}, "coil.alpha": {"fit": true, "min": 1e-4, "max": 0.02},
-                 "body.C": {"fit": true, "min": 0.5, "max": 100}, "loss.G": {"fit": true, "min": 0.01, "max": 5}}})";
+                 "body.C": {"fit": true, "min": 0.5, "max": 100}, "loss.G": {"fit": true, "min": 0.01, "max": 5}}})");
         constexpr double R = 2.3, alpha = 3e-3, C = 9, G = 0.15, room = 293.15, interval = 0.05;
         const auto supply = [](int k) {
             const double levels[] = {6, 12, 3, 9, 14, 5, 11, 2};
@@ -509,9 +493,7 @@ end Heater;
         };
         std::mt19937 random(3);
         std::normal_distribution<double> scatter;
-        std::ofstream csv(directory_ / "run.csv");
-        csv.precision(10);
-        csv << "t [s],v [V],i [A],T [K]\n";
+        std::ofstream csv = recording("t [s],v [V],i [A],T [K]");
         double T = room;
         const auto resistance = [&] { return R * (1 + alpha * (T - room) + heater.bend * (T - room) * (T - room)); };
         const auto current = [&](double v) {
@@ -586,18 +568,18 @@ end Drive;
                                            std::pair{"SpeedSensor tacho", "AngleSensor tacho"},
                                            std::pair{"connect(tacho.w, w)", "connect(tacho.phi, w)"}})
                 model.replace(model.find(from), std::string(from).size(), to);
-        std::ofstream(directory_ / "model.mo") << model;
-        std::ofstream(directory_ / "study.json") << R"({"format": "analogon-study-1", "class": "Drive",
+        put("model.mo", model);
+        const std::string second = beside == Beside::Nothing ? "" : R"(, "w": "w")";
+        put("study.json", R"({"format": "analogon-study-1", "class": "Drive",
   "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
-                   "inputs": {"v": "v"}, "outputs": {"i": "i")"
-                                                 << (beside == Beside::Nothing ? "" : R"(, "w": "w")") << R"(}}],
+                   "inputs": {"v": "v"}, "outputs": {"i": "i")" +
+                              second + R"(}}],
   "parameters": {"motor.R": {"fit": true, "min": 0.05, "max": 5}, "motor.k": {"fit": true, "min": 0.001, "max": 1},
-                 "rotor.J": {"fit": true, "min": 1e-5, "max": 1e-2}, "load.b": {"fit": true, "min": 1e-6, "max": 0.1}}})";
+                 "rotor.J": {"fit": true, "min": 1e-5, "max": 1e-2}, "load.b": {"fit": true, "min": 1e-6, "max": 0.1}}})");
         std::mt19937 random(11);
         std::normal_distribution<double> scatter;
-        std::ofstream csv(directory_ / "run.csv");
-        csv.precision(10);
-        csv << (beside == Beside::Angle ? "t [s],v [V],i [A],w [rad]\n" : "t [s],v [V],i [A],w [rad/s]\n");
+        std::ofstream csv =
+            recording(beside == Beside::Angle ? "t [s],v [V],i [A],w [rad]" : "t [s],v [V],i [A],w [rad/s]");
         double w = 0, phi = 0, warm = 0;
         constexpr double R = 0.45, k = 0.045, J = 2.5e-4, b = 2e-4, interval = 0.02;
         const auto constant = [&](double i) { return k / std::sqrt(1 + motor.saturation * i * i); };
@@ -693,7 +675,7 @@ TEST_F(DiscoveryInAMotor, FindsFrictionThoughTheScaleOfAllTorquesIsFree) {
 
 TEST_F(Discovery, BeginsAtABetterOptimumThanTheStudysOwn) {
     // from a pitch that is told wrongly the fit takes one wave for the next
-    std::ofstream(directory_ / "model.mo") << R"(model Resolver
+    put("model.mo", R"(model Resolver
   Analogon.Interfaces.RealInput phi(unit="rad");
   Analogon.Interfaces.RealOutput y(unit="V");
   parameter Real n = 3.1;
@@ -701,16 +683,14 @@ TEST_F(Discovery, BeginsAtABetterOptimumThanTheStudysOwn) {
 equation
   y = A*sin(n*phi);
 end Resolver;
-)";
-    std::ofstream(directory_ / "study.json") << R"({"format": "analogon-study-1", "class": "Resolver",
+)");
+    put("study.json", R"({"format": "analogon-study-1", "class": "Resolver",
   "experiments": [{"name": "turn", "role": "fit", "file": "turn.csv", "time": "t",
                    "inputs": {"phi": "phi"}, "outputs": {"y": "y"}}],
-  "parameters": {"n": {"fit": true, "min": 0.01, "max": 100}, "A": {"fit": true, "min": 0.1, "max": 10}}})";
+  "parameters": {"n": {"fit": true, "min": 0.01, "max": 100}, "A": {"fit": true, "min": 0.1, "max": 10}}})");
     std::mt19937 random(5);
     std::normal_distribution<double> scatter(0, 0.01);
-    std::ofstream csv(directory_ / "turn.csv");
-    csv.precision(10);
-    csv << "t [s],phi [rad],y [V]\n";
+    std::ofstream csv = recording("t [s],phi [rad],y [V]", "turn.csv");
     for (int k = 0; k < 600; ++k)
         csv << 0.01 * k << ',' << 0.01 * k << ',' << 1.5 * std::sin(2 * 0.01 * k) + scatter(random) << '\n';
     csv.close();
@@ -754,7 +734,7 @@ TEST_F(Discovery, WritesALawThatNoBlockHas) {
 }
 
 TEST_F(Discovery, TakesASpringThatBendsForNoPairOfNames) {
-    std::ofstream(directory_ / "model.mo") << R"(model Throttle
+    put("model.mo", R"(model Throttle
   Analogon.Interfaces.RealInput tau(unit="N.m");
   Analogon.Interfaces.RealOutput phi(unit="rad");
   Analogon.Sources.PrescribedTorque drive;
@@ -770,16 +750,15 @@ equation
   connect(flap.flange_b, pot.flange);
   connect(pot.phi, phi);
 end Throttle;
-)";
-    std::ofstream(directory_ / "study.json") << R"({"format": "analogon-study-1", "class": "Throttle",
+)");
+    put("study.json", R"({"format": "analogon-study-1", "class": "Throttle",
   "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
                    "inputs": {"tau": "tau"}, "outputs": {"phi": "phi"}}],
-  "parameters": {"flap.J": {"fit": true, "min": 1e-4, "max": 0.1}, "spring.c_r": {"fit": true, "min": 0.05, "max": 20},  "seal.b": {"fit": true, "min": 0.001, "max": 1}}})";
+  "parameters": {"flap.J": {"fit": true, "min": 1e-4, "max": 0.1}, "spring.c_r": {"fit": true, "min": 0.05, "max": 20},
+                 "seal.b": {"fit": true, "min": 0.001, "max": 1}}})");
     std::mt19937 random(4);
     std::normal_distribution<double> scatter(0, 0.004);
-    std::ofstream csv(directory_ / "run.csv");
-    csv.precision(10);
-    csv << "t [s],tau [N.m],phi [rad]\n";
+    std::ofstream csv = recording("t [s],tau [N.m],phi [rad]");
     const auto drive = [](double t) { return 1.6 + 1.2 * excitation(t); };
     double phi = 0, w = 0;
     constexpr double J = 3.5e-3, c = 1.2, b = 0.04, rest = -0.6;
@@ -802,7 +781,7 @@ end Throttle;
 }
 
 TEST_F(Discovery, GivesNoNameToAPartOfWhatHasNone) {
-    std::ofstream(directory_ / "model.mo") << R"(model Pump
+    put("model.mo", R"(model Pump
   Analogon.Interfaces.RealInput v(unit="V");
   Analogon.Interfaces.RealOutput i(unit="A");
   Analogon.Interfaces.RealOutput w(unit="rad/s");
@@ -818,18 +797,16 @@ equation
   connect(rotor.flange_b, tacho.flange);
   connect(tacho.w, w);
 end Pump;
-)";
-    std::ofstream(directory_ / "study.json") << R"({"format": "analogon-study-1", "class": "Pump",
+)");
+    put("study.json", R"({"format": "analogon-study-1", "class": "Pump",
   "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
                    "inputs": {"v": "v"}, "outputs": {"i": "i", "w": "w"}}],
   "parameters": {"motor.R": {"fit": true, "min": 0.02, "max": 8}, "motor.k": {"fit": true, "min": 0.001, "max": 0.5},
                  "rotor.J": {"fit": true, "min": 1e-6, "max": 1e-3},
-                 "wheel.k_q": {"fit": true, "min": 1e-8, "max": 1e-4}}})";
+                 "wheel.k_q": {"fit": true, "min": 1e-8, "max": 1e-4}}})");
     std::mt19937 random(6);
     std::normal_distribution<double> scatter;
-    std::ofstream csv(directory_ / "run.csv");
-    csv.precision(10);
-    csv << "t [s],v [V],i [A],w [rad/s]\n";
+    std::ofstream csv = recording("t [s],v [V],i [A],w [rad/s]");
     constexpr double interval = 0.004, R = 0.42, k = 0.0185, J = 2.6e-5, wheel = 6.1e-7, relief = 380;
     const auto supply = [](int sample) { return std::max(0.0, 6.5 + 7 * excitation(5 * interval * sample)); };
     double w = 0;
