@@ -127,6 +127,9 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
     e.linear = read.list(annotation, "linear");
     e.secant = read.list(annotation, "secant");
     e.whole = read.list(annotation, "whole");
+    e.phase = read.text(annotation, "phase", false);
+    e.along = read.text(annotation, "along", false);
+    e.waves = read.text(annotation, "waves", false);
     e.quantity = read.text(annotation, "quantity", false);
     e.valid = read.text(annotation, "valid", false);
     e.proposal = read.text(annotation, "proposal", false);
@@ -182,6 +185,8 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
     std::vector<std::string> named = e.linear;
     named.insert(named.end(), e.whole.begin(), e.whole.end());
     named.push_back(e.strength);
+    if (!e.phase.empty()) named.push_back(e.phase);
+    if (!e.waves.empty()) named.push_back(e.waves);
     for (const auto& [parameter, value] : e.fixed) named.push_back(parameter);
     for (const auto& [parameter, values] : e.shape) named.push_back(parameter);
     for (const std::string& n : named)

@@ -26,6 +26,9 @@
 ///     sharper(w_eps = 0.25),            // factor by which a numerical width falls where the data ask for it
 ///     shape(w_s = {"0.05*maxabs(w)", "0.3*maxabs(w)"}),  // tried in turn, freed in the refit
 ///     whole = {"n"},                    // shapes that are whole numbers as a rule: first held at what is tried
+///     phase = "phi_0",                  // the flow is strength*sin(waves*along - phase): two traces a quarter turn
+///     along = "phi", waves = "n",       // apart span all; `along` is taken as recorded where an output tells it
+///                                       // (absent: no such trace, 1)
 ///     valid = "n*range(phi) - 6.28",    // a shape for which this is not above 0 is left out
 ///     proposal = "flange.tau = a*w^3",  // no named effect: offered as this equation, never added by itself
 ///     secant = {"2*sample", "8*sample"},// strengths of the screening where the slope at 0 misleads
@@ -55,6 +58,9 @@ struct EffectClass {
     std::map<std::string, double> reach;       // shape -> factor by which it may leave the values it is tried with
     std::map<std::string, std::vector<std::string>> shape;
     std::vector<std::string> whole;  // shapes that are whole numbers as a rule
+    std::string phase;               // the flow is strength*sin(waves*along - phase); empty: it is not
+    std::string along;               // a variable of its own
+    std::string waves;               // a shape; empty: 1
     std::string valid;
     std::string proposal;  // equation; empty: a named effect
     std::vector<std::string> secant;

@@ -262,7 +262,13 @@ private:
 
     std::string unitOf(const Term& t) const {
         if (!flowDimension_ || !t.dimension) return {};
-        return text(*product(flowDimension_, power(t.dimension, -1)));
+        const Dimension per = *power(t.dimension, -1);
+        const bool isOfBaseUnits = per[0] != 0 || per[1] != 0;
+        if (isOfBaseUnits) return text(*product(flowDimension_, per));
+        // N.m/A and W/K2 read better than powers of kg, m and s
+        const std::string flow = isMechanical_ ? "N.m" : "W", rest = text(per);
+        if (rest == "1") return flow;
+        return rest.starts_with("1/") ? flow + rest.substr(1) : flow + "." + rest;
     }
 
     bool uses(const std::vector<std::size_t>& chosen, const std::string& name) const {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/base/unit.hpp"
+#include "core/effect/recorded_lead.hpp"
 #include "core/effect/shape_value.hpp"
 #include "core/fit/clock.hpp"
 
@@ -14,6 +15,11 @@ namespace analogon {
 namespace {
 
 constexpr long evaluationsPerSample = 600;  // a candidate that needs more is no model of this recording
+constexpr double quarterTurn = 1.57079632679489662;
+constexpr double leastLead = 0.02;  // [turns] of a wave, by which the recorded course must be ahead to be another
+constexpr const char* recordedName = "recordedCourse";
+constexpr double mostOfAWave = 1;     // [rad] that may pass in a step
+constexpr int mostStepsOfAWave = 16;  // in a sample interval: what is faster averages out
 
 /// Series of variables over the fitted experiments, simulated with the effect off.
 class Observations {
@@ -53,9 +59,20 @@ public:
 
     void setTimes(std::vector<std::vector<double>> times) { times_ = std::move(times); }
 
+    /// By how much the variable was ahead of its simulation when it was recorded; empty: nothing tells.
+    void setLead(std::vector<Eigen::VectorXd> lead) { lead_ = std::move(lead); }
+    const std::vector<Eigen::VectorXd>& lead() const { return lead_; }
+
+    /// The samples of a variable in each fitted experiment; empty: it was not observed.
+    std::vector<std::vector<double>> series(const std::string& variable) const {
+        const auto found = series_.find(variable);
+        return found == series_.end() ? std::vector<std::vector<double>>() : found->second;
+    }
+
 private:
     std::map<std::string, std::vector<std::vector<double>>> series_;
     std::vector<std::vector<double>> times_;
+    std::vector<Eigen::VectorXd> lead_;
 };
 
 std::vector<std::string> texts(const EffectClass& effect) {
@@ -90,6 +107,7 @@ Outcome<Observations> observe(const NullModel& null, const Variant& off, const S
         for (const std::string& v : shapeVariables(t)) variables.insert(v);
         wantsFlow = wantsFlow || t.find("flow(") != std::string::npos;
     }
+    if (!placed.effect.along.empty()) variables.insert(placed.effect.along);
     Observations observations;
     if (variables.empty()) return observations;
     Outcome<PreparedTask> held = prepareHeld(off, {}, null.noise);
@@ -125,6 +143,13 @@ Outcome<Observations> observe(const NullModel& null, const Variant& off, const S
                 through[k] += 0.5 * std::abs(t.observed(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k)));
         if (wantsFlow)
             for (const std::string& port : placed.effect.ports) series["flow " + port].push_back(through);
+    }
+    if (const auto along = series.find(placed.effect.along); along != series.end()) {
+        std::vector<Eigen::VectorXd> simulated;
+        for (const std::vector<double>& x : along->second)
+            simulated.emplace_back(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
+        if (std::optional<std::vector<Eigen::VectorXd>> lead = recordedLead(null, held->problem, simulated))
+            observations.setLead(std::move(*lead));
     }
     observations.setTimes(std::move(times));
     for (auto& [name, x] : series) observations.add(name, std::move(x));
@@ -192,14 +217,56 @@ Text reason(const Diagnostics& diagnostics) {
     return diagnostics.empty() ? phrase("unknown fault") : diagnostics.front().message;
 }
 
+/// The variant with the variable of its newest effect as it was recorded: a flow along that course is linear in its
+/// strength, however strong.
+Variant alongRecorded(Variant variant, const std::vector<std::vector<double>>& simulated,
+                      const std::vector<Eigen::VectorXd>& lead) {
+    const PlacedEffect& placed = variant.effects.back();
+    variant.task.imposed = ImposedVariable{placed.instance + "." + placed.effect.along, recordedName};
+    std::size_t next = 0;
+    for (Recording& r : variant.task.recordings) {
+        r.inputNames.emplace_back(recordedName);
+        r.inputs.conservativeResize(r.inputs.rows() + 1, static_cast<Eigen::Index>(r.time.size()));
+        r.inputs.bottomRows(1).setZero();
+        if (r.role != Role::Fit) continue;
+        const std::vector<double>& x = simulated[next];
+        r.inputs.bottomRows(1) =
+            (Eigen::Map<const Eigen::VectorXd>(x.data(), lead[next].size()) + lead[next]).transpose();
+        ++next;
+    }
+    return variant;
+}
+
+/// A plan with at least as many steps in each sample interval as are needed.
+GridPlan withShorterSteps(GridPlan plan, const std::vector<int>& needed) {
+    std::vector<std::int16_t> steps;
+    bool isShorter = false;
+    for (std::size_t k = 0; k < needed.size(); ++k) {
+        const int interval = static_cast<int>(k), own = plan.substepsIn(interval);
+        isShorter = isShorter || needed[k] > own;
+        const int most = std::max(own, needed[k]);
+        steps.push_back(static_cast<std::int16_t>(plan.methodIn(interval) == GridMethod::Esdirk ? -most : most));
+    }
+    if (!isShorter || (plan.steps && plan.steps->size() != steps.size())) return plan;
+    const auto hardest = std::max_element(steps.begin(), steps.end(),
+                                          [](std::int16_t a, std::int16_t b) { return std::abs(a) < std::abs(b); });
+    plan.method = *hardest < 0 ? GridMethod::Esdirk : GridMethod::RungeKutta4;
+    plan.substeps = std::abs(*hardest);
+    plan.steps = std::make_shared<const std::vector<std::int16_t>>(std::move(steps));
+    plan.terms = nullptr;
+    return plan;
+}
+
 /// Takes the traces of one wired candidate.
 class Prober {
 public:
-    Prober(const NullModel& null, const Screened& screened, const SimulationOptions& simulation,
-           const Progress& progress)
+    /// `course`: of the variable that a wave goes along, in each fitted experiment.
+    Prober(const NullModel& null, const Variant& wired, std::vector<std::vector<double>> course,
+           const SimulationOptions& simulation, const Progress& progress)
         : null_(null),
-          placed_(screened.wired.effects.back()),
-          wired_(screened.wired),
+          course_(std::move(course)),
+          placed_(wired.effects.back()),
+          wired_(wired),
           complement_(null.fit.optimum.jacobian),
           whiteComplement_(null.whitener(null.fit.optimum.jacobian)),
           whiteResidual_(null.whitener(null.fit.optimum.residuals)),
@@ -211,6 +278,7 @@ public:
         for (const std::string& l : placed_.effect.linear) free.push_back(named(l));
         std::vector<std::string> kept;
         for (const auto& [name, values] : placed_.effect.shape) kept.push_back(placed_.instance + "." + name);
+        if (!placed_.effect.phase.empty()) kept.push_back(placed_.instance + "." + placed_.effect.phase);
         Outcome<PreparedTask> held = prepareHeld(wired_, free, null_.noise, kept);
         if (!held) return held.diagnostics();
         held_ = std::move(*held);
@@ -219,27 +287,15 @@ public:
 
     /// One trace; false when the simulation failed.
     bool take(const std::map<std::string, double>& shape, double secant, Probe& probe) {
-        for (const auto& [name, value] : shape) {
-            const int index = held_.system->parameterIndex(placed_.instance + "." + name);
-            if (index < 0) continue;
-            for (FitExperiment& e : held_.problem.experiments) e.parameters[static_cast<std::size_t>(index)] = value;
-        }
-        Eigen::VectorXd at = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(held_.problem.parameters.size()));
-        at[0] = secant;
-        const bool isSlope = secant == 0;
-        const bool needsTangents = isSlope || !placed_.effect.linear.empty();
-        const Linearisation l = linearise(held_.problem, at, needsTangents,
-                                          isSlope ? null_.fit.plans : std::vector<GridPlan>{}, simulation_, progress_);
-        if (!l.ok || l.residuals.size() != null_.fit.optimum.residuals.size()) return false;
-        Eigen::MatrixXd columns = needsTangents ? l.jacobian : Eigen::MatrixXd(l.residuals.size(), 1);
-        if (!isSlope) columns.col(0) = (l.residuals - null_.fit.optimum.residuals) / secant;
-        if (!columns.allFinite()) return false;
+        for (const auto& [name, value] : shape) set(placed_.instance + "." + name, value);
         probe.values = shape;
         probe.secant = secant;
-        probe.column = columns.col(0);
-        probe.plain = scoreColumns(complement_, null_.fit.optimum.residuals, columns, placed_.effect.oneSided);
-        probe.whitened =
-            scoreColumns(whiteComplement_, whiteResidual_, null_.whitener(columns), placed_.effect.oneSided);
+        if (!placed_.effect.phase.empty()) return takeWave(shape, probe);
+        const std::optional<Eigen::MatrixXd> columns = traces(secant);
+        if (!columns) return false;
+        probe.column = columns->col(0);
+        probe.plain = plainScore(*columns);
+        probe.whitened = whitenedScore(*columns);
         return true;
     }
 
@@ -265,7 +321,89 @@ private:
         return p;
     }
 
+    void set(const std::string& parameter, double value) {
+        const int index = held_.system->parameterIndex(parameter);
+        if (index < 0) return;
+        for (FitExperiment& e : held_.problem.experiments) e.parameters[static_cast<std::size_t>(index)] = value;
+    }
+
+    ColumnScore plainScore(const Eigen::MatrixXd& columns) const {
+        return scoreColumns(complement_, null_.fit.optimum.residuals, columns, placed_.effect.oneSided);
+    }
+    ColumnScore whitenedScore(const Eigen::MatrixXd& columns) const {
+        return scoreColumns(whiteComplement_, whiteResidual_, null_.whitener(columns), placed_.effect.oneSided);
+    }
+
+    /// Traces of the strength and of the further linear parameters, in units of the noise.
+    std::optional<Eigen::MatrixXd> traces(double secant) { return traces(secant, null_.fit.plans); }
+
+    std::optional<Eigen::MatrixXd> traces(double secant, const std::vector<GridPlan>& plans) {
+        Eigen::VectorXd at = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(held_.problem.parameters.size()));
+        at[0] = secant;
+        const bool isSlope = secant == 0;
+        const bool needsTangents = isSlope || !placed_.effect.linear.empty();
+        const Linearisation l = linearise(held_.problem, at, needsTangents, isSlope ? plans : std::vector<GridPlan>{},
+                                          simulation_, progress_);
+        if (!l.ok || l.residuals.size() != null_.fit.optimum.residuals.size()) return std::nullopt;
+        Eigen::MatrixXd columns = needsTangents ? l.jacobian : Eigen::MatrixXd(l.residuals.size(), 1);
+        if (!isSlope) columns.col(0) = (l.residuals - null_.fit.optimum.residuals) / secant;
+        return columns.allFinite() ? std::optional(std::move(columns)) : std::nullopt;
+    }
+
+    /// Steps short enough for a wave that the model itself, without the effect, need not follow.
+    std::vector<GridPlan> plansFor(double waves) const {
+        std::vector<GridPlan> plans = null_.fit.plans;
+        for (std::size_t e = 0; e < std::min(plans.size(), course_.size()); ++e) {
+            const std::vector<double>& x = course_[e];
+            std::vector<int> needed;
+            for (std::size_t k = 0; k + 1 < x.size(); ++k) {
+                const double steps = std::ceil(waves * std::abs(x[k + 1] - x[k]) / mostOfAWave);
+                needed.push_back(static_cast<int>(std::clamp(steps, 1.0, 1.0 * mostStepsOfAWave)));
+            }
+            plans[e] = withShorterSteps(planOf(e), needed);
+        }
+        return plans;
+    }
+
+    /// A linear model's recurrence does not serve what is not linear.
+    GridPlan planOf(std::size_t experiment) const {
+        const GridPlan& plan = null_.fit.plans[experiment];
+        if (plan.method != GridMethod::Exact) return plan;
+        const FitExperiment& e = held_.problem.experiments[experiment];
+        SimulationTask task;
+        task.system = e.system.get();
+        task.inputs = &e.inputs;
+        task.parameters = e.parameters;
+        return planGrid(task, simulation_);
+    }
+
+    /// A wave of any phase is the sum of two a quarter turn apart: strength and phase both come from them.
+    bool takeWave(const std::map<std::string, double>& shape, Probe& probe) {
+        const EffectClass& effect = placed_.effect;
+        const auto waves = shape.find(effect.waves);
+        const std::vector<GridPlan> plans = plansFor(waves == shape.end() ? 1 : waves->second);
+        Eigen::MatrixXd both(null_.fit.optimum.residuals.size(), 2);
+        for (const int quarter : {0, 1}) {
+            set(placed_.instance + "." + effect.phase, quarter * quarterTurn);
+            const std::optional<Eigen::MatrixXd> columns = traces(0, plans);
+            if (!columns) return false;
+            both.col(quarter) = columns->col(0);
+        }
+        probe.plain = plainScore(both);
+        probe.whitened = whitenedScore(both);
+        const Eigen::Vector2d parts = probe.plain.strengths;
+        const double strength = parts.norm();
+        probe.column = strength > 0 ? Eigen::VectorXd(both * parts / strength) : Eigen::VectorXd(both.col(0));
+        probe.plain.visible = plainScore(probe.column).visible;
+        probe.whitened.visible = whitenedScore(probe.column).visible;
+        probe.plain.strengths = Eigen::VectorXd::Constant(1, strength);
+        probe.values[effect.phase] = std::atan2(parts[1], parts[0]);
+        probe.isAlongRecorded = wired_.task.imposed.has_value();
+        return true;
+    }
+
     const NullModel& null_;
+    std::vector<std::vector<double>> course_;
     const PlacedEffect& placed_;
     const Variant& wired_;
     Complement complement_, whiteComplement_;
@@ -274,6 +412,17 @@ private:
     const Progress& progress_;
     PreparedTask held_;
 };
+
+/// Whether the recorded course of an effect's variable is another than the simulated one to the shortest of its waves.
+bool isAhead(const std::vector<Eigen::VectorXd>& lead, const Screened& screened) {
+    if (screened.candidate.effect.phase.empty()) return false;
+    double most = 1, largest = 0;
+    for (const Probe& p : screened.probes)
+        if (const auto waves = p.values.find(screened.candidate.effect.waves); waves != p.values.end())
+            most = std::max(most, waves->second);
+    for (const Eigen::VectorXd& each : lead) largest = std::max(largest, each.cwiseAbs().maxCoeff());
+    return most * largest > leastLead * 4 * quarterTurn;
+}
 
 double scoreOf(const ColumnScore& s) { return s.wrongSign || s.visible < leastVisible ? 0 : s.explained; }
 
@@ -389,7 +538,7 @@ Screened screen(const NullModel& null, const Candidate& candidate, const Simulat
     }
     if (secants.empty()) secants.push_back(0);
 
-    Prober prober(null, result, simulation, progress);
+    Prober prober(null, result.wired, observations->series(effect.along), simulation, progress);
     if (Outcome<Done> compiled = prober.compile(); !compiled) return fail(compiled.diagnostics());
     if (effect.states > 0) {
         const Outcome<PreparedTask> without = prepareHeld(null.variant, {}, null.noise);
@@ -397,14 +546,26 @@ Screened screen(const NullModel& null, const Candidate& candidate, const Simulat
         if (prober.stateCount() < without->system->stateCount() + effect.states)
             return fail({error(phrase("nothing there has a motion of its own"))});
     }
-    for (const double secant : secants) {
-        Outcome<std::vector<std::map<std::string, double>>> shapes = shapesOf(effect, context, secant);
-        if (!shapes) return fail(shapes.diagnostics());
-        for (const std::map<std::string, double>& shape : *shapes) {
-            if (progress.stopRequested()) return fail({error("cancelled")});
-            Probe probe;
-            if (prober.take(shape, secant, probe)) result.probes.push_back(std::move(probe));
+    const auto probeAll = [&](Prober& with) -> Outcome<Done> {
+        for (const double secant : secants) {
+            Outcome<std::vector<std::map<std::string, double>>> shapes = shapesOf(effect, context, secant);
+            if (!shapes) return shapes.diagnostics();
+            for (const std::map<std::string, double>& shape : *shapes) {
+                if (progress.stopRequested()) return error("cancelled");
+                Probe probe;
+                if (with.take(shape, secant, probe)) result.probes.push_back(std::move(probe));
+            }
         }
+        return Done{};
+    };
+    if (Outcome<Done> probed = probeAll(prober); !probed) return fail(probed.diagnostics());
+    if (isAhead(observations->lead(), result)) {
+        auto recorded = std::make_shared<const Variant>(
+            alongRecorded(result.wired, observations->series(effect.along), observations->lead()));
+        Prober along(null, *recorded, observations->series(effect.along), simulation, progress);
+        result.recorded = std::move(recorded);
+        if (along.compile())
+            if (Outcome<Done> probed = probeAll(along); !probed) return fail(probed.diagnostics());
     }
     if (result.probes.empty()) return fail({error("no simulation with this effect succeeded")});
     std::stable_sort(result.probes.begin(), result.probes.end(),

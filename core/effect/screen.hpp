@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct Probe {
     ColumnScore plain;                     // against the residual as it is
     ColumnScore whitened;                  // with the noise made white
     Eigen::VectorXd column;                // trace of the strength, in units of the noise
+    bool isAlongRecorded{};                // of a wave along the recorded course of its variable
     double strength() const;               // best estimate, 0 when the sign is wrong
     std::vector<double> linear() const;    // of the further linear parameters
 };
@@ -30,8 +32,9 @@ struct Screened {
     Candidate candidate;
     Variant wired;  // the effect in the model, fixed values set, parameters not yet freed
     std::map<std::string, double> fixed;
-    std::vector<Probe> probes;  // best first
-    Text failure;               // why it could not be tried; empty: it was
+    std::shared_ptr<const Variant> recorded;  // `wired` along the recorded course of its variable; null: none is told
+    std::vector<Probe> probes;                // best first
+    Text failure;                             // why it could not be tried; empty: it was
 
     double score() const;  // fall in the sum of squares of the best probe (right sign)
     double whitenedScore() const;

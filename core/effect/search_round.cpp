@@ -12,6 +12,7 @@ constexpr double twinCorrelation = 0.999;  // projected traces more alike than t
 constexpr double falseAlarmQuantile = 0.99;
 constexpr std::size_t mostRivals = 5, mostAlternatives = 6;
 constexpr std::size_t mostRetried = 4;
+constexpr double ofTheForm = 5e-4;   // of what is explained: by so much a rounded jump misses the hard one
 constexpr int glanceIterations = 5;  // of the whole catalogue, to see who deserves a trial
 
 /// What a fit took, in steps of the explicit method.
@@ -246,8 +247,11 @@ void Search::preferSimple(const NullModel& null, Round& round) const {
             leavesMuch && trials[i].freed() == best.freed() &&
             plausibility(trials[i].screened.candidate.effect) < plausibility(best.screened.candidate.effect);
         const bool isMember = std::find(round.members.begin(), round.members.end(), i) != round.members.end();
+        // a detail of the form at the same place, where the jump itself is rounded off
+        const bool isSameButForm = trials[i].screened.candidate.place == best.screened.candidate.place &&
+                                   best.evidence - trials[i].evidence < ofTheForm * best.evidence;
         const bool isNearly = leavesMuch && null.sumOfSquares() - trials[i].sumOfSquares() > nearlyAsMuch * fall;
-        if ((isMember && (isSimpler || isLikelier)) || (isNearly && isSimpler)) simpler.push_back(i);
+        if ((isMember && (isSimpler || isLikelier)) || ((isNearly || isSameButForm) && isSimpler)) simpler.push_back(i);
     }
     std::stable_sort(simpler.begin(), simpler.end(),
                      [&](std::size_t a, std::size_t b) { return trials[a].freed() < trials[b].freed(); });

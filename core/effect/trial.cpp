@@ -8,8 +8,9 @@
 namespace analogon {
 namespace {
 
-constexpr double leastEvidence = 10;   // fall in BIC that an effect must bring
-constexpr std::size_t mostStarts = 8;  // that are weighed against each other
+constexpr double leastEvidence = 10;  // fall in BIC that an effect must bring
+constexpr double leastBeside = 20;    // beside others, whose form is not quite the component's: less may only mend that
+constexpr std::ptrdiff_t mostStarts = 8;  // that are weighed against each other
 constexpr double structureFactor = 3;
 constexpr double trialTolerance = 1e-6;
 constexpr double leastHeldOut = 0.5;
@@ -52,6 +53,7 @@ FitParameter shapeParameter(const Screened& s, const std::string& name, double s
     FitParameter p;
     p.name = name;
     p.start = start;
+    if (name == s.candidate.effect.phase) return p;
     double low = start, high = start;
     for (const Probe& probe : s.probes) {
         const auto value = probe.values.find(name);
@@ -93,6 +95,7 @@ struct Start {
     Variant variant;  // effect's parameters freed, at their start values
     PreparedTask prepared;
     double promised{};  // half the sum of squares once the linearised problem is solved from here
+    bool isAlongRecorded{};
 };
 
 /// The starts that a screened candidate offers: every probe's estimate of the strength, and for traces taken at a
@@ -133,6 +136,17 @@ std::vector<FitParameter>::iterator strengthOf(Start& start) {
     return std::find_if(parameters.begin(), parameters.end(), [&](const FitParameter& p) { return p.name == name; });
 }
 
+/// Lets the first `count` starts hold one along the recorded course and one along the simulated, where there are both:
+/// what they promise does not compare.
+void bothCourses(std::vector<Start>& starts, std::size_t count) {
+    if (count < 2 || starts.size() <= count) return;
+    const auto last = starts.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto isOther = [&](const Start& s) { return s.isAlongRecorded != starts.front().isAlongRecorded; };
+    if (std::any_of(starts.begin(), last, isOther)) return;
+    if (const auto other = std::find_if(last, starts.end(), isOther); other != starts.end())
+        std::iter_swap(last - 1, other);
+}
+
 /// Where the strength comes from a slope at 0, the slope may promise far more than the model bears there (a magnet that
 /// warms until its field turns over). The strength is taken back until it is no worse than the model without.
 void takeBack(const NullModel& null, Start& start, const SimulationOptions& simulation, const Progress& progress) {
@@ -147,26 +161,45 @@ void takeBack(const NullModel& null, Start& start, const SimulationOptions& simu
     strength->start = std::clamp(first, strength->min, strength->max);  // no way down: as promised
 }
 
-/// Over many turns a count of waves that is off by a little fits nearly as well one turn later, and no slope leads from
-/// there to the best: what is a whole number is held at the start until all else has followed.
-void followWholeNumbers(Start& start, const FitOptions& options, const Progress& progress) {
+bool isWhole(const PlacedEffect& placed, const FitParameter& parameter) {
+    return std::any_of(placed.effect.whole.begin(), placed.effect.whole.end(),
+                       [&](const std::string& name) { return parameter.name == placed.instance + "." + name; });
+}
+
+/// Moves the start to the optimum of a problem with the same parameters, whole numbers held where they start.
+void follow(Start& start, FitProblem held, const FitOptions& options, const Progress& progress) {
     const PlacedEffect& placed = start.variant.effects.back();
-    if (placed.effect.whole.empty()) return;
-    const auto isWhole = [&](const FitParameter& p) {
-        return std::any_of(placed.effect.whole.begin(), placed.effect.whole.end(),
-                           [&](const std::string& name) { return p.name == placed.instance + "." + name; });
-    };
-    FitProblem held = start.prepared.problem;
-    for (const FitParameter& p : held.parameters)
+    std::vector<FitParameter>& parameters = start.prepared.problem.parameters;
+    for (const FitParameter& p : parameters)
         for (FitExperiment& e : held.experiments)
-            if (const int index = e.system->parameterIndex(p.name); isWhole(p) && index >= 0)
+            if (const int index = e.system->parameterIndex(p.name); isWhole(placed, p) && index >= 0)
                 e.parameters[static_cast<std::size_t>(index)] = p.start;
-    std::erase_if(held.parameters, isWhole);
+    std::erase_if(held.parameters, [&](const FitParameter& p) { return isWhole(placed, p); });
+    for (FitParameter& own : held.parameters)
+        for (const FitParameter& p : parameters)
+            if (p.name == own.name && p.experiment == own.experiment) own.start = p.start;
     const FitResult result = fit(held, options, progress);
     if (!result.optimum.ok) return;
     for (const FitEstimate& e : result.estimates)
-        for (FitParameter& p : start.prepared.problem.parameters)
+        for (FitParameter& p : parameters)
             if (p.name == e.name && p.experiment == e.experiment) p.start = e.value;
+}
+
+/// Over many turns a count of waves that is off by a little fits nearly as well one turn later, and no slope leads from
+/// there to the best: what is a whole number is held at the start until all else has followed.
+void followWholeNumbers(Start& start, const FitOptions& options, const Progress& progress) {
+    if (!start.variant.effects.back().effect.whole.empty()) follow(start, start.prepared.problem, options, progress);
+}
+
+/// Where the flow goes along a course that the model without it misses, all parameters first follow along the recorded
+/// one: from there the model takes that course by itself.
+void followRecorded(const NullModel& null, const Screened& screened, Start& start, const FitOptions& options,
+                    const Progress& progress) {
+    if (!start.isAlongRecorded || !screened.recorded) return;
+    Variant variant = *screened.recorded;
+    for (const FitParameter& p : start.variant.effects.back().freed) variant.task.parameters.push_back(p);
+    const Outcome<PreparedTask> prepared = prepareAt(variant, null.noise);
+    if (prepared) follow(start, prepared->problem, options, progress);
 }
 
 }  // namespace
@@ -185,11 +218,17 @@ Trial refit(const NullModel& null, const Screened& screened, const FitOptions& o
     std::vector<Start> ready;
     const std::vector<std::pair<const Probe*, double>> offered = startsOf(screened);
     for (const auto& [probe, strength] : offered) {
-        if (progress.stopRequested() || ready.size() == mostStarts) break;
+        if (progress.stopRequested()) break;
+        const auto alike = std::count_if(ready.begin(), ready.end(),
+                                         [&](const Start& s) { return s.isAlongRecorded == probe->isAlongRecorded; });
+        if (alike == mostStarts) continue;
         std::optional<Start> start = prepareStart(null, screened, *probe, strength, best.failure);
         if (!start) continue;
-        if (probe->secant == 0) takeBack(null, *start, options.simulation, progress);
-        if (offered.size() > static_cast<std::size_t>(starts)) {
+        if (probe->secant == 0 && !probe->isAlongRecorded) takeBack(null, *start, options.simulation, progress);
+        start->isAlongRecorded = probe->isAlongRecorded;
+        if (probe->isAlongRecorded) {
+            start->promised = 0.5 * (null.sumOfSquares() - probe->plain.explained);
+        } else if (offered.size() > static_cast<std::size_t>(starts)) {
             const Eigen::VectorXd values = start->prepared.problem.startValues();
             const Linearisation at = linearise(start->prepared.problem, values, true, {}, options.simulation, progress);
             if (!at.ok || !at.jacobian.allFinite()) continue;
@@ -203,8 +242,10 @@ Trial refit(const NullModel& null, const Screened& screened, const FitOptions& o
     }
     std::stable_sort(ready.begin(), ready.end(),
                      [](const Start& a, const Start& b) { return a.promised < b.promised; });
+    bothCourses(ready, static_cast<std::size_t>(starts));
     for (std::size_t i = 0; i < std::min(ready.size(), static_cast<std::size_t>(starts)); ++i) {
         if (progress.stopRequested()) break;
+        followRecorded(null, screened, ready[i], options, progress);
         followWholeNumbers(ready[i], options, progress);
         FitResult result = fit(ready[i].prepared.problem, options, progress);
         if (!result.optimum.ok) {
@@ -265,8 +306,9 @@ Acceptance examine(const NullModel& null, const FitResult& with, int freed, doub
                     std::clamp(static_cast<int>(count / samplesPerBlock), heldOutFolds, mostBlocks), heldOutFolds);
     // What leaves noise has explained all there was. What leaves structure may only feed on it, and must show more.
     const bool leavesStructure = !isNoise(null.channels, with);
-    a.isSignificant = std::max(a.evidence, a.effective) >
-                      std::max(leastEvidence, threshold) * (leavesStructure ? structureFactor : 1);
+    const double least = null.variant.effects.empty() ? leastEvidence : leastBeside;
+    a.isSignificant =
+        std::max(a.evidence, a.effective) > std::max(least, threshold) * (leavesStructure ? structureFactor : 1);
     const double left = with.optimum.residuals.squaredNorm(), unexplained = left - rows;
     const bool explainsAll = !leavesStructure && std::min(a.evidence, a.effective) > farMore;
     a.holdsOut = a.heldOut > (explainsAll              ? leastHeldOutOfAll

@@ -265,6 +265,7 @@ Outcome<PreparedTask> prepare(const EstimationTask& task, const std::vector<Eige
         flat = withChange(std::move(*flat), task.change->parameter, task.change->width);
     else if (task.change)
         flat = withDependence(std::move(*flat), task.change->parameter, task.change->input);
+    if (flat && task.imposed) flat = withImposed(std::move(*flat), task.imposed->variable, task.imposed->input);
     if (!flat) return flat.diagnostics();
     auto model = std::make_shared<const FlatModel>(std::move(*flat));
     StructureOptions options;

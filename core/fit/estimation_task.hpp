@@ -56,6 +56,12 @@ struct ParameterChange {
     std::string input{};  // among Recording::inputNames, with which it moves; empty: it changes at a moment
 };
 
+/// A variable of the model that a signal of the recordings sets instead of the model's own equation.
+struct ImposedVariable {
+    std::string variable;
+    std::string input;  // among Recording::inputNames
+};
+
 struct EstimationTask {
     Library library;  // with the model's own text in it
     SourcePtr model;  // text of the composed model
@@ -63,6 +69,7 @@ struct EstimationTask {
     std::vector<FitParameter> parameters;  // fitted for all experiments: of the model, and clocks
     std::vector<Recording> recordings;
     std::optional<ParameterChange> change;
+    std::optional<ImposedVariable> imposed;
 };
 
 /// A task made ready to simulate: one system for all experiments, the problem for the experiments with a role.

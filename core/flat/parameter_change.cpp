@@ -48,6 +48,16 @@ VariableId addParameter(FlatModel& model, std::string name, std::string unit) {
     return id;
 }
 
+VariableId addInput(FlatModel& model, const std::string& name) {
+    FlatVariable signal;
+    signal.name = name;
+    signal.causality = FlatCausality::Input;
+    const VariableId id{static_cast<std::uint32_t>(model.variables.size())};
+    model.byName[name] = id;
+    model.variables.push_back(std::move(signal));
+    return id;
+}
+
 /// Invalid: the model has no such parameter.
 VariableId realParameter(const FlatModel& model, const std::string& name) {
     const VariableId id = model.find(name);
@@ -95,16 +105,23 @@ Outcome<FlatModel> withDependence(FlatModel model, const std::string& parameter,
     if (!changed.valid()) return noParameter(model, parameter);
     if (model.find(input).valid()) return error(fmt::format("{} has a variable {} already", model.name, input));
     const VariableId slope = addParameter(model, slopeOf(parameter), model[changed].unit);
-    FlatVariable signal;
-    signal.name = input;
-    signal.causality = FlatCausality::Input;
-    const VariableId moving{static_cast<std::uint32_t>(model.variables.size())};
-    model.byName[input] = moving;
-    model.variables.push_back(std::move(signal));
+    const VariableId moving = addInput(model, input);
     ExpressionPool& pool = *model.pool;
     replaceEverywhere(model, changed,
                       pool.add(pool.variable(changed), pool.multiply(pool.variable(slope), pool.variable(moving))));
     return model;
+}
+
+Outcome<FlatModel> withImposed(FlatModel model, const std::string& variable, const std::string& input) {
+    const VariableId imposed = model.find(variable);
+    if (model.find(input).valid()) return error(fmt::format("{} has a variable {} already", model.name, input));
+    for (FlatEquation& e : model.equations) {
+        const ExpressionNode& left = (*model.pool)[e.left];
+        if (left.operation != Operation::Variable || !imposed.valid() || left.variable != imposed) continue;
+        e.right = model.pool->variable(addInput(model, input));
+        return model;
+    }
+    return error(fmt::format("no equation of {} sets {} alone", model.name, variable));
 }
 
 }  // namespace analogon

@@ -16,6 +16,10 @@ Outcome<FlatModel> withChange(FlatModel model, const std::string& parameter, dou
 /// input's name.
 Outcome<FlatModel> withDependence(FlatModel model, const std::string& parameter, const std::string& input);
 
+/// Takes a variable from a signal: the equation with the variable alone on its left side sets it to `input`, a new
+/// top-level input, instead. Fault: no such equation, or a variable of the input's name.
+Outcome<FlatModel> withImposed(FlatModel model, const std::string& variable, const std::string& input);
+
 std::string slopeOf(const std::string& parameter);
 std::string stepOf(const std::string& parameter);
 std::string momentOf(const std::string& parameter);

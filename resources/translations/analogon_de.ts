@@ -876,6 +876,26 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Treiber, der den Strom begrenzt</translation>
     </message>
     <message>
+        <source>Contact whose resistance falls with the current</source>
+        <translation>Kontakt, dessen Widerstand mit dem Strom fällt</translation>
+    </message>
+    <message>
+        <source>Contact before a heater whose resistance falls with the current</source>
+        <translation>Kontakt vor einem Heizer, dessen Widerstand mit dem Strom fällt</translation>
+    </message>
+    <message>
+        <source>Resistance at small currents (0: none)</source>
+        <translation>Widerstand bei kleinen Strömen (0: keiner)</translation>
+    </message>
+    <message>
+        <source>Current at which half of it is left</source>
+        <translation>Strom, bei dem die Hälfte davon bleibt</translation>
+    </message>
+    <message>
+        <source>How steeply it falls</source>
+        <translation>Wie steil er fällt</translation>
+    </message>
+    <message>
         <source>Driver that limits the current of a heater</source>
         <translation>Treiber, der den Strom eines Heizers begrenzt</translation>
     </message>

@@ -54,6 +54,18 @@ TEST(ParameterChange, LetsAParameterMoveWithASignal) {
     EXPECT_EQ((*moving)[moving->find("flow")].causality, FlatCausality::Input);
 }
 
+TEST(ParameterChange, LetsASignalSetAVariableInsteadOfItsEquation) {
+    const FlatModel flat = flatOf("model M Real x; Real y; equation y = 2*x; x = sin(time); end M;");
+    const Outcome<FlatModel> imposed = withImposed(flat, "x", "recorded");
+    ASSERT_TRUE(imposed) << format(imposed.diagnostics());
+    EXPECT_EQ((*imposed)[imposed->find("recorded")].causality, FlatCausality::Input);
+    const ExpressionNode& right = (*imposed->pool)[imposed->equations.back().right];
+    ASSERT_EQ(right.operation, Operation::Variable);
+    EXPECT_EQ(right.variable, imposed->find("recorded"));
+    EXPECT_FALSE(withImposed(flat, "z", "recorded")) << "no such variable";
+    EXPECT_FALSE(withImposed(flat, "x", "y")) << "a variable of the input's name";
+}
+
 TEST(ParameterChange, RefusesWhatIsNoParameter) {
     const FlatModel flat = flatOf("model M Real x; equation x = time; end M;");
     EXPECT_FALSE(withDependence(flat, "x", "flow"));

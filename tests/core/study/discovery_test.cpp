@@ -540,6 +540,7 @@ protected:
         double friction{};    // [N.m]
         double limit{1e9};    // [A] of its driver
         double cogging{};     // [N.m], eight times a turn
+        double supply{14};    // [V], largest
     };
 
     /// What is measured besides the current.
@@ -581,7 +582,9 @@ end Drive;
         std::ofstream csv =
             recording(beside == Beside::Angle ? "t [s],v [V],i [A],w [rad]" : "t [s],v [V],i [A],w [rad/s]");
         double w = 0, phi = 0, warm = 0;
-        constexpr double R = 0.45, k = 0.045, J = 2.5e-4, b = 2e-4, interval = 0.02;
+        constexpr double R = 0.45, k = 0.045, J = 2.5e-4, b = 2e-4;
+        // a slow one is sampled more often than it passes a notch
+        const double interval = motor.supply < 5 ? 0.005 : 0.02;
         const auto constant = [&](double i) { return k / std::sqrt(1 + motor.saturation * i * i); };
         const auto current = [&](double v) {
             double i = 0;
@@ -596,7 +599,7 @@ end Drive;
             }
             return i;
         };
-        const auto supply = [](int sample) { return 14 * excitation(sample * interval); };
+        const auto supply = [&](int sample) { return motor.supply * excitation(sample * interval); };
         for (int n = 0; n < samples; ++n) {
             csv << n * interval << ',' << supply(n) << ',' << current(supply(n)) + 0.05 * scatter(random) << ','
                 << (beside == Beside::Angle ? phi + 0.02 * scatter(random) : w + 0.3 * scatter(random)) << '\n';
@@ -643,6 +646,22 @@ TEST_F(DiscoveryInAMotor, CountsTheWavesOfACoggingOverManyTurns) {
     ASSERT_NE(waves, cogging.parameters.end());
     EXPECT_NEAR(waves->value, 8, 1e-3);
     EXPECT_NEAR(std::abs(cogging.parameters.front().value), 0.005, 0.0005);
+}
+
+TEST_F(DiscoveryInAMotor, FollowsTheRecordedAngleWhereTheNotchesBrakeTheShaft) {
+    // the model without notches misses the angle by turns, and with it where the notches are
+    for (const Beside beside : {Beside::Angle, Beside::Speed}) {
+        const Finding finding = searchMotor({.cogging = 0.03, .supply = 3}, beside);
+        EXPECT_EQ(finding.kind, FindingKind::Effect);
+        ASSERT_EQ(finding.effects.size(), 1u);
+        const AddedEffect& cogging = finding.effects.front();
+        EXPECT_EQ(cogging.kind, "torque.cogging");
+        EXPECT_NEAR(std::abs(cogging.parameters.front().value), 0.03, 0.001);
+        const auto waves = std::find_if(cogging.parameters.begin(), cogging.parameters.end(),
+                                        [](const EffectValue& p) { return p.name == "n"; });
+        ASSERT_NE(waves, cogging.parameters.end());
+        EXPECT_NEAR(waves->value, 8, 1e-2);
+    }
 }
 
 TEST_F(DiscoveryInAMotor, TakesASaturatingFieldForNoWarming) {

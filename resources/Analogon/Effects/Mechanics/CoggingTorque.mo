@@ -17,8 +17,11 @@ equation
       strength = "tau_n",
       valid = "n*range(phi) - 6.283185",
       whole = {"n"},
+      phase = "phi_0",
+      along = "phi",
+      waves = "n",
       reach(n = 1.3),
-      shape(n = {"2", "3", "4", "5", "6", "7", "8", "9", "10", "12"}, phi_0 = {"0", "1.570796"}))),
+      shape(n = {"2", "3", "4", "5", "6", "7", "8", "9", "10", "12"}))),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
         Rectangle(extent={{-90,90},{90,-90}}, lineColor={213,94,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid, radius=10),
         Line(points={{-100,0},{-90,0}}, color={95,95,95}, thickness=0.5),

@@ -13,7 +13,8 @@ equation
       way = "attach",
       ports = {"flange"},
       strength = "tau_g",
-      shape(phi_0 = {"0", "0.785398", "1.570796", "2.356194"}))),
+      phase = "phi_0",
+      along = "phi")),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
         Rectangle(extent={{-90,90},{90,-90}}, lineColor={213,94,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid, radius=10),
         Line(points={{-100,0},{-90,0}}, color={95,95,95}, thickness=0.5),
