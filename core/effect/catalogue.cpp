@@ -122,6 +122,8 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
     const std::string way = read.text(annotation, "way", true);
     e.ports = read.list(annotation, "ports");
     e.signalSide = read.text(annotation, "at", false);
+    e.inSignalUnit = read.list(annotation, "inSignalUnit");
+    e.inSignalRate = read.list(annotation, "inSignalRate");
     e.strength = read.text(annotation, "strength", true);
     e.oneSided = read.flag(annotation, "oneSided");
     e.linear = read.list(annotation, "linear");
@@ -183,7 +185,8 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
         for (const auto& [name, unit] : ofBase) e.units.erase(name);
     }
     std::vector<std::string> named = e.linear;
-    named.insert(named.end(), e.whole.begin(), e.whole.end());
+    for (const std::vector<std::string>* more : {&e.whole, &e.inSignalUnit, &e.inSignalRate})
+        named.insert(named.end(), more->begin(), more->end());
     named.push_back(e.strength);
     if (!e.phase.empty()) named.push_back(e.phase);
     if (!e.waves.empty()) named.push_back(e.waves);

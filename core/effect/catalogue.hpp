@@ -16,9 +16,9 @@
 ///     ports = {"flange"},               // attach: its connector; insert: the two sides {"flange_a","flange_b"},
 ///                                       // for signals {"u","y"}; specialise: absent
 ///     at = "output",                    // signals only: insert at a top-level "output" or "input"
-///     strength = "tau_c",               // 0 = off
-///     oneSided = true,                  // the physical sign: strength >= 0
-///     linear = {"tau_s"},               // further parameters in which the model is linear at 0
+///     inSignalUnit = {"b"},             // signals only: parameters in the unit of the signal; inSignalRate: per
+///     second strength = "tau_c",               // 0 = off oneSided = true,                  // the physical sign:
+///     strength >= 0 linear = {"tau_s"},               // further parameters in which the model is linear at 0
 ///     fixed(w_eps = "0.002*maxabs(w)"), // set before screening and kept
 ///     states = 2,                       // that it must add to the model, or its place is none (both sides turn)
 ///     reach(phi_h = 3),                 // factor by which a shape may leave the values it is tried with; at the low
@@ -48,7 +48,8 @@ struct EffectClass {
     std::string kind;
     Way way{Way::Attach};
     std::vector<std::string> ports;
-    std::string signalSide;  // "input", "output" or empty
+    std::string signalSide;                               // "input", "output" or empty
+    std::vector<std::string> inSignalUnit, inSignalRate;  // its parameters in the unit of the signal; that per second
     std::string strength;
     bool oneSided{};
     std::vector<std::string> linear;

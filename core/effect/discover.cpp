@@ -1,6 +1,7 @@
 #include "core/effect/discover.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -25,6 +26,7 @@ constexpr double startsWithin = 4;  // of the values in the study, by this facto
 constexpr std::size_t fewestOfImitation = 3;
 constexpr double shareOfImitation = 0.05;  // of what they explain together
 constexpr double changeShare = 0.5, leastChange = 100;
+constexpr double refuting = 1.15;  // by which the error grows on recordings that were not fitted
 
 /// Whether a parameter that changes (in mid run, or with a channel) accounts for most of what is above the noise, by a
 /// wide margin over chance, and is a better account of it than a disturbance and than the effects that were found:
@@ -78,6 +80,19 @@ void offer(std::vector<Remainder> proposed, std::vector<Remainder>& left) {
 /// The same for a parameter that changes, where anything is left at all.
 void offerAlone(Remainder change, std::vector<Remainder>& left) {
     if (!left.empty()) offer({std::move(change)}, left);
+}
+
+/// Whether what was found makes recordings that it has not seen clearly worse: it only imitates what is missing.
+bool isRefuted(const Finding& finding) {
+    const double before = errorPercentOf(finding.baseline, Role::Validate),
+                 after = errorPercentOf(finding.final, Role::Validate);
+    return std::isfinite(before) && before > 0 && after > refuting * before;
+}
+
+std::string kindsOf(const std::vector<PlacedEffect>& effects) {
+    std::vector<std::string> kinds;
+    for (const PlacedEffect& e : effects) kinds.push_back(e.effect.kind);
+    return fmt::format("{}", fmt::join(kinds, ", "));
 }
 
 /// A parameter that changes, as a proposal at its component.
@@ -328,6 +343,18 @@ Outcome<Finding> Search::run() {
         null = std::move(*fitted);
         finding.final = std::move(*after);
         isFinal = true;
+    }
+    if (isFinal && !steps_.empty() && isRefuted(finding)) {
+        finding.warnings.push_back(
+            phrase("{} would explain much of the fitted recordings, but with it the error on the validation recordings "
+                   "grows from {:.3g} % to {:.3g} %: that is not what the model lacks, and it is left out",
+                   kindsOf(null->variant.effects), errorPercentOf(finding.baseline, Role::Validate),
+                   errorPercentOf(finding.final, Role::Validate)));
+        takeOutAll(*null, base);
+        freedStarts_.clear();
+        noisyInputs_.clear();
+        quiet.reset();
+        finding.final = finding.baseline;
     }
     if (isAsGiven()) null = onAll ? *onAll : base;
     if (!isFinal && progress_.stopRequested() && path->state) finding.final = std::move(*path->state);

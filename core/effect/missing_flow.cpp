@@ -164,6 +164,10 @@ public:
             const double zero = origin == origins_.end() ? 0 : origin->second;
             addHinges(local.back(), {range.low - zero, range.high - zero}, terms_);
         }
+        if (local.size() == 2) {
+            const double largest = local.front().largest;
+            addHinges(local.front(), {-largest, largest}, terms_);
+        }
         if (local.size() == 2) addProducts(local[0], local[1], true, 1, terms_);
         for (std::size_t j = 0; j < foreign.size(); ++j) {
             addPowers(foreign[j], false, 2, terms_);

@@ -288,7 +288,8 @@ void addOtherParameters(const FlatModel& model, const PlacedEffect& placed, std:
             std::any_of(values.begin(), values.end(), [&](const EffectValue& known) { return known.name == name; }))
             continue;
         if (const std::optional<double> value = model.parameterValue({static_cast<std::uint32_t>(v)}))
-            values.push_back({name, *value, std::nan(""), variable.unit});
+            values.push_back(
+                {name, *value, std::nan(""), variable.unit.empty() ? placed.effect.units.at(name) : variable.unit});
     }
 }
 

@@ -186,6 +186,13 @@ std::vector<std::string> ModelNodes::inputsIn(const std::string& unit) const {
     return found;
 }
 
+std::string ModelNodes::unitAt(const EffectPlace& place) const {
+    for (const auto* side : {&inputs_, &outputs_})
+        for (const auto& [name, unit] : *side)
+            if (place.at == std::string(side == &inputs_ ? inputPrefix : outputPrefix) + name) return unit;
+    return {};
+}
+
 std::vector<EffectPlace> ModelNodes::insertPlaces(const std::string& signature) const {
     std::vector<EffectPlace> places;
     for (const Node& n : nodes_) {

@@ -467,6 +467,15 @@ Outcome<ModelNodes> nodesOf(const Variant& variant, Diagram& diagram) {
     return ModelNodes(variant.task.library, diagram, *structure);
 }
 
+/// The effect with the units of its parameters that depend on the signal it is at.
+EffectClass inUnitsOf(const std::string& signal, EffectClass effect) {
+    if (signal.empty()) return effect;
+    for (const std::string& name : effect.inSignalUnit) effect.units[name] = signal;
+    const std::string rate = signal.find('/') == std::string::npos ? signal + "/s" : "(" + signal + ")/s";
+    for (const std::string& name : effect.inSignalRate) effect.units[name] = rate;
+    return effect;
+}
+
 Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std::vector<EffectClass>& catalogue) {
     Diagram diagram;
     Outcome<ModelNodes> nodes = nodesOf(variant, diagram);
@@ -494,7 +503,11 @@ Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std:
                         x.effect.className == e.className || (x.effect.kind == e.kind && e.proposal.empty());
                     return isSame && (x.place == p || std::find(x.twins.begin(), x.twins.end(), p) != x.twins.end());
                 });
-            if (!isThere) candidates.push_back({e, p});
+            // an input that an effect brought in is a recorded channel, no actuator
+            const bool isOfEffect =
+                std::any_of(variant.effects.begin(), variant.effects.end(),
+                            [&](const PlacedEffect& x) { return !x.newInput.empty() && p.connector == x.newInput; });
+            if (!isThere && !isOfEffect) candidates.push_back({inUnitsOf(nodes->unitAt(p), e), p});
         }
     return candidates;
 }

@@ -43,7 +43,8 @@ FitParameter strengthParameter(const Screened& s, const Probe& probe) {
     }
     if (effect.oneSided) {
         // some effects have no model at exactly 0 (a lag of no time): those were probed by secants alone
-        p.min = smallestSecant(s) / 50;
+        const auto reach = effect.reach.find(effect.strength);
+        p.min = smallestSecant(s) / (reach == effect.reach.end() ? 50 : reach->second);
         if (probe.secant != 0) p.scale = ParameterScale::Logarithmic;
     }
     return p;

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/text.hpp"
 #include "core/library/name_search.hpp"
 #include "core/library/package_loader.hpp"
 
@@ -130,8 +131,9 @@ bool Library::isDerived(std::string_view derived, std::string_view base) const {
 }
 
 fs::path builtInLibraryPath() {
+    // one that is told counts, also where nothing is found: another in its place would be taken for it
+    if (const char* given = std::getenv("ANALOGON_LIBRARY"); given != nullptr && *given != 0) return given;
     std::vector<fs::path> candidates;
-    if (const char* given = std::getenv("ANALOGON_LIBRARY")) candidates.emplace_back(given);
     std::error_code problem;
     const fs::path program = fs::read_symlink("/proc/self/exe", problem);
     if (!problem) candidates.push_back(program.parent_path().parent_path() / "share" / "analogon");
@@ -143,7 +145,15 @@ fs::path builtInLibraryPath() {
 }
 
 Outcome<Library> builtInLibrary() {
-    static const Outcome<Library> library = Library().withPath(builtInLibraryPath() / "Analogon");
+    static const Outcome<Library> library = [] {
+        const fs::path path = builtInLibraryPath() / "Analogon";
+        std::error_code problem;
+        if (!fs::exists(path / "package.mo", problem))
+            return Outcome<Library>(error(phrase("there is no block library at {}", path.string()), {},
+                                          phrase("let ANALOGON_LIBRARY name the folder that holds Analogon/package.mo, "
+                                                 "or leave it unset")));
+        return Library().withPath(path);
+    }();
     return library;
 }
 

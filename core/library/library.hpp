@@ -56,8 +56,8 @@ private:
     std::vector<const LibraryClass*> order_;
 };
 
-/// The directory that holds `Analogon/package.mo`: the environment variable ANALOGON_LIBRARY, beside the
-/// program (../share/analogon), or the source tree it was built from; the first that exists.
+/// The directory that holds `Analogon/package.mo`: what the environment variable ANALOGON_LIBRARY names, or else beside
+/// the program (../share/analogon) or the source tree it was built from, the first that exists.
 std::filesystem::path builtInLibraryPath();
 
 /// The block library `Analogon`, parsed once per process and shared (thread-safe).

@@ -2710,6 +2710,18 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>von den Startwerten der Studie aus endet die Anpassung in einem schlechteren Optimum: die Suche beginnt beim besten von {} Starts um sie herum</translation>
     </message>
     <message>
+        <source>{} would explain much of the fitted recordings, but with it the error on the validation recordings grows from {:.3g} % to {:.3g} %: that is not what the model lacks, and it is left out</source>
+        <translation>{} würde viel von den angepassten Aufzeichnungen erklären, aber der Fehler auf den Validierungsaufzeichnungen wächst damit von {:.3g} % auf {:.3g} %: das ist nicht, was dem Modell fehlt, und bleibt weg</translation>
+    </message>
+    <message>
+        <source>there is no block library at {}</source>
+        <translation>bei {} ist keine Blockbibliothek</translation>
+    </message>
+    <message>
+        <source>let ANALOGON_LIBRARY name the folder that holds Analogon/package.mo, or leave it unset</source>
+        <translation>ANALOGON_LIBRARY muss den Ordner nennen, in dem Analogon/package.mo liegt, oder fehlen</translation>
+    </message>
+    <message>
         <source>{} seems to move with the recorded channel {}</source>
         <translation>{} scheint dem aufgezeichneten Kanal {} zu folgen</translation>
     </message>

@@ -14,6 +14,7 @@ equation
       ports = {"u", "y"},
       at = "input",
       strength = "b",
+      inSignalUnit = {"b"},
       oneSided = true,
       fixed(u_eps = "0.003*maxabs(u)"),
       sharper(u_eps = 0.25),

@@ -7,7 +7,8 @@ block Offset "Offset of an input channel"
       way = "insert",
       ports = {"u", "y"},
       at = "input",
-      strength = "b")),
+      strength = "b",
+      inSignalUnit = {"b"})),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}})),
     Documentation(info="<html>
 <p>An error of an actuator or its driver: inserted behind an input.</p>

@@ -18,6 +18,8 @@ equation
       oneSided = true,
       fixed(n = "16"),
       sharper(n = 4),
+      reach(s = 1.05),
+      inSignalUnit = {"limit"},
       secant = {"1/(0.98*maxabs(u))", "1/(0.92*maxabs(u))", "1/(0.75*maxabs(u))"})),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
         Line(points={{-80,0},{85,0}}, color={128,128,128}),

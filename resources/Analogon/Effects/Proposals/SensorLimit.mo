@@ -19,6 +19,7 @@ equation
       ports = {"u", "y"},
       at = "output",
       strength = "s",
+      inSignalUnit = {"y_max"},
       oneSided = true,
       fixed(y_e = "0.005*range(u)"),
       sharper(y_e = 0.25),

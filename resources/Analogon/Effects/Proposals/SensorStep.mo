@@ -17,6 +17,7 @@ equation
       ports = {"u", "y"},
       at = "output",
       strength = "a",
+      inSignalUnit = {"a"},
       fixed(t_w = "0.002*duration"),
       shape(t_s = {"0.15*duration", "0.3*duration", "0.45*duration", "0.6*duration", "0.75*duration", "0.9*duration"}))),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={

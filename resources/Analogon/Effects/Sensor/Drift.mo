@@ -13,7 +13,8 @@ equation
       way = "insert",
       ports = {"u", "y"},
       at = "output",
-      strength = "a")),
+      strength = "a",
+      inSignalRate = {"a"})),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
         Line(points={{-80,-70},{85,-70}}, color={128,128,128}),
         Line(points={{-70,80},{-70,-80}}, color={128,128,128}),

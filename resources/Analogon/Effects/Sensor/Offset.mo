@@ -7,7 +7,8 @@ block Offset "Offset of a measured channel"
       way = "insert",
       ports = {"u", "y"},
       at = "output",
-      strength = "b")),
+      strength = "b",
+      inSignalUnit = {"b"})),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}})),
     Documentation(info="<html>
 <p>An error of a sensor: inserted in front of a measured output.</p>

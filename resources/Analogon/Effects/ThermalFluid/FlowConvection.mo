@@ -14,6 +14,7 @@ equation
       kind = "convection.flow",
       way = "specialise",
       strength = "n",
+      oneSided = true,
       fixed(flow_ref = "mean(u_flow)"),
       channel = "u_flow")),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
