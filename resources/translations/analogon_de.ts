@@ -2615,6 +2615,18 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <source>Torque into the component</source>
         <translation>Drehmoment in das Bauteil hinein</translation>
     </message>
+    <message>
+        <source>Piece that holds x</source>
+        <translation>Stück, in dem x liegt</translation>
+    </message>
+    <message>
+        <source>The film in a plug or under a spring contact: it conducts the better the more current flows. With m = 1 its voltage rises to R_c*i_c and stays there, with m = 2 it falls again.</source>
+        <translation>Der Film in einem Stecker oder unter einem Federkontakt: Er leitet umso besser, je mehr Strom fließt. Mit m = 1 steigt seine Spannung auf R_c*i_c und bleibt dort, mit m = 2 fällt sie wieder.</translation>
+    </message>
+    <message>
+        <source>The film under a brush or in a plug: it conducts the better the more current flows. With m = 1 its voltage rises to R_c*i_c and stays there, with m = 2 it falls again.</source>
+        <translation>Der Film unter einer Bürste oder in einem Stecker: Er leitet umso besser, je mehr Strom fließt. Mit m = 1 steigt seine Spannung auf R_c*i_c und bleibt dort, mit m = 2 fällt sie wieder.</translation>
+    </message>
 </context>
 <context>
     <name>LibraryPanel</name>
