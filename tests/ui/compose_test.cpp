@@ -808,12 +808,13 @@ TEST(RandomEditing, UndoesAndRedoesByteForByte) {
                     break;
                 }
                 case 13:
-                    for (const Block& b : blocks)
-                        if (!b.isConnector && document.levels().empty() && b.className.ends_with("HeatCapacitor")) {
-                            document.setParameterValue(b.name + ".C", 1 + static_cast<double>(below(100)));
-                            document.setStudyParameter(b.name + ".C", {}, "fit");
-                            break;
-                        }
+                    for (const Block& b : blocks) {
+                        if (!document.levels().empty() || !b.className.ends_with("HeatCapacitor")) continue;
+                        const std::string parameter = b.name + ".C";  // the edit reads the blocks anew
+                        document.setParameterValue(parameter, 1 + static_cast<double>(below(100)));
+                        document.setStudyParameter(parameter, {}, "fit");
+                        break;
+                    }
                     break;
                 case 14:
                     for (std::size_t k = below(4); k > 0 && document.undoStack().canUndo(); --k)

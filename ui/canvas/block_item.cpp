@@ -224,7 +224,7 @@ void BlockItem::paintLine(QPainter& painter, const QRectF& box, const QString& t
 
 /// The values it was given, in quiet lines beyond its name, where there is room for them.
 void BlockItem::paintParameters(QPainter& painter, const QPalette& palette, QRectF nameBox, double zoom) const {
-    if (zoom < 1.7) return;
+    if (zoom < 1.55) return;
     QFont font = painter.font();
     font.setPointSizeF(font.pointSizeF() * 0.85);
     painter.setFont(font);
