@@ -3199,8 +3199,8 @@ Relativer Standardfehler %1 %</translation>
         <translation>Max</translation>
     </message>
     <message>
-        <source>In bounds</source>
-        <translation>In Grenzen</translation>
+        <source>Bounds</source>
+        <translation>Lage</translation>
     </message>
     <message>
         <source>Free the bound of %1</source>

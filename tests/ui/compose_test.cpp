@@ -866,6 +866,7 @@ TEST(RandomEditing, UndoesAndRedoesByteForByte) {
             ASSERT_TRUE(document.definition())
                 << "the text parses after every gesture: sequence " << sequence << " step " << i;
         }
+        while (document.undoStack().canRedo()) document.undoStack().redo();  // what the last steps took back
         const QString end = document.modelText();
         const std::vector<std::string> fitted = namesOf(document.settings());
         while (document.undoStack().canUndo()) document.undoStack().undo();

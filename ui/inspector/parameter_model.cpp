@@ -378,7 +378,7 @@ QVariant ParameterModel::headerData(int section, Qt::Orientation orientation, in
         case Prior:
             return tr("Prior");
         case Bounds:
-            return tr("In bounds");
+            return tr("Bounds");
         case Result:
             return tr("Result");
         default:

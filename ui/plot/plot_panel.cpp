@@ -126,7 +126,7 @@ void PlotPanel::resizeEvent(QResizeEvent* event) {
 
 /// Where tabs and buttons have no room side by side, the buttons stand below.
 void PlotPanel::arrangeBar() {
-    const bool fits = experiments_->minimumSizeHint().width() + buttons_->minimumSize().width() + 20 <= width();
+    const bool fits = experiments_->sizeHint().width() + buttons_->minimumSize().width() + 20 <= width();
     bar_->setDirection(fits ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
 

@@ -536,7 +536,7 @@ void MainWindow::resetLayout() {
 /// Sizes only hold for docks that are shown, so they wait for the first study.
 void MainWindow::sizeDocks() {
     const int left = std::max(isCompact_ ? 0 : 264, measurements_->minimumSizeHint().width());
-    const int right = isCompact_ ? width() - left - 380 : std::clamp(width() - left - 560, 360, 640);
+    const int right = isCompact_ ? width() - left - 380 : std::clamp(width() - left - 590, 360, 640);
     resizeDocks({measurementDock_, parameterDock_}, {left, right}, Qt::Horizontal);
     resizeDocks({plotDock_}, {std::min(410, height() * 45 / 100)}, Qt::Vertical);
     if (!isCompact_) {
