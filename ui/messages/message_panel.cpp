@@ -39,7 +39,8 @@ QString placeText(const Place& place) {
 
 MessagePanel::MessagePanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document), list_(new QListWidget(this)), pages_(new QStackedLayout(this)) {
-    auto* empty = new QLabel(tr("No messages. What is wrong or worth knowing is listed here; a click leads to the place."), this);
+    auto* empty =
+        new QLabel(tr("No messages. What is wrong or worth knowing is listed here; a click leads to the place."), this);
     empty->setAlignment(Qt::AlignCenter);
     empty->setWordWrap(true);
     style::makeCaption(empty);
