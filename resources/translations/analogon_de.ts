@@ -656,6 +656,794 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
 <context>
     <name>Library</name>
     <message>
+        <source>Abscissa at which the value is wanted</source>
+        <translation>Abszisse, an der der Wert gesucht ist</translation>
+    </message>
+    <message>
+        <source>Abscissas of the points, rising</source>
+        <translation>Abszissen der Punkte, steigend</translation>
+    </message>
+    <message>
+        <source>Ordinates of the points</source>
+        <translation>Ordinaten der Punkte</translation>
+    </message>
+    <message>
+        <source>Slope of each piece</source>
+        <translation>Steigung jedes Stücks</translation>
+    </message>
+    <message>
+        <source>Slope at each point</source>
+        <translation>Steigung an jedem Punkt</translation>
+    </message>
+    <message>
+        <source>Way from the left end of the piece</source>
+        <translation>Weg vom linken Ende des Stücks</translation>
+    </message>
+    <message>
+        <source>Width of the piece</source>
+        <translation>Breite des Stücks</translation>
+    </message>
+    <message>
+        <source>Torque to give out</source>
+        <translation>Abzugebendes Drehmoment</translation>
+    </message>
+    <message>
+        <source>Shaft that is driven</source>
+        <translation>Angetriebene Welle</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Value, in the unit of what is connected</source>
+        <translation>Wert, in der Einheit dessen, was verbunden ist</translation>
+    </message>
+    <message>
+        <source>Temperature to impose</source>
+        <translation>Aufzuprägende Temperatur</translation>
+    </message>
+    <message>
+        <source>Place that is kept at T</source>
+        <translation>Ort, der auf T gehalten wird</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>Heat to give out</source>
+        <translation>Abzugebende Wärme</translation>
+    </message>
+    <message>
+        <source>Place that is heated</source>
+        <translation>Ort, der geheizt wird</translation>
+    </message>
+    <message>
+        <source>Friction torque per speed</source>
+        <translation>Reibmoment je Drehzahl</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>Friction torque</source>
+        <translation>Reibmoment</translation>
+    </message>
+    <message>
+        <source>The body</source>
+        <translation>Der Körper</translation>
+    </message>
+    <message>
+        <source>Heat capacity</source>
+        <translation>Wärmekapazität</translation>
+    </message>
+    <message>
+        <source>Temperature at the start</source>
+        <translation>Temperatur zu Beginn</translation>
+    </message>
+    <message>
+        <source>One side</source>
+        <translation>Eine Seite</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Andere Seite</translation>
+    </message>
+    <message>
+        <source>Conductance</source>
+        <translation>Leitwert</translation>
+    </message>
+    <message>
+        <source>port_a against port_b</source>
+        <translation>port_a gegen port_b</translation>
+    </message>
+    <message>
+        <source>Heat from port_a to port_b</source>
+        <translation>Wärme von port_a nach port_b</translation>
+    </message>
+    <message>
+        <source>Voltage at the terminals</source>
+        <translation>Spannung an den Klemmen</translation>
+    </message>
+    <message>
+        <source>Current drawn</source>
+        <translation>Aufgenommener Strom</translation>
+    </message>
+    <message>
+        <source>Shaft</source>
+        <translation>Welle</translation>
+    </message>
+    <message>
+        <source>Resistance of the winding</source>
+        <translation>Widerstand der Wicklung</translation>
+    </message>
+    <message>
+        <source>Inductance of the winding</source>
+        <translation>Induktivität der Wicklung</translation>
+    </message>
+    <message>
+        <source>Torque constant, equal to the voltage constant</source>
+        <translation>Drehmomentkonstante, gleich der Spannungskonstante</translation>
+    </message>
+    <message>
+        <source>Speed of the shaft</source>
+        <translation>Drehzahl der Welle</translation>
+    </message>
+    <message>
+        <source>Torque per square of the speed</source>
+        <translation>Drehmoment je Quadrat der Drehzahl</translation>
+    </message>
+    <message>
+        <source>Moment of inertia</source>
+        <translation>Trägheitsmoment</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Torque per speed</source>
+        <translation>Drehmoment je Drehzahl</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>Twist: flange_b against flange_a</source>
+        <translation>Verdrehung: flange_b gegen flange_a</translation>
+    </message>
+    <message>
+        <source>Rate of twist</source>
+        <translation>Geschwindigkeit der Verdrehung</translation>
+    </message>
+    <message>
+        <source>Torque of spring and damper</source>
+        <translation>Drehmoment von Feder und Dämpfer</translation>
+    </message>
+    <message>
+        <source>Stiffness of the shaft, on the side of flange_b</source>
+        <translation>Steifigkeit der Welle, auf der Seite von flange_b</translation>
+    </message>
+    <message>
+        <source>Damping of the shaft, on the side of flange_b</source>
+        <translation>Dämpfung der Welle, auf der Seite von flange_b</translation>
+    </message>
+    <message>
+        <source>Gear ratio: turns of flange_a per turn of flange_b</source>
+        <translation>Übersetzung: Umdrehungen von flange_a je Umdrehung von flange_b</translation>
+    </message>
+    <message>
+        <source>Inertia at flange_a</source>
+        <translation>Trägheitsmoment an flange_a</translation>
+    </message>
+    <message>
+        <source>Inertia at flange_b</source>
+        <translation>Trägheitsmoment an flange_b</translation>
+    </message>
+    <message>
+        <source>Angle of the first inertia</source>
+        <translation>Winkel der ersten Trägheit</translation>
+    </message>
+    <message>
+        <source>Speed of the first inertia</source>
+        <translation>Drehzahl der ersten Trägheit</translation>
+    </message>
+    <message>
+        <source>Angle of the second inertia</source>
+        <translation>Winkel der zweiten Trägheit</translation>
+    </message>
+    <message>
+        <source>Speed of the second inertia</source>
+        <translation>Drehzahl der zweiten Trägheit</translation>
+    </message>
+    <message>
+        <source>Torque in the shaft, on the side of flange_b</source>
+        <translation>Drehmoment in der Welle, auf der Seite von flange_b</translation>
+    </message>
+    <message>
+        <source>Angle at which the spring is relaxed</source>
+        <translation>Winkel, bei dem die Feder entspannt ist</translation>
+    </message>
+    <message>
+        <source>Twist of the spring</source>
+        <translation>Verdrehung der Feder</translation>
+    </message>
+    <message>
+        <source>Held flange</source>
+        <translation>Festgehaltener Flansch</translation>
+    </message>
+    <message>
+        <source>The stream</source>
+        <translation>Die Strömung</translation>
+    </message>
+    <message>
+        <source>Heat capacity of the body</source>
+        <translation>Wärmekapazität des Körpers</translation>
+    </message>
+    <message>
+        <source>Coefficient of the law of convection</source>
+        <translation>Koeffizient des Konvektionsgesetzes</translation>
+    </message>
+    <message>
+        <source>Surface in the stream</source>
+        <translation>Oberfläche in der Strömung</translation>
+    </message>
+    <message>
+        <source>Temperature of the body at the start</source>
+        <translation>Temperatur des Körpers zu Beginn</translation>
+    </message>
+    <message>
+        <source>Conductance of the convection</source>
+        <translation>Leitwert der Konvektion</translation>
+    </message>
+    <message>
+        <source>Heat from the body to the stream</source>
+        <translation>Wärme vom Körper an die Strömung</translation>
+    </message>
+    <message>
+        <source>Body against stream</source>
+        <translation>Körper gegen Strömung</translation>
+    </message>
+    <message>
+        <source>Speed of the stream</source>
+        <translation>Geschwindigkeit der Strömung</translation>
+    </message>
+    <message>
+        <source>First signal in</source>
+        <translation>Erstes Eingangssignal</translation>
+    </message>
+    <message>
+        <source>Second signal in</source>
+        <translation>Zweites Eingangssignal</translation>
+    </message>
+    <message>
+        <source>Signal out</source>
+        <translation>Ausgangssignal</translation>
+    </message>
+    <message>
+        <source>Signal in</source>
+        <translation>Eingangssignal</translation>
+    </message>
+    <message>
+        <source>Factor, in the unit of y over u</source>
+        <translation>Faktor, in der Einheit von y durch u</translation>
+    </message>
+    <message>
+        <source>Time constant</source>
+        <translation>Zeitkonstante</translation>
+    </message>
+    <message>
+        <source>Place at which heat is exchanged</source>
+        <translation>Ort, an dem Wärme ausgetauscht wird</translation>
+    </message>
+    <message>
+        <source>Temperature of the port</source>
+        <translation>Temperatur des Anschlusses</translation>
+    </message>
+    <message>
+        <source>Angle of the shaft</source>
+        <translation>Winkel der Welle</translation>
+    </message>
+    <message>
+        <source>Left side of the shaft</source>
+        <translation>Linke Seite der Welle</translation>
+    </message>
+    <message>
+        <source>Right side of the shaft</source>
+        <translation>Rechte Seite der Welle</translation>
+    </message>
+    <message>
+        <source>Shaft on which the component acts</source>
+        <translation>Welle, auf die das Bauteil wirkt</translation>
+    </message>
+    <message>
+        <source>Angle of the flange</source>
+        <translation>Winkel des Flansches</translation>
+    </message>
+    <message>
+        <source>Speed of the flange</source>
+        <translation>Drehzahl des Flansches</translation>
+    </message>
+    <message>
+        <source>Resistance at T_ref</source>
+        <translation>Widerstand bei T_ref</translation>
+    </message>
+    <message>
+        <source>Temperature coefficient of the resistance</source>
+        <translation>Temperaturkoeffizient des Widerstands</translation>
+    </message>
+    <message>
+        <source>Temperature at which the resistance is R</source>
+        <translation>Temperatur, bei der der Widerstand R beträgt</translation>
+    </message>
+    <message>
+        <source>Resistance at the present temperature</source>
+        <translation>Widerstand bei der augenblicklichen Temperatur</translation>
+    </message>
+    <message>
+        <source>Recorded temperature of the surroundings</source>
+        <translation>Aufgezeichnete Temperatur der Umgebung</translation>
+    </message>
+    <message>
+        <source>Net radiation conductance: emissivity times surface times the Stefan-Boltzmann constant (0: off)</source>
+        <translation>Netto-Strahlungsleitwert: Emissionsgrad mal Oberfläche mal Stefan-Boltzmann-Konstante (0: aus)</translation>
+    </message>
+    <message>
+        <source>Temperature of the surroundings</source>
+        <translation>Temperatur der Umgebung</translation>
+    </message>
+    <message>
+        <source>Resistance 1/G (0: none)</source>
+        <translation>Widerstand 1/G (0: keiner)</translation>
+    </message>
+    <message>
+        <source>Conductance 1/R_th (0 while there is no resistance)</source>
+        <translation>Leitwert 1/R_th (0, solange es keinen Widerstand gibt)</translation>
+    </message>
+    <message>
+        <source>Temperature of port_a</source>
+        <translation>Temperatur von port_a</translation>
+    </message>
+    <message>
+        <source>Heat capacity of the second mass (0: off)</source>
+        <translation>Wärmekapazität der zweiten Masse (0: aus)</translation>
+    </message>
+    <message>
+        <source>Time constant with which the second mass follows</source>
+        <translation>Zeitkonstante, mit der die zweite Masse folgt</translation>
+    </message>
+    <message>
+        <source>Conductance between the masses: follows from the two above</source>
+        <translation>Leitwert zwischen den Massen: folgt aus den beiden darüber</translation>
+    </message>
+    <message>
+        <source>Temperature of the second mass</source>
+        <translation>Temperatur der zweiten Masse</translation>
+    </message>
+    <message>
+        <source>Conductance to the surroundings (0: off)</source>
+        <translation>Leitwert zur Umgebung (0: aus)</translation>
+    </message>
+    <message>
+        <source>Heat of evaporation or melting (0: off)</source>
+        <translation>Verdampfungs- oder Schmelzwärme (0: aus)</translation>
+    </message>
+    <message>
+        <source>Temperature around which it is taken up</source>
+        <translation>Temperatur, um die sie aufgenommen wird</translation>
+    </message>
+    <message>
+        <source>Width of the range in which it is taken up</source>
+        <translation>Breite des Bereichs, in dem sie aufgenommen wird</translation>
+    </message>
+    <message>
+        <source>Time constant with which the front follows the temperature</source>
+        <translation>Zeitkonstante, mit der die Front der Temperatur folgt</translation>
+    </message>
+    <message>
+        <source>Highest temperature so far</source>
+        <translation>Bisher höchste Temperatur</translation>
+    </message>
+    <message>
+        <source>Rate of the highest temperature</source>
+        <translation>Änderungsrate der höchsten Temperatur</translation>
+    </message>
+    <message>
+        <source>1 within the range, 0 outside</source>
+        <translation>1 im Bereich, 0 außerhalb</translation>
+    </message>
+    <message>
+        <source>Heating of the winding per loss, 1/C_w (0: off)</source>
+        <translation>Erwärmung der Wicklung je Verlust, 1/C_w (0: aus)</translation>
+    </message>
+    <message>
+        <source>Time constant with which the winding cools, C_w/G_w</source>
+        <translation>Zeitkonstante, mit der die Wicklung abkühlt, C_w/G_w</translation>
+    </message>
+    <message>
+        <source>Heat capacity of the winding (0 while off)</source>
+        <translation>Wärmekapazität der Wicklung (0, solange aus)</translation>
+    </message>
+    <message>
+        <source>Conductance from the winding to its surroundings (0 while off)</source>
+        <translation>Leitwert von der Wicklung zu ihrer Umgebung (0, solange aus)</translation>
+    </message>
+    <message>
+        <source>Loss of torque constant per temperature (ferrite magnets)</source>
+        <translation>Verlust an Drehmomentkonstante je Temperatur (Ferritmagnete)</translation>
+    </message>
+    <message>
+        <source>Winding over its temperature at the start</source>
+        <translation>Wicklung über ihrer Temperatur zu Beginn</translation>
+    </message>
+    <message>
+        <source>Loss in the winding</source>
+        <translation>Verlust in der Wicklung</translation>
+    </message>
+    <message>
+        <source>Torque constant at the present temperature</source>
+        <translation>Drehmomentkonstante bei der augenblicklichen Temperatur</translation>
+    </message>
+    <message>
+        <source>Voltage drop (0: off)</source>
+        <translation>Spannungsabfall (0: aus)</translation>
+    </message>
+    <message>
+        <source>Current over which the change of sign is smoothed</source>
+        <translation>Strom, über den der Vorzeichenwechsel geglättet wird</translation>
+    </message>
+    <message>
+        <source>Fall of the torque constant per kelvin (0: off)</source>
+        <translation>Abfall der Drehmomentkonstante je Kelvin (0: aus)</translation>
+    </message>
+    <message>
+        <source>Temperature at which the torque constant is k</source>
+        <translation>Temperatur, bei der die Drehmomentkonstante k beträgt</translation>
+    </message>
+    <message>
+        <source>Torque constant</source>
+        <translation>Drehmomentkonstante</translation>
+    </message>
+    <message>
+        <source>Where the temperature is taken; no heat flows</source>
+        <translation>Wo die Temperatur abgegriffen wird; es fließt keine Wärme</translation>
+    </message>
+    <message>
+        <source>Temperature coefficient of the resistance (copper)</source>
+        <translation>Temperaturkoeffizient des Widerstands (Kupfer)</translation>
+    </message>
+    <message>
+        <source>Resistance outside the winding (0: off)</source>
+        <translation>Widerstand außerhalb der Wicklung (0: aus)</translation>
+    </message>
+    <message>
+        <source>Saturation 1/i_s: at the current i_s half of the inductance is left (0: off)</source>
+        <translation>Sättigung 1/i_s: Beim Strom i_s ist die halbe Induktivität übrig (0: aus)</translation>
+    </message>
+    <message>
+        <source>Current at which half of the inductance is left (0 while off)</source>
+        <translation>Strom, bei dem die halbe Induktivität übrig ist (0, solange aus)</translation>
+    </message>
+    <message>
+        <source>Inductance at the present current</source>
+        <translation>Induktivität beim augenblicklichen Strom</translation>
+    </message>
+    <message>
+        <source>Temperature coefficient of the resistance (0: off)</source>
+        <translation>Temperaturkoeffizient des Widerstands (0: aus)</translation>
+    </message>
+    <message>
+        <source>Temperature at which resistance and torque constant are R and k</source>
+        <translation>Temperatur, bei der Widerstand und Drehmomentkonstante R und k betragen</translation>
+    </message>
+    <message>
+        <source>Friction torque (0: off)</source>
+        <translation>Reibmoment (0: aus)</translation>
+    </message>
+    <message>
+        <source>Speed over which the jump at standstill is smoothed</source>
+        <translation>Drehzahl, über die der Sprung im Stillstand geglättet wird</translation>
+    </message>
+    <message>
+        <source>Largest torque (0: off)</source>
+        <translation>Größtes Drehmoment (0: aus)</translation>
+    </message>
+    <message>
+        <source>Angle at which the mass hangs at its lowest point</source>
+        <translation>Winkel, bei dem die Masse am tiefsten Punkt hängt</translation>
+    </message>
+    <message>
+        <source>Periods per turn</source>
+        <translation>Perioden je Umdrehung</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>Torque per square of the speed (0: off)</source>
+        <translation>Drehmoment je Quadrat der Drehzahl (0: aus)</translation>
+    </message>
+    <message>
+        <source>Width of the play (0: none)</source>
+        <translation>Breite des Spiels (0: keines)</translation>
+    </message>
+    <message>
+        <source>Stiffness of the teeth in contact</source>
+        <translation>Steifigkeit der Zähne im Eingriff</translation>
+    </message>
+    <message>
+        <source>Damping of the teeth in contact</source>
+        <translation>Dämpfung der Zähne im Eingriff</translation>
+    </message>
+    <message>
+        <source>Angle over which the contact sets in</source>
+        <translation>Winkel, über den der Kontakt einsetzt</translation>
+    </message>
+    <message>
+        <source>Angle of flange_b against flange_a</source>
+        <translation>Winkel von flange_b gegen flange_a</translation>
+    </message>
+    <message>
+        <source>Its rate</source>
+        <translation>Seine Änderungsrate</translation>
+    </message>
+    <message>
+        <source>Deflection of the teeth</source>
+        <translation>Verformung der Zähne</translation>
+    </message>
+    <message>
+        <source>1 in contact, 0 in the play</source>
+        <translation>1 im Kontakt, 0 im Spiel</translation>
+    </message>
+    <message>
+        <source>Torque that is passed on</source>
+        <translation>Weitergegebenes Drehmoment</translation>
+    </message>
+    <message>
+        <source>Speed of flange_a</source>
+        <translation>Drehzahl von flange_a</translation>
+    </message>
+    <message>
+        <source>Torque on the shaft, positive against positive motion (0: off)</source>
+        <translation>Drehmoment auf die Welle, positiv gegen positive Bewegung (0: aus)</translation>
+    </message>
+    <message>
+        <source>Extra torque at breakaway (0: off)</source>
+        <translation>Zusätzliches Losbrechmoment (0: aus)</translation>
+    </message>
+    <message>
+        <source>Friction torque at speed</source>
+        <translation>Reibmoment bei Drehzahl</translation>
+    </message>
+    <message>
+        <source>Speed at which the extra torque has fallen to 1/e</source>
+        <translation>Drehzahl, bei der das zusätzliche Moment auf 1/e gefallen ist</translation>
+    </message>
+    <message>
+        <source>Moment of inertia (0: off)</source>
+        <translation>Trägheitsmoment (0: aus)</translation>
+    </message>
+    <message>
+        <source>Torque per speed (0: off)</source>
+        <translation>Drehmoment je Drehzahl (0: aus)</translation>
+    </message>
+    <message>
+        <source>Stiffness (0: off)</source>
+        <translation>Steifigkeit (0: aus)</translation>
+    </message>
+    <message>
+        <source>Compliance 1/c (0: rigid)</source>
+        <translation>Nachgiebigkeit 1/c (0: starr)</translation>
+    </message>
+    <message>
+        <source>Stiffness 1/e (0 while the shaft is rigid)</source>
+        <translation>Steifigkeit 1/e (0, solange die Welle starr ist)</translation>
+    </message>
+    <message>
+        <source>Torque in the shaft</source>
+        <translation>Drehmoment in der Welle</translation>
+    </message>
+    <message>
+        <source>Drift, unit of the signal per second (0: off)</source>
+        <translation>Drift, Einheit des Signals je Sekunde (0: aus)</translation>
+    </message>
+    <message>
+        <source>Time since the start of the recording</source>
+        <translation>Zeit seit Beginn der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Recorded flow of the stream</source>
+        <translation>Aufgezeichneter Durchfluss der Strömung</translation>
+    </message>
+    <message>
+        <source>Exponent of the flow (0: off)</source>
+        <translation>Exponent des Durchflusses (0: aus)</translation>
+    </message>
+    <message>
+        <source>Flow at which the conductance is that of eq. 8</source>
+        <translation>Durchfluss, bei dem der Leitwert der von Gl. 8 ist</translation>
+    </message>
+    <message>
+        <source>Exponent of the temperature difference (0: off)</source>
+        <translation>Exponent der Temperaturdifferenz (0: aus)</translation>
+    </message>
+    <message>
+        <source>Difference at which the conductance is that of eq. 8</source>
+        <translation>Differenz, bei der der Leitwert der von Gl. 8 ist</translation>
+    </message>
+    <message>
+        <source>Difference below which the power is smoothed</source>
+        <translation>Differenz, unter der die Potenz geglättet wird</translation>
+    </message>
+    <message>
+        <source>1/limit (0: no limit)</source>
+        <translation>1/Grenze (0: keine Grenze)</translation>
+    </message>
+    <message>
+        <source>Limit, in the unit of the signal (0 while there is none)</source>
+        <translation>Grenze, in der Einheit des Signals (0, solange es keine gibt)</translation>
+    </message>
+    <message>
+        <source>How sharply the limit sets in</source>
+        <translation>Wie scharf die Grenze einsetzt</translation>
+    </message>
+    <message>
+        <source>Width of the dead zone on either side of 0 (0: off)</source>
+        <translation>Breite der Totzone beiderseits von 0 (0: aus)</translation>
+    </message>
+    <message>
+        <source>Rounding of the corners</source>
+        <translation>Abrundung der Ecken</translation>
+    </message>
+    <message>
+        <source>Relative error of the gain (0: off)</source>
+        <translation>Relativer Fehler der Verstärkung (0: aus)</translation>
+    </message>
+    <message>
+        <source>Time constant (0: off)</source>
+        <translation>Zeitkonstante (0: aus)</translation>
+    </message>
+    <message>
+        <source>Offset (0: off)</source>
+        <translation>Versatz (0: aus)</translation>
+    </message>
+    <message>
+        <source>Dead time (0: off)</source>
+        <translation>Totzeit (0: aus)</translation>
+    </message>
+    <message>
+        <source>Voltage over which the onset is smoothed</source>
+        <translation>Spannung, über die das Einsetzen geglättet wird</translation>
+    </message>
+    <message>
+        <source>Resistance whose heat is lost elsewhere (0: off)</source>
+        <translation>Widerstand, dessen Wärme anderswo verloren geht (0: aus)</translation>
+    </message>
+    <message>
+        <source>Coefficient (0: off)</source>
+        <translation>Koeffizient (0: aus)</translation>
+    </message>
+    <message>
+        <source>Largest current (0 while off)</source>
+        <translation>Größter Strom (0, solange aus)</translation>
+    </message>
+    <message>
+        <source>Recorded channel</source>
+        <translation>Aufgezeichneter Kanal</translation>
+    </message>
+    <message>
+        <source>Factor (0: off)</source>
+        <translation>Faktor (0: aus)</translation>
+    </message>
+    <message>
+        <source>Torque constant at the present angle</source>
+        <translation>Drehmomentkonstante beim augenblicklichen Winkel</translation>
+    </message>
+    <message>
+        <source>Stiffness of the stop (0: off)</source>
+        <translation>Steifigkeit des Anschlags (0: aus)</translation>
+    </message>
+    <message>
+        <source>Angle where it touches</source>
+        <translation>Winkel, bei dem er berührt</translation>
+    </message>
+    <message>
+        <source>Rounding of the touch</source>
+        <translation>Abrundung der Berührung</translation>
+    </message>
+    <message>
+        <source>Torque from then on (0: off)</source>
+        <translation>Drehmoment von da an (0: aus)</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wann</translation>
+    </message>
+    <message>
+        <source>Width of the step</source>
+        <translation>Breite des Sprungs</translation>
+    </message>
+    <message>
+        <source>Half the difference of the two coefficients (0: off)</source>
+        <translation>Halbe Differenz der beiden Koeffizienten (0: aus)</translation>
+    </message>
+    <message>
+        <source>Rounding at rest</source>
+        <translation>Abrundung in Ruhe</translation>
+    </message>
+    <message>
+        <source>Sine part (0: off)</source>
+        <translation>Sinusanteil (0: aus)</translation>
+    </message>
+    <message>
+        <source>Cosine part</source>
+        <translation>Kosinusanteil</translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <translation>Periode</translation>
+    </message>
+    <message>
+        <source>Voltage that is left for the current</source>
+        <translation>Spannung, die für den Strom übrig bleibt</translation>
+    </message>
+    <message>
+        <source>Offset from then on (0: off)</source>
+        <translation>Versatz von da an (0: aus)</translation>
+    </message>
+    <message>
+        <source>Heat flow from then on (0: off)</source>
+        <translation>Wärmestrom von da an (0: aus)</translation>
+    </message>
+    <message>
+        <source>Rounding of the corner</source>
+        <translation>Abrundung der Ecke</translation>
+    </message>
+    <message>
+        <source>How far beyond the limit</source>
+        <translation>Wie weit jenseits der Grenze</translation>
+    </message>
+    <message>
+        <source>Torque constant at the present current</source>
+        <translation>Drehmomentkonstante beim augenblicklichen Strom</translation>
+    </message>
+    <message>
+        <source>Torque once it has built up (0: off)</source>
+        <translation>Drehmoment, sobald es aufgebaut ist (0: aus)</translation>
+    </message>
+    <message>
+        <source>Travel over which it builds up</source>
+        <translation>Weg, über den es sich aufbaut</translation>
+    </message>
+    <message>
+        <source>Share that has built up</source>
+        <translation>Anteil, der aufgebaut ist</translation>
+    </message>
+    <message>
+        <source>Shaft that is observed</source>
+        <translation>Beobachtete Welle</translation>
+    </message>
+    <message>
+        <source>Torque from flange_a to flange_b</source>
+        <translation>Drehmoment von flange_a nach flange_b</translation>
+    </message>
+    <message>
+        <source>Place that is observed</source>
+        <translation>Beobachteter Ort</translation>
+    </message>
+    <message>
         <source>Radiation to constant surroundings</source>
         <translation>Strahlung an eine Umgebung fester Temperatur</translation>
     </message>
@@ -1279,6 +2067,566 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <source>A signal that is given out</source>
         <translation>Ein Signal, das ausgegeben wird</translation>
     </message>
+    <message>
+        <source>An error of an actuator or its driver: inserted behind an input.</source>
+        <translation>Ein Fehler eines Stellglieds oder seines Treibers: hinter einem Eingang eingefügt.</translation>
+    </message>
+    <message>
+        <source>Errors of actuators and their drivers, inserted behind an input.</source>
+        <translation>Fehler von Stellgliedern und ihren Treibern, hinter einem Eingang eingefügt.</translation>
+    </message>
+    <message>
+        <source>Resistance of leads, drop of brushes, saturation of the inductance, and a resistance and a magnet that follow the temperature of a heat port of the model, in one machine. What is not asked for is off.</source>
+        <translation>Widerstand der Leitungen, Bürstenspannung, Sättigung der Induktivität sowie ein Widerstand und ein Magnet, die der Temperatur eines Wärmeanschlusses des Modells folgen, in einer Maschine. Was nicht verlangt wird, ist aus.</translation>
+    </message>
+    <message>
+        <source>Resistance of leads, drop of brushes, saturation of the inductance and magnets that the loss of the winding warms, in one machine. What is not asked for is off.</source>
+        <translation>Widerstand der Leitungen, Bürstenspannung, Sättigung der Induktivität und Magnete, die der Verlust der Wicklung erwärmt, in einer Maschine. Was nicht verlangt wird, ist aus.</translation>
+    </message>
+    <message>
+        <source>Resistance of leads, drop of brushes, saturation of the inductance and a winding that its loss warms, in one machine. What is not asked for is off.</source>
+        <translation>Widerstand der Leitungen, Bürstenspannung, Sättigung der Induktivität und eine Wicklung, die ihr Verlust erwärmt, in einer Maschine. Was nicht verlangt wird, ist aus.</translation>
+    </message>
+    <message>
+        <source>BasicElectricMechanical whose magnet weakens with the temperature of a heat port that the model already has.</source>
+        <translation>BasicElectricMechanical, dessen Magnet mit der Temperatur eines Wärmeanschlusses schwächer wird, den das Modell schon hat.</translation>
+    </message>
+    <message>
+        <source>BasicElectricMechanical with magnets that weaken as the loss of the winding warms them. Only beta/C_w shows, so beta keeps a typical value and e_w = 1/C_w is the strength.</source>
+        <translation>BasicElectricMechanical mit Magneten, die schwächer werden, wenn der Verlust der Wicklung sie erwärmt. Nur beta/C_w zeigt sich, also behält beta einen üblichen Wert, und e_w = 1/C_w ist die Stärke.</translation>
+    </message>
+    <message>
+        <source>BasicElectricMechanical with an iron path that saturates.</source>
+        <translation>BasicElectricMechanical mit einem Eisenweg, der sättigt.</translation>
+    </message>
+    <message>
+        <source>Base of the electric machines with several effects at once. A class that extends it says what the resistance of the winding and the torque constant are.</source>
+        <translation>Basis der elektrischen Maschinen mit mehreren Effekten zugleich. Eine Klasse, die sie erweitert, sagt, was der Widerstand der Wicklung und die Drehmomentkonstante sind.</translation>
+    </message>
+    <message>
+        <source>BasicElectricMechanical whose resistance follows the temperature of a heat port that the model already has: a winding with its own heat balance.</source>
+        <translation>BasicElectricMechanical, dessen Widerstand der Temperatur eines Wärmeanschlusses folgt, den das Modell schon hat: eine Wicklung mit eigener Wärmebilanz.</translation>
+    </message>
+    <message>
+        <source>BasicElectricMechanical with the resistance of leads, contacts or the supply in series.</source>
+        <translation>BasicElectricMechanical mit dem Widerstand von Leitungen, Kontakten oder der Versorgung in Reihe.</translation>
+    </message>
+    <message>
+        <source>BasicElectricMechanical with a constant drop against the current. While the voltage cannot overcome it the current stays at 0.</source>
+        <translation>BasicElectricMechanical mit einem konstanten Spannungsabfall gegen den Strom. Solange die Spannung ihn nicht überwindet, bleibt der Strom bei 0.</translation>
+    </message>
+    <message>
+        <source>The change of sign is smoothed over the small current i_eps.</source>
+        <translation>Der Vorzeichenwechsel wird über den kleinen Strom i_eps geglättet.</translation>
+    </message>
+    <message>
+        <source>BasicElectricMechanical with a winding that is heated by its own loss. Only alpha/C_w and C_w/G_w show in current and speed, so alpha keeps the value of copper, and heat capacity and conductance are given by e_w and tau_w: C_w = 1/e_w, G_w = C_w/tau_w.</source>
+        <translation>BasicElectricMechanical mit einer Wicklung, die ihr eigener Verlust erwärmt. Nur alpha/C_w und C_w/G_w zeigen sich in Strom und Drehzahl, also behält alpha den Wert von Kupfer, und Wärmekapazität und Leitwert folgen aus e_w und tau_w: C_w = 1/e_w, G_w = C_w/tau_w.</translation>
+    </message>
+    <message>
+        <source>Classes that replace BasicElectricMechanical: they extend the same base and take the same parameters.</source>
+        <translation>Klassen, die BasicElectricMechanical ersetzen: Sie erweitern dieselbe Basis und haben dieselben Parameter.</translation>
+    </message>
+    <message>
+        <source>BasicElectricThermal behind a switch or contact with a constant drop and the resistance of leads, contacts or the supply; only the heat of R_T goes to the heat port.</source>
+        <translation>BasicElectricThermal hinter einem Schalter oder Kontakt mit konstantem Spannungsabfall und dem Widerstand von Leitungen, Kontakten oder der Versorgung; nur die Wärme von R_T geht an den Wärmeanschluss.</translation>
+    </message>
+    <message>
+        <source>The corners are rounded over v_eps.</source>
+        <translation>Die Ecken werden über v_eps abgerundet.</translation>
+    </message>
+    <message>
+        <source>BasicElectricThermal with the resistance of leads, contacts or the supply in series; only the heat of R_T goes to the heat port.</source>
+        <translation>BasicElectricThermal mit dem Widerstand von Leitungen, Kontakten oder der Versorgung in Reihe; nur die Wärme von R_T geht an den Wärmeanschluss.</translation>
+    </message>
+    <message>
+        <source>BasicElectricThermal behind a switch or contact with a constant drop. No current flows while the voltage is below the drop.</source>
+        <translation>BasicElectricThermal hinter einem Schalter oder Kontakt mit konstantem Spannungsabfall. Es fließt kein Strom, solange die Spannung unter dem Abfall liegt.</translation>
+    </message>
+    <message>
+        <source>Classes that replace BasicElectricThermal: they extend the same base and take the same parameters.</source>
+        <translation>Klassen, die BasicElectricThermal ersetzen: Sie erweitern dieselbe Basis und haben dieselben Parameter.</translation>
+    </message>
+    <message>
+        <source>An inertia that turns with the shaft.</source>
+        <translation>Eine Trägheit, die sich mit der Welle dreht.</translation>
+    </message>
+    <message>
+        <source>Two toothed wheels that touch on one side only: within the play of width b no torque is passed on, beyond it the teeth are elastic and damped. Without play the connection is rigid.</source>
+        <translation>Zwei Zahnräder, die sich nur auf einer Seite berühren: Im Spiel der Breite b wird kein Drehmoment weitergegeben, jenseits davon sind die Zähne elastisch und gedämpft. Ohne Spiel ist die Verbindung starr.</translation>
+    </message>
+    <message>
+        <source>The corners are rounded over phi_eps. The equation is multiplied by b, so that b = 0 leaves phi_rel = 0, the rigid shaft; a stiffness of less than c/1e9 keeps the play from drifting.</source>
+        <translation>Die Ecken werden über phi_eps abgerundet. Die Gleichung ist mit b multipliziert, so dass b = 0 phi_rel = 0 lässt, die starre Welle; eine Steifigkeit von weniger als c/1e9 hält das Spiel vom Wandern ab.</translation>
+    </message>
+    <message>
+        <source>The pull of the slots of a motor with permanent magnets, or the teeth of a gear.</source>
+        <translation>Der Zug der Nuten eines Motors mit Permanentmagneten oder die Zähne eines Getriebes.</translation>
+    </message>
+    <message>
+        <source>A weight on a drum, a preload: the same torque at every angle and speed.</source>
+        <translation>Ein Gewicht an einer Trommel, eine Vorspannung: dasselbe Drehmoment bei jedem Winkel und jeder Drehzahl.</translation>
+    </message>
+    <message>
+        <source>A constant torque against the motion.</source>
+        <translation>Ein konstantes Drehmoment gegen die Bewegung.</translation>
+    </message>
+    <message>
+        <source>The jump at standstill is smoothed over the small speed w_eps, so that the torque has a slope everywhere: a stuck shaft creeps at a fraction of w_eps.</source>
+        <translation>Der Sprung im Stillstand wird über die kleine Drehzahl w_eps geglättet, damit das Drehmoment überall eine Steigung hat: Eine haftende Welle kriecht mit einem Bruchteil von w_eps.</translation>
+    </message>
+    <message>
+        <source>An elastic, damped shaft where the model had a rigid one. The strength is the compliance e = 1/c, so that 0 is the rigid shaft.</source>
+        <translation>Eine elastische, gedämpfte Welle, wo das Modell eine starre hatte. Die Stärke ist die Nachgiebigkeit e = 1/c, so dass 0 die starre Welle ist.</translation>
+    </message>
+    <message>
+        <source>The weight of an arm, a flap or an eccentric on a horizontal shaft.</source>
+        <translation>Das Gewicht eines Arms, einer Klappe oder eines Exzenters an einer waagrechten Welle.</translation>
+    </message>
+    <message>
+        <source>Drag of a body that turns in air or liquid.</source>
+        <translation>Widerstand eines Körpers, der sich in Luft oder Flüssigkeit dreht.</translation>
+    </message>
+    <message>
+        <source>A spring between shaft and housing.</source>
+        <translation>Eine Feder zwischen Welle und Gehäuse.</translation>
+    </message>
+    <message>
+        <source>Dry friction that is higher at breakaway than at speed.</source>
+        <translation>Trockene Reibung, die beim Losbrechen höher ist als in Fahrt.</translation>
+    </message>
+    <message>
+        <source>Friction of a film of oil or grease.</source>
+        <translation>Reibung eines Films aus Öl oder Fett.</translation>
+    </message>
+    <message>
+        <source>Friction, drag, loads, springs and inertias attached to a shaft, and what may lie between two shafts.</source>
+        <translation>Reibung, Widerstände, Lasten, Federn und Trägheiten an einer Welle und was zwischen zwei Wellen liegen kann.</translation>
+    </message>
+    <message>
+        <source>As BasicThermalFluid, with a conductance that is straight in the temperature of the body: the film at its surface, or a coat that conducts better when it is warm.</source>
+        <translation>Wie BasicThermalFluid, mit einem Leitwert, der linear mit der Temperatur des Körpers geht: der Film an seiner Oberfläche oder eine Schicht, die warm besser leitet.</translation>
+    </message>
+    <message>
+        <source>A drag that grows faster than the square of the speed.</source>
+        <translation>Ein Widerstand, der schneller als mit dem Quadrat der Drehzahl wächst.</translation>
+    </message>
+    <message>
+        <source>A driver that takes voltage back where the current would pass its limit; the recorded voltage is the command.</source>
+        <translation>Ein Treiber, der Spannung zurücknimmt, wo der Strom seine Grenze überschritte; die aufgezeichnete Spannung ist der Befehl.</translation>
+    </message>
+    <message>
+        <source>A heater whose resistance bends over a wide range of temperature, as that of platinum or of a ceramic does.</source>
+        <translation>Ein Heizer, dessen Widerstand sich über einen weiten Temperaturbereich krümmt, wie der von Platin oder einer Keramik.</translation>
+    </message>
+    <message>
+        <source>A rotary magnet or a torque motor that leaves the angle at which it pulls best.</source>
+        <translation>Ein Drehmagnet oder Momentenmotor, der den Winkel verlässt, bei dem er am besten zieht.</translation>
+    </message>
+    <message>
+        <source>A condition that changed in mid run: a fan, a draught, a neighbour.</source>
+        <translation>Eine Bedingung, die sich mitten im Lauf geändert hat: ein Lüfter, ein Luftzug, ein Nachbar.</translation>
+    </message>
+    <message>
+        <source>A driver that takes voltage back where the current of a cold heater would pass its limit; the recorded voltage is the command.</source>
+        <translation>Ein Treiber, der Spannung zurücknimmt, wo der Strom eines kalten Heizers seine Grenze überschritte; die aufgezeichnete Spannung ist der Befehl.</translation>
+    </message>
+    <message>
+        <source>A driver that takes voltage back where the heater would take more than so much power; the recorded voltage is the command.</source>
+        <translation>Ein Treiber, der Spannung zurücknimmt, wo der Heizer mehr als eine gewisse Leistung aufnähme; die aufgezeichnete Spannung ist der Befehl.</translation>
+    </message>
+    <message>
+        <source>A torque that does not come at once where the motion turns round, but over a travel, whatever the speed: the bristles of a seal, the hysteresis of a spring, of a magnet or of a belt (Dahl 1968).</source>
+        <translation>Ein Drehmoment, das bei der Umkehr der Bewegung nicht sofort kommt, sondern über einen Weg, gleich wie schnell: die Borsten einer Dichtung, die Hysterese einer Feder, eines Magneten oder eines Riemens (Dahl 1968).</translation>
+    </message>
+    <message>
+        <source>A stop, a seal or an end of travel.</source>
+        <translation>Ein Anschlag, eine Dichtung oder ein Ende des Wegs.</translation>
+    </message>
+    <message>
+        <source>Something outside the model that heats or cools at its own pace.</source>
+        <translation>Etwas außerhalb des Modells, das in eigenem Takt heizt oder kühlt.</translation>
+    </message>
+    <message>
+        <source>Something outside the model that turns or switches at its own pace.</source>
+        <translation>Etwas außerhalb des Modells, das in eigenem Takt dreht oder schaltet.</translation>
+    </message>
+    <message>
+        <source>Heat flow that was recorded but not given to the model: a multiple of a recorded channel of its unit.</source>
+        <translation>Wärmestrom, der aufgezeichnet, aber dem Modell nicht gegeben wurde: ein Vielfaches eines aufgezeichneten Kanals seiner Einheit.</translation>
+    </message>
+    <message>
+        <source>Torque that was recorded but not given to the model: a multiple of a recorded channel of its unit.</source>
+        <translation>Drehmoment, das aufgezeichnet, aber dem Modell nicht gegeben wurde: ein Vielfaches eines aufgezeichneten Kanals seiner Einheit.</translation>
+    </message>
+    <message>
+        <source>A machine whose iron saturates, or whose field the current of the armature weakens.</source>
+        <translation>Eine Maschine, deren Eisen sättigt oder deren Feld der Ankerstrom schwächt.</translation>
+    </message>
+    <message>
+        <source>A sensor or an amplifier that runs into its limit.</source>
+        <translation>Ein Sensor oder Verstärker, der an seine Grenze stößt.</translation>
+    </message>
+    <message>
+        <source>A sensor that was knocked, unplugged or re-zeroed in mid run.</source>
+        <translation>Ein Sensor, der mitten im Lauf angestoßen, ausgesteckt oder neu genullt wurde.</translation>
+    </message>
+    <message>
+        <source>A condition that changed in mid run: a load that came or went.</source>
+        <translation>Eine Bedingung, die sich mitten im Lauf geändert hat: eine Last, die kam oder ging.</translation>
+    </message>
+    <message>
+        <source>A guide or a gear that runs harder one way than the other.</source>
+        <translation>Eine Führung oder ein Getriebe, das in einer Richtung schwerer läuft als in der anderen.</translation>
+    </message>
+    <message>
+        <source>Forms that compete with the named effects. Where one of them explains the measurement clearly better, none of the names fits: the search then says so, names the place and proposes the equation. It is never added by itself.</source>
+        <translation>Formen, die mit den benannten Effekten im Wettbewerb stehen. Wo eine von ihnen die Messung deutlich besser erklärt, passt keiner der Namen: Die Suche sagt das, nennt den Ort und schlägt die Gleichung vor. Von selbst wird sie nie hinzugefügt.</translation>
+    </message>
+    <message>
+        <source>An error of a sensor: inserted in front of a measured output.</source>
+        <translation>Ein Fehler eines Sensors: vor einem gemessenen Ausgang eingefügt.</translation>
+    </message>
+    <message>
+        <source>Errors of sensors, inserted in front of an output.</source>
+        <translation>Fehler von Sensoren, vor einem Ausgang eingefügt.</translation>
+    </message>
+    <message>
+        <source>Shared by the effects of sensors and actuators.</source>
+        <translation>Den Effekten von Sensoren und Stellgliedern gemeinsam.</translation>
+    </message>
+    <message>
+        <source>Partial classes that the effects of sensors and actuators share.</source>
+        <translation>Partielle Klassen, die den Effekten von Sensoren und Stellgliedern gemeinsam sind.</translation>
+    </message>
+    <message>
+        <source>Moisture that evaporates, or a part that melts, on the first heating: between T_l - width/2 and T_l + width/2 the body has the extra heat capacity Q_l/width, until the heat Q_l is taken up. It does not come back on cooling.</source>
+        <translation>Feuchte, die verdampft, oder ein Teil, das schmilzt, beim ersten Aufheizen: Zwischen T_l - width/2 und T_l + width/2 hat der Körper die zusätzliche Wärmekapazität Q_l/width, bis die Wärme Q_l aufgenommen ist. Beim Abkühlen kommt sie nicht zurück.</translation>
+    </message>
+    <message>
+        <source>Conduction or convection to surroundings at the constant temperature T_amb.</source>
+        <translation>Leitung oder Konvektion an eine Umgebung der konstanten Temperatur T_amb.</translation>
+    </message>
+    <message>
+        <source>Conduction or convection to surroundings whose temperature is a recorded channel that the model does not use.</source>
+        <translation>Leitung oder Konvektion an eine Umgebung, deren Temperatur ein aufgezeichneter Kanal ist, den das Modell nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>Conduction or convection to surroundings at a constant temperature that is fitted, too: a climate chamber, a cold start, the air around a hot engine.</source>
+        <translation>Leitung oder Konvektion an eine Umgebung konstanter Temperatur, die mit angepasst wird: eine Klimakammer, ein Kaltstart, die Luft um einen heißen Motor.</translation>
+    </message>
+    <message>
+        <source>A part that is heated through a conductance G2 and stores heat: a holder, a housing, a layer. It starts at the temperature of the port. The conductance is given by the time constant, G2 = C2/tau_2.</source>
+        <translation>Ein Teil, das über einen Leitwert G2 erwärmt wird und Wärme speichert: ein Halter, ein Gehäuse, eine Schicht. Es beginnt mit der Temperatur des Anschlusses. Der Leitwert folgt aus der Zeitkonstante, G2 = C2/tau_2.</translation>
+    </message>
+    <message>
+        <source>Heat radiated to surroundings at the constant temperature T_amb.</source>
+        <translation>Wärme, die an eine Umgebung der konstanten Temperatur T_amb abgestrahlt wird.</translation>
+    </message>
+    <message>
+        <source>Heat radiated to a wall whose temperature is a recorded channel that the model does not use.</source>
+        <translation>Wärme, die an eine Wand abgestrahlt wird, deren Temperatur ein aufgezeichneter Kanal ist, den das Modell nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>Heat radiated to surroundings at a constant temperature that is fitted, too.</source>
+        <translation>Wärme, die an eine Umgebung konstanter Temperatur abgestrahlt wird, die mit angepasst wird.</translation>
+    </message>
+    <message>
+        <source>A joint, a gap or a layer that heat must pass and that stores none.</source>
+        <translation>Eine Fuge, ein Spalt oder eine Schicht, die Wärme durchqueren muss und die keine speichert.</translation>
+    </message>
+    <message>
+        <source>Losses, radiation and masses attached to a heat port, and resistances between two.</source>
+        <translation>Verluste, Strahlung und Massen an einem Wärmeanschluss und Widerstände zwischen zweien.</translation>
+    </message>
+    <message>
+        <source>As BasicThermalFluid, with the conductance multiplied by a power of a measured flow: the speed of the gas, the throughput of a pump. At n = 0 the flow plays no part. Below a thousandth of flow_ref the flow counts as that.</source>
+        <translation>Wie BasicThermalFluid, der Leitwert multipliziert mit einer Potenz eines gemessenen Durchflusses: der Geschwindigkeit des Gases, der Förderung einer Pumpe. Bei n = 0 spielt der Durchfluss keine Rolle. Unter einem Tausendstel von flow_ref zählt er wie dieses.</translation>
+    </message>
+    <message>
+        <source>As BasicThermalFluid, with the conductance multiplied by a power of the difference between body and stream, as natural convection has it (n about 0.25 to 0.33).</source>
+        <translation>Wie BasicThermalFluid, der Leitwert multipliziert mit einer Potenz der Differenz zwischen Körper und Strömung, wie bei natürlicher Konvektion (n etwa 0,25 bis 0,33).</translation>
+    </message>
+    <message>
+        <source>The difference is smoothed below dT_eps so that the power has a slope at 0.</source>
+        <translation>Die Differenz wird unter dT_eps geglättet, damit die Potenz bei 0 eine Steigung hat.</translation>
+    </message>
+    <message>
+        <source>Classes that replace BasicThermalFluid: they extend the same base and take the same parameters.</source>
+        <translation>Klassen, die BasicThermalFluid ersetzen: Sie erweitern dieselbe Basis und haben dieselben Parameter.</translation>
+    </message>
+    <message>
+        <source>An effect is an ordinary class with a vendor annotation that says its kind, where it may go and which parameter is its strength. At strength 0 the model is the one without the effect.</source>
+        <translation>Ein Effekt ist eine gewöhnliche Klasse mit einer eigenen Annotation, die seine Art nennt, wo er stehen darf und welcher Parameter seine Stärke ist. Bei Stärke 0 ist das Modell das ohne den Effekt.</translation>
+    </message>
+    <message>
+        <source>Three ways to add one: attach it to a connection (one connector), insert it into a connection or a signal (two connectors), or specialise a component: its class is replaced by one that extends the same base.</source>
+        <translation>Drei Arten, einen hinzuzufügen: ihn an eine Verbindung anhängen (ein Anschluss), ihn in eine Verbindung oder ein Signal einfügen (zwei Anschlüsse) oder ein Bauteil spezialisieren: Seine Klasse wird durch eine ersetzt, die dieselbe Basis erweitert.</translation>
+    </message>
+    <message>
+        <source>A class of your own with the same annotation takes part in the search like these.</source>
+        <translation>Eine eigene Klasse mit derselben Annotation nimmt an der Suche teil wie diese.</translation>
+    </message>
+    <message>
+        <source>The basic class of the electrical and mechanical domain: winding with resistance R and inductance L, voltage induced by the turning rotor, torque from the current. The rotor's inertia is not in it; put an inertia on the shaft. The current starts at 0.</source>
+        <translation>Die Grundklasse der elektrischen und mechanischen Domäne: Wicklung mit Widerstand R und Induktivität L, vom drehenden Läufer induzierte Spannung, Drehmoment aus dem Strom. Die Trägheit des Läufers ist nicht darin; eine Trägheit an die Welle setzen. Der Strom beginnt bei 0.</translation>
+    </message>
+    <message>
+        <source>L = 0 is legal: the current then follows the voltage at once.</source>
+        <translation>L = 0 ist erlaubt: Der Strom folgt der Spannung dann sofort.</translation>
+    </message>
+    <message>
+        <source>Base of the electric machines. A class that extends it adds one equation for the voltage and one for the torque.</source>
+        <translation>Basis der elektrischen Maschinen. Eine Klasse, die sie erweitert, fügt eine Gleichung für die Spannung und eine für das Drehmoment hinzu.</translation>
+    </message>
+    <message>
+        <source>BasicElectricMechanical is the basic class: a direct-current machine with permanent field. Extensions inherit from PartialElectricMechanical and so keep connectors and parameters.</source>
+        <translation>BasicElectricMechanical ist die Grundklasse: eine permanenterregte Gleichstrommaschine. Erweiterungen erben von PartialElectricMechanical und behalten so Anschlüsse und Parameter.</translation>
+    </message>
+    <message>
+        <source>The basic class of the electrical and thermal domain: a resistor with a linear temperature coefficient gives all its loss to the heat port.</source>
+        <translation>Die Grundklasse der elektrischen und thermischen Domäne: Ein Widerstand mit linearem Temperaturkoeffizienten gibt seinen ganzen Verlust an den Wärmeanschluss.</translation>
+    </message>
+    <message>
+        <source>Base of the heaters. A class that extends it adds one equation for the current and one for the heat.</source>
+        <translation>Basis der Heizer. Eine Klasse, die sie erweitert, fügt eine Gleichung für den Strom und eine für die Wärme hinzu.</translation>
+    </message>
+    <message>
+        <source>BasicElectricThermal is the basic class: a resistor that heats. Extensions inherit from PartialElectricThermal.</source>
+        <translation>BasicElectricThermal ist die Grundklasse: ein Widerstand, der heizt. Erweiterungen erben von PartialElectricThermal.</translation>
+    </message>
+    <message>
+        <source>One end of a shaft: the angle phi is the same for all that is connected, the torques tau into the components sum to zero.</source>
+        <translation>Ein Ende einer Welle: Der Winkel phi ist für alles Verbundene derselbe, die Drehmomente tau in die Bauteile summieren sich zu null.</translation>
+    </message>
+    <message>
+        <source>A place that exchanges heat: the temperature T is the same for all that is connected, the heat flows Q_flow into the components sum to zero.</source>
+        <translation>Ein Ort, der Wärme austauscht: Die Temperatur T ist für alles Verbundene dieselbe, die Wärmeströme Q_flow in die Bauteile summieren sich zu null.</translation>
+    </message>
+    <message>
+        <source>Base of loads and of effects that act on a shaft. A class that extends it adds one equation for flange.tau.</source>
+        <translation>Basis der Lasten und der Effekte, die auf eine Welle wirken. Eine Klasse, die sie erweitert, fügt eine Gleichung für flange.tau hinzu.</translation>
+    </message>
+    <message>
+        <source>Base of effects that take heat from one place. A class that extends it adds one equation for port.Q_flow.</source>
+        <translation>Basis der Effekte, die einem Ort Wärme entziehen. Eine Klasse, die sie erweitert, fügt eine Gleichung für port.Q_flow hinzu.</translation>
+    </message>
+    <message>
+        <source>Base of blocks with one input and one output. A class that extends it adds one equation for y.</source>
+        <translation>Basis der Blöcke mit einem Eingang und einem Ausgang. Eine Klasse, die sie erweitert, fügt eine Gleichung für y hinzu.</translation>
+    </message>
+    <message>
+        <source>Base of components between two flanges. A class that extends it adds two equations for angles and torques.</source>
+        <translation>Basis der Bauteile zwischen zwei Flanschen. Eine Klasse, die sie erweitert, fügt zwei Gleichungen für Winkel und Drehmomente hinzu.</translation>
+    </message>
+    <message>
+        <source>A real signal, read by the block. Give its unit where it is used: RealInput u(unit=&amp;quot;V&amp;quot;).</source>
+        <translation>Ein reelles Signal, das der Block liest. Seine Einheit angeben, wo es verwendet wird: RealInput u(unit=&amp;quot;V&amp;quot;).</translation>
+    </message>
+    <message>
+        <source>A real signal, computed by the block.</source>
+        <translation>Ein reelles Signal, das der Block berechnet.</translation>
+    </message>
+    <message>
+        <source>Connectors join blocks: at a connection the potentials are equal and the flows sum to zero.</source>
+        <translation>Anschlüsse verbinden Blöcke: An einer Verbindung sind die Potentiale gleich, und die Flüsse summieren sich zu null.</translation>
+    </message>
+    <message>
+        <source>The basic class of the mechanical and thermal domain: one rigid shaft runs through; its friction is proportional to the speed, and the loss goes to the heat port.</source>
+        <translation>Die Grundklasse der mechanischen und thermischen Domäne: Eine starre Welle läuft durch; ihre Reibung ist proportional zur Drehzahl, und der Verlust geht an den Wärmeanschluss.</translation>
+    </message>
+    <message>
+        <source>Base of bearings and brakes. A class that extends it adds one equation for the friction torque tau_f.</source>
+        <translation>Basis der Lager und Bremsen. Eine Klasse, die sie erweitert, fügt eine Gleichung für das Reibmoment tau_f hinzu.</translation>
+    </message>
+    <message>
+        <source>BasicMechanicThermal is the basic class: friction on a shaft whose loss heats a place. Extensions inherit from PartialMechanicThermal.</source>
+        <translation>BasicMechanicThermal ist die Grundklasse: Reibung an einer Welle, deren Verlust einen Ort erwärmt. Erweiterungen erben von PartialMechanicThermal.</translation>
+    </message>
+    <message>
+        <source>The basic class of rotational mechanics: an inertia J1 at flange_a, a gear of ratio r, an elastic shaft with stiffness c and damping d, an inertia J2 at flange_b. All starts at rest at angle 0.</source>
+        <translation>Die Grundklasse der Drehmechanik: eine Trägheit J1 an flange_a, ein Getriebe der Übersetzung r, eine elastische Welle der Steifigkeit c und Dämpfung d, eine Trägheit J2 an flange_b. Alles beginnt in Ruhe beim Winkel 0.</translation>
+    </message>
+    <message>
+        <source>Stiffness and damping refer to the slow side (flange_b). J1 = 0 or J2 = 0 is legal: the inertia then belongs to what is connected there.</source>
+        <translation>Steifigkeit und Dämpfung beziehen sich auf die langsame Seite (flange_b). J1 = 0 oder J2 = 0 ist erlaubt: Die Trägheit gehört dann zu dem, was dort verbunden ist.</translation>
+    </message>
+    <message>
+        <source>The housing: the flange does not turn.</source>
+        <translation>Das Gehäuse: Der Flansch dreht sich nicht.</translation>
+    </message>
+    <message>
+        <source>An inertia on a rigid shaft; both flanges are the same place.</source>
+        <translation>Eine Trägheit an einer starren Welle; beide Flansche sind derselbe Ort.</translation>
+    </message>
+    <message>
+        <source>Base of the geared shafts. A class that extends it says how the torque tau_s comes about.</source>
+        <translation>Basis der Getriebewellen. Eine Klasse, die sie erweitert, sagt, wie das Drehmoment tau_s zustande kommt.</translation>
+    </message>
+    <message>
+        <source>The torque of an impeller or fan at a constant circuit. It always opposes the motion.</source>
+        <translation>Das Drehmoment eines Laufrads oder Lüfters an einem festen Kreislauf. Es wirkt immer gegen die Bewegung.</translation>
+    </message>
+    <message>
+        <source>The return spring of a flap or throttle plate.</source>
+        <translation>Die Rückstellfeder einer Klappe oder Drosselklappe.</translation>
+    </message>
+    <message>
+        <source>A massless elastic and damped shaft.</source>
+        <translation>Eine masselose elastische und gedämpfte Welle.</translation>
+    </message>
+    <message>
+        <source>A damper between shaft and housing.</source>
+        <translation>Ein Dämpfer zwischen Welle und Gehäuse.</translation>
+    </message>
+    <message>
+        <source>Components on a shaft. BasicMechanics is the basic class of the domain: two inertias, a gear and an elastic shaft in one block.</source>
+        <translation>Bauteile an einer Welle. BasicMechanics ist die Grundklasse der Domäne: zwei Trägheiten, ein Getriebe und eine elastische Welle in einem Block.</translation>
+    </message>
+    <message>
+        <source>Reads the angle of a flange and takes no torque.</source>
+        <translation>Liest den Winkel eines Flansches und nimmt kein Drehmoment auf.</translation>
+    </message>
+    <message>
+        <source>Tells the heat that passes and hinders nothing.</source>
+        <translation>Sagt, welche Wärme hindurchgeht, und hindert nichts.</translation>
+    </message>
+    <message>
+        <source>Reads the speed of a flange and takes no torque.</source>
+        <translation>Liest die Drehzahl eines Flansches und nimmt kein Drehmoment auf.</translation>
+    </message>
+    <message>
+        <source>Reads the temperature of a place and takes no heat.</source>
+        <translation>Liest die Temperatur eines Orts und nimmt keine Wärme auf.</translation>
+    </message>
+    <message>
+        <source>A rigid shaft that tells the torque it carries.</source>
+        <translation>Eine starre Welle, die sagt, welches Drehmoment sie überträgt.</translation>
+    </message>
+    <message>
+        <source>A sensor reads a variable and changes nothing.</source>
+        <translation>Ein Sensor liest eine Größe und ändert nichts.</translation>
+    </message>
+    <message>
+        <source>The output follows the input with the time constant T; it starts at 0.</source>
+        <translation>Der Ausgang folgt dem Eingang mit der Zeitkonstante T; er beginnt bei 0.</translation>
+    </message>
+    <message>
+        <source>Multiplies by a constant.</source>
+        <translation>Multipliziert mit einer Konstante.</translation>
+    </message>
+    <message>
+        <source>Product of two signals.</source>
+        <translation>Produkt zweier Signale.</translation>
+    </message>
+    <message>
+        <source>Sum of two signals.</source>
+        <translation>Summe zweier Signale.</translation>
+    </message>
+    <message>
+        <source>Plain arithmetic on signals, and a first-order lag.</source>
+        <translation>Einfaches Rechnen mit Signalen und ein Verzögerungsglied erster Ordnung.</translation>
+    </message>
+    <message>
+        <source>Gives out the same value at all times.</source>
+        <translation>Gibt zu allen Zeiten denselben Wert aus.</translation>
+    </message>
+    <message>
+        <source>The surroundings at a constant temperature.</source>
+        <translation>Die Umgebung mit konstanter Temperatur.</translation>
+    </message>
+    <message>
+        <source>Gives the heat Q_flow to whatever is connected, at any temperature.</source>
+        <translation>Gibt die Wärme Q_flow an alles Verbundene, bei jeder Temperatur.</translation>
+    </message>
+    <message>
+        <source>A stream or body so large that its temperature is not changed by the heat it takes.</source>
+        <translation>Eine Strömung oder ein Körper, so groß, dass die aufgenommene Wärme seine Temperatur nicht ändert.</translation>
+    </message>
+    <message>
+        <source>Drives the shaft with the torque tau, at any speed; the housing takes the reaction.</source>
+        <translation>Treibt die Welle mit dem Drehmoment tau, bei jeder Drehzahl; das Gehäuse nimmt das Gegenmoment auf.</translation>
+    </message>
+    <message>
+        <source>What the surroundings impose. Prescribed sources read a signal, fixed ones have a parameter.</source>
+        <translation>Was die Umgebung vorgibt. Vorgegebene Quellen lesen ein Signal, feste haben einen Parameter.</translation>
+    </message>
+    <message>
+        <source>The program knows this function itself, with its derivative; the algorithm is for other tools.</source>
+        <translation>Das Programm kennt diese Funktion selbst, mit ihrer Ableitung; der Algorithmus ist für andere Werkzeuge.</translation>
+    </message>
+    <message>
+        <source>Fritsch and Carlson, SIAM J. Numer. Anal. 17 (1980) 238-246: a cubic on each piece, with slopes that keep it monotone. The program knows this function itself, with its derivative; the algorithm is for other tools.</source>
+        <translation>Fritsch und Carlson, SIAM J. Numer. Anal. 17 (1980) 238-246: ein kubisches Polynom auf jedem Stück, mit Steigungen, die es monoton halten. Das Programm kennt diese Funktion selbst, mit ihrer Ableitung; der Algorithmus ist für andere Werkzeuge.</translation>
+    </message>
+    <message>
+        <source>Values between measured points, for equations of a block: &lt;code&gt;y = Analogon.Tables.linear(u, {0, 1, 2}, {0, 1, 4})&lt;/code&gt;. The points must be known before the simulation and their abscissas must rise. Outside the points the value goes on with the outer slope.</source>
+        <translation>Werte zwischen gemessenen Punkten, für Gleichungen eines Blocks: &lt;code&gt;y = Analogon.Tables.linear(u, {0, 1, 2}, {0, 1, 4})&lt;/code&gt;. Die Punkte müssen vor der Simulation bekannt sein, ihre Abszissen müssen steigen. Außerhalb der Punkte geht der Wert mit der äußeren Steigung weiter.</translation>
+    </message>
+    <message>
+        <source>A body that stores heat and has one temperature throughout.</source>
+        <translation>Ein Körper, der Wärme speichert und durchweg eine Temperatur hat.</translation>
+    </message>
+    <message>
+        <source>A wall, a bond or a wire that conducts heat and stores none.</source>
+        <translation>Eine Wand, eine Verbindung oder ein Draht, der Wärme leitet und keine speichert.</translation>
+    </message>
+    <message>
+        <source>Lumped heat capacities and conductances.</source>
+        <translation>Konzentrierte Wärmekapazitäten und Leitwerte.</translation>
+    </message>
+    <message>
+        <source>The basic class of the thermal and fluid domain: a body of uniform temperature exchanges heat with a stream. The conductance follows eq. 8 of the paper as printed, with the fluid temperature in kelvin under the exponent.</source>
+        <translation>Die Grundklasse der thermischen und fluidischen Domäne: Ein Körper einheitlicher Temperatur tauscht Wärme mit einer Strömung. Der Leitwert folgt Gl. 8 der Veröffentlichung, wie sie gedruckt ist, mit der Temperatur des Fluids in Kelvin unter dem Exponenten.</translation>
+    </message>
+    <message>
+        <source>Eq. 8 descends from a law for the speed of the stream in km/h; see ConvectionByFlowSpeed. Only the product c_o*A shows in a measurement: keep one of the two.</source>
+        <translation>Gl. 8 stammt von einem Gesetz für die Geschwindigkeit der Strömung in km/h ab; siehe ConvectionByFlowSpeed. Nur das Produkt c_o*A zeigt sich in einer Messung: eines von beiden festhalten.</translation>
+    </message>
+    <message>
+        <source>As BasicThermalFluid, with the speed of the stream under the exponent: the law of Juerges, from which eq. 8 of the paper descends. The speed is in km/h, so speed/3.6 is in m/s. A stream that stands still takes no heat; a negative speed counts as 0.</source>
+        <translation>Wie BasicThermalFluid, mit der Geschwindigkeit der Strömung unter dem Exponenten: das Gesetz von Jürges, von dem Gl. 8 der Veröffentlichung abstammt. Die Geschwindigkeit ist in km/h, speed/3.6 also in m/s. Eine ruhende Strömung nimmt keine Wärme auf; eine negative Geschwindigkeit zählt als 0.</translation>
+    </message>
+    <message>
+        <source>Base of the bodies in a stream. A class that extends it adds one equation for the conductance G_c.</source>
+        <translation>Basis der Körper in einer Strömung. Eine Klasse, die sie erweitert, fügt eine Gleichung für den Leitwert G_c hinzu.</translation>
+    </message>
+    <message>
+        <source>BasicThermalFluid is the basic class: a body with heat capacity that exchanges heat with a stream. Extensions inherit from PartialThermalFluid.</source>
+        <translation>BasicThermalFluid ist die Grundklasse: ein Körper mit Wärmekapazität, der Wärme mit einer Strömung tauscht. Erweiterungen erben von PartialThermalFluid.</translation>
+    </message>
+    <message>
+        <source>Blocks of the mechanical, electrical, thermal and fluid domains from which a component is composed, one class per pair of coupled domains, with sources, sensors and loads, and the effects that a measurement may show to be missing.</source>
+        <translation>Blöcke der mechanischen, elektrischen, thermischen und fluidischen Domäne, aus denen ein Bauteil zusammengesetzt wird, eine Klasse je Paar gekoppelter Domänen, mit Quellen, Sensoren und Lasten und den Effekten, die nach einer Messung fehlen können.</translation>
+    </message>
+    <message>
+        <source>Variables and signs are those of the Modelica Standard Library: a rotational flange carries the angle phi and the flow tau, a heat port the temperature T and the flow Q_flow; a flow is positive into the component. The library needs no other library.</source>
+        <translation>Größen und Vorzeichen sind die der Modelica Standard Library: Ein Drehflansch hat den Winkel phi und den Fluss tau, ein Wärmeanschluss die Temperatur T und den Fluss Q_flow; ein Fluss ist in das Bauteil hinein positiv. Die Bibliothek braucht keine andere.</translation>
+    </message>
+    <message>
+        <source>A new block is one more text file: extend the partial class of its domain package and add the equations.</source>
+        <translation>Ein neuer Block ist eine weitere Textdatei: die partielle Klasse seines Domänenpakets erweitern und die Gleichungen hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Heat flow into the component</source>
+        <translation>Wärmestrom in das Bauteil hinein</translation>
+    </message>
+    <message>
+        <source>Torque into the component</source>
+        <translation>Drehmoment in das Bauteil hinein</translation>
+    </message>
+    <message>
+        <source>Piece that holds x</source>
+        <translation>Stück, in dem x liegt</translation>
+    </message>
+    <message>
+        <source>The film in a plug or under a spring contact: it conducts the better the more current flows. With m = 1 its voltage rises to R_c*i_c and stays there, with m = 2 it falls again.</source>
+        <translation>Der Film in einem Stecker oder unter einem Federkontakt: Er leitet umso besser, je mehr Strom fließt. Mit m = 1 steigt seine Spannung auf R_c*i_c und bleibt dort, mit m = 2 fällt sie wieder.</translation>
+    </message>
+    <message>
+        <source>The film under a brush or in a plug: it conducts the better the more current flows. With m = 1 its voltage rises to R_c*i_c and stays there, with m = 2 it falls again.</source>
+        <translation>Der Film unter einer Bürste oder in einem Stecker: Er leitet umso besser, je mehr Strom fließt. Mit m = 1 steigt seine Spannung auf R_c*i_c und bleibt dort, mit m = 2 fällt sie wieder.</translation>
+    </message>
 </context>
 <context>
     <name>LibraryPanel</name>
@@ -1301,6 +2649,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
 </context>
 <context>
     <name>MainWindow</name>
+    <message>
+        <source>%1 is a file of its own: open it in an editor.</source>
+        <translation>%1 ist eine eigene Datei: in einem Editor öffnen.</translation>
+    </message>
     <message>
         <source>Runs</source>
         <translation>Läufe</translation>
@@ -1755,8 +3107,12 @@ Ihre Spalten werden dann den Ein- und Ausgängen des Modells zugeordnet.</transl
 <context>
     <name>MessagePanel</name>
     <message>
-        <source>No messages.</source>
-        <translation>Keine Meldungen.</translation>
+        <source>Click to see %1</source>
+        <translation>Klicken, um %1 zu sehen</translation>
+    </message>
+    <message>
+        <source>No messages. What is wrong or worth knowing is listed here; a click leads to the place.</source>
+        <translation>Keine Meldungen. Hier steht, was falsch oder wissenswert ist; ein Klick führt an die Stelle.</translation>
     </message>
     <message>
         <source>Messages</source>
@@ -1801,16 +3157,12 @@ Ihre Spalten werden dann den Ein- und Ausgängen des Modells zugeordnet.</transl
         <translation>  nicht bestimmt</translation>
     </message>
     <message>
-        <source>
-The fit ran into the bound: it wants a value beyond. Widen the bound, or ask what the model lacks.</source>
-        <translation>
-Die Anpassung stößt an die Grenze: Sie will darüber hinaus. Grenze weiten, oder fragen, was dem Modell fehlt.</translation>
+        <source>The fit ran into the bound: it wants a value beyond. Widen the bound, or ask what the model lacks.</source>
+        <translation>Die Anpassung stößt an die Grenze: Sie will darüber hinaus. Grenze weiten, oder fragen, was dem Modell fehlt.</translation>
     </message>
     <message>
-        <source>
-The data do not determine this value on its own.</source>
-        <translation>
-Die Daten allein bestimmen diesen Wert nicht.</translation>
+        <source>The data do not determine this value on its own.</source>
+        <translation>Die Daten allein bestimmen diesen Wert nicht.</translation>
     </message>
     <message>
         <source>
@@ -1847,8 +3199,8 @@ Relativer Standardfehler %1 %</translation>
         <translation>Max</translation>
     </message>
     <message>
-        <source>In bounds</source>
-        <translation>In Grenzen</translation>
+        <source>Bounds</source>
+        <translation>Lage</translation>
     </message>
     <message>
         <source>Free the bound of %1</source>
@@ -2472,6 +3824,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
 </context>
 <context>
     <name>RunController</name>
+    <message>
+        <source>the study was changed during the run; its result does not belong to what is shown and was dropped</source>
+        <translation>Die Studie wurde während des Laufs geändert; sein Ergebnis gehört nicht zu dem, was gezeigt wird, und wurde verworfen</translation>
+    </message>
     <message>
         <source>Simulation</source>
         <translation>Simulation</translation>

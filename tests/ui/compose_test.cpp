@@ -8,6 +8,7 @@
 #include <QElapsedTimer>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QListView>
 #include <QListWidget>
 #include <QPushButton>
 #include <QTableView>
@@ -17,7 +18,10 @@
 #include <QToolButton>
 #include <QTreeView>
 #include <QTreeWidget>
+#include <QWheelEvent>
+#include <memory>
 #include <random>
+#include <set>
 
 #include "core/syntax/parser.hpp"
 #include "ui/canvas/block_item.hpp"
@@ -50,11 +54,16 @@ namespace {
 class Compose : public testing::Test {
 protected:
     void SetUp() override {
+        ASSERT_TRUE(QFile::copy(ANALOGON_ROOT "/examples/lambda-sensor-heating/train.csv", csv));
+        QDir::setCurrent(directory.path());  // where the dialogs begin
         window.resize(1440, 900);
         window.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
     }
-    ~Compose() override { QTest::qWait(1); }
+    ~Compose() override {
+        QDir::setCurrent(startedIn);
+        QTest::qWait(1);
+    }
 
     Document& document() { return window.document(); }
     Composer& composer() { return window.compose().composer(); }
@@ -109,27 +118,74 @@ protected:
         ASSERT_TRUE(QTest::qWaitFor([&] { return !window.controller().isRunning(); }, 180000));
         QTest::qWait(20);
     }
-    /// Picks a file in the dialog that is open and confirms it.
+    /// Picks a file in the dialog that is open and confirms it: by its name with the keys alone, in the list (or, to
+    /// save, by the name that is proposed) with the mouse alone.
     void pick(const char* dialogName, const QString& file, bool byKeys) {
         auto* dialog = window.findChild<QFileDialog*>(dialogName);
         ASSERT_TRUE(dialog);
         auto* name = dialog->findChild<QLineEdit*>();
         ASSERT_TRUE(name);
-        name->setText(file);
-        if (byKeys) return QTest::keyClick(name, Qt::Key_Return);
-        auto* buttons = dialog->findChild<QDialogButtonBox*>();
-        for (QAbstractButton* b : buttons->buttons())
-            if (buttons->buttonRole(b) == QDialogButtonBox::AcceptRole) return QTest::mouseClick(b, Qt::LeftButton);
-    }
-    /// A key of the window's own; with no window manager about, the window a dialog was closed over is not active
-    /// again.
-    void key(Qt::Key k, Qt::KeyboardModifiers modifiers = {}) {
-        if (!window.isActiveWindow()) {
-            QTest::qWait(10);
-            window.activateWindow();
-            ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+        if (byKeys) {
+            ASSERT_TRUE(QTest::qWaitFor([&] { return name->hasFocus(); }, 5000)) << "typing begins at once";
+            QTest::keyClick(name, Qt::Key_A, Qt::ControlModifier);
+            QTest::keyClicks(name, file);
+            return QTest::keyClick(name, Qt::Key_Return);
         }
+        if (dialog->acceptMode() == QFileDialog::AcceptSave) {
+            auto* buttons = dialog->findChild<QDialogButtonBox*>();
+            for (QAbstractButton* b : buttons->buttons())
+                if (buttons->buttonRole(b) == QDialogButtonBox::AcceptRole) return QTest::mouseClick(b, Qt::LeftButton);
+        }
+        auto* list = dialog->findChild<QListView*>("listView");
+        ASSERT_TRUE(list);
+        QModelIndex entry;
+        const auto isListed = [&] {
+            for (int row = 0; row < list->model()->rowCount(list->rootIndex()); ++row) {
+                const QModelIndex index = list->model()->index(row, 0, list->rootIndex());
+                if (index.data().toString() == QFileInfo(file).fileName()) entry = index;
+            }
+            return entry.isValid();
+        };
+        ASSERT_TRUE(QTest::qWaitFor(isListed, 5000)) << file.toStdString();
+        QTest::qWait(50);  // the list takes its places
+        const QPoint at = list->visualRect(entry).center();
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, at);
+        QTest::mouseDClick(list->viewport(), Qt::LeftButton, {}, at);
+    }
+    void wheelTo(QAbstractItemView* view, const QModelIndex& index) {
+        QWidget* area = view->viewport();
+        for (int i = 0; i < 50 && !area->rect().contains(view->visualRect(index).center()); ++i) {
+            const QPointF at(area->rect().center());
+            const int step = view->visualRect(index).center().y() > at.y() ? -120 : 120;
+            QWheelEvent turn(at, area->mapToGlobal(at), {}, QPoint(0, step), Qt::NoButton, {}, Qt::NoScrollPhase,
+                             false);
+            QCoreApplication::sendEvent(area, &turn);
+        }
+    }
+    /// The window that keys go to; with no window manager about, the one a dialog was closed over is not active again.
+    void activate() {
+        if (window.isActiveWindow()) return;
+        QTest::qWait(10);
+        window.activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    }
+    /// A key of the window's own.
+    void key(Qt::Key k, Qt::KeyboardModifiers modifiers = {}) {
+        activate();
         QTest::keyClick(&window, k, modifiers);
+    }
+    /// From one widget to the next.
+    void tabUntil(const std::function<bool(QWidget*)>& isIt) {
+        activate();
+        for (int i = 0; i < 80 && QApplication::focusWidget() && !isIt(QApplication::focusWidget()); ++i)
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        ASSERT_TRUE(QApplication::focusWidget() && isIt(QApplication::focusWidget()))
+            << (QApplication::focusWidget() ? QApplication::focusWidget()->metaObject()->className() : "nowhere");
+    }
+    /// As a user without a mouse: to a panel with Ctrl and a digit, then on to the widget.
+    void tabTo(Qt::Key digit, const std::function<bool(QWidget*)>& isIt) {
+        key(digit, Qt::ControlModifier);
+        tabUntil(isIt);
     }
     void grab(const char* name) {
         QTest::qWait(30);
@@ -140,28 +196,29 @@ protected:
         auto* table = panel<ParameterPanel>()->table();
         const QModelIndex index = table->model()->index(panel<ParameterPanel>()->model()->rowOf(name), 0);
         ASSERT_TRUE(index.isValid()) << name;
-        table->scrollTo(index);
-        table->setCurrentIndex(index);
-        if (byKeys)
+        if (byKeys) {
+            tabTo(Qt::Key_3, [&](QWidget* w) { return w == table; });
+            QTest::keyClick(table, Qt::Key_Home, Qt::ControlModifier);
+            for (int i = 0; i < 50 && table->currentIndex().row() != index.row(); ++i)
+                QTest::keyClick(table, Qt::Key_Down);
+            ASSERT_EQ(table->currentIndex().row(), index.row());
+            while (table->currentIndex().column() > 0) QTest::keyClick(table, Qt::Key_Left);
             QTest::keyClick(table, Qt::Key_Space);
-        else
+        } else {
+            wheelTo(table, index);
             QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
                               table->visualRect(index).topLeft() + QPoint(11, 12));
+        }
         QTest::qWait(1);
         ASSERT_TRUE(document().study().parameters.contains(name)) << name;
         ASSERT_TRUE(document().study().parameters.at(name).fit) << name;
-    }
-    std::vector<double> figures() {
-        std::vector<double> result;
-        for (const ExperimentState& e : document().before()->experiments) result.push_back(e.errorPercent);
-        return result;
     }
     /// From the fit to the reopened study; the same for both ways of working.
     void fitDiscoverAddSaveReopen(bool byKeys) {
         ASSERT_TRUE(QTest::qWaitFor([&] { return document().facts().inputs.size() == 2; }, 10000));
         // Nothing selected: the parameters of all blocks are listed.
         if (byKeys) {
-            panel<DiagramView>()->setFocus();
+            key(Qt::Key_0, Qt::ControlModifier);
             QTest::keyClick(panel<DiagramView>(), Qt::Key_Escape);
         } else {
             QTest::mouseClick(panel<DiagramView>()->viewport(), Qt::LeftButton, {}, QPoint(6, 6));
@@ -185,19 +242,23 @@ protected:
         grab("to-add");
         auto* add = panel<ResultPanel>()->findChild<QPushButton*>("adopt");
         ASSERT_TRUE(add);
-        add->setFocus();
-        if (byKeys)
+        if (byKeys) {
+            tabTo(Qt::Key_4, [&](QWidget* w) { return w == add; });
             QTest::keyClick(add, Qt::Key_Space);
-        else
+        } else {
             QTest::mouseClick(add, Qt::LeftButton);
+        }
         const QString completed = document().modelText();
         EXPECT_NE(completed, plain);
-        key(Qt::Key_Z, Qt::ControlModifier);
+        const auto undoOrRedo = [&](const char* tool, Qt::KeyboardModifiers modifiers) {
+            byKeys ? key(Qt::Key_Z, modifiers) : clickTool(tool);
+        };
+        undoOrRedo("undo", Qt::ControlModifier);
         EXPECT_EQ(document().modelText(), plain);
-        key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        undoOrRedo("redo", Qt::ControlModifier | Qt::ShiftModifier);
         EXPECT_EQ(document().modelText(), completed);
 
-        const QString file = directory.filePath("composed.analogon");
+        const QString file = directory.filePath(document().title() + ".analogon");  // as the dialog proposes
         if (byKeys)
             key(Qt::Key_S, Qt::ControlModifier);
         else
@@ -207,12 +268,21 @@ protected:
         std::vector<double> errors;
         for (const ExperimentState& e : document().after()->experiments) errors.push_back(e.errorPercent);
 
-        MainWindow other;
-        other.open(file);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return other.document().isOpen() && other.document().before(); }, 20000));
-        EXPECT_EQ(other.document().modelText(), completed);
+        ASSERT_TRUE(QFile::exists(file)) << file.toStdString();
+        if (byKeys)
+            key(Qt::Key_O, Qt::ControlModifier);
+        else
+            clickTool("open");
+        pick("open-dialog", file, byKeys);
+        ASSERT_TRUE(QTest::qWaitFor(
+            [&] {
+                return !document().isReading() && document().path() == file && !document().finding() &&
+                       document().before();
+            },
+            20000));
+        EXPECT_EQ(document().modelText(), completed);
         std::vector<double> reopened;
-        for (const ExperimentState& e : other.document().before()->experiments) reopened.push_back(e.errorPercent);
+        for (const ExperimentState& e : document().before()->experiments) reopened.push_back(e.errorPercent);
         EXPECT_EQ(reopened, errors) << "to the last digit";
     }
     std::string messages() {
@@ -223,7 +293,8 @@ protected:
 
     QTemporaryDir directory;
     MainWindow window;
-    const QString csv = ANALOGON_ROOT "/examples/lambda-sensor-heating/train.csv";
+    const QString csv = directory.filePath("train.csv");
+    const QString startedIn = QDir::currentPath();
 };
 
 TEST_F(Compose, BuildsTheLambdaModelFromNothingByMouse) {
@@ -264,7 +335,7 @@ TEST_F(Compose, BuildsTheLambdaModelFromNothingByMouse) {
     QTest::mouseMove(tree->viewport(), signal.center());
     QTest::mouseRelease(tree->viewport(), Qt::LeftButton, {}, signal.center());
     EXPECT_EQ(document().study().experiments[0].inputs.at("u1").column, "p_ambient");
-    key(Qt::Key_Z, Qt::ControlModifier);
+    clickTool("undo");
     EXPECT_EQ(document().study().experiments[0].inputs.at("u1").column, "T_exhaust");
     fitDiscoverAddSaveReopen(false);
 }
@@ -275,7 +346,7 @@ TEST_F(Compose, BuildsTheLambdaModelFromNothingByKeyboard) {
     QTest::qWait(100);
     auto* view = panel<DiagramView>();
     Chooser* chooser = window.compose().chooser();
-    view->setFocus();
+    ASSERT_TRUE(view->hasFocus()) << "its keys work at once";
     const auto type = [&](const char* text) {
         ASSERT_TRUE(chooser->isVisible());
         QTest::keyClicks(chooser->field(), text);
@@ -290,7 +361,7 @@ TEST_F(Compose, BuildsTheLambdaModelFromNothingByKeyboard) {
     ASSERT_EQ(document().diagram().blocks.size(), 6u) << messages();
     const auto connectByKeys = [&](const char* from, const char* to) {
         const std::string instance = std::string(from).substr(0, std::string(from).find('.'));
-        view->setFocus();
+        ASSERT_TRUE(view->hasFocus());
         for (int i = 0; i < 10 && panel<DiagramScene>()->selectedBlock().toStdString() != instance; ++i)
             QTest::keyClick(view, Qt::Key_Tab);
         QTest::keyClick(view, Qt::Key_W);
@@ -309,7 +380,7 @@ TEST_F(Compose, BuildsTheLambdaModelFromNothingByKeyboard) {
     pick("import-dialog", csv, true);
     auto* accept = panel<ImportPanel>()->acceptButton();
     ASSERT_TRUE(QTest::qWaitFor([&] { return accept->isEnabled() && accept->isVisible(); }, 10000));
-    accept->setFocus();
+    tabUntil([&](QWidget* w) { return w == accept; });
     QTest::keyClick(accept, Qt::Key_Space);
     ASSERT_EQ(document().study().experiments.size(), 1u);
     fitDiscoverAddSaveReopen(true);
@@ -494,12 +565,45 @@ TEST_F(Compose, RenamesWithEverythingThatNamesTheBlock) {
     EXPECT_TRUE(document().study().parameters.contains("heater.R"));
 }
 
+TEST_F(Compose, RenamesWhereTheNameStands) {
+    window.open(ANALOGON_ROOT "/examples/lambda-sensor-heating");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen(); }, 10000));
+    QTest::qWait(100);
+    auto* view = panel<DiagramView>();
+    const QRect name = view->nameRect("heater");
+    ASSERT_FALSE(name.isEmpty());
+    QTest::mouseDClick(view->viewport(), Qt::LeftButton, {}, name.center());
+    Chooser* chooser = window.compose().chooser();
+    ASSERT_TRUE(chooser->isVisible());
+    EXPECT_TRUE(chooser->geometry().contains(name.center())) << "the field stands in place of the name";
+    EXPECT_LT(chooser->height(), 60);
+    EXPECT_EQ(chooser->field()->selectedText(), "heater");
+    QTest::keyClicks(chooser->field(), "coil");
+    QTest::keyClick(chooser->field(), Qt::Key_Return);
+    EXPECT_TRUE(document().diagram().find("coil"));
+    EXPECT_FALSE(chooser->isVisible());
+    QTest::keyClick(view, Qt::Key_F2);
+    EXPECT_TRUE(chooser->geometry().contains(view->nameRect("coil").center()));
+    QTest::keyClick(chooser->field(), Qt::Key_Return);  // the same name: no edit, and no fault
+    EXPECT_EQ(document().undoStack().count(), 1);
+    QTest::keyClick(view, Qt::Key_A);  // the list of blocks stands in the middle again
+    EXPECT_GT(chooser->height(), 200);
+    QTest::keyClick(chooser->field(), Qt::Key_Escape);
+}
+
 TEST_F(Compose, ModelsKeepTheRulesOfItemViews) {
-    using Mode = QAbstractItemModelTester::FailureReportingMode;
-    const QAbstractItemModelTester library(panel<LibraryPanel>()->model(), Mode::Fatal);
-    const QAbstractItemModelTester filtered(panel<LibraryPanel>()->tree()->model(), Mode::Fatal);
-    const QAbstractItemModelTester parameters(panel<ParameterPanel>()->model(), Mode::Fatal);
-    const QAbstractItemModelTester preview(panel<ImportPanel>()->model(), Mode::Fatal);
+    std::vector<std::unique_ptr<QAbstractItemModelTester>> testers;
+    std::set<const QAbstractItemModel*> watched;
+    const auto watch = [&] {  // but for the toolkit's own model of trees, which gives both columns the same children
+        for (QAbstractItemView* view : window.findChildren<QAbstractItemView*>())
+            if (view->model() && !view->model()->inherits("QTreeModel") && watched.insert(view->model()).second)
+                testers.push_back(std::make_unique<QAbstractItemModelTester>(
+                    view->model(), QAbstractItemModelTester::FailureReportingMode::Fatal));
+    };
+    testers.push_back(std::make_unique<QAbstractItemModelTester>(
+        panel<LibraryPanel>()->model(), QAbstractItemModelTester::FailureReportingMode::Fatal));
+    watch();
+    EXPECT_GE(watched.size(), 5u);
     window.open(ANALOGON_ROOT "/examples/water-pump");
     ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen() && !document().facts().parameters.empty(); }, 10000));
     panel<LibraryPanel>()->search()->setText("heat");
@@ -509,6 +613,21 @@ TEST_F(Compose, ModelsKeepTheRulesOfItemViews) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return panel<ImportPanel>()->model()->rowCount() > 0; }, 10000));
     document().undoStack().undo();
     EXPECT_GT(panel<LibraryPanel>()->model()->rowCount(), 3);
+    window.open(ANALOGON_ROOT "/examples/lambda-sensor-heating");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().title() != "water-pump" && document().before(); }, 20000));
+    for (const Qt::Key run : {Qt::Key_F5, Qt::Key_F6}) {
+        key(run);
+        finishRun();
+        watch();  // the tables of the result
+    }
+    document().adoptCompleted("add");
+    panel<ParameterPanel>()->model()->setOnlyFitted(true);
+    panel<ParameterPanel>()->model()->setFilter("heater");
+    window.compose().composer().group({"heater", "element"}, "Probe");
+    while (document().undoStack().canUndo()) document().undoStack().undo();
+    while (document().undoStack().canRedo()) document().undoStack().redo();
+    QTest::qWait(300);
+    testers.clear();
 }
 
 /// 500 blocks in a grid and 800 wires between neighbours, as a study on disk.
@@ -643,6 +762,19 @@ TEST_F(Compose, KeptPicturesOfBlocksLookAsIfDrawnAnew) {
     EXPECT_EQ(picture(), light);
 }
 
+std::vector<WireEnds> wiresOf(const Diagram& diagram) {
+    std::vector<WireEnds> ends;
+    for (std::size_t i = 0; i < diagram.wires.size(); i += 2)
+        ends.push_back({diagram.wires[i].from, diagram.wires[i].to});
+    return ends;
+}
+
+std::vector<std::string> namesOf(const StudySettings& settings) {
+    std::vector<std::string> names;
+    for (const auto& [name, parameter] : settings.parameters) names.push_back(name);
+    return names;
+}
+
 /// Random gestures; undone to the start and redone to the end, the text is the same byte for byte.
 TEST(RandomEditing, UndoesAndRedoesByteForByte) {
     const char* wanted = std::getenv("ANALOGON_SEQUENCES");
@@ -665,7 +797,31 @@ TEST(RandomEditing, UndoesAndRedoesByteForByte) {
                 if (below(3) == 0) some.push_back(b.name);
             const double x = 10.0 * static_cast<double>(below(30)) - 150,
                          y = 10.0 * static_cast<double>(below(20)) - 100;
-            switch (below(12)) {
+            switch (below(16)) {
+                case 11:
+                    if (below(3) == 0) composer.remove({{}, wiresOf(document.diagram())});
+                    break;
+                case 12: {  // typed by hand, somewhere between two lines
+                    QString text = document.modelText();
+                    text.insert(text.lastIndexOf("end "), "  // typed " + QString::number(i) + "\n");
+                    document.typeText(text);
+                    break;
+                }
+                case 13:
+                    for (const Block& b : blocks) {
+                        if (!document.levels().empty() || !b.className.ends_with("HeatCapacitor")) continue;
+                        const std::string parameter = b.name + ".C";  // the edit reads the blocks anew
+                        document.setParameterValue(parameter, 1 + static_cast<double>(below(100)));
+                        document.setStudyParameter(parameter, {}, "fit");
+                        break;
+                    }
+                    break;
+                case 14:
+                    for (std::size_t k = below(4); k > 0 && document.undoStack().canUndo(); --k)
+                        document.undoStack().undo();
+                    for (std::size_t k = below(3); k > 0 && document.undoStack().canRedo(); --k)
+                        document.undoStack().redo();
+                    break;
                 case 0:
                 case 1:
                 case 2:
@@ -710,11 +866,15 @@ TEST(RandomEditing, UndoesAndRedoesByteForByte) {
             ASSERT_TRUE(document.definition())
                 << "the text parses after every gesture: sequence " << sequence << " step " << i;
         }
+        while (document.undoStack().canRedo()) document.undoStack().redo();  // what the last steps took back
         const QString end = document.modelText();
+        const std::vector<std::string> fitted = namesOf(document.settings());
         while (document.undoStack().canUndo()) document.undoStack().undo();
         ASSERT_EQ(document.modelText(), start) << sequence;
+        ASSERT_TRUE(document.settings().parameters.empty()) << sequence;
         while (document.undoStack().canRedo()) document.undoStack().redo();
         ASSERT_EQ(document.modelText(), end) << sequence;
+        ASSERT_EQ(namesOf(document.settings()), fitted) << sequence;
     }
 }
 

@@ -21,6 +21,7 @@
 #include <QSpinBox>
 #include <QStandardPaths>
 #include <QStatusBar>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -211,6 +212,41 @@ TEST_F(Panels, ReachesAndReadsThePlotsWithTheKeyboardAlone) {
     EXPECT_NEAR(marks[1] - marks[0], 0.01 * 0.8 * 180, 1e-6);
     QTest::keyClick(&window, Qt::Key_0, Qt::ControlModifier);
     EXPECT_EQ(QApplication::focusWidget(), window.findChild<DiagramView*>());
+}
+
+TEST_F(Panels, ZoomsIntoTheBoxThatIsDrawn) {
+    openLambda();
+    OutputPlot* plot = panel<PlotPanel>()->plots().front();
+    TimePlot* values = plot->values();
+    const auto all = values->valueRange();
+    std::pair<double, double> times;
+    QObject::connect(values, &TimePlot::timeRangeWanted, [&](double from, double to) { times = {from, to}; });
+    const auto drag = [&](QPoint from, QPoint to) {
+        QTest::mousePress(values, Qt::LeftButton, Qt::ShiftModifier, from);
+        QTest::mouseMove(values, (from + to) / 2);
+        QTest::mouseMove(values, to);
+        QTest::mouseRelease(values, Qt::LeftButton, Qt::ShiftModifier, to);
+    };
+    const int w = values->width(), h = values->height();
+    drag({w / 3, h / 4}, {2 * w / 3, 3 * h / 4});
+    const auto part = values->valueRange();
+    EXPECT_NEAR((part.second - part.first) / (all.second - all.first), 0.5, 0.1);
+    EXPECT_GT(part.first, all.first);
+    EXPECT_LT(part.second, all.second);
+    EXPECT_LT(times.second - times.first, 100) << "of 180 s";
+    const auto residual = plot->residual()->valueRange();
+    plot->showAfter(plot->content().before, "another trace");
+    EXPECT_EQ(values->valueRange(), part) << "one looks at a place, whatever comes to be drawn there";
+    drag({w / 3, h / 2}, {w / 2, h / 2 + 3});
+    EXPECT_EQ(values->valueRange(), part) << "a flat box chooses times";
+    const QPointF at(w / 2, h / 2);
+    QWheelEvent turn(at, values->mapToGlobal(at), {}, QPoint(0, -240), Qt::NoButton, Qt::ControlModifier,
+                     Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(values, &turn);
+    EXPECT_GT(values->valueRange().second - values->valueRange().first, part.second - part.first);
+    EXPECT_EQ(plot->residual()->valueRange(), residual);
+    QTest::mouseDClick(values, Qt::LeftButton, {}, {w / 2, h / 2});
+    EXPECT_EQ(values->valueRange(), all);
 }
 
 TEST_F(Panels, TrimsARecordingByDraggingOverThePlot) {
@@ -643,12 +679,13 @@ TEST_F(Panels, OpensTheGuideWithItsPictures) {
 TEST(TimePlotSpeed, StaysFluidWithAMillionSamples) {
     constexpr int samples = 1000000;
     auto time = std::make_shared<std::vector<double>>();
-    Trace measured{TraceRole::Measured, {}}, after{TraceRole::After, {}};
+    std::vector<double> noisy, smooth;
     for (int i = 0; i < samples; ++i) {
         time->push_back(i * 1e-3);
-        measured.values.push_back(std::sin(i * 1e-4) + 0.1 * std::sin(i * 1.7));
-        after.values.push_back(std::sin(i * 1e-4));
+        noisy.push_back(std::sin(i * 1e-4) + 0.1 * std::sin(i * 1.7));
+        smooth.push_back(std::sin(i * 1e-4));
     }
+    const Trace measured{TraceRole::Measured, std::move(noisy)}, after{TraceRole::After, std::move(smooth)};
     TimePlot plot;
     plot.resize(900, 250);
     plot.show();
@@ -675,6 +712,90 @@ TEST(TimePlotSpeed, StaysFluidWithAMillionSamples) {
     EXPECT_LT(live, 20) << "[ms]";
     std::cout << "zoom and repaint of two traces of 1e6 samples: " << times[7] << " ms\n";
     EXPECT_LT(times[7], 10) << "[ms]";
+}
+
+/// What a long recording costs the window when its traces arrive: it must not be felt.
+TEST_F(Panels, TakesALongRecordingWithoutAStall) {
+    openLambda();
+    ModelState state = *document().before();
+    constexpr Eigen::Index samples = 1000000;
+    for (ExperimentState& e : state.experiments) {
+        e.time.resize(samples);
+        for (std::size_t i = 0; i < e.time.size(); ++i) e.time[i] = static_cast<double>(i) * 1e-3;
+        for (OutputState& o : e.outputs) {
+            o.measured = Eigen::VectorXd::LinSpaced(samples, 0, 300).array().sin();
+            o.simulated = o.measured.array() + 0.01;
+        }
+    }
+    const auto now = [] {
+        timespec spent{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
+        return 1e3 * static_cast<double>(spent.tv_sec) + 1e-6 * static_cast<double>(spent.tv_nsec);
+    };
+    double begin = now();
+    document().setSimulated(std::move(state));
+    QCoreApplication::processEvents();
+    const double arrived = now() - begin;
+    auto* plots = panel<PlotPanel>();
+    ASSERT_EQ(plots->plots().front()->content().measured.size(), 1000000u);
+    auto* tabs = plots->findChild<QTabBar*>();
+    begin = now();
+    tabs->setCurrentIndex(1);
+    QCoreApplication::processEvents();
+    const double changed = now() - begin;
+    std::cout << "traces of 1e6 samples arrive in " << arrived << " ms, another recording is shown in " << changed
+              << " ms\n";
+#ifdef __SANITIZE_ADDRESS__
+    constexpr double limit = 200;  // [ms] every access is checked
+#else
+    constexpr double limit = 50;
+#endif
+    EXPECT_LT(arrived, limit) << "[ms]";
+    EXPECT_LT(changed, limit) << "[ms]";
+}
+
+/// In German, whose words are the longer ones: no name of a parameter, and no effect among those tried, is cut.
+TEST(Texts, AreWholeInTheTables) {
+    Translator german;
+    ASSERT_TRUE(german.loadLanguage("de"));
+    QCoreApplication::installTranslator(&german);
+    {
+        MainWindow window;
+        window.resize(1440, 900);
+        window.show();
+        window.open(ANALOGON_ROOT "/examples/lambda-sensor-heating");
+        ASSERT_TRUE(QTest::qWaitFor([&] { return window.document().isOpen() && window.document().before(); }, 20000));
+        window.controller().start(RunKind::Discover);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !window.controller().isRunning(); }, 180000));
+        window.document().adoptCompleted("add");
+        auto* parameters = window.findChild<ParameterPanel*>();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return parameters->model()->rowOf("radiation.T_amb") >= 0; }, 20000));
+        for (const int width : {1440, 1100}) {
+            window.resize(width, 900);
+            QTest::qWait(300);
+            QTableView* table = parameters->table();
+            for (int c = 0; c < table->model()->columnCount(); ++c)
+                for (int r = 0; r < table->model()->rowCount() && !table->isColumnHidden(c); ++r)
+                    EXPECT_GE(table->columnWidth(c), table->sizeHintForIndex(table->model()->index(r, c)).width())
+                        << width << " " << table->model()->index(r, c).data().toString().toStdString();
+            QTreeWidget* tried = window.findChild<ResultPanel*>()->candidates();
+            ASSERT_TRUE(tried);
+            int inTwoLines = 0;
+            for (int r = 0; r < tried->topLevelItemCount(); ++r) {
+                const QRect cell = tried->visualItemRect(tried->topLevelItem(r));
+                const QRect needed = QFontMetrics(tried->topLevelItem(r)->font(0))
+                                         .boundingRect(QRect(0, 0, tried->columnWidth(0) - 8, 500), Qt::TextWordWrap,
+                                                       tried->topLevelItem(r)->text(0));
+                EXPECT_GE(cell.height(), needed.height()) << tried->topLevelItem(r)->text(0).toStdString();
+                inTwoLines += needed.height() > 1.5 * tried->fontMetrics().height() ? 1 : 0;
+                if (r + 1 == tried->topLevelItemCount()) {
+                    EXPECT_LE(cell.bottom(), tried->viewport()->height()) << "the list is as high as its rows";
+                }
+            }
+            EXPECT_GT(inTwoLines, 0);
+        }
+    }
+    QCoreApplication::removeTranslator(&german);
 }
 
 /// A laptop of 1280 x 720 pixels at 150 % leaves 853 x 480, less what its desktop keeps for itself.
@@ -728,10 +849,23 @@ TEST(Translation, GermanIsComplete) {
     EXPECT_GT(count, 300);
     const Outcome<Library> library = builtInLibrary();
     ASSERT_TRUE(library);
-    for (const LibraryClass* cls : library->classes())
+    for (const LibraryClass* cls : library->classes()) {
         EXPECT_TRUE(cls->definition->description.empty() ||
                     german.knows(QString::fromStdString(cls->definition->description)))
             << cls->qualifiedName;
+        const syntax::Modification* info =
+            cls->definition->annotation ? cls->definition->annotation->find("Documentation") : nullptr;
+        static const QRegularExpression paragraph("<p>(.*?)</p>", QRegularExpression::DotMatchesEverythingOption);
+        for (const syntax::Modification& m : info ? info->arguments : std::vector<syntax::Modification>())
+            for (auto found = paragraph.globalMatch(QString::fromStdString(m.value ? m.value->text : ""));
+                 found.hasNext();) {
+                const QString text = found.next().captured(1).simplified();
+                EXPECT_TRUE(german.knows(text)) << cls->qualifiedName << ": " << text.toStdString();
+            }
+        for (const auto& component : cls->definition->components)
+            EXPECT_TRUE(component.description.empty() || german.knows(QString::fromStdString(component.description)))
+                << cls->qualifiedName << ": " << component.description;
+    }
     for (const Example& example : findExamples())
         for (const QString& text : {example.title, example.description})
             EXPECT_TRUE(german.knows(text)) << text.toStdString();

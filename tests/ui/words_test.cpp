@@ -42,6 +42,14 @@ TEST_F(GermanWords, SayPatternArgumentsAndWhatFollows) {
     EXPECT_EQ(inWords(two), "Das Modell ist singulär. Keine Gleichung bestimmt x.");
 }
 
+TEST_F(GermanWords, DocumentBlocksAndLeaveTheirFormulas) {
+    EXPECT_EQ(
+        libraryDocumentation("\n<p>Reads the speed of a flange\nand takes no torque.</p>\n<pre>w = der(phi)</pre>"),
+        QString::fromUtf8("\n<p>Liest die Drehzahl eines Flansches und nimmt kein Drehmoment auf.</p>\n"
+                          "<pre>w = der(phi)</pre>"));
+    EXPECT_EQ(libraryText("Resistance at T_ref"), "Widerstand bei T_ref");
+}
+
 TEST_F(GermanWords, NameFaultsOfARecordingAndOfAStudy) {
     const Outcome<Table> table = readCsvText("t;u\n0;1\n1;abc\n", "run.csv");
     ASSERT_FALSE(table);

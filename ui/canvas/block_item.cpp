@@ -21,7 +21,8 @@ QRectF coordinatesRect(const Extent& e) {
     return QRectF(QPointF(e.p1.x, e.p1.y), QPointF(e.p2.x, e.p2.y)).normalized();
 }
 
-constexpr double sideGap = 3;  // [diagram units] between the middle of a block and a text beside it
+constexpr double nameScale = 0.9;  // of the view's font
+constexpr double sideGap = 3;      // [diagram units] between the middle of a block and a text beside it
 
 /// The values a block was given, rounded for reading; the first few.
 QStringList valueLines(const Block& block) {
@@ -171,20 +172,38 @@ void BlockItem::paintUnresolved(QPainter& painter, const QPalette& palette) cons
     painter.drawRoundedRect(body_, 1, 1);
 }
 
+/// The line that the name stands in, wider than any name.
+QRectF BlockItem::nameLine(const QTransform& toView, const QFont& font) const {
+    const QPointF at =
+        toView.map(QPointF(nameAt_.x() + labelPlace_.side * sideGap,
+                           labelPlace_.isAbove ? body_.top() - outlineGap : body_.bottom() + outlineGap));
+    const double height = QFontMetricsF(font).height(), wide = 400;
+    const double left = at.x() + (labelPlace_.side - 1) * wide / 2;
+    return {left, labelPlace_.isAbove ? at.y() - height : at.y(), wide, height};
+}
+
+QRectF BlockItem::nameRect(const QTransform& toView, QFont font) const {
+    font.setPointSizeF(font.pointSizeF() * nameScale);
+    return QFontMetricsF(font).boundingRect(nameLine(toView, font), labelAlignment(),
+                                            QString::fromStdString(block_.name));
+}
+
+int BlockItem::labelAlignment() const {
+    return Qt::AlignVCenter | (labelPlace_.side == 0  ? Qt::AlignHCenter
+                               : labelPlace_.side > 0 ? Qt::AlignLeft
+                                                      : Qt::AlignRight);
+}
+
 void BlockItem::paintName(QPainter& painter, const QPalette& palette) const {
     const QTransform world = painter.worldTransform();
-    if (std::sqrt(std::abs(world.determinant())) < 0.9) return;  // too many names in too little room
+    const double zoom = std::sqrt(std::abs(world.determinant()));
+    if (zoom < leastZoomWithNames) return;
     painter.save();
     painter.resetTransform();
     QFont font = painter.font();
-    font.setPointSizeF(font.pointSizeF() * 0.9);
+    font.setPointSizeF(font.pointSizeF() * nameScale);
     painter.setFont(font);
-    const double zoom = std::sqrt(std::abs(world.determinant()));
-    const QPointF at = world.map(QPointF(nameAt_.x() + labelPlace_.side * sideGap,
-                                         labelPlace_.isAbove ? body_.top() - outlineGap : body_.bottom() + outlineGap));
-    const double height = QFontMetricsF(font).height(), wide = 400;
-    const double left = at.x() + (labelPlace_.side - 1) * wide / 2;
-    const QRectF box(left, labelPlace_.isAbove ? at.y() - height : at.y(), wide, height);
+    const QRectF box = nameLine(world, font);
     const QColor ink = block_.isResolved ? style::mix(palette.color(QPalette::Text), style::canvas(palette), 0.2)
                                          : style::fault(palette);
     paintLine(painter, box, QString::fromStdString(block_.name), ink, palette);
@@ -195,9 +214,7 @@ void BlockItem::paintName(QPainter& painter, const QPalette& palette) const {
 /// A wire that runs under a text does not strike it out.
 void BlockItem::paintLine(QPainter& painter, const QRectF& box, const QString& text, const QColor& ink,
                           const QPalette& palette) const {
-    const int align = Qt::AlignVCenter | (labelPlace_.side == 0  ? Qt::AlignHCenter
-                                          : labelPlace_.side > 0 ? Qt::AlignLeft
-                                                                 : Qt::AlignRight);
+    const int align = labelAlignment();
     QColor ground = style::canvas(palette);
     ground.setAlphaF(0.8f);
     painter.fillRect(QFontMetricsF(painter.font()).boundingRect(box, align, text), ground);
@@ -207,7 +224,7 @@ void BlockItem::paintLine(QPainter& painter, const QRectF& box, const QString& t
 
 /// The values it was given, in quiet lines beyond its name, where there is room for them.
 void BlockItem::paintParameters(QPainter& painter, const QPalette& palette, QRectF nameBox, double zoom) const {
-    if (zoom < 1.7) return;
+    if (zoom < 1.55) return;
     QFont font = painter.font();
     font.setPointSizeF(font.pointSizeF() * 0.85);
     painter.setFont(font);

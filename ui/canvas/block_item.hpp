@@ -12,6 +12,7 @@ namespace analogon::ui {
 class BlockItem : public QGraphicsItem {
 public:
     enum { Type = UserType + 1 };
+    static constexpr double leastZoomWithNames = 0.9;  // [px per diagram unit] else too many in too little room
     explicit BlockItem(const Block& block);
 
     const Block& block() const { return block_; }
@@ -28,6 +29,8 @@ public:
     };
     void setLabelPlace(LabelPlace place);
     LabelPlace preferredLabelPlace() const { return {isNameAbove_, 0}; }
+    /// The name as it stands on the screen, with the font of the view. [px]
+    QRectF nameRect(const QTransform& toView, QFont font) const;
     /// What the texts would cover there, at the zoom of a diagram that fits the window.
     QRectF labelRect(LabelPlace place) const;
 
@@ -59,6 +62,8 @@ private:
     void paintIcon(QPainter& painter, const QPalette& palette);
     void paintShapes(QPainter& painter, const QPalette& palette) const;
     void paintUnresolved(QPainter& painter, const QPalette& palette) const;
+    QRectF nameLine(const QTransform& toView, const QFont& font) const;
+    int labelAlignment() const;
     void paintName(QPainter& painter, const QPalette& palette) const;
     void paintParameters(QPainter& painter, const QPalette& palette, QRectF nameBox, double zoom) const;
     void paintLine(QPainter& painter, const QRectF& box, const QString& text, const QColor& ink,

@@ -147,6 +147,19 @@ BlockItem* DiagramView::blockAt(QPoint at) const {
     return nullptr;
 }
 
+QRect DiagramView::nameRect(const std::string& block) const {
+    const BlockItem* item = scene_.block(block);
+    return item ? item->nameRect(viewportTransform(), font()).toAlignedRect() : QRect();
+}
+
+/// The block whose name is there.
+std::string DiagramView::nameAt(QPoint at) const {
+    if (zoom() < BlockItem::leastZoomWithNames) return {};
+    for (const Block& block : scene_.diagram().blocks)
+        if (nameRect(block.name).contains(at)) return block.name;
+    return {};
+}
+
 Point DiagramView::diagramPoint(QPoint at) const {
     const QPointF scene = mapToScene(at);
     return {scene.x(), -scene.y()};
@@ -193,7 +206,9 @@ void DiagramView::mouseReleaseEvent(QMouseEvent* event) {
 
 void DiagramView::mouseDoubleClickEvent(QMouseEvent* event) {
     if (const auto map = overview(); map && map->contains(event->pos())) return lookAtOverview(event->pos());
-    if (BlockItem* item = blockAt(event->pos())) Q_EMIT blockActivated(QString::fromStdString(item->block().name));
+    if (BlockItem* item = blockAt(event->pos()))
+        return Q_EMIT blockActivated(QString::fromStdString(item->block().name));
+    if (const std::string name = nameAt(event->pos()); !name.empty()) Q_EMIT renameWanted(QString::fromStdString(name));
 }
 
 void DiagramView::contextMenuEvent(QContextMenuEvent* event) {

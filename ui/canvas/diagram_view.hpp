@@ -47,6 +47,8 @@ public:
     void lookAtOverview(QPoint at);
 
     BlockItem* blockAt(QPoint at) const;
+    /// Where the name of a block stands in this view; empty: it has none.
+    QRect nameRect(const std::string& block) const;
     /// Why two connectors cannot be connected; empty: they can. Set by the owner.
     std::function<QString(const std::string&, const std::string&)> refusal{
         [](const auto&, const auto&) { return QString(); }};
@@ -61,6 +63,7 @@ Q_SIGNALS:
     void wireWanted(const QString& from, const QString& to);
     void refused(const QString& reason);
     void blockActivated(const QString& name);
+    void renameWanted(const QString& name);
     void typed(const QString& text);  // a name begun on the empty diagram
     void menuWanted(QPoint globalPos);
 
@@ -81,6 +84,7 @@ protected:
 private:
     void zoomBy(double factor, QPoint about);
     void selectNext(bool isForward);
+    std::string nameAt(QPoint at) const;
     struct Overview {
         QRectF frame, world;  // [px], scene
         double scale{};       // [px per diagram unit]

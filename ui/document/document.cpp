@@ -71,7 +71,8 @@ Document::Document(QObject* parent) : QObject(parent) {
     });
 }
 
-Document::~Document() = default;
+/// Its undo stack tells once more that it is clean: by then the window that owns the document is half gone.
+Document::~Document() { blockSignals(true); }
 
 namespace {
 

@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "ui/document/document.hpp"
+#include "ui/document/mention.hpp"
 #include "ui/inspector/parameter_model.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
@@ -53,10 +54,10 @@ QTreeWidget* makeTable(const QStringList& headers, QWidget* parent) {
 }
 
 void fitHeight(QTreeWidget* table) {
-    const int row = table->topLevelItemCount() > 0 ? table->visualItemRect(table->topLevelItem(0)).height()
-                                                   : table->fontMetrics().height() + 4;
-    const int height = std::max(row, table->fontMetrics().height() + 4) * table->topLevelItemCount() +
-                       table->header()->sizeHint().height() + 4;
+    table->doItemsLayout();
+    int height = table->header()->sizeHint().height() + 4;
+    for (int i = 0; i < table->topLevelItemCount(); ++i)
+        height += std::max(table->visualItemRect(table->topLevelItem(i)).height(), table->fontMetrics().height() + 4);
     table->setFixedHeight(height);
 }
 
@@ -194,6 +195,16 @@ QLabel* ResultPanel::addText(const QString& content, bool isCaption) {
     if (isCaption) style::makeCaption(label);
     column_->addWidget(label);
     return label;
+}
+
+void ResultPanel::makeLinks(QLabel* label, const QString& html) {
+    label->setTextFormat(Qt::RichText);
+    label->setText(html);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::LinksAccessibleByMouse |
+                                   Qt::LinksAccessibleByKeyboard);
+    connect(label, &QLabel::linkActivated, this, [this](const QString& target) {
+        if (const auto mention = mentionAt(target)) Q_EMIT mentionChosen(*mention);
+    });
 }
 
 void ResultPanel::addHeading(const QString& content) {
@@ -379,9 +390,12 @@ void ResultPanel::addRemainder(const Finding& finding) {
     for (const Remainder& r : finding.remainders) {
         addHeading(tr("What remains on %1").arg(text(r.output)));
         QString sentence = tr("Between %1 and %2 s").arg(numberText(r.from, 4), numberText(r.to, 4));
-        if (!r.experiment.empty()) sentence += tr(" of %1").arg(text(r.experiment));
-        if (!r.node.empty()) sentence += tr(", acting at %1").arg(text(r.node));
-        addText(sentence + ".");
+        const auto link = [this](const std::string& name) {
+            return linkedWords(document_, Text(placeOf(text(name)).toStdString()));
+        };
+        if (!r.experiment.empty()) sentence += tr(" of %1").arg(link(r.experiment));
+        if (!r.node.empty()) sentence += tr(", acting at %1").arg(link(r.node));
+        makeLinks(addText({}), sentence + ".");
         QStringList moves;
         for (const Correlate& c : r.movesWith)
             if (c.isWorthAWord())
@@ -425,9 +439,9 @@ void ResultPanel::addCautions(const Finding& finding) {
     for (const Text& warning : finding.warnings) {
         auto* sign = new QLabel(body_);
         sign->setPixmap(style::icon("warning").pixmap(16, 16));
-        auto* label = new QLabel(inWords(warning), body_);
+        auto* label = new QLabel(body_);
         label->setWordWrap(true);
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        makeLinks(label, linkedWords(document_, warning));
         grid->addWidget(sign, row, 0, Qt::AlignTop);
         grid->addWidget(label, row++, 1);
     }
@@ -465,6 +479,9 @@ void ResultPanel::addCandidates(const Finding& finding) {
     for (const int c : {2, 3}) candidates_->headerItem()->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
     candidates_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     candidates_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    style::wrapColumn(candidates_, 0);  // the ends of two names may be all that tells them apart
+    connect(candidates_->header(), &QHeaderView::sectionResized, candidates_,
+            [list = candidates_] { QTimer::singleShot(0, list, [list] { fitHeight(list); }); });
     candidates_->setMouseTracking(true);
     candidates_->viewport()->installEventFilter(this);
     connect(candidates_, &QTreeWidget::itemEntered, this, &ResultPanel::lookAt);

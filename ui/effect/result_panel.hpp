@@ -21,6 +21,7 @@ enum class Verdict;
 namespace analogon::ui {
 
 class Document;
+struct Mention;
 
 /// What the last run came to, in the order of the questions: what was found, how much better it is, on what
 /// evidence, and what else was tried.
@@ -42,6 +43,8 @@ Q_SIGNALS:
     void effectLookedAt(const analogon::EffectChoice& choice, const QString& name);
     void effectLeft();
     void trialWanted(const QString& effectKind);
+    /// Something that a sentence speaks of.
+    void mentionChosen(const analogon::ui::Mention& mention);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -59,6 +62,8 @@ private:
     void addCautions(const Finding& finding);
     void addCandidates(const Finding& finding);
     QLabel* addText(const QString& text, bool isCaption = false);
+    /// What of the study is named in it leads there.
+    void makeLinks(QLabel* label, const QString& html);
     void addHeading(const QString& text);
 
     Document& document_;

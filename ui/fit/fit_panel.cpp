@@ -105,6 +105,7 @@ FitPanel::FitPanel(Document& document, RunController& controller, QWidget* paren
     left_->hide();
     style::makeCaption(hint_);
     hint_->setWordWrap(true);
+    style::wrapColumn(history_, 0);
     history_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     history_->setAccessibleName(tr("Runs so far"));
     comparison_->setSelectionMode(QAbstractItemView::NoSelection);

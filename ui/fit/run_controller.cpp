@@ -237,8 +237,9 @@ void RunController::conclude(RunKind kind, const Study& ranOn, unsigned long rev
     }
     if (revision != document_.revision()) {
         document_.setRunMessages(
-            {warning("the study was changed during the run; its result does not belong to what is "
-                     "shown and was dropped")});
+            {warning(tr("the study was changed during the run; its result does not belong to what is shown and was "
+                        "dropped")
+                         .toStdString())});
         return Q_EMIT concluded(tr("%1: the study changed meanwhile, result dropped.").arg(name));
     }
     const bool interrupted = outcome->finding.interrupted || run_.isCancelling();

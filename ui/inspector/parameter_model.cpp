@@ -5,12 +5,12 @@
 #include <QLocale>
 #include <QPalette>
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <tuple>
 #include <utility>
 
 #include "core/fit/clock.hpp"
+#include "ui/document/mention.hpp"
 #include "ui/inspector/prior_text.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
@@ -192,21 +192,34 @@ QVariantList ParameterModel::bar(const Row& row) const {
 }
 
 /// What the fit says about this parameter and others: that they cannot be told apart.
-QString ParameterModel::remarkOn(const Row& row) const {
+const Text* ParameterModel::remarkOn(const Row& row) const {
     const ModelState* after = document_.after();
-    if (!row.estimate || !after) return {};
-    for (const Text& text : after->remarks) {
-        const std::string& remark = text.english();
-        const auto at = remark.find(row.name);
-        if (at == std::string::npos) continue;
-        const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.'; };
-        const std::size_t end = at + row.name.size();
-        const bool isWhole = (at == 0 || !isPart(remark[at - 1])) &&
-                             (end == remark.size() || !isPart(remark[end]) ||
-                              (remark[end] == '.' && (end + 1 == remark.size() || !isPart(remark[end + 1]))));
-        if (isWhole) return inWords(text);
-    }
+    if (!row.estimate || !after) return nullptr;
+    for (const Text& remark : after->remarks)
+        if (namesIn(remark).contains(QString::fromStdString(row.name))) return &remark;
+    return nullptr;
+}
+
+QString ParameterModel::boundHint(const Row& row) const {
+    if (!row.estimate) return {};
+    if (row.estimate->atBound)
+        return tr("The fit ran into the bound: it wants a value beyond. Widen the bound, or ask what the model lacks.");
+    if (!std::isfinite(row.estimate->standardError)) return tr("The data do not determine this value on its own.");
     return {};
+}
+
+QString ParameterModel::noteOn(int row) const {
+    const Row& r = rows_[static_cast<std::size_t>(row)];
+    const QString name = QString::fromStdString(r.name);
+    QString note = "<b>" + name.toHtmlEscaped() + "</b>";
+    if (!r.description.empty()) note += "&nbsp; " + libraryText(r.description).toHtmlEscaped();
+    if (const QString hint = boundHint(r); !hint.isEmpty()) note += "<br>" + hint.toHtmlEscaped();
+    if (const Text* remark = remarkOn(r))
+        note += "<br>" + linkedWords(*remark, [&](const QString& other) {
+                    const auto mention = other == name ? std::nullopt : mentionOf(document_, other);
+                    return mention ? targetOf(*mention) : QString();
+                });
+    return note;
 }
 
 QVariant ParameterModel::display(const Row& row, int column) const {
@@ -265,21 +278,17 @@ QString ParameterModel::edited(const Row& row, int column) const {
 }
 
 QString ParameterModel::tooltip(const Row& row, int column) const {
-    QString tip = QString::fromStdString(row.description.empty() ? row.name : row.description);
+    QString tip = row.description.empty() ? QString::fromStdString(row.name) : libraryText(row.description);
     if (column == Result && row.estimate) {
-        if (row.estimate->atBound)
-            tip +=
-                tr("\nThe fit ran into the bound: it wants a value beyond. Widen the bound, or ask what the model "
-                   "lacks.");
-        else if (!std::isfinite(row.estimate->standardError))
-            tip += tr("\nThe data do not determine this value on its own.");
+        if (const QString hint = boundHint(row); !hint.isEmpty())
+            tip += "\n" + hint;
         else if (row.estimate->value != 0)
             tip += tr("\nRelative standard error %1 %")
                        .arg(std::abs(row.estimate->standardError / row.estimate->value) * 100, 0, 'g', 2);
         if (const auto& prior = row.estimate->prior)
             tip += tr("\n%1 standard deviations from what was known beforehand")
                        .arg(std::abs(prior->distance(row.estimate->value)), 0, 'f', 1);
-        if (const QString remark = remarkOn(row); !remark.isEmpty()) tip += "\n" + remark;
+        if (const Text* remark = remarkOn(row)) tip += "\n" + inWords(*remark);
     }
     if (column == Bounds && !bar(row).isEmpty())
         tip = tr("Where the value lies between its bounds; the broad part is its standard error");
@@ -311,7 +320,7 @@ QVariant ParameterModel::data(const QModelIndex& index, int role) const {
         case Qt::ForegroundRole: {
             const QPalette palette = QGuiApplication::palette();
             if (index.column() == Result && row.estimate &&
-                (row.estimate->atBound || !std::isfinite(row.estimate->standardError) || !remarkOn(row).isEmpty()))
+                (row.estimate->atBound || !std::isfinite(row.estimate->standardError) || remarkOn(row)))
                 return style::caution(palette);
             if (index.column() == Unit || (!isFitted && index.column() != Name)) return style::mutedText(palette);
             return {};
@@ -369,7 +378,7 @@ QVariant ParameterModel::headerData(int section, Qt::Orientation orientation, in
         case Prior:
             return tr("Prior");
         case Bounds:
-            return tr("In bounds");
+            return tr("Bounds");
         case Result:
             return tr("Result");
         default:

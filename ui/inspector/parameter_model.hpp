@@ -37,6 +37,8 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
     int rowOf(const std::string& name) const;
+    /// What a row means and what the fit says about it, as HTML with links to what is named.
+    QString noteOn(int row) const;
     /// Whether something is known beforehand of any parameter of the study.
     bool hasPriors() const;
 
@@ -64,7 +66,8 @@ private:
     std::optional<NormalPrior> shownPrior(const Row& row) const;
     QString unitText(const Row& row) const;
     QVariantList bar(const Row& row) const;
-    QString remarkOn(const Row& row) const;
+    QString boundHint(const Row& row) const;
+    const Text* remarkOn(const Row& row) const;
 
     Document& document_;
     std::vector<Row> rows_;

@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "ui/document/document.hpp"
+#include "ui/document/mention.hpp"
 #include "ui/inspector/parameter_model.hpp"
 #include "ui/inspector/prior_text.hpp"
 #include "ui/style/style.hpp"
@@ -117,7 +118,8 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
       chip_(new QToolButton(this)),
       onlyFitted_(new QToolButton(this)),
       pages_(new QStackedLayout),
-      empty_(new QLabel(this)) {
+      empty_(new QLabel(this)),
+      note_(new QLabel(this)) {
     search_->setPlaceholderText(tr("Search parameters"));
     search_->setClearButtonEnabled(true);
     chip_->setIcon(style::icon("close"));
@@ -139,21 +141,30 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
     table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                             QAbstractItemView::AnyKeyPressed);
     table_->setWordWrap(false);
-    table_->setTextElideMode(Qt::ElideMiddle);  // the end of a name tells the parameters of a block apart
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 2 * style::unit);
     table_->horizontalHeader()->setHighlightSections(false);
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->horizontalHeader()->setStretchLastSection(false);
-    table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);  // names give way, figures never
+    table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);  // what is left over
     table_->horizontalHeader()->setMinimumSectionSize(9 * style::unit);
     table_->setAccessibleName(tr("Parameters"));
     table_->setContextMenuPolicy(Qt::CustomContextMenu);
+    table_->setTabKeyNavigation(false);  // Tab leads on; the arrows lead from cell to cell
+    table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    table_->viewport()->installEventFilter(this);
 
     empty_->setAlignment(Qt::AlignCenter);
     empty_->setWordWrap(true);
     empty_->setMargin(style::margin);
     style::makeCaption(empty_);
+
+    note_->setWordWrap(true);
+    note_->setMargin(2 * style::unit);
+    note_->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard |
+                                   Qt::TextSelectableByMouse);
+    style::makeCaption(note_);
+    note_->hide();
 
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(2 * style::unit, 2 * style::unit, 2 * style::unit, 2 * style::unit);
@@ -166,6 +177,7 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
     layout->setSpacing(0);
     layout->addLayout(bar);
     layout->addLayout(pages_, 1);
+    layout->addWidget(note_);
     pages_->addWidget(table_);
     pages_->addWidget(empty_);
 
@@ -182,6 +194,10 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
     });
     connect(model_, &QAbstractItemModel::modelReset, this, &ParameterPanel::updateState);
     connect(model_, &QAbstractItemModel::dataChanged, this, &ParameterPanel::updateState);
+    connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &ParameterPanel::updateNote);
+    connect(note_, &QLabel::linkActivated, this, [this](const QString& target) {
+        if (const auto mention = mentionAt(target)) Q_EMIT mentionChosen(*mention);
+    });
     updateState();
 }
 
@@ -209,19 +225,40 @@ void ParameterPanel::showMenu(QPoint at) {
     menu->popup(table_->viewport()->mapToGlobal(at));
 }
 
-/// Names give way to figures; where even then not all figures are seen, the table scrolls and nothing gives way.
+/// Nothing is cut: names take what room is left, and where they have too little the table scrolls.
 void ParameterPanel::fitColumns() {
     QHeaderView* header = table_->horizontalHeader();
     int figures = 0;
     for (int c = 1; c < header->count(); ++c) figures += header->sectionSize(c);
     const int names = static_cast<QAbstractItemView*>(table_)->sizeHintForColumn(0);
-    const bool scrolls = table_->viewport()->width() - figures < 3 * names / 4;
+    const bool scrolls = table_->viewport()->width() - figures < names;
     header->setSectionResizeMode(0, scrolls ? QHeaderView::ResizeToContents : QHeaderView::Stretch);
 }
 
-void ParameterPanel::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    fitColumns();
+bool ParameterPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize) fitColumns();  // also when a scroll bar takes its room
+    return QWidget::eventFilter(watched, event);
+}
+
+void ParameterPanel::pointAt(const QString& name) {
+    if (model_->rowOf(name.toStdString()) < 0) {
+        search_->clear();
+        onlyFitted_->setChecked(false);
+        showComponent({});
+    }
+    const int row = model_->rowOf(name.toStdString());
+    if (row < 0) return;
+    table_->setCurrentIndex(model_->index(row, ParameterModel::Value));
+    table_->scrollTo(table_->currentIndex());
+    table_->setFocus();
+}
+
+/// Description, bound and correlations of the marked parameter, without waiting for the pointer to rest on it.
+void ParameterPanel::updateNote() {
+    const QModelIndex current = table_->currentIndex();
+    const QString html = current.isValid() ? model_->noteOn(current.row()) : QString();
+    note_->setText(html);
+    note_->setVisible(!html.isEmpty() && pages_->currentWidget() == table_);
 }
 
 void ParameterPanel::updateState() {
@@ -230,8 +267,10 @@ void ParameterPanel::updateState() {
     table_->setColumnHidden(ParameterModel::Prior, !wantsPriors_ && !model_->hasPriors());
     if (model_->rowCount() > 0) {
         fitColumns();
-        return pages_->setCurrentWidget(table_);
+        pages_->setCurrentWidget(table_);
+        return updateNote();
     }
+    note_->hide();
     if (!document_.isOpen())
         empty_->setText(tr("The parameters of the open study appear here."));
     else if (document_.definition() && document_.diagram().blocks.empty())

@@ -12,6 +12,7 @@ namespace analogon::ui {
 
 class Document;
 class ParameterModel;
+struct Mention;
 
 /// Table of parameters with a search field; follows the block that is selected in the diagram.
 class ParameterPanel : public QWidget {
@@ -21,15 +22,20 @@ public:
     explicit ParameterPanel(Document& document, QWidget* parent = nullptr);
 
     void showComponent(const QString& component);
+    /// Marks a parameter, whatever search or filter was hiding it.
+    void pointAt(const QString& name);
+    /// What is to be known of the marked one.
+    QLabel* note() const { return note_; }
     QTableView* table() const { return table_; }
     ParameterModel* model() const { return model_; }
 
 protected:
-    void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void updateState();
     void fitColumns();
+    void updateNote();
     void showMenu(QPoint at);
 
     Document& document_;
@@ -39,12 +45,14 @@ private:
     QToolButton* chip_;  // the selected component; a click shows all again
     QToolButton* onlyFitted_;
     QStackedLayout* pages_;
-    QLabel* empty_;
+    QLabel *empty_, *note_;
     QString component_;
     bool wantsPriors_{};  // asked for, though no parameter has one yet
 
 Q_SIGNALS:
     void componentCleared();
+    /// Something that the note speaks of.
+    void mentionChosen(const analogon::ui::Mention& mention);
 };
 
 }  // namespace analogon::ui

@@ -6,10 +6,17 @@
 #include <QListWidget>
 #include <QPainter>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {
+
+namespace {
+
+int widthIn(const QSize& room) { return std::min(520, room.width() - 2 * style::margin); }
+
+}  // namespace
 
 Chooser::Chooser(QWidget* parent)
     : QFrame(parent), title_(new QLabel(this)), field_(new QLineEdit(this)), list_(new QListWidget(this)) {
@@ -20,6 +27,7 @@ Chooser::Chooser(QWidget* parent)
     list_->setIconSize({24, 24});
     list_->setFocusPolicy(Qt::NoFocus);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list_->setWordWrap(true);
     field_->setClearButtonEnabled(true);
     field_->installEventFilter(this);
     auto* layout = new QVBoxLayout(this);
@@ -42,9 +50,23 @@ void Chooser::paintEvent(QPaintEvent*) {
 
 void Chooser::place() {
     const QSize room = parentWidget()->size();
-    const int width = std::min(420, room.width() - 2 * style::margin);
-    const int height = isAsking_ ? sizeHint().height() : std::min(360, room.height() - 2 * style::margin);
-    setGeometry((room.width() - width) / 2, std::max(0, (room.height() - height) / 3), width, height);
+    const bool isInPlace = !inPlaceOf_.isEmpty();
+    const int around = isInPlace ? style::unit : style::margin;
+    layout()->setContentsMargins(around, around, around, around);
+    title_->setVisible(!isInPlace);
+    field_->setToolTip(isInPlace ? title_->text() : QString());
+    if (isInPlace) {
+        const QSize size(std::max(140, inPlaceOf_.width() + 16 * style::unit), sizeHint().height());
+        const QRect inside(QPoint(), room - size);
+        const QPoint corner = inPlaceOf_.center() - QPoint(size.width() / 2, size.height() / 2);
+        setGeometry({QPoint(std::clamp(corner.x(), 0, std::max(0, inside.width())),
+                            std::clamp(corner.y(), 0, std::max(0, inside.height()))),
+                     size});
+    } else {
+        const int width = widthIn(room);
+        const int height = isAsking_ ? sizeHint().height() : std::min(400, room.height() - 2 * style::margin);
+        setGeometry((room.width() - width) / 2, std::max(0, (room.height() - height) / 3), width, height);
+    }
     show();
     raise();
     field_->setFocus(Qt::PopupFocusReason);
@@ -53,6 +75,7 @@ void Chooser::place() {
 void Chooser::choose(const QString& title, std::vector<Choice> choices, const QString& typed,
                      std::function<void(const QString&)> chosen) {
     isAsking_ = false;
+    inPlaceOf_ = {};
     title_->setText(title);
     choices_ = std::move(choices);
     chosen_ = std::move(chosen);
@@ -64,6 +87,17 @@ void Chooser::choose(const QString& title, std::vector<Choice> choices, const QS
 }
 
 void Chooser::ask(const QString& title, const QString& text, std::function<void(const QString&)> entered) {
+    inPlaceOf_ = {};
+    prepareAsking(title, text, std::move(entered));
+}
+
+void Chooser::askInPlace(const QRect& place, const QString& title, const QString& text,
+                         std::function<void(const QString&)> entered) {
+    inPlaceOf_ = place;
+    prepareAsking(title, text, std::move(entered));
+}
+
+void Chooser::prepareAsking(const QString& title, const QString& text, std::function<void(const QString&)> entered) {
     isAsking_ = true;
     title_->setText(title);
     choices_.clear();
@@ -77,6 +111,8 @@ void Chooser::ask(const QString& title, const QString& text, std::function<void(
 void Chooser::filter() {
     if (isAsking_) return;
     list_->clear();
+    const int textWidth = widthIn(parentWidget()->size()) - 2 * style::margin - list_->iconSize().width() -
+                          style()->pixelMetric(QStyle::PM_ScrollBarExtent) - 6 * style::unit;
     const QStringList words = field_->text().split(' ', Qt::SkipEmptyParts);
     // Names that begin with what was typed first, then names that hold it, then descriptions.
     for (int rank = 0; rank < 3; ++rank)
@@ -93,7 +129,9 @@ void Chooser::filter() {
             auto* item = new QListWidgetItem(choice.icon, text, list_);
             item->setData(Qt::UserRole, choice.key);
             item->setToolTip(choice.detail);
-            item->setSizeHint({10, std::max(30, fontMetrics().height() + 2 * style::unit)});  // as wide as the list
+            // As wide as the list, as high as the text needs there.
+            const QRect needed = list_->fontMetrics().boundingRect(QRect(0, 0, textWidth, 400), Qt::TextWordWrap, text);
+            item->setSizeHint({10, std::max(30, needed.height() + 2 * style::unit)});
         }
     list_->setCurrentRow(0);
 }

@@ -30,6 +30,9 @@ public:
                 std::function<void(const QString&)> chosen);
     /// Asks for a text, starting from one.
     void ask(const QString& title, const QString& text, std::function<void(const QString&)> entered);
+    /// The same where the text stands: in place of it, in the parent's pixels.
+    void askInPlace(const QRect& place, const QString& title, const QString& text,
+                    std::function<void(const QString&)> entered);
     QLineEdit* field() const { return field_; }
     QListWidget* list() const { return list_; }
 
@@ -42,6 +45,7 @@ private:
     void take();
     void leave();
     void place();
+    void prepareAsking(const QString& title, const QString& text, std::function<void(const QString&)> entered);
 
     QLabel* title_;
     QLineEdit* field_;
@@ -49,6 +53,7 @@ private:
     std::vector<Choice> choices_;
     std::function<void(const QString&)> chosen_;
     bool isAsking_{};
+    QRect inPlaceOf_;  // empty: in the middle
 };
 
 }  // namespace analogon::ui

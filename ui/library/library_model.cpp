@@ -1,7 +1,6 @@
 #include "ui/library/library_model.hpp"
 
 #include <QApplication>
-#include <QCoreApplication>
 #include <QPainter>
 #include <QPalette>
 #include <functional>
@@ -9,6 +8,7 @@
 #include "core/diagram/diagram.hpp"
 #include "ui/canvas/icon_painter.hpp"
 #include "ui/style/style.hpp"
+#include "ui/words/words.hpp"
 
 namespace analogon::ui {
 
@@ -19,10 +19,6 @@ struct LibraryModel::Node {
     int row{};
     std::vector<std::unique_ptr<Node>> children;
 };
-
-QString libraryText(const std::string& description) {
-    return QCoreApplication::translate("Library", description.c_str());
-}
 
 bool isPlaceable(const LibraryClass& cls) {
     using Restriction = syntax::ClassDefinition::Restriction;

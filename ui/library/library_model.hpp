@@ -47,9 +47,6 @@ QPixmap classPixmap(const Library& library, const std::string& className, int si
 /// The same as an icon that keeps its colours when its row is selected.
 QIcon classIcon(const Library& library, const std::string& className, int size, double ratio);
 
-/// What the library says of a class, in the language of the screen.
-QString libraryText(const std::string& description);
-
 /// Whether a class can stand in a diagram: a model, a block or a connector that is not partial.
 bool isPlaceable(const LibraryClass& cls);
 

@@ -12,6 +12,7 @@
 #include "ui/document/document.hpp"
 #include "ui/library/library_model.hpp"
 #include "ui/style/style.hpp"
+#include "ui/words/words.hpp"
 
 namespace analogon::ui {
 
@@ -39,6 +40,7 @@ LibraryPanel::LibraryPanel(Document& document, QWidget* parent)
     tree_->viewport()->installEventFilter(this);
     tree_->installEventFilter(this);
     text_->setFrameShape(QFrame::NoFrame);
+    text_->document()->setDefaultStyleSheet("pre { white-space: pre-wrap; }");  // formulas, too, in a narrow panel
     text_->setOpenLinks(false);
     text_->setAccessibleName(tr("Documentation"));
     text_->document()->setDocumentMargin(style::margin);
@@ -109,7 +111,7 @@ QString LibraryPanel::documentation(const QString& className) const {
                 if (m.name.text() == "info" && m.value) {
                     QString info = QString::fromStdString(m.value->text);
                     info.remove("<html>").remove("</html>");
-                    text += info;
+                    text += libraryDocumentation(info);
                 }
     return text;
 }
@@ -144,8 +146,8 @@ bool LibraryPanel::eventFilter(QObject* watched, QEvent* event) {
         }
         return false;
     }
-    if (watched != tree_->viewport()) return QWidget::eventFilter(watched, event);
-    auto* mouse = static_cast<QMouseEvent*>(event);
+    const auto* mouse = dynamic_cast<QMouseEvent*>(event);
+    if (watched != tree_->viewport() || !mouse) return QWidget::eventFilter(watched, event);
     switch (event->type()) {
         case QEvent::MouseButtonPress:
             if (mouse->button() == Qt::LeftButton) {

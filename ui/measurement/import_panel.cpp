@@ -82,6 +82,7 @@ ImportPanel::ImportPanel(Document& document, QWidget* parent)
     role_->addItem(tr("fit"), static_cast<int>(Role::Fit));
     role_->addItem(tr("validate"), static_cast<int>(Role::Validate));
     view_->setModel(model_);
+    view_->setTabKeyNavigation(false);  // else Tab never leaves a long table
     view_->setFrameShape(QFrame::NoFrame);
     view_->setAlternatingRowColors(true);
     view_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + style::unit);

@@ -495,8 +495,8 @@ bool MeasurementPanel::eventFilter(QObject* watched, QEvent* event) {
         }
         return false;
     }
-    if (watched != tree_->viewport()) return QWidget::eventFilter(watched, event);
-    auto* mouse = static_cast<QMouseEvent*>(event);
+    const auto* mouse = dynamic_cast<QMouseEvent*>(event);
+    if (watched != tree_->viewport() || !mouse) return QWidget::eventFilter(watched, event);
     const auto target = [&]() -> QTreeWidgetItem* {
         QTreeWidgetItem* item = tree_->itemAt(mouse->pos());
         if (!item || item->data(0, signalRole).isNull()) return nullptr;

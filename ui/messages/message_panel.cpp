@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "ui/document/document.hpp"
+#include "ui/document/mention.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
 
@@ -38,8 +39,10 @@ QString placeText(const Place& place) {
 
 MessagePanel::MessagePanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document), list_(new QListWidget(this)), pages_(new QStackedLayout(this)) {
-    auto* empty = new QLabel(tr("No messages."), this);
+    auto* empty =
+        new QLabel(tr("No messages. What is wrong or worth knowing is listed here; a click leads to the place."), this);
     empty->setAlignment(Qt::AlignCenter);
+    empty->setWordWrap(true);
     style::makeCaption(empty);
     list_->setFrameShape(QFrame::NoFrame);
     list_->setWordWrap(true);
@@ -51,7 +54,10 @@ MessagePanel::MessagePanel(Document& document, QWidget* parent)
     connect(&document, &Document::messagesChanged, this, &MessagePanel::refresh);
     const auto choose = [this](QListWidgetItem* item) {
         const auto row = item->data(Qt::UserRole).toUInt();
-        if (row < document_.messages().size()) Q_EMIT placeChosen(document_.messages()[row].diagnostic.place);
+        if (row >= document_.messages().size()) return;
+        const Diagnostic& d = document_.messages()[row].diagnostic;
+        if (d.place.line > 0) return Q_EMIT placeChosen(d.place);
+        if (const auto mention = mentionIn(document_, d.message)) Q_EMIT mentionChosen(*mention);
     };
     connect(list_, &QListWidget::itemClicked, this, choose);
     connect(list_, &QListWidget::itemActivated, this, choose);
@@ -76,6 +82,8 @@ void MessagePanel::refresh() {
         }
         if (d.place.line > 0)
             item->setToolTip(QString::fromStdString(d.place.file) + "\n" + tr("Click to see the place"));
+        else if (const auto mention = mentionIn(document_, d.message))
+            item->setToolTip(tr("Click to see %1").arg(mention->name));
     }
     const int count = list_->count();
     pages_->setCurrentIndex(count > 0 ? 1 : 0);

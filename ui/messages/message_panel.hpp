@@ -13,6 +13,7 @@ struct Place;
 namespace analogon::ui {
 
 class Document;
+struct Mention;
 
 /// What is wrong or worth knowing. A click leads to the place.
 class MessagePanel : public QWidget {
@@ -24,6 +25,8 @@ public:
 
 Q_SIGNALS:
     void placeChosen(const analogon::Place& place);
+    /// Of a message without a place in a file: what it speaks of.
+    void mentionChosen(const analogon::ui::Mention& mention);
     void countChanged(int errors, int others);
 
 private:

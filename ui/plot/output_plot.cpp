@@ -116,6 +116,16 @@ QString OutputPlot::legendText(TraceRole role) const {
     return {};
 }
 
+namespace {
+
+std::vector<double> differences(const std::vector<double>& measured, const std::vector<double>& simulated) {
+    std::vector<double> left(measured.size());
+    for (std::size_t i = 0; i < left.size(); ++i) left[i] = measured[i] - simulated[i];
+    return left;
+}
+
+}  // namespace
+
 void OutputPlot::show(Content content) {
     content_ = std::move(content);
     name_->setText(content_.unit.isEmpty() ? content_.name : content_.name + "  [" + content_.unit + "]");
@@ -125,12 +135,10 @@ void OutputPlot::show(Content content) {
 
     std::vector<Trace> values{{TraceRole::Measured, content_.measured}};
     std::vector<Trace> residuals;
-    const auto add = [&](TraceRole role, const std::vector<double>& simulated) {
+    const auto add = [&](TraceRole role, const Series& simulated) {
         if (simulated.empty() || simulated.size() != content_.measured.size()) return;
         values.push_back({role, simulated});
-        std::vector<double> residual(simulated.size());
-        for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = content_.measured[i] - simulated[i];
-        residuals.push_back({role, std::move(residual)});
+        residuals.push_back({role, differences(content_.measured, simulated)});
     };
     add(TraceRole::Before, content_.before);
     add(TraceRole::After, content_.after);
@@ -138,20 +146,22 @@ void OutputPlot::show(Content content) {
     residual_->setTraces(content_.time, std::move(residuals));
 }
 
-void OutputPlot::showAfter(const std::vector<double>& values, const QString& label) {
+void OutputPlot::showAfter(const Series& values, const QString& label) {
     if (values.size() != content_.measured.size()) return;
     content_.after = values;
     content_.afterLabel = label;
     setLegend(TraceRole::After, label);
-    std::vector<double> residual(values.size());
-    for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = content_.measured[i] - values[i];
     values_->setTrace({TraceRole::After, values});
-    residual_->setTrace({TraceRole::After, std::move(residual)});
+    residual_->setTrace({TraceRole::After, differences(content_.measured, values)});
 }
 
 void OutputPlot::setTimeRange(double from, double to) {
     values_->setTimeRange(from, to);
     residual_->setTimeRange(from, to);
+}
+
+void OutputPlot::showAllValues() {
+    for (TimePlot* plot : {values_, residual_}) plot->showAllValues();
 }
 
 void OutputPlot::setMarks(const std::vector<double>& times) {

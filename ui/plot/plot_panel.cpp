@@ -126,7 +126,7 @@ void PlotPanel::resizeEvent(QResizeEvent* event) {
 
 /// Where tabs and buttons have no room side by side, the buttons stand below.
 void PlotPanel::arrangeBar() {
-    const bool fits = experiments_->minimumSizeHint().width() + buttons_->minimumSize().width() + 20 <= width();
+    const bool fits = experiments_->sizeHint().width() + buttons_->minimumSize().width() + 20 <= width();
     bar_->setDirection(fits ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
 
@@ -220,13 +220,13 @@ void PlotPanel::rebuild() {
             content.after = toVector(o->simulated);
             content.afterLabel = tr("after") + " " + percent(o->figures.errorPercent);
         }
-        const std::vector<double>& best = content.after.empty() ? content.before : content.after;
+        const Series best = content.after.empty() ? content.before : content.after;
         residuals_[i]->show(content.unit.isEmpty() ? content.name : content.name + "  [" + content.unit + "]",
                             [study = document_.study(), name, time, measured = content.measured, best] {
                                 std::vector<double> residual(best.size());
                                 for (std::size_t k = 0; k < best.size(); ++k) residual[k] = measured[k] - best[k];
                                 std::vector<NamedSeries> against = variablesOf(study, name, *time);
-                                against.insert(against.begin(), {tr("simulated"), best});
+                                against.insert(against.begin(), {tr("simulated"), best.values()});
                                 return residualFacts(residual, against);
                             });
         plots_[i]->show(std::move(content));
@@ -237,7 +237,10 @@ void PlotPanel::rebuild() {
     if (shown_ != key) {
         shown_ = key;
         marks_.clear();
-        for (OutputPlot* plot : plots_) plot->setMarks(marks_);
+        for (OutputPlot* plot : plots_) {
+            plot->setMarks(marks_);
+            plot->showAllValues();
+        }
         from_ = first_;
         to_ = last_;
     }
@@ -271,7 +274,10 @@ void PlotPanel::setTimeRange(double from, double to) {
     for (OutputPlot* plot : plots_) plot->setTimeRange(from_, to_);
 }
 
-void PlotPanel::showAll() { setTimeRange(first_, last_); }
+void PlotPanel::showAll() {
+    for (OutputPlot* plot : plots_) plot->showAllValues();
+    setTimeRange(first_, last_);
+}
 
 void PlotPanel::pointAt(double time) {
     for (OutputPlot* plot : plots_) plot->pointAt(time);

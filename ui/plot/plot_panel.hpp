@@ -100,14 +100,15 @@ public:
     struct Content {
         QString name, unit;
         std::shared_ptr<const std::vector<double>> time;
-        std::vector<double> measured;
-        std::vector<double> before, after;  // empty: none
-        QString beforeLabel, afterLabel;    // with the error: "before 8.6 %"
+        Series measured;
+        Series before, after;             // empty: none
+        QString beforeLabel, afterLabel;  // with the error: "before 8.6 %"
     };
     void show(Content content);
     /// Another simulated trace in place of the one after.
-    void showAfter(const std::vector<double>& values, const QString& label);
+    void showAfter(const Series& values, const QString& label);
     void setTimeRange(double from, double to);
+    void showAllValues();
     void pointAt(std::optional<double> time);
     void setMarks(const std::vector<double>& times);
     const Content& content() const { return content_; }

@@ -115,7 +115,21 @@ bool TimePlot::isHidden(TraceRole role) const {
     return std::find(hidden_.begin(), hidden_.end(), role) != hidden_.end();
 }
 
+void TimePlot::showAllValues() {
+    isCloseUp_ = false;
+    fitValues();
+}
+
+void TimePlot::setValueRange(double low, double high) {
+    if (!(high - low > 1e-12 * std::max(std::abs(low), std::abs(high)))) return;
+    low_ = low;
+    high_ = high;
+    isCloseUp_ = true;
+    redraw();
+}
+
 void TimePlot::fitValues() {
+    if (isCloseUp_) return redraw();
     ValueRange range;
     for (std::size_t i = 0; i < traces_.size(); ++i)
         if (!isHidden(traces_[i].role)) range.add(extents_[i].whole());
@@ -170,6 +184,17 @@ double TimePlot::yAt(double value) const {
     return area.bottom() - (value - low_) / (high_ - low_) * area.height();
 }
 
+double TimePlot::valueAt(double y) const {
+    const QRectF area = this->area();
+    return low_ + (area.bottom() - y) / area.height() * (high_ - low_);
+}
+
+/// Else only times are chosen.
+bool TimePlot::isBox() const {
+    constexpr double flat = 12;  // [px]
+    return bandFrom_ && !isTrimming_ && std::abs(bandBottom_ - bandTop_) > flat;
+}
+
 void TimePlot::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     if (painter.paintEngine()->type() != QPaintEngine::Raster) {
@@ -203,7 +228,9 @@ void TimePlot::paintEvent(QPaintEvent*) {
         painter.setPen(QPen(tint, 1));
         tint.setAlphaF(0.12f);
         painter.setBrush(tint);
-        painter.drawRect(QRectF(QPointF(*bandFrom_, area.top()), QPointF(bandTo_, area.bottom())).normalized());
+        painter.drawRect(QRectF(QPointF(*bandFrom_, isBox() ? bandTop_ : area.top()),
+                                QPointF(bandTo_, isBox() ? bandBottom_ : area.bottom()))
+                             .normalized());
     }
 }
 
@@ -330,7 +357,10 @@ void TimePlot::changeEvent(QEvent* event) {
 
 void TimePlot::wheelEvent(QWheelEvent* event) {
     if (event->modifiers() & Qt::ShiftModifier) return event->ignore();  // scrolls the list of plots
-    zoom(timeAt(event->position().x()), std::pow(0.9985, event->angleDelta().y()));
+    const double factor = std::pow(0.9985, event->angleDelta().y());
+    if (!(event->modifiers() & Qt::ControlModifier)) return zoom(timeAt(event->position().x()), factor);
+    const double about = valueAt(event->position().y());
+    setValueRange(about - (about - low_) * factor, about + (high_ - about) * factor);
 }
 
 void TimePlot::zoom(double about, double factor) {
@@ -379,12 +409,14 @@ void TimePlot::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return;
     const double x = event->position().x();
     const QRectF area = this->area();
-    if (isTrimming_ || event->modifiers() & Qt::ShiftModifier)
+    if (isTrimming_ || event->modifiers() & Qt::ShiftModifier) {
         bandFrom_ = bandTo_ = std::clamp(x, area.left(), area.right());
-    else if (event->modifiers() & Qt::ControlModifier)
+        bandTop_ = bandBottom_ = std::clamp(event->position().y(), area.top(), area.bottom());
+    } else if (event->modifiers() & Qt::ControlModifier) {
         Q_EMIT markWanted(timeAt(x));
-    else
+    } else {
         dragFrom_ = x;
+    }
 }
 
 void TimePlot::mouseMoveEvent(QMouseEvent* event) {
@@ -392,6 +424,7 @@ void TimePlot::mouseMoveEvent(QMouseEvent* event) {
     const QRectF area = this->area();
     if (bandFrom_) {
         bandTo_ = std::clamp(x, area.left(), area.right());
+        bandBottom_ = std::clamp(event->position().y(), area.top(), area.bottom());
         update();
     }
     if (dragFrom_) {
@@ -407,6 +440,8 @@ void TimePlot::mouseReleaseEvent(QMouseEvent*) {
     const bool isChosen = bandFrom_ && std::abs(bandTo_ - *bandFrom_) > worthIt;
     const double from = isChosen ? timeAt(std::min(*bandFrom_, bandTo_)) : 0;
     const double to = isChosen ? timeAt(std::max(*bandFrom_, bandTo_)) : 0;
+    if (isChosen && isBox())
+        setValueRange(valueAt(std::max(bandTop_, bandBottom_)), valueAt(std::min(bandTop_, bandBottom_)));
     dragFrom_.reset();
     bandFrom_.reset();
     update();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ui/plot/decimate.hpp"
+#include "ui/plot/series.hpp"
 
 namespace analogon::ui {
 
@@ -14,17 +15,17 @@ enum class TraceRole { Measured, Before, After };
 
 struct Trace {
     TraceRole role{TraceRole::Measured};
-    std::vector<double> values;  // one per time stamp; NaN: none
+    Series values;  // one per time stamp; NaN: none
 };
 
 QColor traceColour(TraceRole role, const QPalette& palette);
 
 /// One axis area over time. A trace is drawn from what it covers in each column of pixels, so that a million samples
 /// cost no more than a thousand; grid and traces are kept as a picture while only the pointer moves.
-/// Wheel zooms the time axis about the pointer, dragging moves it, Shift and dragging zooms into what is passed over, a
-/// double click shows all, Ctrl and a click sets a mark. With the keys: arrows move the pointer, with Ctrl the axis, +
-/// and
-/// - zoom, Enter sets a mark, Home shows all. Range and marks are the owner's, who links several plots.
+/// Wheel zooms the time axis about the pointer, with Ctrl the axis of the values; dragging moves the time axis, Shift
+/// and dragging zooms into the box that is drawn (into its time alone where it is flat), a double click shows all, Ctrl
+/// and a click sets a mark. With the keys: arrows move the pointer, with Ctrl the axis, + and - zoom, Enter sets a
+/// mark, Home shows all. Times and marks are the owner's, who links several plots; the values shown are the plot's own.
 class TimePlot : public QWidget {
     Q_OBJECT
 
@@ -36,6 +37,9 @@ public:
     void setTrace(Trace trace);
     void setVisible(TraceRole role, bool isVisible);
     void setTimeRange(double from, double to);
+    /// The values shown; as all traces need it until the user has zoomed into a part.
+    std::pair<double, double> valueRange() const { return {low_, high_}; }
+    void showAllValues();
     void setTimeLabels(bool isShown);
     /// Zero in the middle, as a residual is looked at.
     void setSymmetric(bool isSymmetric);
@@ -83,6 +87,8 @@ private:
     double timeAt(double x) const;
     double xAt(double time) const;
     double yAt(double value) const;
+    double valueAt(double y) const;
+    void setValueRange(double low, double high);
 
     std::shared_ptr<const std::vector<double>> time_;
     std::vector<Trace> traces_;
@@ -91,12 +97,14 @@ private:
     QString caption_;
     double from_{0}, to_{1};   // [s] shown
     double low_{0}, high_{1};  // values shown
+    bool isCloseUp_{};         // they were chosen, and stay when traces change
     bool isSymmetric_{}, hasTimeLabels_{true}, isTrimming_{};
-    QPixmap ground_;                             // grid and traces; null: to be drawn anew
-    std::optional<double> cursor_;               // [s]
-    std::optional<double> dragFrom_, bandFrom_;  // [px]
-    double bandTo_{};                            // [px]
-    std::vector<double> marks_;                  // [s]
+    QPixmap ground_;                              // grid and traces; null: to be drawn anew
+    std::optional<double> cursor_;                // [s]
+    std::optional<double> dragFrom_, bandFrom_;   // [px]
+    double bandTo_{}, bandTop_{}, bandBottom_{};  // [px] top: where it was begun
+    bool isBox() const;
+    std::vector<double> marks_;  // [s]
 };
 
 }  // namespace analogon::ui

@@ -3,6 +3,7 @@
 #include <QAbstractItemView>
 #include <QFile>
 #include <QGuiApplication>
+#include <QHeaderView>
 #include <QIconEngine>
 #include <QLabel>
 #include <QPainter>
@@ -10,7 +11,9 @@
 #include <QProxyStyle>
 #include <QStyleFactory>
 #include <QStyleOption>
+#include <QStyledItemDelegate>
 #include <QSvgRenderer>
+#include <QTreeView>
 #include <QVBoxLayout>
 #include <QWidget>
 #include <algorithm>
@@ -103,6 +106,14 @@ public:
             default:
                 return QProxyStyle::pixelMetric(metric, option, widget);
         }
+    }
+
+    /// Air between the frame of a field and its text.
+    QRect subElementRect(SubElement element, const QStyleOption* option, const QWidget* widget) const override {
+        const QRect rect = QProxyStyle::subElementRect(element, option, widget);
+        const auto* frame = qstyleoption_cast<const QStyleOptionFrame*>(option);
+        if (element != SE_LineEditContents || !frame || frame->lineWidth <= 0) return rect;
+        return rect.adjusted(unit - 1, 0, 1 - unit, 0);
     }
 
     QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
@@ -442,6 +453,42 @@ void showWhenEmpty(QAbstractItemView* list, const QString& advice) {
     QObject::connect(list->model(), &QAbstractItemModel::rowsRemoved, label, update);
     QObject::connect(list->model(), &QAbstractItemModel::modelReset, label, update);
     update();
+}
+
+namespace {
+
+class WrappingDelegate : public QStyledItemDelegate {
+public:
+    explicit WrappingDelegate(QTreeView* view) : QStyledItemDelegate(view), view_(view) {}
+
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        QStyleOptionViewItem narrow = option;  // views ask without a width
+        narrow.rect = QRect(0, 0, view_->columnWidth(index.column()), option.fontMetrics.height());
+        const int height = QStyledItemDelegate::sizeHint(narrow, index).height();
+        const bool isOneLine = height < 2 * option.fontMetrics.height();
+        return {0, isOneLine ? height : height + 2 * unit};  // air between rows, as those of one line have it
+    }
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->features |= QStyleOptionViewItem::WrapText;
+    }
+
+private:
+    QTreeView* view_;
+};
+
+}  // namespace
+
+void wrapColumn(QTreeView* view, int column) {
+    auto* delegate = new WrappingDelegate(view);
+    view->setUniformRowHeights(false);
+    view->setItemDelegateForColumn(column, delegate);
+    QObject::connect(view->header(), &QHeaderView::sectionResized, delegate, [delegate, view, column](int section) {
+        if (section == column && view->model()->rowCount() > 0)
+            Q_EMIT delegate->sizeHintChanged(view->model()->index(0, column));  // lays all rows out anew
+    });
 }
 
 void makeCaption(QWidget* label) {

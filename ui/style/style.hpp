@@ -7,6 +7,7 @@
 
 class QAbstractItemView;
 class QApplication;
+class QTreeView;
 class QWidget;
 
 /// Colours, spacing and icons, all taken from the palette, so that the dark theme is free.
@@ -49,6 +50,9 @@ QString countText(qulonglong count);
 
 /// What to do next, in the middle of a list while nothing is in it.
 void showWhenEmpty(QAbstractItemView* list, const QString& advice);
+
+/// Texts of this column break into lines where the column is too narrow, and its rows are as high as they need.
+void wrapColumn(QTreeView* view, int column);
 
 /// Secondary text: smaller and muted.
 void makeCaption(QWidget* label);

@@ -17,6 +17,7 @@
 #include "ui/library/library_panel.hpp"
 #include "ui/route/route.hpp"
 #include "ui/style/style.hpp"
+#include "ui/words/words.hpp"
 
 namespace analogon::ui {
 
@@ -90,6 +91,10 @@ void ComposeActions::connectGestures() {
             document_.enter(block.toStdString());
         else
             Q_EMIT inspectWanted(block);
+    });
+    connect(&view_, &DiagramView::renameWanted, this, [this](const QString& block) {
+        scene_.select(block.toStdString());
+        rename();
     });
     connect(&view_, &DiagramView::menuWanted, this, [this](QPoint at) {
         auto* menu = new QMenu(&view_);
@@ -271,11 +276,13 @@ void ComposeActions::flipVertically() { report(composer_->flip(blocks(), false))
 void ComposeActions::rename() {
     const QString block = scene_.selectedBlock();
     if (block.isEmpty()) return;
-    chooser_->ask(tr("New name of %1").arg(block), block, [this, block](const QString& name) {
+    const auto take = [this, block](const QString& name) {
+        if (name == block) return;
         const bool isDone = composer_->rename(block.toStdString(), name.toStdString());
         report(isDone);
         if (isDone) scene_.select(name.toStdString());
-    });
+    };
+    chooser_->askInPlace(view_.nameRect(block.toStdString()), tr("New name of %1").arg(block), block, take);
 }
 
 void ComposeActions::renameModel() {

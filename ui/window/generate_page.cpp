@@ -60,6 +60,7 @@ GeneratePage::GeneratePage(QWidget* parent)
     };
     known_->setIconSize({32, 32});
     known_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    for (QListWidget* list : {known_, chain_}) list->setWordWrap(true);
     chain_->setIconSize({32, 32});
     chain_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     chain_->setDragDropMode(QAbstractItemView::InternalMove);
@@ -146,7 +147,9 @@ void GeneratePage::clear() {
             auto* item = new QListWidgetItem(classIcon(*library, cls, 32, devicePixelRatioF()), text, known_);
             item->setData(Qt::UserRole, QString::fromStdString(domain));
             item->setToolTip(text);
-            item->setSizeHint({10, 2 * fontMetrics().height() + 2 * style::unit});
+            constexpr int textWidth = 320;  // [px] of the narrowest window that shows both lists
+            const QRect needed = fontMetrics().boundingRect(QRect(0, 0, textWidth, 400), Qt::TextWordWrap, text);
+            item->setSizeHint({10, needed.height() + 2 * style::unit});
         }
     known_->setCurrentRow(0);
     update();

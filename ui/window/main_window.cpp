@@ -17,6 +17,7 @@
 #include "ui/canvas/diagram_scene.hpp"
 #include "ui/canvas/diagram_view.hpp"
 #include "ui/document/document.hpp"
+#include "ui/document/mention.hpp"
 #include "ui/document/recovery.hpp"
 #include "ui/effect/result_panel.hpp"
 #include "ui/fit/fit_panel.hpp"
@@ -187,6 +188,7 @@ void MainWindow::createActions() {
     generateAction_ = make(tr("Generate from measurement …"), {}, Qt::CTRL | Qt::Key_G,
                            tr("Compose a first model from the domains of a component and a recording"));
     openAction_ = make(tr("Open …"), "open", QKeySequence::Open, tr("Open a study file"));
+    openAction_->setObjectName("open");
     openFileAction_ = make(tr("Open directory …"), {}, Qt::CTRL | Qt::SHIFT | Qt::Key_O,
                            tr("Open a study that is a directory with study.json"));
     saveAction_ = make(tr("Save"), "save", QKeySequence::Save, tr("Save the study"));
@@ -218,6 +220,8 @@ void MainWindow::createActions() {
     undoAction_->setShortcut(QKeySequence::Undo);
     redoAction_ = document_->undoStack().createRedoAction(this, tr("Redo"));
     redoAction_->setIcon(style::icon("redo"));
+    undoAction_->setObjectName("undo");
+    redoAction_->setObjectName("redo");
     redoAction_->setShortcuts({Qt::CTRL | Qt::SHIFT | Qt::Key_Z, Qt::CTRL | Qt::Key_Y});
     fitAction_ = make(tr("Fit"), "fit", Qt::Key_F5, tr("Estimate the checked parameters"));
     fitAction_->setObjectName("fit");
@@ -447,11 +451,10 @@ void MainWindow::connectPanels() {
             [this](const QString& block) { parameters_->showComponent(wholeName(block)); });
     connect(parameters_, &ParameterPanel::componentCleared, scene_, &QGraphicsScene::clearSelection);
     connect(results_, &ResultPanel::effectChosen, this, [this](const QString& instance) {
-        centre_->setCurrentWidget(view_);
-        document_->leaveTo(0);
-        scene_->select(instance.toStdString());
-        scene_->pointOut(scene_->block(instance.toStdString()) ? std::string() : instance.toStdString());
+        showMention({Mention::Kind::Block, instance});
     });
+    connect(results_, &ResultPanel::mentionChosen, this, &MainWindow::showMention);
+    connect(parameters_, &ParameterPanel::mentionChosen, this, &MainWindow::showMention);
     connect(results_, &ResultPanel::trialWanted, this, [this](const QString& kind) {
         if (document_->canRun()) controller_->tryKind(kind.toStdString());
     });
@@ -460,6 +463,7 @@ void MainWindow::connectPanels() {
     connect(results_, &ResultPanel::effectLookedAt, controller_, &RunController::lookAtEffect);
     connect(results_, &ResultPanel::effectLeft, controller_, &RunController::leaveEffect);
     connect(messages_, &MessagePanel::placeChosen, this, &MainWindow::showPlace);
+    connect(messages_, &MessagePanel::mentionChosen, this, &MainWindow::showMention);
     connect(messages_, &MessagePanel::countChanged, this, [this](int errors, int others) {
         const int count = errors + others;
         const QString title = count > 0 ? tr("Messages (%1)").arg(count) : tr("Messages");
@@ -532,7 +536,7 @@ void MainWindow::resetLayout() {
 /// Sizes only hold for docks that are shown, so they wait for the first study.
 void MainWindow::sizeDocks() {
     const int left = std::max(isCompact_ ? 0 : 264, measurements_->minimumSizeHint().width());
-    const int right = isCompact_ ? width() - left - 380 : std::clamp(width() - left - 600, 360, 640);
+    const int right = isCompact_ ? width() - left - 380 : std::clamp(width() - left - 590, 360, 640);
     resizeDocks({measurementDock_, parameterDock_}, {left, right}, Qt::Horizontal);
     resizeDocks({plotDock_}, {std::min(410, height() * 45 / 100)}, Qt::Vertical);
     if (!isCompact_) {
@@ -661,9 +665,33 @@ void MainWindow::showPlace(const Place& place) {
         importMeasurement(QString::fromStdString(table.string()));
         return import_->pointAt(place.line);
     }
-    if (file != QString::fromStdString(document_->study().modelFile)) return;
+    if (file != QString::fromStdString(document_->study().modelFile))
+        return statusBar()->showMessage(tr("%1 is a file of its own: open it in an editor.").arg(file), 8000);
     centre_->setCurrentWidget(text_);
     text_->showPlace(place.line, place.column, place.length);
+}
+
+void MainWindow::showMention(const Mention& mention) {
+    const auto raise = [](QDockWidget* dock) {
+        dock->show();
+        dock->raise();
+    };
+    switch (mention.kind) {
+        case Mention::Kind::Experiment:
+            raise(plotDock_);
+            return plots_->showExperiment(mention.name);
+        case Mention::Kind::Parameter:
+            scene_->clearSelection();  // those of every block
+            raise(parameterDock_);
+            return parameters_->pointAt(mention.name);
+        case Mention::Kind::Block:
+            break;
+    }
+    const std::string name = mention.name.toStdString();
+    centre_->setCurrentWidget(view_);
+    document_->leaveTo(0);
+    scene_->select(name);
+    scene_->pointOut(scene_->block(name) ? std::string() : name);
 }
 
 void MainWindow::updateActions() {

@@ -37,6 +37,7 @@ class RunBar;
 class RunController;
 class StartPage;
 class TextView;
+struct Mention;
 
 /// Puts the panels together: the diagram in the middle, what was measured to the left, parameters and results to
 /// the right, traces below. It has no state of its own beyond its layout.
@@ -89,6 +90,7 @@ private:
     void showEffects();
     QString wholeName(const QString& block) const;
     void showPlace(const Place& place);
+    void showMention(const Mention& mention);
     void askForStudy(bool isDirectory);
     void save();
     void askWhereToSave();

@@ -106,6 +106,7 @@ void MainWindow::leaveImport() {
 
 void MainWindow::askForStudy(bool isDirectory) {
     auto* dialog = new QFileDialog(this, tr("Open a study"));
+    dialog->setObjectName("open-dialog");
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setModal(false);
     dialog->setFileMode(isDirectory ? QFileDialog::Directory : QFileDialog::ExistingFile);

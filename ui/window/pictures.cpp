@@ -9,10 +9,12 @@
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSettings>
+#include <QSpinBox>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QToolButton>
+#include <QTreeView>
 #include <QTreeWidget>
 #include <algorithm>
 #include <functional>
@@ -25,6 +27,8 @@
 #include "ui/effect/result_panel.hpp"
 #include "ui/fit/fit_panel.hpp"
 #include "ui/fit/run_controller.hpp"
+#include "ui/inspector/parameter_panel.hpp"
+#include "ui/library/library_panel.hpp"
 #include "ui/measurement/import_panel.hpp"
 #include "ui/measurement/measurement_panel.hpp"
 #include "ui/plot/plot_panel.hpp"
@@ -77,6 +81,10 @@ public:
         window.startNew();
         settle();
         take(window, "03-empty-study");
+        for (const char* dock : {"runs", "messages"}) window.findChild<QDockWidget*>(dock)->raise();
+        settle();
+        take(window, "03-empty-study-runs");
+        for (const char* dock : {"result", "traces"}) window.findChild<QDockWidget*>(dock)->raise();
         QMetaObject::invokeMethod(window.findChild<DiagramView*>(), "typed", Q_ARG(QString, "heat"));
         settle();
         take(window, "04-insert-block");
@@ -136,7 +144,8 @@ public:
             if (action->shortcut() == QKeySequence(QKeySequence::HelpContents)) action->trigger();
         settle(2500);  // its pictures come a moment later
         take(window, "14-guide");
-        return takeGroup(examples.front().path) && takeSmall(examples.front().path) && isWhole_;
+        return takeGroup(examples.front().path) && takeSmall(examples.front().path) &&
+               takeComposing(examples.front().path) && takeRunning(examples.back().path) && isWhole_;
     }
 
 private:
@@ -174,6 +183,77 @@ private:
         if (!waitFor([&] { return window.document().isOpen() && window.document().before(); })) return false;
         settle(300);
         take(window, "16-small-screen");
+        return true;
+    }
+    /// A block of the library with what it is for, and a wire on its way to a connector that does not fit.
+    bool takeComposing(const QString& example) {
+        MainWindow window;
+        window.resize(1440, 900);
+        window.show();
+        window.open(example);
+        Document& document = window.document();
+        if (!waitFor([&] { return document.isOpen() && document.before(); })) return false;
+        auto* library = window.findChild<LibraryPanel*>();
+        library->showClass("Analogon.ThermalFluid.BasicThermalFluid");
+        library->tree()->setCurrentIndex(
+            library->tree()->indexAt(library->showClass("Analogon.ThermalFluid.BasicThermalFluid").center()));
+        window.compose().composer().addBlock("Analogon.Mechanics.Inertia", {40, -40});
+        settle(300);
+        auto* view = window.findChild<DiagramView*>();
+        view->fitView();
+        const auto from = document.diagram().anchor("element.fluid"),
+                   to = document.diagram().anchor("inertia.flange_a");
+        if (!from || !to) return false;
+        const auto send = [&](QEvent::Type type, Point at, Qt::MouseButtons buttons) {
+            const QPointF pixel = view->mapFromScene(QPointF(at.x, -at.y));
+            QMouseEvent event(type, pixel, view->viewport()->mapToGlobal(pixel), Qt::LeftButton, buttons, {});
+            QCoreApplication::sendEvent(view->viewport(), &event);
+        };
+        send(QEvent::MouseButtonPress, *from, Qt::LeftButton);
+        send(QEvent::MouseMove, {(from->x + to->x) / 2, (from->y + to->y) / 2}, Qt::LeftButton);
+        send(QEvent::MouseMove, *to, Qt::LeftButton);
+        settle();
+        take(window, "17-a-wire-is-refused");
+        send(QEvent::MouseButtonRelease, {-140, -100}, Qt::NoButton);
+        document.undoStack().setClean();
+        return true;
+    }
+    /// A fit on its way, and a value that it would like beyond its bound.
+    bool takeRunning(const QString& example) {
+        MainWindow window;
+        window.resize(1440, 900);
+        window.show();
+        window.open(example);
+        Document& document = window.document();
+        if (!waitFor([&] { return document.isOpen() && document.before() && !document.facts().parameters.empty(); }))
+            return false;
+        StudySettings settings = document.settings();
+        std::string bounded;
+        for (const ParameterFact& fact : document.facts().parameters) {
+            const auto setting = settings.parameters.find(fact.name);
+            const auto value = document.parameterValue(fact.name);
+            if (setting == settings.parameters.end() || !setting->second.fit || !value) continue;
+            setting->second.max = 1.02 * *value;
+            setting->second.min = 0.98 * *value;
+            bounded = fact.name;
+            break;
+        }
+        document.applySettings(std::move(settings), "picture");
+        settle(500);
+        auto* runs = window.findChild<FitPanel*>();
+        runs->startsBox()->setValue(40);  // long enough to be seen
+        window.controller().start(RunKind::Fit);
+        waitFor([&] { return document.liveTraces() || !window.controller().isRunning(); }, 60000);
+        settle(4000);
+        take(window, "18-running");
+        runs->startsBox()->setValue(1);
+        window.controller().cancel();
+        waitFor([&] { return !window.controller().isRunning(); });
+        window.controller().start(RunKind::Fit);
+        waitFor([&] { return !window.controller().isRunning(); });
+        window.findChild<ParameterPanel*>()->pointAt(QString::fromStdString(bounded));
+        settle();
+        take(window, "19-at-its-bound");
         return true;
     }
     void take(MainWindow& window, const QString& name) {

@@ -86,18 +86,23 @@ protected:
         painter.setFont(font());
         painter.setPen(style::mutedText(p));
         const QRect below = box.adjusted(0, fontMetrics().height() + style::unit / 2, 0, 0);
-        const QString text = elided(example_.description, below.width());
+        const QString text = shortened(example_.description, below.width());
         painter.drawText(below, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, text);
     }
 
 private:
-    /// Cuts a text to two lines.
-    QString elided(const QString& text, int width) const {
+    /// As many of its sentences as two lines hold; where not even one goes in, as many words.
+    QString shortened(const QString& text, int width) const {
         const QFontMetrics metrics(font());
+        const auto fits = [&](const QString& part) {
+            return metrics.boundingRect(QRect(0, 0, width, 1000), Qt::TextWordWrap, part).height() <=
+                   2 * metrics.lineSpacing() + 2;
+        };
+        if (fits(text)) return text;
+        for (qsizetype end = text.lastIndexOf(". "); end > 0; end = text.lastIndexOf(". ", end - 1))
+            if (fits(text.left(end + 1))) return text.left(end + 1);
         QString result = text;
-        while (metrics.boundingRect(QRect(0, 0, width, 1000), Qt::TextWordWrap, result).height() >
-                   2 * metrics.lineSpacing() + 2 &&
-               result.size() > 8)
+        while (!fits(result) && result.size() > 8)
             result = result.left(result.lastIndexOf(' ', -3)) + QStringLiteral(" …");
         return result;
     }
