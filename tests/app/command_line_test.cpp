@@ -114,6 +114,14 @@ end Lag;
     fs::path scratch;
 };
 
+TEST_F(CommandLine, TakesNoOtherLibraryForTheOneThatIsTold) {
+    setenv("ANALOGON_LIBRARY", "/no/such/folder", 1);
+    const Result checked = run({"check", study(lag).string()});
+    unsetenv("ANALOGON_LIBRARY");
+    EXPECT_NE(checked.status, done);
+    EXPECT_THAT(checked.err, HasSubstr("there is no block library at /no/such/folder/Analogon"));
+}
+
 TEST_F(CommandLine, SaysItsVersionAndItsCommands) {
     EXPECT_THAT(run({"--version"}).out, HasSubstr("analogon-cli "));
     const Result help = run({"--help"});

@@ -121,6 +121,33 @@ TEST_F(Discovery, AddsNothingToNoise) {
     EXPECT_TRUE(finding.remainders.empty());
 }
 
+TEST_F(Discovery, LeavesOutWhatUnseenRecordingsRefute) {
+    // a bench that pulled on one day and pushed on the next: no torque of the component's own
+    const auto pulled = [](double by) { return Shaft{0.02, [by](double, double w, double) { return 0.03 * w + by; }}; };
+    Finding finding = search(pulled(0.1));
+    ASSERT_EQ(finding.effects.size(), 1u);
+    EXPECT_EQ(finding.effects.front().kind, "torque.constant");
+
+    std::ifstream file(directory_ / "study.json");
+    std::string study{std::istreambuf_iterator<char>(file), {}};
+    const std::string end = "\"outputs\": {\"w\": \"w\"}}";
+    study.replace(study.find(end), end.size(),
+                  end + R"(, {"name": "next day", "role": "validate", "file": "next.csv", "time": "t",
+                   "inputs": {"tau": "tau"}, "outputs": {"w": "w"}})");
+    put("study.json", study);
+    std::ofstream csv = recording("t [s],tau [N.m],w [rad/s]", "next.csv");
+    const std::vector<double> speed = speedOf(pulled(-0.1));
+    for (int k = 0; k < samples; ++k)
+        csv << k * step << ',' << excitation(k * step) << ',' << speed[static_cast<std::size_t>(k)] << '\n';
+    csv.close();
+    finding = discovered();
+    EXPECT_EQ(finding.kind, FindingKind::Unexplained);
+    EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
+    EXPECT_TRUE(std::any_of(finding.warnings.begin(), finding.warnings.end(), [](const Text& warning) {
+        return warning.english().find("torque.constant would explain much") != std::string::npos;
+    }));
+}
+
 /// A heated plate whose model cools to a room alone.
 class DiscoveryOnAPlate : public Discovery {
 protected:
@@ -450,6 +477,7 @@ TEST_F(DiscoveryInCoolant, TakesAnOffsetForNoGainBesideALoss) {
     for (const AddedEffect& e : finding.effects) {
         EXPECT_TRUE(e.kind == "sensor.offset" || e.kind == "thermal.loss") << e.kind;
         EXPECT_NEAR(e.parameters.front().value, e.kind == "sensor.offset" ? -3 : 5, 0.1);
+        EXPECT_EQ(e.parameters.front().unit, e.kind == "sensor.offset" ? "K" : "W/K");
     }
 }
 
