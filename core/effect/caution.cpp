@@ -185,13 +185,17 @@ std::vector<Text> poorValidations(const ModelState& state) {
     return said;
 }
 
-std::vector<Text> delaysBelowSampling(const EstimationTask& task, const std::vector<AddedEffect>& effects) {
+double samplingInterval(const EstimationTask& task) {
     std::vector<double> steps;
     for (const Recording& r : task.recordings)
         for (std::size_t k = 1; r.role == Role::Fit && k < r.time.size(); ++k)
             steps.push_back(r.time[k] - r.time[k - 1]);
-    if (steps.empty()) return {};
-    const double interval = median(std::move(steps));
+    return steps.empty() ? 0 : median(std::move(steps));
+}
+
+std::vector<Text> delaysBelowSampling(const EstimationTask& task, const std::vector<AddedEffect>& effects) {
+    const double interval = samplingInterval(task);
+    if (!(interval > 0)) return {};
     std::vector<Text> said;
     for (const AddedEffect& effect : effects) {
         if (!effect.kind.ends_with(".delay") || effect.parameters.empty()) continue;

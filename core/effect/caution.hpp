@@ -18,6 +18,9 @@ std::vector<Text> driftBetweenRecordings(const NullModel& null);
 /// by how much, and whether an offset or a gain of that recording alone is what it looks like.
 std::vector<Text> poorValidations(const ModelState& state);
 
+/// Median time between samples of the fitted recordings [s]; 0: there are none.
+double samplingInterval(const EstimationTask& task);
+
 /// Dead times below one sample interval: how a channel is read between its samples may be all there is to them.
 std::vector<Text> delaysBelowSampling(const EstimationTask& task, const std::vector<AddedEffect>& effects);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/base/parallel.hpp"
+#include "core/effect/caution.hpp"
 #include "core/effect/search.hpp"
 
 namespace analogon {
@@ -12,8 +13,9 @@ constexpr double twinCorrelation = 0.999;  // projected traces more alike than t
 constexpr double falseAlarmQuantile = 0.99;
 constexpr std::size_t mostRivals = 5, mostAlternatives = 6;
 constexpr std::size_t mostRetried = 4;
-constexpr double ofTheForm = 5e-4;   // of what is explained: by so much a rounded jump misses the hard one
-constexpr int glanceIterations = 5;  // of the whole catalogue, to see who deserves a trial
+constexpr double nearlyTheSame = 0.95;  // of the evidence, for what differs between the samples alone
+constexpr double ofTheForm = 5e-4;      // of what is explained: by so much a rounded jump misses the hard one
+constexpr int glanceIterations = 5;     // of the whole catalogue, to see who deserves a trial
 
 /// What a fit took, in steps of the explicit method.
 double workOf(const FitResult& fit) {
@@ -137,6 +139,18 @@ void Search::continueBest(const NullModel& null, std::vector<Trial>& trials) {
     });
 }
 
+/// Whether an effect at an input only shifts it by less than a sample interval: how the input went on in between is not
+/// recorded, and a dead time and a lag differ in nothing else.
+bool isBetweenSamples(const NullModel& null, const Trial& trial) {
+    const EffectClass& effect = trial.screened.candidate.effect;
+    const auto unit = effect.units.find(effect.strength);
+    if (effect.signalSide != "input" || unit == effect.units.end() || unit->second != "s") return false;
+    const std::string& strength = trial.variant.effects.back().freed.front().name;
+    for (const FitEstimate& e : trial.fit.estimates)
+        if (e.name == strength) return e.value < samplingInterval(null.variant.task);
+    return false;
+}
+
 std::vector<std::size_t> Search::equivalents(const NullModel& null, const std::vector<Trial>& trials,
                                              std::size_t best) const {
     std::vector<std::size_t> members{best};
@@ -151,6 +165,12 @@ std::vector<std::size_t> Search::equivalents(const NullModel& null, const std::v
         if (i == best || !trials[i].ok || isProposal(trials[i])) continue;
         if (trials[i].evidence < leastLike * trials[best].evidence) continue;
         const double gap = weight * std::abs(trials[best].evidence - trials[i].evidence);
+        if (isBetweenSamples(null, trials[best]) && isBetweenSamples(null, trials[i]) &&
+            trials[i].screened.candidate.place == trials[best].screened.candidate.place &&
+            trials[i].evidence > nearlyTheSame * trials[best].evidence) {
+            members.push_back(i);
+            continue;
+        }
         if (gap < equivalenceMargin ||
             (gap < 3 * equivalenceMargin && std::abs(own.dot(direction(trials[i]))) > twinCorrelation))
             members.push_back(i);

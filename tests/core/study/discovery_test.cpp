@@ -569,6 +569,7 @@ protected:
         double limit{1e9};    // [A] of its driver
         double cogging{};     // [N.m], eight times a turn
         double supply{14};    // [V], largest
+        double late{};        // [s] by which the driver follows its command
     };
 
     /// What is measured besides the current.
@@ -627,14 +628,23 @@ end Drive;
             }
             return i;
         };
-        const auto supply = [&](int sample) { return motor.supply * excitation(sample * interval); };
+        // a late one has a command that bends between its samples, but does not jump there
+        const auto command = [&](double t) {
+            return motor.late > 0 ? 0.6 * std::sin(2.3 * t) + 0.3 * std::sin(11 * t + 1) : excitation(t);
+        };
+        const auto supply = [&](int sample) { return motor.supply * command(sample * interval); };
+        // the driver knows its command between the samples, too
+        const auto driven = [&](double time) {
+            return motor.supply * command(std::max(0.0, time * interval - motor.late));
+        };
         for (int n = 0; n < samples; ++n) {
-            csv << n * interval << ',' << supply(n) << ',' << current(supply(n)) + 0.05 * scatter(random) << ','
+            const double v = motor.late > 0 ? driven(n) : supply(n);
+            csv << n * interval << ',' << supply(n) << ',' << current(v) + 0.05 * scatter(random) << ','
                 << (beside == Beside::Angle ? phi + 0.02 * scatter(random) : w + 0.3 * scatter(random)) << '\n';
             constexpr int inner = 100;
             for (int m = 0; m < inner; ++m) {
                 const double a = (m + 0.5) / inner, h = interval / inner;
-                const double i = current((1 - a) * supply(n) + a * supply(n + 1));
+                const double i = current(motor.late > 0 ? driven(n + a) : (1 - a) * supply(n) + a * supply(n + 1));
                 const double pull = motor.friction * signOf(w) + motor.cogging * std::sin(8 * phi - 0.4);
                 w += h * (constant(i) * i - b * w - pull) / J;
                 phi += h * w;
@@ -690,6 +700,20 @@ TEST_F(DiscoveryInAMotor, FollowsTheRecordedAngleWhereTheNotchesBrakeTheShaft) {
         ASSERT_NE(waves, cogging.parameters.end());
         EXPECT_NEAR(waves->value, 8, 1e-2);
     }
+}
+
+TEST_F(DiscoveryInAMotor, TellsNoDeadTimeFromALagBetweenTwoSamples) {
+    const Finding finding = searchMotor({.late = 0.007});
+    EXPECT_EQ(finding.effects.size(), 1u);
+    ASSERT_FALSE(finding.effects.empty());
+    const AddedEffect& shift = finding.effects.front();
+    EXPECT_EQ(shift.at, "input v");
+    EXPECT_TRUE(shift.kind == "actuator.delay" || shift.kind == "actuator.lag") << shift.kind;
+    const std::string other = shift.kind == "actuator.lag" ? "actuator.delay" : "actuator.lag";
+    const auto twin = std::find_if(shift.alternatives.begin(), shift.alternatives.end(),
+                                   [&](const Alternative& a) { return a.kind == other && a.at == shift.at; });
+    ASSERT_NE(twin, shift.alternatives.end());
+    EXPECT_TRUE(twin->equivalent);
 }
 
 TEST_F(DiscoveryInAMotor, TakesASaturatingFieldForNoWarming) {
