@@ -16,13 +16,16 @@
 ///     ports = {"flange"},               // attach: its connector; insert: the two sides {"flange_a","flange_b"},
 ///                                       // for signals {"u","y"}; specialise: absent
 ///     at = "output",                    // signals only: insert at a top-level "output" or "input"
-///     inSignalUnit = {"b"},             // signals only: parameters in the unit of the signal; inSignalRate: per
-///     second strength = "tau_c",               // 0 = off oneSided = true,                  // the physical sign:
-///     strength >= 0 linear = {"tau_s"},               // further parameters in which the model is linear at 0
+///     inSignalUnit = {"b"},             // signals only: parameters in the unit of the signal
+///     inSignalRate = {"a"},             // and those in that unit per second
+///     strength = "tau_c",               // 0 = off
+///     oneSided = true,                  // the physical sign: strength >= 0
+///     linear = {"tau_s"},               // further parameters in which the model is linear at 0
 ///     fixed(w_eps = "0.002*maxabs(w)"), // set before screening and kept
 ///     states = 2,                       // that it must add to the model, or its place is none (both sides turn)
-///     reach(phi_h = 3),                 // factor by which a shape may leave the values it is tried with; at the low
-///                                       // end of it the effect is not what it is called, and is none
+///     reach(phi_h = 3),                 // factor by which a shape, or a strength below its secants, may leave the
+///                                       // values it is tried with; at the low end of it the effect is not what it is
+///                                       // called, and is none
 ///     sharper(w_eps = 0.25),            // factor by which a numerical width falls where the data ask for it
 ///     shape(w_s = {"0.05*maxabs(w)", "0.3*maxabs(w)"}),  // tried in turn, freed in the refit
 ///     whole = {"n"},                    // shapes that are whole numbers as a rule: first held at what is tried

@@ -76,9 +76,7 @@ std::optional<Dependence> fitted(const NullModel& null, const Channel& channel, 
     for (std::size_t r = 0; r < variant.task.recordings.size(); ++r) {
         Recording& recording = variant.task.recordings[r];
         if (channel.values[r].size() == 0) continue;
-        recording.inputNames.emplace_back(inputName);
-        recording.inputs.conservativeResize(recording.inputs.rows() + 1, channel.values[r].size());
-        recording.inputs.bottomRows(1) = channel.values[r].transpose();
+        recording.addInput(inputName, channel.values[r]);
     }
     FitParameter slope;
     slope.name = slopeOf(estimate.name);

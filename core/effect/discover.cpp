@@ -1,7 +1,6 @@
 #include "core/effect/discover.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -89,10 +88,10 @@ bool isRefuted(const Finding& finding) {
     return std::isfinite(before) && before > 0 && after > refuting * before;
 }
 
-std::string kindsOf(const std::vector<PlacedEffect>& effects) {
+std::vector<std::string> kindsOf(const std::vector<PlacedEffect>& effects) {
     std::vector<std::string> kinds;
     for (const PlacedEffect& e : effects) kinds.push_back(e.effect.kind);
-    return fmt::format("{}", fmt::join(kinds, ", "));
+    return kinds;
 }
 
 /// A parameter that changes, as a proposal at its component.
@@ -310,7 +309,7 @@ Outcome<Finding> Search::run() {
     finding.nextExperiment = proposeExperiments(*null);
     const std::map<int, Text> held = heldRemarks(*null);
     const bool isOpen = proposed.empty() && !change_ && !dependence_ && !isNoise(*null);
-    const std::string place = isOpen ? likeliestPlace(*null, search_.fit.simulation, progress_) : std::string();
+    std::string place = isOpen ? likeliestPlace(*null, search_.fit.simulation, progress_) : std::string();
     const auto isAsGiven = [&] { return steps_.empty() && freedStarts_.empty() && noisyInputs_.empty(); };
     // what is left with the inputs as recorded is their noise; it says nothing of the component
     std::optional<NullModel> quiet;
@@ -348,13 +347,17 @@ Outcome<Finding> Search::run() {
         finding.warnings.push_back(
             phrase("{} would explain much of the fitted recordings, but with it the error on the validation recordings "
                    "grows from {:.3g} % to {:.3g} %: that is not what the model lacks, and it is left out",
-                   kindsOf(null->variant.effects), errorPercentOf(finding.baseline, Role::Validate),
+                   listed(kindsOf(null->variant.effects)), errorPercentOf(finding.baseline, Role::Validate),
                    errorPercentOf(finding.final, Role::Validate)));
         takeOutAll(*null, base);
         freedStarts_.clear();
         noisyInputs_.clear();
         quiet.reset();
         finding.final = finding.baseline;
+        // what was worked out beside them goes with them
+        proposed.clear();
+        finding.nextExperiment = Text();
+        place = likeliestPlace(*null, search_.fit.simulation, progress_);
     }
     if (isAsGiven()) null = onAll ? *onAll : base;
     if (!isFinal && progress_.stopRequested() && path->state) finding.final = std::move(*path->state);

@@ -167,8 +167,8 @@ public:
         if (local.size() == 2) {
             const double largest = local.front().largest;
             addHinges(local.front(), {-largest, largest}, terms_);
+            addProducts(local[0], local[1], true, 1, terms_);
         }
-        if (local.size() == 2) addProducts(local[0], local[1], true, 1, terms_);
         for (std::size_t j = 0; j < foreign.size(); ++j) {
             addPowers(foreign[j], false, 2, terms_);
             for (const Quantity& q : local) addProducts(q, foreign[j], q.name == "w", 2, terms_);

@@ -38,9 +38,10 @@ public:
     std::vector<FlowNode> flowNodes() const;
 
     /// Inputs of the model in a unit, as a place writes them: "input T_room".
+    std::vector<std::string> inputsIn(const std::string& unit) const;
+
     /// Unit of the input or output of the model at a signal's place; empty: unknown.
     std::string unitAt(const EffectPlace& place) const;
-    std::vector<std::string> inputsIn(const std::string& unit) const;
 
     /// All places at which an effect can go. Connectors on one rigid shaft, or on heat ports of equal temperature, are
     /// one place (named by its first connector); nodes whose potential is imposed take no attached effect.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "core/base/unit.hpp"
@@ -15,7 +16,7 @@ namespace analogon {
 namespace {
 
 constexpr long evaluationsPerSample = 600;  // a candidate that needs more is no model of this recording
-constexpr double quarterTurn = 1.57079632679489662;
+constexpr double quarterTurn = std::numbers::pi / 2;
 constexpr double leastLead = 0.02;  // [turns] of a wave, by which the recorded course must be ahead to be another
 constexpr const char* recordedName = "recordedCourse";
 constexpr double mostOfAWave = 1;     // [rad] that may pass in a step
@@ -64,9 +65,10 @@ public:
     const std::vector<Eigen::VectorXd>& lead() const { return lead_; }
 
     /// The samples of a variable in each fitted experiment; empty: it was not observed.
-    std::vector<std::vector<double>> series(const std::string& variable) const {
+    const std::vector<std::vector<double>>& series(const std::string& variable) const {
+        static const std::vector<std::vector<double>> none;
         const auto found = series_.find(variable);
-        return found == series_.end() ? std::vector<std::vector<double>>() : found->second;
+        return found == series_.end() ? none : found->second;
     }
 
 private:
@@ -167,7 +169,7 @@ ShapeContext contextOf(const NullModel& null, const Observations& observations) 
         if (name == "duration") return duration;
         if (name == "sample") return duration / static_cast<double>(time->size() - 1);
         if (name == "period") return null.period > 0 ? null.period : std::nan("");
-        if (name == "pi") return 3.14159265358979323846;
+        if (name == "pi") return std::numbers::pi;
         return std::nan("");
     };
     context.statistic = [&observations](const std::string& function, const std::string& variable) {
@@ -225,46 +227,24 @@ Variant alongRecorded(Variant variant, const std::vector<std::vector<double>>& s
     variant.task.imposed = ImposedVariable{placed.instance + "." + placed.effect.along, recordedName};
     std::size_t next = 0;
     for (Recording& r : variant.task.recordings) {
-        r.inputNames.emplace_back(recordedName);
-        r.inputs.conservativeResize(r.inputs.rows() + 1, static_cast<Eigen::Index>(r.time.size()));
-        r.inputs.bottomRows(1).setZero();
-        if (r.role != Role::Fit) continue;
-        const std::vector<double>& x = simulated[next];
-        r.inputs.bottomRows(1) =
-            (Eigen::Map<const Eigen::VectorXd>(x.data(), lead[next].size()) + lead[next]).transpose();
-        ++next;
+        Eigen::VectorXd course = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(r.time.size()));
+        if (r.role == Role::Fit) {
+            course = Eigen::Map<const Eigen::VectorXd>(simulated[next].data(), lead[next].size()) + lead[next];
+            ++next;
+        }
+        r.addInput(recordedName, course);
     }
     return variant;
-}
-
-/// A plan with at least as many steps in each sample interval as are needed.
-GridPlan withShorterSteps(GridPlan plan, const std::vector<int>& needed) {
-    std::vector<std::int16_t> steps;
-    bool isShorter = false;
-    for (std::size_t k = 0; k < needed.size(); ++k) {
-        const int interval = static_cast<int>(k), own = plan.substepsIn(interval);
-        isShorter = isShorter || needed[k] > own;
-        const int most = std::max(own, needed[k]);
-        steps.push_back(static_cast<std::int16_t>(plan.methodIn(interval) == GridMethod::Esdirk ? -most : most));
-    }
-    if (!isShorter || (plan.steps && plan.steps->size() != steps.size())) return plan;
-    const auto hardest = std::max_element(steps.begin(), steps.end(),
-                                          [](std::int16_t a, std::int16_t b) { return std::abs(a) < std::abs(b); });
-    plan.method = *hardest < 0 ? GridMethod::Esdirk : GridMethod::RungeKutta4;
-    plan.substeps = std::abs(*hardest);
-    plan.steps = std::make_shared<const std::vector<std::int16_t>>(std::move(steps));
-    plan.terms = nullptr;
-    return plan;
 }
 
 /// Takes the traces of one wired candidate.
 class Prober {
 public:
     /// `course`: of the variable that a wave goes along, in each fitted experiment.
-    Prober(const NullModel& null, const Variant& wired, std::vector<std::vector<double>> course,
+    Prober(const NullModel& null, const Variant& wired, const std::vector<std::vector<double>>& course,
            const SimulationOptions& simulation, const Progress& progress)
         : null_(null),
-          course_(std::move(course)),
+          course_(course),
           placed_(wired.effects.back()),
           wired_(wired),
           complement_(null.fit.optimum.jacobian),
@@ -282,6 +262,11 @@ public:
         Outcome<PreparedTask> held = prepareHeld(wired_, free, null_.noise, kept);
         if (!held) return held.diagnostics();
         held_ = std::move(*held);
+        plans_ = null_.fit.plans;
+        // a linear model's recurrence does not serve a wave
+        for (std::size_t e = 0; !placed_.effect.phase.empty() && e < plans_.size(); ++e)
+            if (plans_[e].method == GridMethod::Exact)
+                plans_[e] = planFor(held_.problem, static_cast<int>(e), off(), simulation_, progress_);
         return Done{};
     }
 
@@ -327,6 +312,10 @@ private:
         for (FitExperiment& e : held_.problem.experiments) e.parameters[static_cast<std::size_t>(index)] = value;
     }
 
+    Eigen::VectorXd off() const {
+        return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(held_.problem.parameters.size()));
+    }
+
     ColumnScore plainScore(const Eigen::MatrixXd& columns) const {
         return scoreColumns(complement_, null_.fit.optimum.residuals, columns, placed_.effect.oneSided);
     }
@@ -338,7 +327,7 @@ private:
     std::optional<Eigen::MatrixXd> traces(double secant) { return traces(secant, null_.fit.plans); }
 
     std::optional<Eigen::MatrixXd> traces(double secant, const std::vector<GridPlan>& plans) {
-        Eigen::VectorXd at = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(held_.problem.parameters.size()));
+        Eigen::VectorXd at = off();
         at[0] = secant;
         const bool isSlope = secant == 0;
         const bool needsTangents = isSlope || !placed_.effect.linear.empty();
@@ -352,7 +341,7 @@ private:
 
     /// Steps short enough for a wave that the model itself, without the effect, need not follow.
     std::vector<GridPlan> plansFor(double waves) const {
-        std::vector<GridPlan> plans = null_.fit.plans;
+        std::vector<GridPlan> plans = plans_;
         for (std::size_t e = 0; e < std::min(plans.size(), course_.size()); ++e) {
             const std::vector<double>& x = course_[e];
             std::vector<int> needed;
@@ -360,21 +349,9 @@ private:
                 const double steps = std::ceil(waves * std::abs(x[k + 1] - x[k]) / mostOfAWave);
                 needed.push_back(static_cast<int>(std::clamp(steps, 1.0, 1.0 * mostStepsOfAWave)));
             }
-            plans[e] = withShorterSteps(planOf(e), needed);
+            plans[e] = refined(plans[e], needed);
         }
         return plans;
-    }
-
-    /// A linear model's recurrence does not serve what is not linear.
-    GridPlan planOf(std::size_t experiment) const {
-        const GridPlan& plan = null_.fit.plans[experiment];
-        if (plan.method != GridMethod::Exact) return plan;
-        const FitExperiment& e = held_.problem.experiments[experiment];
-        SimulationTask task;
-        task.system = e.system.get();
-        task.inputs = &e.inputs;
-        task.parameters = e.parameters;
-        return planGrid(task, simulation_);
     }
 
     /// A wave of any phase is the sum of two a quarter turn apart: strength and phase both come from them.
@@ -403,7 +380,7 @@ private:
     }
 
     const NullModel& null_;
-    std::vector<std::vector<double>> course_;
+    const std::vector<std::vector<double>>& course_;
     const PlacedEffect& placed_;
     const Variant& wired_;
     Complement complement_, whiteComplement_;
@@ -411,6 +388,7 @@ private:
     const SimulationOptions& simulation_;
     const Progress& progress_;
     PreparedTask held_;
+    std::vector<GridPlan> plans_;
 };
 
 /// Whether the recorded course of an effect's variable is another than the simulated one to the shortest of its waves.
@@ -422,6 +400,15 @@ bool isAhead(const std::vector<Eigen::VectorXd>& lead, const Screened& screened)
             most = std::max(most, waves->second);
     for (const Eigen::VectorXd& each : lead) largest = std::max(largest, each.cwiseAbs().maxCoeff());
     return most * largest > leastLead * 4 * quarterTurn;
+}
+
+/// The effect with the units of its parameters that depend on the signal it is at.
+EffectClass inUnitsOf(const std::string& signal, EffectClass effect) {
+    if (signal.empty()) return effect;
+    for (const std::string& name : effect.inSignalUnit) effect.units[name] = signal;
+    const std::string rate = signal.find('/') == std::string::npos ? signal + "/s" : "(" + signal + ")/s";
+    for (const std::string& name : effect.inSignalRate) effect.units[name] = rate;
+    return effect;
 }
 
 double scoreOf(const ColumnScore& s) { return s.wrongSign || s.visible < leastVisible ? 0 : s.explained; }
@@ -465,15 +452,6 @@ Outcome<ModelNodes> nodesOf(const Variant& variant, Diagram& diagram) {
     if (!read) return read.diagnostics();
     diagram = std::move(*read);
     return ModelNodes(variant.task.library, diagram, *structure);
-}
-
-/// The effect with the units of its parameters that depend on the signal it is at.
-EffectClass inUnitsOf(const std::string& signal, EffectClass effect) {
-    if (signal.empty()) return effect;
-    for (const std::string& name : effect.inSignalUnit) effect.units[name] = signal;
-    const std::string rate = signal.find('/') == std::string::npos ? signal + "/s" : "(" + signal + ")/s";
-    for (const std::string& name : effect.inSignalRate) effect.units[name] = rate;
-    return effect;
 }
 
 Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std::vector<EffectClass>& catalogue) {

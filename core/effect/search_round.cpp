@@ -14,7 +14,6 @@ constexpr double falseAlarmQuantile = 0.99;
 constexpr std::size_t mostRivals = 5, mostAlternatives = 6;
 constexpr std::size_t mostRetried = 4;
 constexpr double nearlyTheSame = 0.95;  // of the evidence, for what differs between the samples alone
-constexpr double ofTheForm = 5e-4;      // of what is explained: by so much a rounded jump misses the hard one
 constexpr int glanceIterations = 5;     // of the whole catalogue, to see who deserves a trial
 
 /// What a fit took, in steps of the explicit method.
@@ -22,6 +21,18 @@ double workOf(const FitResult& fit) {
     double steps = 0;
     for (const Trajectory& t : fit.optimum.trajectories) steps += t.plan.work() * static_cast<double>(t.outputs.cols());
     return steps * fit.simulations;
+}
+
+/// Whether an effect at an input only shifts it by less than a sample interval: how the input went on in between is not
+/// recorded, and a dead time and a lag differ in nothing else.
+bool isBetweenSamples(const Trial& trial, double interval) {
+    const EffectClass& effect = trial.screened.candidate.effect;
+    const auto unit = effect.units.find(effect.strength);
+    if (effect.signalSide != "input" || unit == effect.units.end() || unit->second != "s") return false;
+    const std::string& strength = trial.variant.effects.back().freed.front().name;
+    for (const FitEstimate& e : trial.fit.estimates)
+        if (e.name == strength) return e.value < interval;
+    return false;
 }
 
 }  // namespace
@@ -139,18 +150,6 @@ void Search::continueBest(const NullModel& null, std::vector<Trial>& trials) {
     });
 }
 
-/// Whether an effect at an input only shifts it by less than a sample interval: how the input went on in between is not
-/// recorded, and a dead time and a lag differ in nothing else.
-bool isBetweenSamples(const NullModel& null, const Trial& trial) {
-    const EffectClass& effect = trial.screened.candidate.effect;
-    const auto unit = effect.units.find(effect.strength);
-    if (effect.signalSide != "input" || unit == effect.units.end() || unit->second != "s") return false;
-    const std::string& strength = trial.variant.effects.back().freed.front().name;
-    for (const FitEstimate& e : trial.fit.estimates)
-        if (e.name == strength) return e.value < samplingInterval(null.variant.task);
-    return false;
-}
-
 std::vector<std::size_t> Search::equivalents(const NullModel& null, const std::vector<Trial>& trials,
                                              std::size_t best) const {
     std::vector<std::size_t> members{best};
@@ -161,11 +160,13 @@ std::vector<std::size_t> Search::equivalents(const NullModel& null, const std::v
     };
     const Eigen::VectorXd own = direction(trials[best]);
     const double weight = independentShare(null, trials[best].fit);
+    const double interval = samplingInterval(null.variant.task);
+    const bool isShift = isBetweenSamples(trials[best], interval);
     for (std::size_t i = 0; i < trials.size(); ++i) {
         if (i == best || !trials[i].ok || isProposal(trials[i])) continue;
         if (trials[i].evidence < leastLike * trials[best].evidence) continue;
         const double gap = weight * std::abs(trials[best].evidence - trials[i].evidence);
-        if (isBetweenSamples(null, trials[best]) && isBetweenSamples(null, trials[i]) &&
+        if (isShift && isBetweenSamples(trials[i], interval) &&
             trials[i].screened.candidate.place == trials[best].screened.candidate.place &&
             trials[i].evidence > nearlyTheSame * trials[best].evidence) {
             members.push_back(i);
@@ -267,11 +268,8 @@ void Search::preferSimple(const NullModel& null, Round& round) const {
             leavesMuch && trials[i].freed() == best.freed() &&
             plausibility(trials[i].screened.candidate.effect) < plausibility(best.screened.candidate.effect);
         const bool isMember = std::find(round.members.begin(), round.members.end(), i) != round.members.end();
-        // a detail of the form at the same place, where the jump itself is rounded off
-        const bool isSameButForm = trials[i].screened.candidate.place == best.screened.candidate.place &&
-                                   best.evidence - trials[i].evidence < ofTheForm * best.evidence;
         const bool isNearly = leavesMuch && null.sumOfSquares() - trials[i].sumOfSquares() > nearlyAsMuch * fall;
-        if ((isMember && (isSimpler || isLikelier)) || ((isNearly || isSameButForm) && isSimpler)) simpler.push_back(i);
+        if ((isMember && (isSimpler || isLikelier)) || (isNearly && isSimpler)) simpler.push_back(i);
     }
     std::stable_sort(simpler.begin(), simpler.end(),
                      [&](std::size_t a, std::size_t b) { return trials[a].freed() < trials[b].freed(); });

@@ -33,12 +33,11 @@ void connectSpare(EstimationTask& task, const std::string& spare, const std::str
         const auto channel =
             std::find_if(r.spares.begin(), r.spares.end(), [&](const SpareChannel& s) { return s.name == spare; });
         if (channel == r.spares.end()) continue;
-        r.inputNames.push_back(input);
-        r.inputs.conservativeResize(r.inputs.rows() + 1, static_cast<Eigen::Index>(r.time.size()));
+        Eigen::VectorXd values =
+            Eigen::Map<const Eigen::VectorXd>(channel->values.data(), static_cast<Eigen::Index>(r.time.size()));
         const Outcome<UnitConversion> conversion = convertUnit(channel->unit, unit);
-        for (std::size_t k = 0; k < r.time.size(); ++k)
-            r.inputs(r.inputs.rows() - 1, static_cast<Eigen::Index>(k)) =
-                !unit.empty() && conversion ? (*conversion)(channel->values[k]) : channel->values[k];
+        if (!unit.empty() && conversion) values = values.unaryExpr(*conversion);
+        r.addInput(input, values);
     }
 }
 

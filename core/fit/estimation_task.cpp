@@ -248,6 +248,12 @@ private:
 
 }  // namespace
 
+void Recording::addInput(std::string input, const Eigen::VectorXd& values) {
+    inputNames.push_back(std::move(input));
+    inputs.conservativeResize(inputs.rows() + 1, values.size());
+    inputs.bottomRows(1) = values.transpose();
+}
+
 void blankBeyond(Recording& recording, const std::string& output, double least, double most) {
     const auto found = std::find(recording.outputNames.begin(), recording.outputNames.end(), output);
     if (found == recording.outputNames.end()) return;

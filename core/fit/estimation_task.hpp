@@ -46,6 +46,9 @@ struct Recording {
     std::vector<RecordingStart> starts;
     std::vector<SpareChannel> spares;
     std::vector<RecordingClock> clocks{};
+
+    /// One more top-level input, with a value for each sample.
+    void addInput(std::string input, const Eigen::VectorXd& values);
 };
 
 /// A parameter that may take another value in mid run (`stepOf` and `momentOf` it are then parameters, too), or that

@@ -96,6 +96,30 @@ double GridPlan::work() const {
     return sum / static_cast<double>(std::max<std::size_t>(1, steps->size()));
 }
 
+GridPlan planOf(std::vector<std::int16_t> steps) {
+    GridPlan plan{GridMethod::RungeKutta4, 1, 0.0};
+    const bool isImplicit = std::any_of(steps.begin(), steps.end(), [](int each) { return each < 0; });
+    if (isImplicit) plan.method = GridMethod::Esdirk;
+    for (const int each : steps)
+        if ((each < 0) == isImplicit) plan.substeps = std::max(plan.substeps, std::abs(each));
+    const bool isUniform = std::all_of(steps.begin(), steps.end(), [&](int each) { return each == steps.front(); });
+    if (!isUniform) plan.steps = std::make_shared<const std::vector<std::int16_t>>(std::move(steps));
+    return plan;
+}
+
+GridPlan refined(const GridPlan& plan, const std::vector<int>& needed) {
+    if (plan.steps && plan.steps->size() != needed.size()) return plan;
+    std::vector<std::int16_t> steps;
+    bool isFiner = false;
+    for (std::size_t k = 0; k < needed.size(); ++k) {
+        const int interval = static_cast<int>(k), own = plan.substepsIn(interval);
+        isFiner = isFiner || needed[k] > own;
+        const int most = std::max(own, needed[k]);
+        steps.push_back(static_cast<std::int16_t>(plan.methodIn(interval) == GridMethod::Esdirk ? -most : most));
+    }
+    return isFiner ? planOf(std::move(steps)) : plan;
+}
+
 bool operator==(const GridPlan& a, const GridPlan& b) {
     const bool sameSteps = a.steps == b.steps || (a.steps && b.steps && *a.steps == *b.steps);
     return a.method == b.method && a.substeps == b.substeps && sameSteps;

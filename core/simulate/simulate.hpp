@@ -62,6 +62,12 @@ struct GridPlan {
     friend bool operator==(const GridPlan& a, const GridPlan& b);  // the same steps
 };
 
+/// A plan with these steps, > 0 explicit and < 0 implicit, for each sample interval.
+GridPlan planOf(std::vector<std::int16_t> steps);
+
+/// The plan with at least as many steps in each sample interval as are needed there, by the method it has there.
+GridPlan refined(const GridPlan& plan, const std::vector<int>& needed);
+
 struct SimulationFailure {
     bool failed{};
     double time{};         // [s] where it stopped

@@ -254,8 +254,7 @@ private:
             const int substeps = std::min(needed(found, allowance), 2 * found.substeps);
             own[k] = found.isImplicit ? -substeps : std::clamp(std::max(substeps, found.stable), 1, kMostExplicit);
         }
-        auto steps = std::make_shared<std::vector<std::int16_t>>();
-        GridPlan plan{GridMethod::RungeKutta4, 1, 0.0, nullptr};
+        std::vector<std::int16_t> steps;
         for (int k = 0; k < count; ++k) {
             int explicitly = 0, implicitly = 0;
             for (int j = std::max(0, k - kReach); j <= std::min(count - 1, k + kReach); ++j) {
@@ -270,15 +269,9 @@ private:
             const bool isExplicit =
                 explicitly <= kMostExplicit && (implicitly == 0 || explicitly <= implicitCost_ * implicitly);
             if (!isExplicit && implicitly == 0) implicitly = 1;
-            steps->push_back(static_cast<std::int16_t>(isExplicit ? explicitly : -implicitly));
-            if (!isExplicit && plan.method != GridMethod::Esdirk) plan = {GridMethod::Esdirk, 1, 0.0, nullptr};
-            if (isExplicit != (plan.method == GridMethod::Esdirk))
-                plan.substeps = std::max(plan.substeps, isExplicit ? explicitly : implicitly);
+            steps.push_back(static_cast<std::int16_t>(isExplicit ? explicitly : -implicitly));
         }
-        const bool isUniform =
-            std::all_of(steps->begin(), steps->end(), [&](int each) { return each == steps->front(); });
-        if (!isUniform) plan.steps = std::move(steps);
-        return plan;
+        return planOf(std::move(steps));
     }
 
     double errorOf(const GridPlan& plan) {

@@ -19,10 +19,10 @@ bool isBlock(const Document& document, const std::string& name) {
         std::any_of(facts.outputs.begin(), facts.outputs.end(), isIt))
         return true;
     // Of the model as a whole: another diagram may be shown.
-    const std::string prefix = name.substr(0, name.find('.')) + ".";
-    if (document.levels().empty() && document.diagram().find(prefix.substr(0, prefix.size() - 1))) return true;
-    return prefix.size() > 1 && std::any_of(facts.parameters.begin(), facts.parameters.end(),
-                                            [&](const ParameterFact& p) { return p.name.starts_with(prefix); });
+    const std::string block = name.substr(0, name.find('.'));
+    if (document.levels().empty() && document.diagram().find(block)) return true;
+    return !block.empty() && std::any_of(facts.parameters.begin(), facts.parameters.end(),
+                                         [&](const ParameterFact& p) { return p.name.starts_with(block + "."); });
 }
 
 }  // namespace

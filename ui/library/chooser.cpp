@@ -87,17 +87,12 @@ void Chooser::choose(const QString& title, std::vector<Choice> choices, const QS
 }
 
 void Chooser::ask(const QString& title, const QString& text, std::function<void(const QString&)> entered) {
-    inPlaceOf_ = {};
-    prepareAsking(title, text, std::move(entered));
+    askInPlace({}, title, text, std::move(entered));
 }
 
-void Chooser::askInPlace(const QRect& place, const QString& title, const QString& text,
+void Chooser::askInPlace(const QRect& textRect, const QString& title, const QString& text,
                          std::function<void(const QString&)> entered) {
-    inPlaceOf_ = place;
-    prepareAsking(title, text, std::move(entered));
-}
-
-void Chooser::prepareAsking(const QString& title, const QString& text, std::function<void(const QString&)> entered) {
+    inPlaceOf_ = textRect;
     isAsking_ = true;
     title_->setText(title);
     choices_.clear();

@@ -30,8 +30,8 @@ public:
                 std::function<void(const QString&)> chosen);
     /// Asks for a text, starting from one.
     void ask(const QString& title, const QString& text, std::function<void(const QString&)> entered);
-    /// The same where the text stands: in place of it, in the parent's pixels.
-    void askInPlace(const QRect& place, const QString& title, const QString& text,
+    /// The same where the text stands: over that rectangle, in the parent's pixels. Empty: in the middle.
+    void askInPlace(const QRect& textRect, const QString& title, const QString& text,
                     std::function<void(const QString&)> entered);
     QLineEdit* field() const { return field_; }
     QListWidget* list() const { return list_; }
@@ -45,7 +45,6 @@ private:
     void take();
     void leave();
     void place();
-    void prepareAsking(const QString& title, const QString& text, std::function<void(const QString&)> entered);
 
     QLabel* title_;
     QLineEdit* field_;

@@ -116,16 +116,6 @@ QString OutputPlot::legendText(TraceRole role) const {
     return {};
 }
 
-namespace {
-
-std::vector<double> differences(const std::vector<double>& measured, const std::vector<double>& simulated) {
-    std::vector<double> left(measured.size());
-    for (std::size_t i = 0; i < left.size(); ++i) left[i] = measured[i] - simulated[i];
-    return left;
-}
-
-}  // namespace
-
 void OutputPlot::show(Content content) {
     content_ = std::move(content);
     name_->setText(content_.unit.isEmpty() ? content_.name : content_.name + "  [" + content_.unit + "]");
@@ -138,7 +128,7 @@ void OutputPlot::show(Content content) {
     const auto add = [&](TraceRole role, const Series& simulated) {
         if (simulated.empty() || simulated.size() != content_.measured.size()) return;
         values.push_back({role, simulated});
-        residuals.push_back({role, differences(content_.measured, simulated)});
+        residuals.push_back({role, residualOf(content_.measured, simulated)});
     };
     add(TraceRole::Before, content_.before);
     add(TraceRole::After, content_.after);
@@ -152,7 +142,7 @@ void OutputPlot::showAfter(const Series& values, const QString& label) {
     content_.afterLabel = label;
     setLegend(TraceRole::After, label);
     values_->setTrace({TraceRole::After, values});
-    residual_->setTrace({TraceRole::After, differences(content_.measured, values)});
+    residual_->setTrace({TraceRole::After, residualOf(content_.measured, values)});
 }
 
 void OutputPlot::setTimeRange(double from, double to) {

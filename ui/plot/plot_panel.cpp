@@ -223,11 +223,9 @@ void PlotPanel::rebuild() {
         const Series best = content.after.empty() ? content.before : content.after;
         residuals_[i]->show(content.unit.isEmpty() ? content.name : content.name + "  [" + content.unit + "]",
                             [study = document_.study(), name, time, measured = content.measured, best] {
-                                std::vector<double> residual(best.size());
-                                for (std::size_t k = 0; k < best.size(); ++k) residual[k] = measured[k] - best[k];
                                 std::vector<NamedSeries> against = variablesOf(study, name, *time);
                                 against.insert(against.begin(), {tr("simulated"), best.values()});
-                                return residualFacts(residual, against);
+                                return residualFacts(residualOf(measured, best), against);
                             });
         plots_[i]->show(std::move(content));
     }

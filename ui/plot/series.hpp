@@ -28,4 +28,11 @@ private:
     std::shared_ptr<const std::vector<double>> values_;
 };
 
+/// What was measured less what was simulated.
+inline std::vector<double> residualOf(const Series& measured, const Series& simulated) {
+    std::vector<double> left(simulated.size());
+    for (std::size_t i = 0; i < left.size(); ++i) left[i] = measured[i] - simulated[i];
+    return left;
+}
+
 }  // namespace analogon::ui

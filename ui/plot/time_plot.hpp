@@ -89,6 +89,7 @@ private:
     double yAt(double value) const;
     double valueAt(double y) const;
     void setValueRange(double low, double high);
+    bool isBox() const;
 
     std::shared_ptr<const std::vector<double>> time_;
     std::vector<Trace> traces_;
@@ -103,8 +104,7 @@ private:
     std::optional<double> cursor_;                // [s]
     std::optional<double> dragFrom_, bandFrom_;   // [px]
     double bandTo_{}, bandTop_{}, bandBottom_{};  // [px] top: where it was begun
-    bool isBox() const;
-    std::vector<double> marks_;  // [s]
+    std::vector<double> marks_;                   // [s]
 };
 
 }  // namespace analogon::ui

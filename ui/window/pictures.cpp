@@ -163,13 +163,17 @@ private:
         results->verticalScrollBar()->setValue(0);
         settle();
     }
-    bool takeGroup(const QString& example) {
-        MainWindow window;
-        window.resize(1440, 900);
+    /// False: the study did not come up, or its start values gave no trace.
+    bool openIn(MainWindow& window, QSize size, const QString& example) {
+        window.resize(size);
         window.show();
         window.open(example);
+        return waitFor([&] { return window.document().isOpen() && window.document().before(); });
+    }
+    bool takeGroup(const QString& example) {
+        MainWindow window;
+        if (!openIn(window, {1440, 900}, example)) return false;
         Document& document = window.document();
-        if (!waitFor([&] { return document.isOpen() && document.before(); })) return false;
         document.enter(window.compose().composer().group({"heater", "element"}, "Probe"));
         settle(1000);
         take(window, "15-inside-a-group");
@@ -177,10 +181,7 @@ private:
     }
     bool takeSmall(const QString& example) {
         MainWindow window;
-        window.resize(853, 480);
-        window.show();
-        window.open(example);
-        if (!waitFor([&] { return window.document().isOpen() && window.document().before(); })) return false;
+        if (!openIn(window, {853, 480}, example)) return false;
         settle(300);
         take(window, "16-small-screen");
         return true;
@@ -188,15 +189,11 @@ private:
     /// A block of the library with what it is for, and a wire on its way to a connector that does not fit.
     bool takeComposing(const QString& example) {
         MainWindow window;
-        window.resize(1440, 900);
-        window.show();
-        window.open(example);
+        if (!openIn(window, {1440, 900}, example)) return false;
         Document& document = window.document();
-        if (!waitFor([&] { return document.isOpen() && document.before(); })) return false;
         auto* library = window.findChild<LibraryPanel*>();
-        library->showClass("Analogon.ThermalFluid.BasicThermalFluid");
-        library->tree()->setCurrentIndex(
-            library->tree()->indexAt(library->showClass("Analogon.ThermalFluid.BasicThermalFluid").center()));
+        const QRect row = library->showClass("Analogon.ThermalFluid.BasicThermalFluid");
+        library->tree()->setCurrentIndex(library->tree()->indexAt(row.center()));
         window.compose().composer().addBlock("Analogon.Mechanics.Inertia", {40, -40});
         settle(300);
         auto* view = window.findChild<DiagramView*>();
@@ -221,12 +218,9 @@ private:
     /// A fit on its way, and a value that it would like beyond its bound.
     bool takeRunning(const QString& example) {
         MainWindow window;
-        window.resize(1440, 900);
-        window.show();
-        window.open(example);
+        if (!openIn(window, {1440, 900}, example)) return false;
         Document& document = window.document();
-        if (!waitFor([&] { return document.isOpen() && document.before() && !document.facts().parameters.empty(); }))
-            return false;
+        if (!waitFor([&] { return !document.facts().parameters.empty(); })) return false;
         StudySettings settings = document.settings();
         std::string bounded;
         for (const ParameterFact& fact : document.facts().parameters) {

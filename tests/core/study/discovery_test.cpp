@@ -112,6 +112,13 @@ end Rotor;
         }
         return std::move(result->finding);
     }
+
+    /// Of a parameter of an effect; NaN: it has none of that name.
+    static double valueOf(const AddedEffect& effect, const std::string& name) {
+        for (const EffectValue& p : effect.parameters)
+            if (p.name == name) return p.value;
+        return std::nan("");
+    }
 };
 
 TEST_F(Discovery, AddsNothingToNoise) {
@@ -143,6 +150,8 @@ TEST_F(Discovery, LeavesOutWhatUnseenRecordingsRefute) {
     finding = discovered();
     EXPECT_EQ(finding.kind, FindingKind::Unexplained);
     EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
+    ASSERT_FALSE(finding.remainders.empty());
+    EXPECT_FALSE(finding.remainders.front().node.empty()) << "where it may be is said without the name, too";
     EXPECT_TRUE(std::any_of(finding.warnings.begin(), finding.warnings.end(), [](const Text& warning) {
         return warning.english().find("torque.constant would explain much") != std::string::npos;
     }));
@@ -487,6 +496,7 @@ protected:
     struct Heater {
         double power{1e9};  // [W] that the driver gives at most
         double bend{};      // [1/K2] of the resistance
+        double film{};      // [Ohm] in its plug, half of it left at 1 A
     };
 
     Finding searchHeater(const Heater& heater) {
@@ -525,7 +535,14 @@ end Heater;
         double T = room;
         const auto resistance = [&] { return R * (1 + alpha * (T - room) + heater.bend * (T - room) * (T - room)); };
         const auto current = [&](double v) {
-            return std::min(v, std::sqrt(heater.power * resistance())) / resistance();
+            double i = 0;
+            // the film conducts as the current it takes has made it
+            for (int pass = 0; pass < 40; ++pass) {
+                const double next = v / (resistance() + heater.film / (1 + i));
+                if (heater.film == 0) return std::min(next, std::sqrt(heater.power / resistance()));
+                i = next;
+            }
+            return i;
         };
         for (int k = 0; k <= 1800; ++k) {
             csv << interval * k << ',' << supply(k) << ',' << current(supply(k)) + 0.02 * scatter(random) << ','
@@ -558,6 +575,15 @@ TEST_F(DiscoveryInAHeater, ProposesAResistanceThatBends) {
         << finding.remainders.front().proposedEquation;
 }
 
+TEST_F(DiscoveryInAHeater, ProposesAFilmInThePlug) {
+    const Finding finding = searchHeater({.film = 2});
+    EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
+    ASSERT_FALSE(finding.remainders.empty());
+    EXPECT_NE(finding.remainders.front().proposedEquation.find("v_c = R_c*i/(1 + (abs(i)/i_c)^m) with R_c ="),
+              std::string::npos)
+        << finding.remainders.front().proposedEquation;
+}
+
 /// A motor at a supply: a winding that warms and brushes.
 class DiscoveryInAMotor : public Discovery {
 protected:
@@ -570,6 +596,7 @@ protected:
         double cogging{};     // [N.m], eight times a turn
         double supply{14};    // [V], largest
         double late{};        // [s] by which the driver follows its command
+        double film{};        // [Ohm] under its brushes, half of it left at 1 A
     };
 
     /// What is measured besides the current.
@@ -617,13 +644,14 @@ end Drive;
         const auto constant = [&](double i) { return k / std::sqrt(1 + motor.saturation * i * i); };
         const auto current = [&](double v) {
             double i = 0;
-            // the torque constant is that of the current it takes
+            // the torque constant and the film are those of the current it takes
             for (int pass = 0; pass < 30; ++pass) {
                 const double pull = v - constant(i) * w;
-                const double next = std::abs(pull) < motor.brushes
-                                        ? 0
-                                        : (pull - motor.brushes * signOf(pull)) / (R * (1 + 0.00393 * warm));
-                if (motor.saturation == 0) return std::clamp(next, -motor.limit, motor.limit);
+                const double next =
+                    std::abs(pull) < motor.brushes
+                        ? 0
+                        : (pull - motor.brushes * signOf(pull)) / (R * (1 + 0.00393 * warm) + motor.film / (1 + i * i));
+                if (motor.saturation == 0 && motor.film == 0) return std::clamp(next, -motor.limit, motor.limit);
                 i += 0.7 * (next - i);
             }
             return i;
@@ -679,10 +707,7 @@ TEST_F(DiscoveryInAMotor, CountsTheWavesOfACoggingOverManyTurns) {
     ASSERT_EQ(finding.effects.size(), 1u);
     const AddedEffect& cogging = finding.effects.front();
     EXPECT_EQ(cogging.kind, "torque.cogging");
-    const auto waves = std::find_if(cogging.parameters.begin(), cogging.parameters.end(),
-                                    [](const EffectValue& p) { return p.name == "n"; });
-    ASSERT_NE(waves, cogging.parameters.end());
-    EXPECT_NEAR(waves->value, 8, 1e-3);
+    EXPECT_NEAR(valueOf(cogging, "n"), 8, 1e-3);
     EXPECT_NEAR(std::abs(cogging.parameters.front().value), 0.005, 0.0005);
 }
 
@@ -695,10 +720,7 @@ TEST_F(DiscoveryInAMotor, FollowsTheRecordedAngleWhereTheNotchesBrakeTheShaft) {
         const AddedEffect& cogging = finding.effects.front();
         EXPECT_EQ(cogging.kind, "torque.cogging");
         EXPECT_NEAR(std::abs(cogging.parameters.front().value), 0.03, 0.001);
-        const auto waves = std::find_if(cogging.parameters.begin(), cogging.parameters.end(),
-                                        [](const EffectValue& p) { return p.name == "n"; });
-        ASSERT_NE(waves, cogging.parameters.end());
-        EXPECT_NEAR(waves->value, 8, 1e-2);
+        EXPECT_NEAR(valueOf(cogging, "n"), 8, 1e-2);
     }
 }
 
@@ -725,6 +747,15 @@ TEST_F(DiscoveryInAMotor, TakesASaturatingFieldForNoWarming) {
     const Remainder& law = finding.remainders.front();
     EXPECT_NE(law.proposedEquation.find("k_i = k/sqrt(1 + q*i^2) with q = 0.004"), std::string::npos)
         << law.proposedEquation;
+}
+
+TEST_F(DiscoveryInAMotor, ProposesAFilmUnderTheBrushes) {
+    const Finding finding = searchMotor({.film = 1});
+    EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
+    ASSERT_FALSE(finding.remainders.empty());
+    EXPECT_NE(finding.remainders.front().proposedEquation.find("v_c = R_c*i/(1 + (abs(i)/i_c)^m) with R_c ="),
+              std::string::npos)
+        << finding.remainders.front().proposedEquation;
 }
 
 TEST_F(DiscoveryInAMotor, TakesALimitOfTheCurrentForNoLimitOfTheVoltage) {
@@ -951,12 +982,8 @@ TEST_F(Discovery, DrawsAHardLimitSharpEnoughToLeaveNoise) {
     const Finding finding = search({0.02, [](double, double w, double) { return 0.03 * w; }, 0.6}, 0.02);
     ASSERT_EQ(finding.effects.size(), 1u) << finding.effects.back().kind;
     EXPECT_EQ(finding.effects.front().kind, "actuator.saturation");
-    const std::vector<EffectValue>& parameters = finding.effects.front().parameters;
-    EXPECT_NEAR(1 / parameters.front().value, 0.6, 0.001);
-    const auto limit =
-        std::find_if(parameters.begin(), parameters.end(), [](const EffectValue& p) { return p.name == "limit"; });
-    ASSERT_NE(limit, parameters.end());
-    EXPECT_NEAR(limit->value, 0.6, 0.001);
+    EXPECT_NEAR(1 / finding.effects.front().parameters.front().value, 0.6, 0.001);
+    EXPECT_NEAR(valueOf(finding.effects.front(), "limit"), 0.6, 0.001);
     EXPECT_EQ(finding.kind, FindingKind::Effect);
 }
 
