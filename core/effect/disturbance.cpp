@@ -18,8 +18,11 @@ constexpr double correlations[] = {0.2, 0.8, 0.97};         // of neighbouring p
 constexpr double leastVariance = 1e-3, varianceFactor = 3;  // of the flow's strongest trace, in units of the noise
 constexpr int varianceSteps = 24;
 constexpr int mostRounds = 10, stepsARound = 3;
-constexpr double leastFall = 2;             // of the misfit, for another step or round
-constexpr double likelyShare = 0.5;         // of what the likeliest place explains
+constexpr double leastFall = 2;      // of the misfit, for another step or round
+constexpr double likelyShare = 0.5;  // of what the likeliest place explains
+// mean square that a sensor's error may leave on the other outputs, in units of the noise and as a share of all
+constexpr double mostElsewhere = 2, shareElsewhere = 0.02;
+constexpr double leastOfAPlace = 10;        // fall of the misfit, for a place to be named
 constexpr double leastInformation = 1e-10;  // of the best known direction of the parameters
 
 /// Root of the correlation of pieces that follow each other by a first-order Markov process.
@@ -76,6 +79,17 @@ Eigen::VectorXd follow(const Eigen::MatrixXd& products, double damping) {
     return -normal.ldlt().solve(products.bottomLeftCorner(count, 1));
 }
 
+/// Mean square of what is left of the samples at which a disturbance does not show, where the parameters follow them.
+double leftElsewhere(const Linearisation& model, const FlowResponse& response) {
+    std::vector<Eigen::Index> rows;
+    for (Eigen::Index i = 0; i < response.columns.rows(); ++i)
+        if (response.columns.row(i).isZero(0)) rows.push_back(i);
+    if (rows.empty()) return 0;
+    const Eigen::VectorXd there = model.residuals(rows);
+    const Eigen::VectorXd left = Complement(Eigen::MatrixXd(model.jacobian(rows, Eigen::all)))(there);
+    return left.squaredNorm() / static_cast<double>(rows.size());
+}
+
 double misfitOf(double sumOfSquares, double rows) {
     return rows * std::log(std::max(sumOfSquares, std::numeric_limits<double>::min()) / rows);
 }
@@ -130,24 +144,39 @@ Disturbance::Metric Disturbance::likeliest(const Linearisation& model) const {
     return leastMisfit(residualAndJacobian(model));
 }
 
-std::set<std::string> Disturbance::likelyPlaces(const Linearisation& model, double share) const {
+std::map<std::string, double> Disturbance::leastMisfits(const Linearisation& model) const {
     const Eigen::MatrixXd both = residualAndJacobian(model);
-    double undisturbed = 0, least = std::numeric_limits<double>::infinity();
-    std::map<std::string, double> ofPlace;
+    std::map<std::string, double> least;
     visit(both, [&](const Metric& metric, const Eigen::MatrixXd& products) {
         const double m = misfit(products, metric, static_cast<double>(both.rows()));
-        least = std::min(least, m);
-        if (metric.source < 0) {
-            undisturbed = m;
-        } else {
-            double& there = ofPlace.try_emplace(responses_[sourceOf(metric).response].place, m).first->second;
-            there = std::min(there, m);
-        }
+        const std::string place = metric.source < 0 ? std::string() : responses_[sourceOf(metric).response].place;
+        double& there = least.try_emplace(place, m).first->second;
+        there = std::min(there, m);
     });
+    return least;
+}
+
+std::set<std::string> Disturbance::likelyPlaces(const Linearisation& model, double share) const {
+    const std::map<std::string, double> ofPlace = leastMisfits(model);
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [place, m] : ofPlace) least = std::min(least, m);
     std::set<std::string> likely;
+    const double undisturbed = ofPlace.at("");
     for (const auto& [place, m] : ofPlace)
         if (undisturbed - m > share * (undisturbed - least)) likely.insert(place);
     return likely;
+}
+
+std::string Disturbance::likeliestPlace(const Linearisation& model) const {
+    std::map<std::string, double> ofPlace = leastMisfits(model);
+    ofPlace[""] -= leastOfAPlace;
+    const double all = model.residuals.squaredNorm() / static_cast<double>(model.residuals.size());
+    for (const FlowResponse& r : responses_)
+        if (!r.isFlow && leftElsewhere(model, r) > std::max(mostElsewhere, shareElsewhere * all))
+            ofPlace.erase(r.place);
+    return std::min_element(ofPlace.begin(), ofPlace.end(),
+                            [](const auto& a, const auto& b) { return a.second < b.second; })
+        ->first;
 }
 
 Eigen::VectorXd Disturbance::step(const Linearisation& model, const Metric& metric, double damping,
@@ -277,6 +306,10 @@ private:
 };
 
 }  // namespace
+
+std::string likeliestPlace(const NullModel& model, const SimulationOptions& simulation, const Progress& progress) {
+    return Disturbance(model, simulation, progress).likeliestPlace(model.fit.optimum);
+}
 
 BesideDisturbance besideDisturbance(const NullModel& model, const SimulationOptions& simulation,
                                     const Progress& progress) {

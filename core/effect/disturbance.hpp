@@ -33,6 +33,8 @@ public:
     Metric likeliest(const Linearisation& model) const;
     /// Places where a flow explains at least this share of what it does at the likeliest one.
     std::set<std::string> likelyPlaces(const Linearisation& model, double share) const;
+    /// The likeliest of all; no sensor while the other outputs are left unexplained, too. Empty: no disturbance is.
+    std::string likeliestPlace(const Linearisation& model) const;
 
     /// How the parameters follow in a metric; the normal equations are damped by that part of their diagonal, `held`
     /// parameters stay.
@@ -59,11 +61,17 @@ private:
     Eigen::MatrixXd products(const Eigen::MatrixXd& both, const Metric& metric) const;
     double misfit(const Eigen::MatrixXd& products, const Metric& metric, double rows) const;
     Metric leastMisfit(const Eigen::MatrixXd& both) const;
+    /// Of each place, over its metrics; "": of none.
+    std::map<std::string, double> leastMisfits(const Linearisation& model) const;
 
     std::vector<ResidualChannel> channels_;
     std::vector<FlowResponse> responses_;
     std::vector<Source> sources_;  // in the order of the responses
 };
+
+/// The place whose disturbance is likeliest to have left the residual, where the parameters follow to first order: a
+/// connector, or "output y" for an error of that sensor alone. Empty: none is.
+std::string likeliestPlace(const NullModel& model, const SimulationOptions& simulation, const Progress& progress);
 
 /// A model beside the flow that is likeliest with it.
 struct BesideDisturbance {

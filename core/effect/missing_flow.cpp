@@ -20,8 +20,6 @@ constexpr double leastTermEvidence = 10;
 constexpr double nearlyAll = 0.9;        // by which a term must explain more for each step of complexity
 constexpr double sameTrace = 0.99;       // correlation of traces that are one to a search
 constexpr double leastTermShare = 0.02;  // of what the first explains: less is decoration
-constexpr int piecesOfAPlace = 40;       // of an unknown flow, over a recording
-constexpr double clearlyMore = 1.1;      // what a sensor alone must explain, in what the best node does
 constexpr double roundedSpeed = 0.01;    // of the largest: where the sign of a speed turns over
 
 /// A quantity that a law may contain.
@@ -512,19 +510,6 @@ std::vector<FlowResponse> flowResponses(const NullModel& null, int pieces, const
         if (isWanted(place)) responses.push_back({std::move(place), false, std::move(columns)});
     }
     return responses;
-}
-
-std::string likeliestPlace(const NullModel& null, const SimulationOptions& simulation, const Progress& progress) {
-    const Complement complement(null.fit.optimum.jacobian);
-    std::string best;
-    double most = 0;
-    for (const FlowResponse& r : flowResponses(null, piecesOfAPlace, simulation, progress)) {
-        const double explained = scoreColumns(complement, null.fit.optimum.residuals, r.columns, false).explained;
-        if (!(explained > most * (r.isFlow || best.empty() ? 1 : clearlyMore))) continue;
-        most = explained;
-        best = r.place;
-    }
-    return best;
 }
 
 }  // namespace analogon

@@ -35,9 +35,4 @@ struct FlowResponse {
 std::vector<FlowResponse> flowResponses(const NullModel& null, int pieces, const SimulationOptions& simulation,
                                         const Progress& progress, const std::set<std::string>& wanted = {});
 
-/// The place where an unknown flow explains most of the residual, whatever its course in time (piecewise linear, as
-/// many pieces everywhere): a connector, or "output y" where an error of that sensor alone explains as much. Empty:
-/// none does.
-std::string likeliestPlace(const NullModel& null, const SimulationOptions& simulation, const Progress& progress);
-
 }  // namespace analogon

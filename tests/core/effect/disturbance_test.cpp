@@ -107,6 +107,61 @@ TEST_F(OneNode, LeavesAnEffectThatStandsOutOfADisturbance) {
     EXPECT_GT(evidenceOf(trace, noise() + 5 * through(wandering()) + 8 * trace), 30);
 }
 
+/// A node that two sensors feel, one behind the other.
+class TwoSensors : public OneNode {
+protected:
+    static Disturbance disturbance() {
+        ResidualChannel near = channel(), far = channel();
+        far.output = 1;
+        far.begin = rows;
+        far.end = 2 * rows;
+        const Eigen::MatrixXd felt = responses(), none = Eigen::MatrixXd::Zero(rows, pieces + 1);
+        Eigen::MatrixXd hats(rows, pieces + 1), later(rows, pieces + 1);
+        for (int j = 0; j <= pieces; ++j) {
+            for (int k = 0; k < rows; ++k) hats(k, j) = std::max(0.0, 1 - std::abs(1.0 * k * pieces / (rows - 1) - j));
+            later.col(j) = through(felt.col(j));
+        }
+        return {{near, far},
+                {{"body.port", true, stacked(felt, later)},
+                 {"output near", false, stacked(hats, none)},
+                 {"output far", false, stacked(none, hats)}},
+                pieces};
+    }
+
+    static Eigen::MatrixXd stacked(const Eigen::MatrixXd& near, const Eigen::MatrixXd& far) {
+        Eigen::MatrixXd both(near.rows() + far.rows(), near.cols());
+        both << near, far;
+        return both;
+    }
+
+    std::string placeOf(const Eigen::VectorXd& near, const Eigen::VectorXd& far) {
+        Linearisation model;
+        model.residuals = stacked(near + noise(), far + noise());
+        model.jacobian = Eigen::MatrixXd::Ones(2 * rows, 1);
+        return disturbance().likeliestPlace(model);
+    }
+
+    /// Held for a while: no flow that is felt with a delay does that.
+    static Eigen::VectorXd levels(int length) {
+        Eigen::VectorXd l(rows);
+        for (int k = 0; k < rows; ++k) l[k] = (k / length * 7) % 5 - 2;
+        return l;
+    }
+};
+
+TEST_F(TwoSensors, PutWhatOneOfThemShowsToItAndWhatBothDoToTheNode) {
+    const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(rows), flow = through(10 * wandering());
+    EXPECT_EQ(placeOf(5 * levels(170), nothing), "output near");
+    EXPECT_EQ(placeOf(nothing, 5 * levels(170)), "output far");
+    EXPECT_EQ(placeOf(flow, through(flow)), "body.port");
+    EXPECT_EQ(placeOf(nothing, nothing), "");
+}
+
+TEST_F(TwoSensors, AreNotToBlameWhileTheOtherIsUnexplained) {
+    // what it shows is too fast for any of the three
+    EXPECT_EQ(placeOf(50 * levels(170), 10 * levels(5)), "body.port");
+}
+
 /// A body that is heated in steps and cools to 300 K, in a draught.
 class BodyInADraught : public testing::Test {
 protected:
