@@ -25,7 +25,6 @@ constexpr double startsWithin = 4;  // of the values in the study, by this facto
 constexpr std::size_t fewestOfImitation = 3;
 constexpr double shareOfImitation = 0.05;  // of what they explain together
 constexpr double changeShare = 0.5, leastChange = 100;
-constexpr double refuting = 1.15;  // by which the error grows on recordings that were not fitted
 
 /// Whether a parameter that changes (in mid run, or with a channel) accounts for most of what is above the noise, by a
 /// wide margin over chance, and is a better account of it than a disturbance and than the effects that were found:
@@ -79,19 +78,6 @@ void offer(std::vector<Remainder> proposed, std::vector<Remainder>& left) {
 /// The same for a parameter that changes, where anything is left at all.
 void offerAlone(Remainder change, std::vector<Remainder>& left) {
     if (!left.empty()) offer({std::move(change)}, left);
-}
-
-/// Whether what was found makes recordings that it has not seen clearly worse: it only imitates what is missing.
-bool isRefuted(const Finding& finding) {
-    const double before = errorPercentOf(finding.baseline, Role::Validate),
-                 after = errorPercentOf(finding.final, Role::Validate);
-    return std::isfinite(before) && before > 0 && after > refuting * before;
-}
-
-std::vector<std::string> kindsOf(const std::vector<PlacedEffect>& effects) {
-    std::vector<std::string> kinds;
-    for (const PlacedEffect& e : effects) kinds.push_back(e.effect.kind);
-    return kinds;
 }
 
 /// A parameter that changes, as a proposal at its component.
@@ -180,6 +166,16 @@ void Search::takeOutAll(NullModel& null, const NullModel& base) {
     null = base;
 }
 
+/// Back to the best model that was whole when the search was stopped: what came after it may be half a refit. Returns
+/// its state, if it has effects.
+std::optional<ModelState> Search::backToLastWhole(NullModel& null, const NullModel& base) {
+    takeOutAll(null, base);
+    if (!whole_) return std::nullopt;
+    exchange(*whole_);
+    null = std::move(whole_->null);
+    return std::move(whole_->state);
+}
+
 /// Takes out of what a path ends with all that is not missed, or no more than a disturbance, and the equations without
 /// a name, which are returned.
 Search::Conclusion Search::conclude(NullModel& null, const NullModel& base, bool mayAddLaw) {
@@ -197,6 +193,7 @@ Search::Conclusion Search::conclude(NullModel& null, const NullModel& base, bool
         if (leavesMuch) bringBackDisplaced(null, left);
         removeUnneeded(null, 0, true);  // what was seen only beside a proposal is not kept without it
     }
+    if (isNoise(null)) completeClasses(null);
     const double misfit = proposed.empty() ? misfitIn(base, null) : with;
     return {std::move(proposed), leavesMuch, misfit};
 }
@@ -305,17 +302,24 @@ Outcome<Finding> Search::run() {
         conclusion = std::move(next);
     }
     std::vector<Remainder> proposed = std::move(conclusion.proposed);
+    const bool wasCut = progress_.stopRequested();
+    if (wasCut) {
+        proposed.clear();
+        change_.reset();
+        dependence_.reset();
+        finding.final = backToLastWhole(*null, base).value_or(finding.baseline);
+    }
     holdUnneededStarts(*null);
     finding.nextExperiment = proposeExperiments(*null);
     const std::map<int, Text> held = heldRemarks(*null);
     const bool isOpen = proposed.empty() && !change_ && !dependence_ && !isNoise(*null);
-    std::string place = isOpen ? likeliestPlace(*null, search_.fit.simulation, progress_) : std::string();
+    const std::string place = isOpen ? likeliestPlace(*null, search_.fit.simulation, progress_) : std::string();
     const auto isAsGiven = [&] { return steps_.empty() && freedStarts_.empty() && noisyInputs_.empty(); };
     // what is left with the inputs as recorded is their noise; it says nothing of the component
     std::optional<NullModel> quiet;
     // the search was content with less: on every sample, and integrated as exactly as was asked for
     const bool isOther = onAll || !noisyInputs_.empty();
-    bool isFinal = isAsGiven();
+    bool isFinal = isAsGiven() || wasCut;
     while (!isFinal && !progress_.stopRequested()) {
         if (!noisyInputs_.empty()) quiet = *null;
         Outcome<Variant> whole = null->variant;
@@ -343,24 +347,10 @@ Outcome<Finding> Search::run() {
         finding.final = std::move(*after);
         isFinal = true;
     }
-    if (isFinal && !steps_.empty() && isRefuted(finding)) {
-        finding.warnings.push_back(
-            phrase("{} would explain much of the fitted recordings, but with it the error on the validation recordings "
-                   "grows from {:.3g} % to {:.3g} %: that is not what the model lacks, and it is left out",
-                   listed(kindsOf(null->variant.effects)), errorPercentOf(finding.baseline, Role::Validate),
-                   errorPercentOf(finding.final, Role::Validate)));
-        takeOutAll(*null, base);
-        freedStarts_.clear();
-        noisyInputs_.clear();
-        quiet.reset();
-        finding.final = finding.baseline;
-        // what was worked out beside them goes with them
-        proposed.clear();
-        finding.nextExperiment = Text();
-        place = likeliestPlace(*null, search_.fit.simulation, progress_);
-    }
     if (isAsGiven()) null = onAll ? *onAll : base;
-    if (!isFinal && progress_.stopRequested() && path->state) finding.final = std::move(*path->state);
+    if (!isFinal)
+        if (Outcome<ModelState> found = stateOf(null->variant, null->fit, search_.fit.simulation, Progress()))
+            finding.final = std::move(*found);
     const Outcome<FlatModel> valued = flattened(null->variant.task, finding.final.modelText);
     for (std::size_t i = 0; i < steps_.size() && i < null->variant.effects.size(); ++i) {
         AddedEffect effect = describe(*null, finding.final, null->variant.effects[i], steps_[i]);
@@ -386,7 +376,9 @@ Outcome<Finding> Search::run() {
     finding.interrupted = progress_.stopRequested();
     if (!finding.interrupted) {
         finding.remainders = remainders(quiet ? *quiet : *null, options_.fit.simulation);
-        for (Remainder& r : finding.remainders) r.node = place;
+        // a sensor shows on its own output alone
+        for (Remainder& r : finding.remainders)
+            if (!place.starts_with(outputPrefix) || place.substr(outputPrefix.size()) == r.output) r.node = place;
         for (Remainder& r : proposed)
             if (r.errorValidateWith >= 0) r.errorValidateWithout = errorPercentOf(finding.final, Role::Validate);
         offer(std::move(proposed), finding.remainders);

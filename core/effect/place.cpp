@@ -216,12 +216,26 @@ std::vector<EffectPlace> ModelNodes::signalPlaces(const EffectClass& effect) con
     return places;
 }
 
+/// What replaces a block must have its connectors, and no more but those that it brings itself.
+bool ModelNodes::keepsConnectors(const Block& block, const EffectClass& effect) const {
+    std::set<std::string> left;
+    for (const Port& p : readPorts(library_, effect.className)) left.insert(p.name);
+    left.erase(effect.channel);
+    left.erase(effect.node);
+    // those of effects that are in it already
+    const auto isOwn = [&](const Port& p) { return left.erase(p.name) == 0; };
+    const std::vector<Port> ports = readPorts(library_, block.className);
+    const bool misses = std::any_of(ports.begin(), ports.end(), isOwn);
+    return block.isEffect || (!misses && left.empty());
+}
+
 std::vector<EffectPlace> ModelNodes::specialisePlaces(const EffectClass& effect,
                                                       const std::vector<std::string>& spares) const {
     std::vector<EffectPlace> places;
     for (const Block& b : diagram_.blocks) {
         if (b.isConnector || !b.isResolved) continue;
         if (!library_.isDerived(b.className, effect.base) || classWith(library_, b, effect).empty()) continue;
+        if (!keepsConnectors(b, effect)) continue;
         if (!effect.node.empty())
             for (const EffectPlace& n : attachPlaces(signatureOf(effect, effect.node)))
                 places.push_back({b.name, b.name, {}, n.connector});

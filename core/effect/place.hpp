@@ -64,6 +64,7 @@ private:
     std::vector<EffectPlace> attachPlaces(const std::string& signature) const;
     std::vector<EffectPlace> insertPlaces(const std::string& signature) const;
     std::vector<EffectPlace> signalPlaces(const EffectClass& effect) const;
+    bool keepsConnectors(const Block& block, const EffectClass& effect) const;
     std::vector<EffectPlace> specialisePlaces(const EffectClass& effect, const std::vector<std::string>& spares) const;
     /// Signature of a connector that an effect class has; empty: it has none of that name.
     std::string signatureOf(const EffectClass& effect, const std::string& port) const;

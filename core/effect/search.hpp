@@ -61,7 +61,7 @@ private:
         std::vector<Step> steps;
         std::vector<Displaced> displaced;
         std::vector<CandidateResult> candidates;
-        std::optional<ModelState> state;  // after the last effect: at hand when the search is interrupted
+        std::optional<ModelState> state;  // where it is known
     };
 
     /// What the end of a path comes to.
@@ -79,11 +79,13 @@ private:
     void goOn(Path& path, Round first);
     std::vector<std::size_t> otherBeginnings(const NullModel& null, const Round& round) const;
     std::vector<std::size_t> pairBeginnings(const NullModel& null, const Round& round, std::size_t most,
-                                            const std::vector<std::size_t>& taken) const;
+                                            const std::vector<Candidate>& taken) const;
+    Round withPairMembers(const NullModel& null, Round round);
     Path pathFrom(const NullModel& base, Round round, std::size_t begin);
     Outcome<Path> bestPath(NullModel& base);
     Outcome<Path> bestPathFrom(NullModel& base);
     std::optional<Path> withLaw(Path begin);
+    std::size_t termsIn(const NullModel& null) const;
     void exchange(Path& path);
     std::vector<std::size_t> equivalents(const NullModel& null, const std::vector<Trial>& trials,
                                          std::size_t best) const;
@@ -97,10 +99,13 @@ private:
     bool addLaw(NullModel& null);
     std::vector<Trial> tryLaws(NullModel& null);
     void bringBackDisplaced(NullModel& null, double leftByProposals);
-    bool replace(NullModel& null, std::size_t effect);
+    enum class Rivals { Known, NewAtItsPlace };
+    bool replace(NullModel& null, std::size_t effect, Rivals wanted = Rivals::Known);
+    void completeClasses(NullModel& null);
     Conclusion conclude(NullModel& null, const NullModel& base, bool mayAddLaw);
     bool beginElsewhere(NullModel& null);
     void takeOutAll(NullModel& null, const NullModel& base);
+    std::optional<ModelState> backToLastWhole(NullModel& null, const NullModel& base);
     bool onlyImitate(const NullModel& base, const NullModel& null) const;
     void removeUnneeded(NullModel& null, std::size_t least, bool isLast = false);
     void removeOutweighed(NullModel& null);
@@ -138,6 +143,7 @@ private:
     std::vector<Displaced> displaced_;         // not needed any more beside a proposed equation
     std::vector<Path> otherEnds_;              // of paths that explain less
     std::optional<Path> opening_;              // where the first choice of all led
+    std::optional<Path> whole_;                // the best so far, of named effects: what an interrupted search reports
     std::map<std::string, std::string> laws_;  // texts of the classes that were written for this model, by name
     std::optional<Change> change_;             // in mid run, that explains better than any effect
     std::optional<Dependence> dependence_;     // on a channel, that does

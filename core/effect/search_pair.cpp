@@ -4,43 +4,92 @@
 #include "core/effect/search.hpp"
 
 namespace analogon {
+namespace {
+
+constexpr std::size_t mostScreened = 60;  // that are paired
+constexpr std::size_t mostMembers = 4;    // that are tried because of a pair
+constexpr double nearlyBest = 0.95;       // of what the best pair explains, for another to be looked at
+
+/// Two of a list that explain this much together.
+struct Pair {
+    std::size_t stronger, weaker;
+    double explained;
+};
+
+/// The pairs that explain nearly as much as the best, best first.
+std::vector<Pair> bestPairs(const std::vector<const Screened*>& effects, const Eigen::VectorXd& residual) {
+    std::vector<Pair> pairs;
+    for (std::size_t a = 0; a < effects.size(); ++a)
+        for (std::size_t b = a + 1; b < effects.size(); ++b) {
+            const Candidate &x = effects[a]->candidate, &y = effects[b]->candidate;
+            if (x.place.at == y.place.at && x.effect.kind == y.effect.kind) continue;
+            pairs.push_back({a, b,
+                             explainedTogether(effects[a]->probes.front().plain.directions,
+                                               effects[b]->probes.front().plain.directions, residual)});
+        }
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const Pair& p, const Pair& q) { return p.explained > q.explained; });
+    std::erase_if(pairs, [&](const Pair& p) { return p.explained < nearlyBest * pairs.front().explained; });
+    return pairs;
+}
+
+bool isSame(const Candidate& a, const Candidate& b) {
+    return a.effect.className == b.effect.className && a.place == b.place;
+}
+
+}  // namespace
+
+/// The same round with trials of those that explain most together with another: the best alone may have left them no
+/// place among what was tried.
+Search::Round Search::withPairMembers(const NullModel& null, Round round) {
+    std::vector<const Screened*> named;
+    for (const Screened& s : round.screened)
+        if (s.failure.empty() && s.score() > 0 && s.candidate.effect.proposal.empty()) named.push_back(&s);
+    std::stable_sort(named.begin(), named.end(),
+                     [](const Screened* a, const Screened* b) { return a->score() > b->score(); });
+    if (named.size() > mostScreened) named.resize(mostScreened);
+    std::vector<const Screened*> members;
+    const auto add = [&](const Screened* s) {
+        const auto isIt = [&](const Trial& t) { return isSame(t.screened.candidate, s->candidate); };
+        if (std::any_of(round.trials.begin(), round.trials.end(), isIt)) return;
+        if (members.size() < mostMembers && std::find(members.begin(), members.end(), s) == members.end())
+            members.push_back(s);
+    };
+    for (const Pair& p : bestPairs(named, null.fit.optimum.residuals)) {
+        add(named[p.stronger]);
+        add(named[p.weaker]);
+    }
+    std::vector<Trial> more = tryThese(null, members, 2 * trialIterations, startsPerTrial);
+    round.trials.insert(round.trials.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+    round.chosen.reset();
+    round.members.clear();
+    round.failsHeldOut.clear();
+    rank(null, round.trials);
+    return round;
+}
 
 /// The members of the pairs that explain most together, each pair by the one that explains more alone; at most `most`,
 /// none of `taken`.
 std::vector<std::size_t> Search::pairBeginnings(const NullModel& null, const Round& round, std::size_t most,
-                                                const std::vector<std::size_t>& taken) const {
-    struct Pair {
-        std::size_t stronger, weaker;
-        double explained;
-    };
-    const Eigen::VectorXd& residual = null.fit.optimum.residuals;
+                                                const std::vector<Candidate>& taken) const {
     std::vector<std::size_t> named;
-    for (std::size_t i = 0; i < round.trials.size(); ++i)
-        if (round.trials[i].ok && round.trials[i].evidence > 0 && !isProposal(round.trials[i])) named.push_back(i);
-    std::vector<Pair> pairs;
-    for (std::size_t a = 0; a < named.size(); ++a)
-        for (std::size_t b = a + 1; b < named.size(); ++b) {
-            const Trial &x = round.trials[named[a]], &y = round.trials[named[b]];
-            if (x.screened.candidate.place.at == y.screened.candidate.place.at &&
-                x.screened.candidate.effect.kind == y.screened.candidate.effect.kind)
-                continue;
-            pairs.push_back({named[a], named[b],
-                             explainedTogether(x.screened.probes.front().plain.directions,
-                                               y.screened.probes.front().plain.directions, residual)});
-        }
-    std::stable_sort(pairs.begin(), pairs.end(),
-                     [](const Pair& p, const Pair& q) { return p.explained > q.explained; });
+    std::vector<const Screened*> screened;
+    for (std::size_t i = 0; i < round.trials.size(); ++i) {
+        const Trial& t = round.trials[i];
+        if (!t.ok || !(t.evidence > 0) || isProposal(t)) continue;
+        named.push_back(i);
+        screened.push_back(&t.screened);
+    }
     std::vector<std::size_t> begins;
     const auto isThere = [&](std::size_t i) {
-        const auto holds = [&](const std::vector<std::size_t>& list) {
-            return std::find(list.begin(), list.end(), i) != list.end();
-        };
-        return holds(taken) || holds(begins);
+        const Candidate& own = round.trials[i].screened.candidate;
+        return std::find(begins.begin(), begins.end(), i) != begins.end() ||
+               std::any_of(taken.begin(), taken.end(), [&](const Candidate& c) { return isSame(c, own); });
     };
-    for (const Pair& p : pairs) {
+    for (const Pair& p : bestPairs(screened, null.fit.optimum.residuals)) {
         if (begins.size() == most) break;
-        if (!isThere(p.stronger) && !isThere(p.weaker)) begins.push_back(p.stronger);
-        if (p.explained < 0.95 * pairs.front().explained) break;
+        const std::size_t stronger = named[p.stronger], weaker = named[p.weaker];
+        if (!isThere(stronger) && !isThere(weaker)) begins.push_back(stronger);
     }
     return begins;
 }

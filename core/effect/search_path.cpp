@@ -76,10 +76,12 @@ void Search::goOn(Path& path, Round first) {
         treatAlike(path.null);
         if (Outcome<ModelState> after = stateOf(path.null.variant, path.null.fit, search_.fit.simulation, progress_);
             after && !progress_.stopRequested()) {
-            bestError_ = std::min(bestError_, errorPercentOf(*after, Role::Fit));
-            path.state = std::move(*after);
+            const double error = errorPercentOf(*after, Role::Fit);
+            bestError_ = std::min(bestError_, error);
+            if (!hasProposal(path.null) && !(whole_ && errorPercentOf(*whole_->state, Role::Fit) <= error))
+                whole_ = Path{path.null, steps_, displaced_, candidates_, std::move(*after)};
         }
-        if (!opening_) opening_ = Path{path.null, steps_, displaced_, candidates_, path.state};
+        if (!opening_) opening_ = Path{path.null, steps_, displaced_, candidates_, {}};
     }
     exchange(path);
 }
@@ -144,7 +146,11 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
         return p.null.sumOfSquares() + p.null.parameterCount() * std::log(rows);
     };
     const auto isBetter = [&](const Path& p) {
-        return independentShare(p.null, p.null.fit) * (misfit(best) - misfit(p)) > equivalenceMargin;
+        const double gain = independentShare(p.null, p.null.fit) * (misfit(best) - misfit(p));
+        // of two accounts that are as good and as simple, the one by names
+        const bool isNamed =
+            hasProposal(best.null) && !hasProposal(p.null) && isNoise(p.null) && termsIn(p.null) <= termsIn(best.null);
+        return gain > (isNamed ? -equivalenceMargin : equivalenceMargin);
     };
     for (const std::size_t other : others) {
         if (progress_.stopRequested() || levelOf(best.null.fit) < structuredResidual) break;
@@ -160,12 +166,14 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
         const std::vector<PlacedEffect>& effects = best.null.variant.effects;
         return isNoise(best.null) && effects.size() <= 2 && std::none_of(effects.begin(), effects.end(), isEquation);
     };
-    if (first.chosen && !isExplained() && levelOf(best.null.fit) < mostForPairs) {
-        std::vector<std::size_t> taken = others;
-        taken.push_back(*first.chosen);
-        for (const std::size_t begin : pairBeginnings(base, first, otherPairs, taken)) {
+    if (!isExplained() && levelOf(best.null.fit) < mostForPairs) {
+        std::vector<Candidate> taken;
+        if (first.chosen) taken.push_back(first.trials[*first.chosen].screened.candidate);
+        for (const std::size_t other : others) taken.push_back(first.trials[other].screened.candidate);
+        const Round wider = work_ > mostWork ? first : withPairMembers(base, first);
+        for (const std::size_t begin : pairBeginnings(base, wider, otherPairs, taken)) {
             if (progress_.stopRequested() || isExplained() || work_ > mostWork) break;
-            Path path = pathFrom(base, first, begin);
+            Path path = pathFrom(base, wider, begin);
             if (beginsAnew_) return best;
             if (path.steps.size() < 2) continue;  // it has passed no test alone
             if (isBetter(path)) std::swap(best, path);
@@ -189,10 +197,19 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
         std::optional<Path> path = withLaw(std::move(begin));
         if (beginsAnew_) return best;
         if (!path || !isBetter(*path)) continue;
+        // as many terms as there are names are no simpler, and were chosen from far more
+        if (isNoise(best.null) && termsIn(path->null) >= termsIn(best.null)) continue;
         otherEnds_.push_back(std::move(best));
         best = std::move(*path);
     }
     return best;
+}
+
+/// Effects of a model, each term of a law for one.
+std::size_t Search::termsIn(const NullModel& null) const {
+    std::size_t terms = 0;
+    for (const PlacedEffect& e : null.variant.effects) terms += laws_.contains(e.effect.className) ? e.freed.size() : 1;
+    return terms;
 }
 
 /// The path that goes on from this one with a law that leaves next to nothing; none where no law does.
@@ -236,18 +253,25 @@ bool Search::takeOut(NullModel& null, std::size_t effect) {
 
 /// Tries the rivals of one effect again, now that others have joined it: what came second alone may be the better
 /// half of a pair. True when one of them took its place (at the end of the list).
-bool Search::replace(NullModel& null, std::size_t effect) {
+bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted) {
     const PlacedEffect old = null.variant.effects[effect];
     std::optional<NullModel> rest = without(null, effect);
     if (!rest) return false;
     Outcome<std::vector<Candidate>> places = candidatesFor(rest->variant, catalogue_);
     if (!places) return false;
     std::vector<Candidate> rivals;
+    // of a kind that is known to do worse, another class (surroundings of unknown temperature) may do as well
+    const auto isKnown = [&](const Candidate& c) {
+        const std::vector<Alternative>& known = steps_[effect].alternatives;
+        return std::any_of(known.begin(), known.end(), [&](const Alternative& a) {
+            return a.kind == c.effect.kind && a.at == c.place.at && (a.equivalent || !c.effect.signalSide.empty());
+        });
+    };
     const auto isRival = [&](const Candidate& c) {
+        const bool isOther = c.effect.className != old.effect.className && c.effect.proposal.empty();
+        if (wanted == Rivals::NewAtItsPlace) return isOther && c.place.connector == old.place.connector && !isKnown(c);
         // at a signal's place, what goes there too is taken for it most easily; no round may have told so
-        if (!old.effect.signalSide.empty() && c.place == old.place && c.effect.className != old.effect.className &&
-            c.effect.proposal.empty())
-            return true;
+        if (isOther && !old.effect.signalSide.empty() && c.place == old.place) return true;
         return std::any_of(steps_[effect].rivals.begin(), steps_[effect].rivals.end(), [&](const Candidate& rival) {
             return c.effect.className == rival.effect.className && c.place == rival.place;
         });
@@ -284,12 +308,14 @@ bool Search::replace(NullModel& null, std::size_t effect) {
         const bool isLike = t.evidence > leastLike * evidence && weight * (evidence - t.evidence) < equivalenceMargin;
         return Alternative{c.effect.kind, c.place.at, evidence - t.evidence, isLike};
     };
-    for (const Trial& t : trials) {
-        const EffectPlace& place = t.screened.candidate.place;
-        const std::string& kind = t.screened.candidate.effect.kind;
-        std::erase_if(alternatives, [&](const Alternative& a) { return a.kind == kind && a.at == place.at; });
+    std::erase_if(alternatives, [&](const Alternative& a) {
+        return std::any_of(trials.begin(), trials.end(), [&](const Trial& t) {
+            const Candidate& c = t.screened.candidate;
+            return a.kind == c.effect.kind && a.at == c.place.at;
+        });
+    });
+    for (const Trial& t : trials)  // best first, as they are told
         if (t.ok && !isProposal(t)) alternatives.push_back(beside(t, own));
-    }
     // what the data hardly tell apart is not exchanged for the less likely
     const bool isLessLikely = plausibility(best.screened.candidate.effect) > plausibility(old.effect);
     if (!(gain > leastGain) || (isLessLikely && weight * gain < equivalenceMargin)) return false;
@@ -340,6 +366,14 @@ bool Search::reconsider(NullModel& null) {
         if (!changedNow) break;
     }
     return changed;
+}
+
+/// What goes to the place of an effect may do as well beside the others, though no round has tried it: at the end each
+/// is held against what is new of that.
+void Search::completeClasses(NullModel& null) {
+    std::size_t i = 0;
+    for (std::size_t k = steps_.size(); k-- > 0 && !progress_.stopRequested() && work_ <= mostWork;)
+        if (!replace(null, i, Rivals::NewAtItsPlace)) ++i;  // what takes a place stands at the end
 }
 
 void Search::setVerdict(const std::string& kind, const std::string& at, Verdict verdict) {

@@ -1392,6 +1392,18 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Kosinusanteil</translation>
     </message>
     <message>
+        <source>Relative change of the conductance for each kelvin of its mean temperature (0: off)</source>
+        <translation>Relative Änderung des Leitwerts je Kelvin seiner mittleren Temperatur (0: aus)</translation>
+    </message>
+    <message>
+        <source>Mean temperature at which the conductance is G</source>
+        <translation>Mittlere Temperatur, bei der der Leitwert G ist</translation>
+    </message>
+    <message>
+        <source>Difference at which the conductance is G</source>
+        <translation>Differenz, bei der der Leitwert G ist</translation>
+    </message>
+    <message>
         <source>Period</source>
         <translation>Periode</translation>
     </message>
@@ -1461,7 +1473,7 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     </message>
     <message>
         <source>Heat loss to constant surroundings of unknown temperature</source>
-        <translation>Wärmeverlust an eine konstante Umgebung unbekannter Temperatur</translation>
+        <translation>Wärmeverlust an eine Umgebung fester, unbekannter Temperatur</translation>
     </message>
     <message>
         <source>Heat loss to surroundings whose temperature was recorded</source>
@@ -1469,7 +1481,7 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     </message>
     <message>
         <source>Radiation to constant surroundings of unknown temperature</source>
-        <translation>Strahlung an eine konstante Umgebung unbekannter Temperatur</translation>
+        <translation>Strahlung an eine Umgebung fester, unbekannter Temperatur</translation>
     </message>
     <message>
         <source>Radiation to surroundings whose temperature was recorded</source>
@@ -1746,6 +1758,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     <message>
         <source>Offset that sets in during the run</source>
         <translation>Im Lauf einsetzender Nullpunktfehler</translation>
+    </message>
+    <message>
+        <source>Reading with a hum of its own</source>
+        <translation>Anzeige mit eigenem Brummen</translation>
     </message>
     <message>
         <source>Torque that repeats in time</source>
@@ -2044,6 +2060,22 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Wärmeleitung zwischen zwei Orten</translation>
     </message>
     <message>
+        <source>Heat conduction between two places, without its law</source>
+        <translation>Wärmeleitung zwischen zwei Stellen, ohne ihr Gesetz</translation>
+    </message>
+    <message>
+        <source>Conduction that changes with its temperature</source>
+        <translation>Wärmeleitung, die sich mit ihrer Temperatur ändert</translation>
+    </message>
+    <message>
+        <source>Conduction that changes with the temperature difference</source>
+        <translation>Wärmeleitung, die sich mit der Temperaturdifferenz ändert</translation>
+    </message>
+    <message>
+        <source>Convection in a measured stream that depends on the temperature difference</source>
+        <translation>Konvektion in gemessener Strömung, die von der Temperaturdifferenz abhängt</translation>
+    </message>
+    <message>
         <source>Heat storage and conduction</source>
         <translation>Wärmespeicherung und Wärmeleitung</translation>
     </message>
@@ -2270,6 +2302,26 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     <message>
         <source>A sensor that was knocked, unplugged or re-zeroed in mid run.</source>
         <translation>Ein Sensor, der mitten im Lauf angestoßen, ausgesteckt oder neu genullt wurde.</translation>
+    </message>
+    <message>
+        <source>Base of what conducts heat and stores none. A class that extends it adds one equation for Q_flow.</source>
+        <translation>Basis für alles, was Wärme leitet und keine speichert. Eine erweiternde Klasse ergänzt eine Gleichung für Q_flow.</translation>
+    </message>
+    <message>
+        <source>A bond, a paste or a gap that conducts better or worse when it is warm.</source>
+        <translation>Eine Klebung, eine Paste oder ein Spalt, die warm besser oder schlechter leiten.</translation>
+    </message>
+    <message>
+        <source>A layer of air or liquid that moves by itself, the more the warmer one side is: natural convection where the model has a mere conductance.</source>
+        <translation>Eine Schicht aus Luft oder Flüssigkeit, die sich von selbst bewegt, umso mehr, je wärmer eine Seite ist: freie Konvektion, wo das Modell nur einen Leitwert hat.</translation>
+    </message>
+    <message>
+        <source>As ConvectionByFlowSpeed, with the conductance multiplied by a power of the difference between body and stream.</source>
+        <translation>Wie ConvectionByFlowSpeed, der Leitwert jedoch mit einer Potenz der Differenz zwischen Körper und Strom multipliziert.</translation>
+    </message>
+    <message>
+        <source>The mains, a fan or a beat with the sampling that reaches the cable or the amplifier and not the component.</source>
+        <translation>Das Netz, ein Lüfter oder eine Schwebung mit der Abtastung, die das Kabel oder den Verstärker erreicht und nicht die Komponente.</translation>
     </message>
     <message>
         <source>A condition that changed in mid run: a load that came or went.</source>
@@ -3158,7 +3210,7 @@ Ihre Spalten werden dann den Ein- und Ausgängen des Modells zugeordnet.</transl
     </message>
     <message>
         <source>The fit ran into the bound: it wants a value beyond. Widen the bound, or ask what the model lacks.</source>
-        <translation>Die Anpassung stößt an die Grenze: Sie will darüber hinaus. Grenze weiten, oder fragen, was dem Modell fehlt.</translation>
+        <translation>Die Anpassung stößt an die Grenze: Der beste Wert liegt jenseits davon. Grenze erweitern oder nach dem suchen, was dem Modell fehlt.</translation>
     </message>
     <message>
         <source>The data do not determine this value on its own.</source>
@@ -3567,6 +3619,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Parameter angepasst</translation>
     </message>
     <message>
+        <source>Fitted, with %1 at a bound</source>
+        <translation>Angepasst, %1 an einer Grenze</translation>
+    </message>
+    <message>
+        <source>Within the bounds the error cannot be made smaller; beyond them it could be.</source>
+        <translation>Innerhalb der Grenzen lässt sich der Fehler nicht verkleinern; jenseits davon wohl.</translation>
+    </message>
+    <message>
         <source>Fit did not converge</source>
         <translation>Anpassung nicht konvergiert</translation>
     </message>
@@ -3696,15 +3756,15 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     </message>
     <message>
         <source>fitted experiments</source>
-        <translation>angepasste Versuche</translation>
+        <translation>zur Anpassung verwendete Versuche</translation>
     </message>
     <message>
         <source>Over the fitted experiments</source>
-        <translation>Über die angepassten Versuche</translation>
+        <translation>Über die zur Anpassung verwendeten Versuche</translation>
     </message>
     <message>
         <source>signal to noise, squared</source>
-        <translation>Signal zu Rauschen, quadriert</translation>
+        <translation>Quadrat des Signal-Rausch-Verhältnisses</translation>
     </message>
     <message>
         <source>Squared signal-to-noise ratio of the effect in the residual</source>
@@ -4064,10 +4124,6 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>from the start values of the study the fit ends at a poorer optimum: the search begins at the best of {} starts about them</source>
         <translation>von den Startwerten der Studie aus endet die Anpassung in einem schlechteren Optimum: die Suche beginnt beim besten von {} Starts um sie herum</translation>
-    </message>
-    <message>
-        <source>{} would explain much of the fitted recordings, but with it the error on the validation recordings grows from {:.3g} % to {:.3g} %: that is not what the model lacks, and it is left out</source>
-        <translation>{} würde viel von den angepassten Aufzeichnungen erklären, aber der Fehler auf den Validierungsaufzeichnungen wächst damit von {:.3g} % auf {:.3g} %: das ist nicht, was dem Modell fehlt, und bleibt weg</translation>
     </message>
     <message>
         <source>there is no block library at {}</source>

@@ -446,8 +446,12 @@ TEST(ActuatorSaturation, IsFaithfulBelowAndFlatAboveItsLimit) {
 
 // ------------------------------------------------------------------------------------------------ switched off
 
-/// The bench of an effect: a heated sensor and a motor in one model, with places for every way.
-std::string rig(const EffectClass* effect) {
+bool isBlown(const EffectClass& effect) { return effect.className.ends_with("ByFlowSpeed"); }
+
+/// The bench of an effect: a heated sensor and a motor in one model, with places for every way. `blown`: the sensor in
+/// a stream of measured speed.
+std::string rig(const EffectClass* effect, bool blown = false) {
+    blown = blown || (effect && isBlown(*effect));
     const bool attach = effect && effect->way == Way::Attach, insert = effect && effect->way == Way::Insert;
     const bool signal = insert && !effect->signalSide.empty();
     const bool specialise = effect && effect->way == Way::Specialise;
@@ -464,7 +468,8 @@ std::string rig(const EffectClass* effect) {
         " motor(R=0.5, L=0.002, k=0.03);\n  " +
         of("Analogon.ElectricThermal.PartialElectricThermal", "Analogon.ElectricThermal.BasicElectricThermal") +
         " heater(R=3, alpha=0.002);\n  " +
-        of("Analogon.ThermalFluid.PartialThermalFluid", "Analogon.ThermalFluid.BasicThermalFluid") +
+        of("Analogon.ThermalFluid.PartialThermalFluid",
+           blown ? "Analogon.ThermalFluid.ConvectionByFlowSpeed" : "Analogon.ThermalFluid.BasicThermalFluid") +
         R"( element(C=1, c_o=2, A=3e-4);
   Analogon.Mechanics.Inertia first(J=1e-4), second(J=2e-4);
   Analogon.Mechanics.ViscousLoad load(b=1e-3);
@@ -500,6 +505,7 @@ std::string rig(const EffectClass* effect) {
     if (specialise && !effect->node.empty()) text += "  connect(motor." + effect->node + ", element.solid);\n";
     if (attach && !effect->channel.empty()) text += "  connect(gas_flow, effect." + effect->channel + ");\n";
     if (specialise && !effect->channel.empty()) text += "  connect(gas_flow, element." + effect->channel + ");\n";
+    if (blown) text += "  connect(gas_flow, element.speed);\n";
     return text;
 }
 
@@ -551,10 +557,11 @@ TEST(Effects, ChangeNothingWhileTheirStrengthIsZero) {
     const Outcome<std::vector<EffectClass>> effects = effectCatalogue(*library);
     ASSERT_TRUE(effects);
     const std::vector<Signal> inputs{[](double t) { return 6 + 4 * std::sin(3 * t); }, [](double t) { return 2 + t; }};
-    const Recording plain = run(rig(nullptr), 2, 101, inputs);
-    ASSERT_EQ(plain.fault, "");
+    const Recording still = run(rig(nullptr), 2, 101, inputs), blown = run(rig(nullptr, true), 2, 101, inputs);
+    ASSERT_EQ(still.fault + blown.fault, "");
     for (const EffectClass& effect : *effects) {
         SCOPED_TRACE(effect.className);
+        const Recording& plain = isBlown(effect) ? blown : still;
         const Recording off = run(rig(&effect), 2, 101, inputs);
         ASSERT_EQ(off.fault, "");
         // play without width still has elastic teeth, very stiff ones

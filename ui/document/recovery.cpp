@@ -7,7 +7,6 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QLocale>
 #include <QStandardPaths>
 #include <cerrno>
 
@@ -76,7 +75,7 @@ std::vector<Recovered> Recovery::abandoned() {
         if (isAlive) continue;
         QFile note(noteOf(entry.filePath()));
         const QString origin = note.open(QIODevice::ReadOnly) ? QString::fromUtf8(note.readAll()) : QString();
-        result.push_back({entry.filePath(), origin, QLocale().toString(entry.lastModified(), QLocale::ShortFormat)});
+        result.push_back({entry.filePath(), origin, entry.lastModified().toString("yyyy-MM-dd hh:mm")});
     }
     return result;
 }

@@ -84,6 +84,13 @@ Headline headlineOf(const Finding& finding, RunKind kind, const QPalette& palett
                                           : inWords(finding.final.message);
         if (finding.interrupted || finding.final.status == FitStatus::Cancelled)
             return {tr("Fit stopped"), tr("The best parameters so far are shown."), style::caution(palette)};
+        std::vector<std::string> atBounds;
+        for (const FitEstimate& e : finding.final.parameters)
+            if (e.atBound) atBounds.push_back(e.name);
+        if (converged && !atBounds.empty())
+            return {tr("Fitted, with %1 at a bound").arg(joined(atBounds)),
+                    tr("Within the bounds the error cannot be made smaller; beyond them it could be."),
+                    style::caution(palette)};
         return {converged ? tr("Parameters fitted") : tr("Fit did not converge"), message,
                 converged ? style::good(palette) : style::caution(palette)};
     }
@@ -133,7 +140,9 @@ QString placeOf(const QString& at) {
 
 QString shortDescription(const QString& description) {
     const QString whole = QCoreApplication::translate("Library", description.toUtf8().constData());
-    return whole.section(QRegularExpression("[,;:.(]"), 0, 0).trimmed();
+    // German has a comma before a relative clause where English has none; it tells one effect from another
+    static const QRegularExpression detail("[,;:.(]"), clause("[;:.(]");
+    return whole.section(description.contains(',') ? detail : clause, 0, 0).trimmed();
 }
 
 QString placeText(const QString& at) {
@@ -355,8 +364,9 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
         ++row;
     };
     for (const EffectValue& p : effect.parameters) {
-        QString value = numberText(p.value, 4);
-        if (std::isfinite(p.standardError) && p.standardError > 0) value += " ± " + numberText(p.standardError, 2);
+        const bool isEstimate = std::isfinite(p.standardError) && p.standardError > 0;
+        QString value = numberText(p.value, isEstimate ? 4 : 5);  // what is given is shown as it is given
+        if (isEstimate) value += " ± " + numberText(p.standardError, 2);
         add(text(p.name), value + " " + text(p.unit));
     }
     const Evidence& e = effect.evidence;

@@ -228,7 +228,7 @@ QVariant ParameterModel::display(const Row& row, int column) const {
         case Name:
             return QString::fromStdString(row.name);
         case Value:
-            return row.value ? numberText(shown(*row.value), 4) : QString();
+            return row.value ? numberText(shown(*row.value)) : QString();
         case Unit:
             return unitText(row);
         case Min:

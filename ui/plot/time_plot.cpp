@@ -253,8 +253,10 @@ void TimePlot::paintGrid(QPainter& painter) const {
     const auto ticks = [](double low, double high, double step, const auto& draw) {
         for (double k = std::ceil(low / step); k * step <= high; ++k) draw(k * step);
     };
-    const double valueStep =
-        niceStep(high_ - low_, std::max(2, static_cast<int>(area.height() / (1.4 * metrics.height()))));
+    double valueStep = niceStep(high_ - low_, std::max(2, static_cast<int>(area.height() / (1.4 * metrics.height()))));
+    // one label alone tells no scale
+    for (int k = 0; k < 4 && std::floor(high_ / valueStep) - std::ceil(low_ / valueStep) < 1; ++k)
+        valueStep = niceStep(0.4 * valueStep, 1);
     ticks(low_, high_, valueStep, [&](double value) {
         const double y = yAt(value);
         painter.setPen(grid);
@@ -312,8 +314,8 @@ QPolygonF TimePlot::lineThroughSamples(const std::vector<double>& values) const 
     return line;
 }
 
-/// More samples than columns: what is nearly flat within a column is a line through the middles, what is not a row of
-/// bars, which cost far less than the same strokes smoothed.
+/// More samples than columns: what is nearly flat within most of them is a line through the middles, with bars where a
+/// column is not; what is not flat is a row of bars, which cost far less than the same strokes smoothed.
 void TimePlot::paintColumns(QPainter& painter, const std::vector<ValueRange>& columns, double width,
                             const QPen& pen) const {
     const QRectF area = this->area();
@@ -329,16 +331,21 @@ void TimePlot::paintColumns(QPainter& painter, const std::vector<ValueRange>& co
         line << QPointF(area.left() + (static_cast<double>(i) + 0.5) * width, yAt(middle(columns[i])));
     }
     if (filled == 0) return;
-    if (height / filled < flat) {
-        painter.setRenderHint(QPainter::Antialiasing);
-        painter.setPen(pen);
-        painter.drawPolyline(line);
-        return;
-    }
-    painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setPen(pen);
     const double half = pen.widthF() / 2;
     std::size_t drawn = 0, before = 0;
+    if (height / filled < flat) {
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.drawPolyline(line);
+        for (const ValueRange& c : columns) {
+            if (c.isEmpty()) continue;
+            const double at = line[static_cast<qsizetype>(drawn++)].x(), top = yAt(c.high), bottom = yAt(c.low);
+            if (bottom - top > pen.widthF())
+                painter.fillRect(QRectF(at - half, top - half, pen.widthF(), bottom - top + 2 * half), pen.color());
+        }
+        return;
+    }
+    painter.setRenderHint(QPainter::Antialiasing, false);
     for (std::size_t i = 0; i < columns.size(); ++i) {
         if (columns[i].isEmpty()) continue;
         const QPointF at = line[static_cast<qsizetype>(drawn)];

@@ -153,5 +153,35 @@ TEST_F(Places, OfAComponentThatIsSpecialisedAlreadyAreThoseThatOneClassCanHold) 
     EXPECT_THAT(placesOf("flux.temperature"), IsEmpty()) << "no class holds it beside the winding";
 }
 
+TEST_F(Places, OfASpecialisedClassAreThoseWhoseConnectorsItHas) {
+    constexpr const char* cooler = R"(model Cooler
+  Analogon.Interfaces.RealInput speed(unit="km/h");
+  Analogon.ThermalFluid.BasicThermalFluid plain(C=10, c_o=5);
+  Analogon.ThermalFluid.ConvectionByFlowSpeed blown(C=10, c_o=5);
+  Analogon.Thermal.ThermalConductor between(G=0.1);
+  Analogon.Sources.FixedTemperature air(T=293.15);
+equation
+  connect(speed, blown.speed);
+  connect(plain.fluid, air.port);
+  connect(blown.fluid, air.port);
+  connect(plain.solid, between.port_a);
+  connect(blown.solid, between.port_b);
+end Cooler;
+)";
+    Outcome<Library> with = library.withSource(std::make_shared<Source>("model.mo", cooler));
+    ASSERT_TRUE(with) << format(with.diagnostics());
+    Outcome<FlatModel> flat = flatten(*with, "Cooler");
+    ASSERT_TRUE(flat) << format(flat.diagnostics());
+    Outcome<Structure> structure = analyse(std::make_shared<FlatModel>(std::move(*flat)));
+    Outcome<Diagram> diagram = readDiagram(*with, "Cooler");
+    const ModelNodes nodes(*with, *diagram, *structure);
+    std::vector<std::string> found;
+    for (const EffectClass& e : catalogue)
+        if (e.kind == "convection.exponent")
+            for (const EffectPlace& p : nodes.placesFor(e, {}))
+                found.push_back(p.at + " " + e.className.substr(e.className.rfind('.') + 1));
+    EXPECT_THAT(found, testing::UnorderedElementsAre("plain NaturalConvection", "blown NaturalConvectionByFlowSpeed"));
+}
+
 }  // namespace
 }  // namespace analogon

@@ -17,7 +17,7 @@ equation
       way = "specialise",
       strength = "R_c",
       oneSided = true,
-      reach(m = 1.5),
+      reach(m = 1.5, i_c = 1.3),
       shape(i_c = {"0.02*maxabs(i)", "0.1*maxabs(i)", "0.4*maxabs(i)"}, m = {"1", "2"}))),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
         Text(extent={{-50,40},{50,-40}}, textString="M", textColor={0,0,0}, textStyle={TextStyle.Bold}),

@@ -17,7 +17,7 @@ equation
       way = "specialise",
       strength = "R_c",
       oneSided = true,
-      reach(m = 1.5),
+      reach(m = 1.5, i_c = 1.3),
       shape(i_c = {"0.02*maxabs(i)", "0.1*maxabs(i)", "0.4*maxabs(i)"}, m = {"1", "2"}))),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
         Rectangle(extent={{30,-50},{110,-100}}, lineColor={213,94,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid, pattern=LinePattern.Dash, radius=8),

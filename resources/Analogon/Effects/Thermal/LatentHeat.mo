@@ -27,7 +27,7 @@ equation
       strength = "Q_l",
       oneSided = true,
       fixed(t_f = "sample"),
-      shape(T_l = {"start(T) + 0.1*range(T)", "start(T) + 0.25*range(T)", "start(T) + 0.4*range(T)", "start(T) + 0.6*range(T)"}, width = {"0.06*range(T)", "0.2*range(T)"}))),
+      shape(T_l = {"start(T) + 0.1*range(T)", "start(T) + 0.25*range(T)", "start(T) + 0.4*range(T)", "start(T) + 0.6*range(T)", "start(T) + 0.9*range(T)"}, width = {"0.06*range(T)", "0.2*range(T)"}))),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
         Rectangle(extent={{-90,90},{90,-90}}, lineColor={213,94,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid, radius=10),
         Line(points={{-100,0},{-60,0}}, color={191,0,0}, thickness=0.5),
