@@ -375,7 +375,13 @@ Outcome<Finding> Search::run() {
     finding.candidates = std::move(candidates_);
     finding.interrupted = progress_.stopRequested();
     if (!finding.interrupted) {
-        finding.remainders = remainders(quiet ? *quiet : *null, options_.fit.simulation);
+        Leftovers left = leftovers(quiet ? *quiet : *null, options_.fit.simulation);
+        finding.remainders = std::move(left.structure);
+        for (const ColouredNoise& n : left.noise)
+            finding.warnings.push_back(
+                phrase("what is left on output '{}' of '{}' is noise with a memory ({:.2g} s): it moves with nothing "
+                       "that is recorded or simulated, and is taken for noise of the measurement",
+                       n.output, n.experiment, n.memory));
         // a sensor shows on its own output alone
         for (Remainder& r : finding.remainders)
             if (!place.starts_with(outputPrefix) || place.substr(outputPrefix.size()) == r.output) r.node = place;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
+#include <optional>
 
 #include "core/residual/quantisation.hpp"
 
@@ -12,6 +13,8 @@ namespace {
 constexpr double significance = 1e-4;
 constexpr double leastMotion = 1e-9;  // of a quantity, after what the parameters can imitate is taken out
 constexpr double leastCorrelation = 0.05;
+constexpr int mostShift = 20;      // between two outputs [samples]
+constexpr double leastShared = 5;  // deviations of the correlation of two noises
 
 /// A quantity the residual may move with, at the samples of every fitted experiment.
 struct Regressor {
@@ -105,33 +108,88 @@ double pWhitened(const ColumnScore& all, double total, int count) {
     return boost::math::cdf(boost::math::complement(boost::math::fisher_f(dof, count - dof), std::max(0.0, f)));
 }
 
-/// The same on the residual as it is, taken for noise of its own correlation time: an autoregressive model hides slow
-/// structure, this does not.
-double pPatient(const NullModel& null, const ResidualChannel& channel, const Eigen::MatrixXd& columns) {
-    const int count = channel.end - channel.begin;
-    const Eigen::VectorXd& residual = null.fit.optimum.residuals;
-    const Eigen::MatrixXd rest = Complement(null.fit.optimum.jacobian)(columns);
-    const ColumnScore all = scoreColumns(Complement(Eigen::MatrixXd(residual.size(), 0)), residual, rest, false);
-    const double dof = static_cast<double>(all.directions.cols());
-    const Eigen::VectorXd left = residual - all.directions * (all.directions.transpose() * residual);
-    const ResidualSummary noise = summarise(left.segment(channel.begin, count));
-    const double effective = count / std::max(1.0, noise.autocorrelationTime);
-    if (dof < 1 || effective < 2 * dof + 10) return 1;
-    const double variance = left.segment(channel.begin, count).squaredNorm() / (count - dof);
-    const double f = all.explained / variance * effective / count / dof;
-    return boost::math::cdf(boost::math::complement(boost::math::fisher_f(dof, effective - dof), std::max(0.0, f)));
+/// The same on the residual as it is, each channel taken for noise of its own level and correlation time: an
+/// autoregressive model hides slow structure, this does not.
+class PatientTest {
+public:
+    explicit PatientTest(const NullModel& null) : residuals_(null.fit.optimum.residuals) {
+        scale_ = Eigen::VectorXd::Zero(residuals_.size());
+        for (const ResidualChannel& c : null.channels) {
+            const int count = c.end - c.begin;
+            const Eigen::VectorXd own = residuals_.segment(c.begin, count);
+            const double variance = own.squaredNorm() / count, memory = summarise(own).autocorrelationTime;
+            if (variance > 0)
+                scale_.segment(c.begin, count).setConstant(1 / std::sqrt(variance * std::max(1.0, memory)));
+        }
+        complement_.emplace(Eigen::MatrixXd(scale_.asDiagonal() * null.fit.optimum.jacobian));
+        scaled_ = (*complement_)(Eigen::MatrixXd(scale_.cwiseProduct(residuals_)));
+    }
+
+    double p(const ResidualChannel& channel, const Eigen::MatrixXd& columns) const {
+        const int count = channel.end - channel.begin;
+        const Eigen::MatrixXd rest = (*complement_)(Eigen::MatrixXd(scale_.asDiagonal() * columns));
+        const ColumnScore all = scoreColumns(Complement(Eigen::MatrixXd(rest.rows(), 0)), scaled_, rest, false);
+        const double dof = static_cast<double>(all.directions.cols());
+        const Eigen::VectorXd left = scaled_ - all.directions * (all.directions.transpose() * scaled_);
+        const ResidualSummary noise = summarise(left.segment(channel.begin, count));
+        const double effective = count / std::max(1.0, noise.autocorrelationTime);
+        if (dof < 1 || effective < 2 * dof + 10) return 1;
+        const double variance = left.segment(channel.begin, count).squaredNorm() / (count - dof);
+        const double f = all.explained / variance * effective / count / dof;
+        return boost::math::cdf(boost::math::complement(boost::math::fisher_f(dof, effective - dof), std::max(0.0, f)));
+    }
+
+private:
+    const Eigen::VectorXd& residuals_;
+    Eigen::VectorXd scale_, scaled_;
+    std::optional<Complement> complement_;
+};
+
+/// Whether what is left on two outputs of a recording goes together, at a shift (without its colour) or at a frequency:
+/// sensors have no noise in common.
+bool isShared(const std::vector<ResidualChannel>& channels, const Eigen::VectorXd& residuals,
+              const Eigen::VectorXd& white) {
+    for (std::size_t i = 0; i < channels.size(); ++i)
+        for (std::size_t j = i + 1; j < channels.size(); ++j) {
+            if (channels[i].experiment != channels[j].experiment || channels[i].samples != channels[j].samples)
+                continue;
+            const int from = channels[i].begin, other = channels[j].begin, count = channels[i].end - from;
+            if (coherenceProbability(residuals.segment(from, count), residuals.segment(other, count)) < significance)
+                return true;
+            const Eigen::VectorXd a = white.segment(from, count), b = white.segment(other, count);
+            const double chance = a.norm() * b.norm() / std::sqrt(static_cast<double>(count));
+            for (int lag = -std::min(mostShift, count - 1); lag <= std::min(mostShift, count - 1); ++lag) {
+                const int rest = count - std::abs(lag);
+                const double together = lag < 0 ? a.head(rest).dot(b.tail(rest)) : a.tail(rest).dot(b.head(rest));
+                if (std::abs(together) > leastShared * chance) return true;
+            }
+        }
+    return false;
 }
+
+/// A channel under the tests.
+struct Examined {
+    const ResidualChannel* channel{};
+    ResidualSummary summary;
+    ColumnScore all;       // of what it may move with
+    Eigen::MatrixXd rest;  // the same columns, white, beside the parameters
+    double total{};        // sum of squares, white
+    double pMoves{1};      // that it moves with so much by chance
+    bool isWhite{}, isNoise{};
+};
 
 }  // namespace
 
-std::vector<Remainder> remainders(const NullModel& null, const SimulationOptions& simulation) {
-    std::vector<Remainder> found;
+Leftovers leftovers(const NullModel& null, const SimulationOptions& simulation) {
+    Leftovers found;
     Outcome<PreparedTask> prepared = prepareHeld(null.variant, {}, null.noise);
     if (!prepared) return found;
     const std::vector<Regressor> candidates = regressors(null, *prepared, simulation);
     const Complement complement(null.whitener(null.fit.optimum.jacobian));
     const Eigen::VectorXd white = complement(null.whitener(null.fit.optimum.residuals));
+    const PatientTest patient(null);
     const double tests = static_cast<double>(null.channels.size());
+    std::vector<Examined> examined;
     for (const ResidualChannel& channel : null.channels) {
         if (quantisationStep(channel.measured) > 0 && isNoise(channel, null.fit.optimum.residuals)) continue;
         const int count = channel.end - channel.begin;
@@ -145,38 +203,59 @@ std::vector<Remainder> remainders(const NullModel& null, const SimulationOptions
                 columns(row, static_cast<Eigen::Index>(j)) =
                     series[channel.samples[static_cast<std::size_t>(row - channel.begin)]] - mean;
         }
-        const Eigen::MatrixXd rest = complement(null.whitener(columns));
-        const ColumnScore all = scoreColumns(Complement(Eigen::MatrixXd(white.size(), 0)), white, rest, false);
-        const double dof = static_cast<double>(all.directions.cols());
-        const double total = white.segment(channel.begin, count).squaredNorm();
+        Examined e;
+        e.channel = &channel;
+        e.rest = complement(null.whitener(columns));
+        e.all = scoreColumns(Complement(Eigen::MatrixXd(white.size(), 0)), white, e.rest, false);
+        const auto dof = static_cast<int>(e.all.directions.cols());
         if (dof < 1 || count < 2 * dof + 10) continue;
-        const ResidualSummary summary = summarise(null.fit.optimum.residuals.segment(channel.begin, count));
-        const double p =
-            std::min({pWhitened(all, total, count), pPatient(null, channel, columns), summary.whiteProbability});
-        if (!(p * 3 * tests < significance)) continue;
-
+        e.total = white.segment(channel.begin, count).squaredNorm();
+        e.pMoves = std::min(pWhitened(e.all, e.total, count), patient.p(channel, columns));
+        const Eigen::VectorXd own = null.fit.optimum.residuals.segment(channel.begin, count);
+        e.summary = summarise(own);
+        e.isWhite = !(e.summary.whiteProbability * 3 * tests < significance);
+        e.isNoise = !(e.pMoves * 3 * tests < significance) && (e.isWhite || isStationaryNoise(own));
+        examined.push_back(std::move(e));
+    }
+    const bool isAllNoise =
+        std::all_of(examined.begin(), examined.end(), [](const Examined& e) { return e.isNoise; }) &&
+        !isShared(null.channels, null.fit.optimum.residuals, white);
+    for (const Examined& e : examined) {
+        if (e.isWhite && e.isNoise) continue;
+        const ResidualChannel& channel = *e.channel;
+        const FitExperiment& experiment = prepared->problem.experiments[static_cast<std::size_t>(channel.experiment)];
+        const std::string& output = prepared->system->outputs()[static_cast<std::size_t>(channel.output)].name;
+        const int count = channel.end - channel.begin;
+        if (isAllNoise) {
+            const double span = experiment.inputs.time[static_cast<std::size_t>(channel.samples.back())] -
+                                experiment.inputs.time[static_cast<std::size_t>(channel.samples.front())];
+            found.noise.push_back({output, experiment.name, e.summary.autocorrelationTime * span / (count - 1)});
+            continue;
+        }
+        const double p = std::min(e.pMoves, e.summary.whiteProbability);
+        const double dof = static_cast<double>(e.all.directions.cols());
         Remainder r;
-        r.output = prepared->system->outputs()[static_cast<std::size_t>(channel.output)].name;
-        r.experiment = prepared->problem.experiments[static_cast<std::size_t>(channel.experiment)].name;
+        r.output = output;
+        r.experiment = experiment.name;
         r.evidence =
-            std::max(all.explained - dof * std::log(static_cast<double>(count)), -std::log(std::max(p, 1e-300)));
+            std::max(e.all.explained - dof * std::log(static_cast<double>(count)), -std::log(std::max(p, 1e-300)));
         locate(null, *prepared, channel, r);
         for (std::size_t j = 0; j < candidates.size(); ++j) {
-            const Eigen::VectorXd c = rest.col(static_cast<Eigen::Index>(j));
+            const Eigen::VectorXd c = e.rest.col(static_cast<Eigen::Index>(j));
             const double n = c.norm();
             // what hardly moves here (the sign of a temperature) moves with nothing
             if (!(n > leastMotion * candidates[j].series[static_cast<std::size_t>(channel.experiment)].norm()))
                 continue;
-            const double correlation = c.dot(white) / n / std::sqrt(total);
+            const double correlation = c.dot(white) / n / std::sqrt(e.total);
             if (std::abs(correlation) > leastCorrelation) r.movesWith.push_back({candidates[j].variable, correlation});
         }
         std::sort(r.movesWith.begin(), r.movesWith.end(), [](const Correlate& a, const Correlate& b) {
             return std::abs(a.correlation) > std::abs(b.correlation);
         });
         if (r.movesWith.size() > 5) r.movesWith.resize(5);
-        if (r.evidence > 0) found.push_back(std::move(r));
+        if (r.evidence > 0) found.structure.push_back(std::move(r));
     }
-    std::stable_sort(found.begin(), found.end(),
+    std::stable_sort(found.structure.begin(), found.structure.end(),
                      [](const Remainder& a, const Remainder& b) { return a.evidence > b.evidence; });
     return found;
 }

@@ -7,6 +7,7 @@
 
 #include "core/base/parallel.hpp"
 #include "core/effect/model_state.hpp"
+#include "core/effect/remainder.hpp"
 #include "core/effect/search.hpp"
 #include "core/effect/twin.hpp"
 
@@ -136,11 +137,20 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
         first = tryAll(base);
         decide(base, first);
     }
+    // noise with a memory is no missing effect, alone or in pairs, but a weak one may lie in it
+    const auto isOnlyNoise = [&](const NullModel& null) {
+        return isNoise(null) || leftovers(null, search_.fit.simulation).structure.empty();
+    };
+    if (first.chosen && !isClearlyMissed(first.acceptance) && !isNoise(base) && isOnlyNoise(base)) {
+        first.chosen.reset();
+        first.members.clear();
+    }
     Path best{base, {}, {}, {}, {}};
     std::vector<std::size_t> others;
     if (first.chosen) others = otherBeginnings(base, first);
     goOn(best, first);
     if (beginsAnew_) return best;
+    if (isOnlyNoise(best.null) && best.steps.size() < 2 && !hasProposal(best.null)) return best;
     const auto misfit = [&](const Path& p) {
         const double rows = static_cast<double>(p.null.fit.optimum.residuals.size());
         return p.null.sumOfSquares() + p.null.parameterCount() * std::log(rows);
@@ -286,10 +296,15 @@ bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted) {
         screened[static_cast<std::size_t>(i)] =
             screen(*rest, rivals[static_cast<std::size_t>(i)], search_.fit.simulation, progress_);
     });
+    // at the end few are left to try: also those whose slope has the wrong sign, beside parameters that took their part
+    const auto isWorthATrial = [&](const Screened& s) {
+        return s.failure.empty() && (s.score() > 0 || (wanted == Rivals::NewAtItsPlace && s.isWrongSign()));
+    };
     std::vector<const Screened*> chosen;
     for (const Screened& s : screened)
-        if (s.failure.empty() && s.score() > 0) chosen.push_back(&s);
+        if (isWorthATrial(s)) chosen.push_back(&s);
     std::vector<Trial> trials = tryThese(*rest, chosen, 2 * trialIterations, startsPerTrial);
+    continueBest(*rest, trials);
     rank(*rest, trials);
     if (trials.empty() || !trials.front().ok || progress_.stopRequested()) return false;
     Trial& best = trials.front();

@@ -9,6 +9,7 @@
 namespace analogon {
 namespace {
 
+constexpr int mostContinued = 4;           // times, while a fit that has not converged still tells more
 constexpr double twinCorrelation = 0.999;  // projected traces more alike than this are twins
 constexpr double falseAlarmQuantile = 0.99;
 constexpr std::size_t mostRivals = 5, mostAlternatives = 6;
@@ -146,7 +147,11 @@ void Search::continueBest(const NullModel& null, std::vector<Trial>& trials) {
     const int count = std::min<int>(options_.refitted, static_cast<int>(trials.size()));
     parallelFor(count, options_.threads, [&](int i) {
         Trial& t = trials[static_cast<std::size_t>(i)];
-        if (t.ok && t.fit.status == FitStatus::IterationLimit) proceed(null, t, options, progress_);
+        for (int k = 0; k < mostContinued && t.ok && t.fit.status == FitStatus::IterationLimit; ++k) {
+            const double before = t.sumOfSquares();
+            proceed(null, t, options, progress_);
+            if (!(before - t.sumOfSquares() > equivalenceMargin)) break;
+        }
     });
 }
 

@@ -8,10 +8,10 @@
 namespace analogon {
 namespace {
 
-constexpr double leastEvidence = 10;  // fall in BIC that an effect must bring
-constexpr double leastBeside = 20;    // beside others, whose form is not quite the component's: less may only mend that
-constexpr std::ptrdiff_t mostStarts = 8;  // that are weighed against each other
-constexpr double structureFactor = 3;
+constexpr double leastEvidence = 20;         // fall in BIC that an effect must bring
+constexpr double leastOfStructure = 30;      // where it leaves structure, on which it may only feed
+constexpr double leastBesideStructure = 60;  // the same beside other effects, whose form it may only mend
+constexpr std::ptrdiff_t mostStarts = 8;     // that are weighed against each other
 constexpr double trialTolerance = 1e-6;
 constexpr double leastHeldOut = 0.5;
 constexpr double leastHeldOutOfAll = 0.2;   // where nothing else remains, and far more is explained than chance can
@@ -107,6 +107,11 @@ std::vector<std::pair<const Probe*, double>> startsOf(const Screened& screened) 
         if (probe.strength() != 0) starts.emplace_back(&probe, 0);
         if (probe.secant != 0) starts.emplace_back(&probe, probe.secant);
     }
+    // beside parameters that have taken its part a slope may have the wrong sign: the size is a guess all the same
+    if (starts.empty())
+        for (const Probe& probe : screened.probes)
+            if (probe.plain.strengths.size() > 0 && probe.plain.strengths[0] != 0)
+                starts.emplace_back(&probe, std::abs(probe.plain.strengths[0]));
     return starts;
 }
 
@@ -305,11 +310,12 @@ Acceptance examine(const NullModel& null, const FitResult& with, int freed, doub
     a.heldOut =
         heldOutGain(null.channels, null.fit.optimum, with.optimum,
                     std::clamp(static_cast<int>(count / samplesPerBlock), heldOutFolds, mostBlocks), heldOutFolds);
-    // What leaves noise has explained all there was. What leaves structure may only feed on it, and must show more.
+    // What leaves noise has explained all there was. What leaves structure must show more, and show it against chance.
     const bool leavesStructure = !isNoise(null.channels, with);
-    const double least = null.variant.effects.empty() ? leastEvidence : leastBeside;
-    a.isSignificant =
-        std::max(a.evidence, a.effective) > std::max(least, threshold) * (leavesStructure ? structureFactor : 1);
+    const double least = !leavesStructure               ? std::max(leastEvidence, threshold)
+                         : null.variant.effects.empty() ? std::max(leastOfStructure, 3 * threshold)
+                                                        : std::max(leastBesideStructure, 3 * threshold);
+    a.isSignificant = std::max(a.evidence, a.effective) > least;
     const double left = with.optimum.residuals.squaredNorm(), unexplained = left - rows;
     const bool explainsAll = !leavesStructure && std::min(a.evidence, a.effective) > farMore;
     a.holdsOut = a.heldOut > (explainsAll              ? leastHeldOutOfAll

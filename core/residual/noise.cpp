@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <unsupported/Eigen/FFT>
 
 #include "core/base/median.hpp"
 #include "core/base/range.hpp"
@@ -260,6 +264,159 @@ ResidualSummary summarise(const Eigen::Ref<const Eigen::VectorXd>& residual) {
     const bool exceeds = summary.standardDeviation > (1.05 + 4.0 / std::sqrt(n)) * summary.noiseStd;
     summary.white = probability > 0.01 && !hasOffset && !exceeds;
     return summary;
+}
+
+namespace {
+
+/// The first half of the spectrum under a Hann window.
+std::vector<std::complex<double>> halfSpectrum(const Eigen::Ref<const Eigen::VectorXd>& signal) {
+    const auto count = static_cast<std::size_t>(signal.size());
+    std::vector<double> windowed(count);
+    for (std::size_t k = 0; k < count; ++k)
+        windowed[k] = signal[static_cast<Eigen::Index>(k)] *
+                      std::pow(std::sin(std::numbers::pi * static_cast<double>(k) / static_cast<double>(count)), 2);
+    Eigen::FFT<double> transform;
+    std::vector<std::complex<double>> spectrum;
+    transform.fwd(spectrum, windowed);
+    spectrum.resize(count / 2);
+    return spectrum;
+}
+
+constexpr std::size_t firstBin = 2;  // below it there is the mean, and what leaks from it
+
+/// Probability of the strongest line of a spectrum in noise whose spectrum is smooth: each bin of a periodogram over
+/// the smooth spectrum is exponentially distributed (Priestley 1981, section 6.2), whose median is ln 2.
+double lineProbability(const Eigen::VectorXd& signal) {
+    constexpr std::size_t around = 25;
+    // less steep without the first-order part of its colour, which cannot take a line
+    const std::vector<std::complex<double>> spectrum = halfSpectrum(fitAutoregressive(signal, 1).whiten(signal));
+    std::vector<double> power;
+    for (std::size_t k = firstBin; k < spectrum.size(); ++k) power.push_back(std::norm(spectrum[k]));
+    double largest = 0;
+    for (std::size_t k = 0; k < power.size(); ++k) {
+        const auto from = power.begin() + static_cast<std::ptrdiff_t>(k - std::min(k, around));
+        const auto to = power.begin() + static_cast<std::ptrdiff_t>(std::min(k + around + 1, power.size()));
+        const double smooth = median(std::vector<double>(from, to)) / std::numbers::ln2;
+        if (smooth > 0) largest = std::max(largest, power[k] / smooth);
+    }
+    return static_cast<double>(power.size()) * std::exp(-largest);
+}
+
+/// What a second pole gains over one in the log-likelihood of a spectrum (Whittle 1953), beside white noise. Sensors
+/// have white noise and a bias that wanders by a first-order Markov process; what falls off faster went through
+/// something slow.
+double gainOfSecondPole(const Eigen::VectorXd& signal) {
+    const std::vector<std::complex<double>> spectrum = halfSpectrum(signal);
+    std::vector<double> power, cosine;
+    for (std::size_t k = firstBin; k < spectrum.size(); ++k) {
+        power.push_back(std::norm(spectrum[k]));
+        cosine.push_back(std::cos(std::numbers::pi * static_cast<double>(k) / static_cast<double>(spectrum.size())));
+    }
+    const auto response = [](double pole, double c) {
+        return (1 - pole) * (1 - pole) / (1 - 2 * pole * c + pole * pole);
+    };
+    // the level follows from the shape: poles 1 - 1/a and 1 - 1/b, and the share of white noise
+    const auto likelihood = [&](double a, double b, double white) {
+        double level = 0, logs = 0;
+        for (std::size_t k = 0; k < power.size(); ++k) {
+            const double shape = white + response(1 - 1 / a, cosine[k]) * response(1 - 1 / b, cosine[k]);
+            level += power[k] / shape;
+            logs += std::log(shape);
+        }
+        const auto count = static_cast<double>(power.size());
+        return -count * std::log(level / count) - logs;
+    };
+    struct Point {
+        double a, b, white, value;
+    };
+    const auto best = [&](bool isSecond) {
+        Point top{1, 1, 1, -std::numeric_limits<double>::infinity()};
+        const auto look = [&](double a, double b, double white) {
+            a = std::max(a, 1.0);
+            b = std::max(b, 1.0);
+            if (const double value = likelihood(a, b, white); value > top.value) top = {a, b, white, value};
+        };
+        for (double a = 1; a < 1000; a *= 2)
+            for (double b = 1; b <= (isSecond ? a : 1); b *= 2)
+                for (double white = 1e-6; white < 10; white *= 4) look(a, b, white);
+        for (double factor = 1.5; factor > 1.01; factor = std::sqrt(factor))
+            for (int pass = 0; pass < 3; ++pass) {
+                const Point p = top;
+                for (const double f : {factor, 1 / factor}) {
+                    look(p.a * f, p.b, p.white);
+                    look(p.a, p.b, p.white * f);
+                    look(p.a * f, p.b, p.white / f);
+                    if (isSecond) {
+                        look(p.a, p.b * f, p.white);
+                        look(p.a * f, p.b / f, p.white);
+                    }
+                }
+            }
+        return top.value;
+    };
+    return best(true) - best(false);
+}
+
+/// Largest over smallest variance among parts of a signal without colour.
+double unevenness(const Eigen::VectorXd& white) {
+    constexpr Eigen::Index parts = 8;
+    double least = std::numeric_limits<double>::infinity(), most = 0;
+    for (Eigen::Index p = 0; p < parts; ++p) {
+        const Eigen::Index from = white.size() * p / parts, to = white.size() * (p + 1) / parts;
+        const double variance = white.segment(from, to - from).squaredNorm() / static_cast<double>(to - from);
+        least = std::min(least, variance);
+        most = std::max(most, variance);
+    }
+    return most / least;
+}
+
+}  // namespace
+
+bool isStationaryNoise(const Eigen::Ref<const Eigen::VectorXd>& signal) {
+    constexpr double leastWhite = 1e-4, significance = 1e-6;
+    constexpr Eigen::Index fewest = 200;
+    constexpr double fewestMemories = 15, mostUneven = 3, mostKurtosis = 6, mostOfSecondPole = 15;
+    constexpr int order = 12;
+    Eigen::VectorXd there(signal.size());
+    Eigen::Index count = 0;
+    for (const double value : signal)
+        if (std::isfinite(value)) there[count++] = value;
+    there.conservativeResize(count);
+    if (count < fewest || static_cast<double>(count) < fewestMemories * integratedTime(there)) return false;
+    const Eigen::VectorXd white = fitAutoregressive(there, order).whiten(there);
+    const double probability = ljungBox(autocorrelation(white, 20), static_cast<double>(count));
+    const double kurtosis = white.array().pow(4).mean() / std::pow(white.array().square().mean(), 2);
+    return probability > leastWhite && unevenness(white) < mostUneven && kurtosis < mostKurtosis &&
+           lineProbability(there) > significance && gainOfSecondPole(there) < mostOfSecondPole;
+}
+
+double coherenceProbability(const Eigen::Ref<const Eigen::VectorXd>& a, const Eigen::Ref<const Eigen::VectorXd>& b) {
+    constexpr Eigen::Index fewestInSegment = 16;
+    double probability = 1;
+    for (const Eigen::Index halves : {16, 64}) {  // in the record: segments of two that overlap by one
+        const Eigen::Index half = a.size() / halves;
+        if (2 * half < fewestInSegment) break;
+        std::vector<std::complex<double>> cross(static_cast<std::size_t>(half));
+        std::vector<double> powerA(cross.size()), powerB(cross.size());
+        for (Eigen::Index s = 0; s + 1 < halves; ++s) {
+            const std::vector<std::complex<double>> x = halfSpectrum(a.segment(s * half, 2 * half)),
+                                                    y = halfSpectrum(b.segment(s * half, 2 * half));
+            for (std::size_t k = 0; k < cross.size(); ++k) {
+                cross[k] += x[k] * std::conj(y[k]);
+                powerA[k] += std::norm(x[k]);
+                powerB[k] += std::norm(y[k]);
+            }
+        }
+        double largest = 0;
+        for (std::size_t k = firstBin; k < cross.size(); ++k)
+            if (powerA[k] > 0 && powerB[k] > 0)
+                largest = std::max(largest, std::norm(cross[k]) / powerA[k] / powerB[k]);
+        // neighbours under a Hann window share a sixth of their amplitude
+        const double segments = static_cast<double>(halves - 1) / (1 + 2.0 / 36);
+        probability = std::min(
+            probability, 2 * static_cast<double>(cross.size()) * std::pow(1 - std::min(largest, 1.0), segments - 1));
+    }
+    return std::min(probability, 1.0);
 }
 
 double channelNoise(const Eigen::Ref<const Eigen::VectorXd>& residual,

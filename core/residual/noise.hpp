@@ -35,6 +35,16 @@ struct ResidualSummary {
 };
 ResidualSummary summarise(const Eigen::Ref<const Eigen::VectorXd>& residual);
 
+/// Whether a signal looks like stationary noise of a sensor: white noise and a first-order Markov process of whatever
+/// memory. No line stands out of its spectrum, its level stays the same throughout, nothing drives it by fits and
+/// starts, and it forgets soon enough for the record to tell.
+bool isStationaryNoise(const Eigen::Ref<const Eigen::VectorXd>& signal);
+
+/// Probability that two independent noises of whatever colour are as coherent as these at some frequency (same samples,
+/// equidistant). Averaged over overlapping segments (Welch 1967), few long and many short ones; distribution of the
+/// coherence of independent signals: Carter, Knapp & Nuttall 1973.
+double coherenceProbability(const Eigen::Ref<const Eigen::VectorXd>& a, const Eigen::Ref<const Eigen::VectorXd>& b);
+
 /// Normalised autocorrelation for lags 0 … maxLag.
 Eigen::VectorXd autocorrelation(const Eigen::Ref<const Eigen::VectorXd>& signal, int maxLag);
 

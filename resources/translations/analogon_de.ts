@@ -6042,6 +6042,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>die Totzeit von {} s an {} beträgt das {}-Fache eines Abtastschritts ({} s): {}</translation>
     </message>
     <message>
+        <source>what is left on output '{}' of '{}' is noise with a memory ({:.2g} s): it moves with nothing that is recorded or simulated, and is taken for noise of the measurement</source>
+        <translation>was am Ausgang „{}“ von „{}“ übrig bleibt, ist Rauschen mit Gedächtnis ({} s): Es geht mit nichts einher, was aufgezeichnet oder simuliert ist, und wird für Rauschen der Messung genommen</translation>
+    </message>
+    <message>
         <source>the input '{}' of '{}' is recorded with noise ({:.2g} rms) that drives the model and not the component: the search has smoothed it, the errors that are reported are with it; record it with less noise, or smooth it</source>
         <translation>der Eingang „{}“ von „{}“ ist mit Rauschen aufgezeichnet (Effektivwert {}), das das Modell antreibt und nicht das Bauteil: Die Suche hat es geglättet, die angegebenen Fehler gelten mit ihm; den Eingang rauschärmer aufzeichnen oder glätten</translation>
     </message>

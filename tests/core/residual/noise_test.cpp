@@ -132,5 +132,63 @@ TEST(ResidualSummary, IntegratesTheAutocorrelationOfAFirstOrderProcess) {
     EXPECT_NEAR(summarise(e).autocorrelationTime, (1.0 + 0.8) / (1.0 - 0.8), 1.2);
 }
 
+/// Noise of unit variance of which neighbours correlate by `memory`, with as much white noise.
+Eigen::VectorXd coloured(int count, double memory, unsigned seed) {
+    Eigen::VectorXd result = gaussian(count, 1.0, seed);
+    for (int k = 1; k < count; ++k) result[k] = memory * result[k - 1] + std::sqrt(1 - memory * memory) * result[k];
+    return result + gaussian(count, 0.5, seed + 1000);
+}
+
+TEST(StationaryNoise, IsOfAnyColour) {
+    for (const double memory : {0.0, 0.5, 0.9, 0.97})
+        for (unsigned seed = 1; seed <= 20; ++seed)
+            EXPECT_TRUE(isStationaryNoise(coloured(3000, memory, seed))) << memory << ' ' << seed;
+}
+
+TEST(StationaryNoise, HasNoLine) {
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        Eigen::VectorXd signal = coloured(3000, 0.9, seed);
+        for (int k = 0; k < 3000; ++k) signal[k] += 0.7 * std::sin(0.35 * k);
+        EXPECT_FALSE(isStationaryNoise(signal)) << seed;
+    }
+}
+
+TEST(StationaryNoise, DoesNotComeAndGo) {
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        Eigen::VectorXd louder = coloured(3000, 0.5, seed), pulled = louder, drifting = louder;
+        louder.segment(900, 600) *= 3;
+        for (const int from : {400, 1300, 2200}) pulled.segment(from, 200).array() += 12;
+        for (int k = 0; k < 3000; ++k) drifting[k] += 1e-3 * k;
+        EXPECT_FALSE(isStationaryNoise(louder)) << seed;
+        EXPECT_FALSE(isStationaryNoise(pulled)) << seed;
+        EXPECT_FALSE(isStationaryNoise(drifting)) << seed;
+    }
+}
+
+TEST(StationaryNoise, DidNotGoThroughSomethingSlow) {
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        Eigen::VectorXd slow = coloured(3000, 0.95, seed);
+        for (int k = 1; k < 3000; ++k) slow[k] = 0.96 * slow[k - 1] + 0.04 * slow[k];
+        EXPECT_FALSE(isStationaryNoise(slow + gaussian(3000, 0.05, seed + 50))) << seed;
+    }
+}
+
+TEST(StationaryNoise, TakesARecordLongEnoughToTell) {
+    EXPECT_FALSE(isStationaryNoise(gaussian(100, 1.0, 3)));
+    EXPECT_FALSE(isStationaryNoise(coloured(3000, 0.998, 3)));
+}
+
+TEST(Coherence, IsLikelyByChanceOnlyWhereSignalsAreIndependent) {
+    int rare = 0;
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        const Eigen::VectorXd a = coloured(3000, 0.95, seed), b = coloured(3000, 0.8, 500 + seed),
+                              common = coloured(3000, 0.95, 900 + seed);
+        rare += coherenceProbability(a, b) < 0.05;
+        EXPECT_GT(coherenceProbability(a, b), 1e-5) << seed;
+        EXPECT_LT(coherenceProbability(a + 2 * common, b - 2 * common), 1e-6) << seed;
+    }
+    EXPECT_LE(rare, 8);
+}
+
 }  // namespace
 }  // namespace analogon

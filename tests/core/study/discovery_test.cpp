@@ -67,7 +67,9 @@ protected:
     }
 
     /// Discovers what a model of inertia and viscous friction lacks.
-    Finding search(const Shaft& shaft, double noise = 0.05, const std::function<double(double t)>& oil = {}) {
+    /// `memory`: correlation of neighbouring samples of the noise.
+    Finding search(const Shaft& shaft, double noise = 0.05, const std::function<double(double t)>& oil = {},
+                   double memory = 0) {
         put("model.mo", R"(model Rotor
   Analogon.Interfaces.RealInput tau(unit="N.m");
   Analogon.Interfaces.RealOutput w(unit="rad/s");
@@ -91,9 +93,10 @@ end Rotor;
         std::normal_distribution<double> scatter(0, noise);
         std::ofstream csv = recording(std::string("t [s],tau [N.m],w [rad/s]") + (oil ? ",oil [degC]" : ""));
         const std::vector<double> speed = speedOf(shaft);
+        double error = scatter(random);
         for (int k = 0; k < samples; ++k) {
-            csv << k * step << ',' << excitation(k * step) << ','
-                << speed[static_cast<std::size_t>(k)] + scatter(random);
+            csv << k * step << ',' << excitation(k * step) << ',' << speed[static_cast<std::size_t>(k)] + error;
+            error = memory * error + std::sqrt(1 - memory * memory) * scatter(random);
             if (oil) csv << ',' << oil(k * step);
             csv << '\n';
         }
@@ -128,6 +131,20 @@ TEST_F(Discovery, AddsNothingToNoise) {
     EXPECT_EQ(finding.kind, FindingKind::Adequate);
     EXPECT_TRUE(finding.effects.empty());
     EXPECT_TRUE(finding.remainders.empty());
+}
+
+TEST_F(Discovery, TakesNoiseWithAMemoryForNoise) {
+    const auto viscous = [](double, double w, double) { return 0.03 * w; };
+    const Finding noise = search({0.02, viscous}, 0.05, {}, 0.9);
+    EXPECT_EQ(noise.kind, FindingKind::Adequate);
+    EXPECT_TRUE(noise.effects.empty());
+    EXPECT_TRUE(std::any_of(noise.warnings.begin(), noise.warnings.end(), [](const Text& t) {
+        return t.english().find("noise with a memory") != std::string::npos;
+    }));
+    // a torque that nobody recorded comes and goes
+    const auto rubbing = [](double t, double w, double) { return 0.03 * w + (std::sin(t * t / 12) > 0.6 ? 0.15 : 0); };
+    const Finding left = search({0.02, rubbing}, 0.05, {}, 0.5);
+    EXPECT_NE(left.kind, FindingKind::Adequate);
 }
 
 TEST_F(Discovery, ChoosesNothingByValidation) {
