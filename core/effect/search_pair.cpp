@@ -16,11 +16,13 @@ struct Pair {
     double explained;
 };
 
-/// The pairs that explain nearly as much as the best, best first.
-std::vector<Pair> bestPairs(const std::vector<const Screened*>& effects, const Eigen::VectorXd& residual) {
+/// The pairs without those effects that explain nearly as much as the best of them, best first.
+std::vector<Pair> bestPairs(const std::vector<const Screened*>& effects, const Eigen::VectorXd& residual,
+                            const std::vector<bool>& isTaken) {
     std::vector<Pair> pairs;
     for (std::size_t a = 0; a < effects.size(); ++a)
         for (std::size_t b = a + 1; b < effects.size(); ++b) {
+            if (isTaken[a] || isTaken[b]) continue;
             const Candidate &x = effects[a]->candidate, &y = effects[b]->candidate;
             if (x.place.at == y.place.at && x.effect.kind == y.effect.kind) continue;
             pairs.push_back({a, b,
@@ -55,7 +57,7 @@ Search::Round Search::withPairMembers(const NullModel& null, Round round) {
         if (members.size() < mostMembers && std::find(members.begin(), members.end(), s) == members.end())
             members.push_back(s);
     };
-    for (const Pair& p : bestPairs(named, null.fit.optimum.residuals)) {
+    for (const Pair& p : bestPairs(named, null.fit.optimum.residuals, std::vector<bool>(named.size()))) {
         add(named[p.stronger]);
         add(named[p.weaker]);
     }
@@ -80,13 +82,13 @@ std::vector<std::size_t> Search::pairBeginnings(const NullModel& null, const Rou
         named.push_back(i);
         screened.push_back(&t.screened);
     }
+    std::vector<bool> isTaken;
+    for (const Screened* s : screened)
+        isTaken.push_back(
+            std::any_of(taken.begin(), taken.end(), [&](const Candidate& c) { return isSame(c, s->candidate); }));
     std::vector<std::size_t> begins;
-    const auto isThere = [&](std::size_t i) {
-        const Candidate& own = round.trials[i].screened.candidate;
-        return std::find(begins.begin(), begins.end(), i) != begins.end() ||
-               std::any_of(taken.begin(), taken.end(), [&](const Candidate& c) { return isSame(c, own); });
-    };
-    for (const Pair& p : bestPairs(screened, null.fit.optimum.residuals)) {
+    const auto isThere = [&](std::size_t i) { return std::find(begins.begin(), begins.end(), i) != begins.end(); };
+    for (const Pair& p : bestPairs(screened, null.fit.optimum.residuals, isTaken)) {
         if (begins.size() == most) break;
         const std::size_t stronger = named[p.stronger], weaker = named[p.weaker];
         if (!isThere(stronger) && !isThere(weaker)) begins.push_back(stronger);
