@@ -617,6 +617,8 @@ protected:
         double supply{14};    // [V], largest
         double late{};        // [s] by which the driver follows its command
         double film{};        // [Ohm] under its brushes, half of it left at 1 A
+        double lag{};         // [s] of its driver
+        int shown{};          // samples after which its current is shown
     };
 
     /// What is measured besides the current.
@@ -685,14 +687,20 @@ end Drive;
         const auto driven = [&](double time) {
             return motor.supply * command(std::max(0.0, time * interval - motor.late));
         };
+        double lagged = supply(0);
+        std::vector<double> currents;
         for (int n = 0; n < samples; ++n) {
-            const double v = motor.late > 0 ? driven(n) : supply(n);
-            csv << n * interval << ',' << supply(n) << ',' << current(v) + 0.05 * scatter(random) << ','
+            const double v = motor.late > 0 ? driven(n) : motor.lag > 0 ? lagged : supply(n);
+            currents.push_back(current(v));
+            csv << n * interval << ',' << supply(n) << ','
+                << currents[static_cast<std::size_t>(std::max(0, n - motor.shown))] + 0.05 * scatter(random) << ','
                 << (beside == Beside::Angle ? phi + 0.02 * scatter(random) : w + 0.3 * scatter(random)) << '\n';
             constexpr int inner = 100;
             for (int m = 0; m < inner; ++m) {
                 const double a = (m + 0.5) / inner, h = interval / inner;
-                const double i = current(motor.late > 0 ? driven(n + a) : (1 - a) * supply(n) + a * supply(n + 1));
+                const double given = (1 - a) * supply(n) + a * supply(n + 1);
+                if (motor.lag > 0) lagged += h * (given - lagged) / motor.lag;
+                const double i = current(motor.late > 0 ? driven(n + a) : motor.lag > 0 ? lagged : given);
                 const double pull = motor.friction * signOf(w) + motor.cogging * std::sin(8 * phi - 0.4);
                 w += h * (constant(i) * i - b * w - pull) / J;
                 phi += h * w;
@@ -720,6 +728,18 @@ TEST_F(DiscoveryInAMotor, FindsTwoEffectsInOneComponent) {
     EXPECT_NEAR(found["voltage.drop"], 0.8, 0.05);
     EXPECT_NEAR(found["resistance.temperature"], 1.5, 0.15);
     EXPECT_NE(finding.final.modelText.find("CombinedWithWinding motor("), std::string::npos);
+}
+
+TEST_F(DiscoveryInAMotor, TellsALagBeforeAMotorFromADeadTimeBehindIt) {
+    // the other way round, a dead time before it and a lag behind it, explains nearly as much
+    const Finding finding = searchMotor({.supply = 2, .lag = 0.05, .shown = 2});
+    EXPECT_EQ(finding.kind, FindingKind::Effect);
+    ASSERT_EQ(finding.effects.size(), 2u);
+    for (const AddedEffect& e : finding.effects) {
+        const bool isAtInput = e.at == "input v";
+        EXPECT_EQ(e.kind, isAtInput ? "actuator.lag" : "sensor.delay") << e.at;
+        EXPECT_NEAR(e.parameters.front().value, isAtInput ? 0.05 : 0.01, 0.002);
+    }
 }
 
 TEST_F(DiscoveryInAMotor, ReportsAWholeModelWhereverItIsInterrupted) {
