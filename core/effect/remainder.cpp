@@ -188,7 +188,7 @@ Leftovers leftovers(const NullModel& null, const SimulationOptions& simulation) 
     const Complement complement(null.whitener(null.fit.optimum.jacobian));
     const Eigen::VectorXd white = complement(null.whitener(null.fit.optimum.residuals));
     const PatientTest patient(null);
-    const double tests = static_cast<double>(null.channels.size());
+    const auto isChance = [&](double p) { return !(p * 3 * static_cast<double>(null.channels.size()) < significance); };
     std::vector<Examined> examined;
     for (const ResidualChannel& channel : null.channels) {
         if (quantisationStep(channel.measured) > 0 && isNoise(channel, null.fit.optimum.residuals)) continue;
@@ -213,8 +213,8 @@ Leftovers leftovers(const NullModel& null, const SimulationOptions& simulation) 
         e.pMoves = std::min(pWhitened(e.all, e.total, count), patient.p(channel, columns));
         const Eigen::VectorXd own = null.fit.optimum.residuals.segment(channel.begin, count);
         e.summary = summarise(own);
-        e.isWhite = !(e.summary.whiteProbability * 3 * tests < significance);
-        e.isNoise = !(e.pMoves * 3 * tests < significance) && (e.isWhite || isStationaryNoise(own));
+        e.isWhite = isChance(e.summary.whiteProbability);
+        e.isNoise = isChance(e.pMoves) && (e.isWhite || isStationaryNoise(own));
         examined.push_back(std::move(e));
     }
     const bool isAllNoise =

@@ -16,13 +16,11 @@ struct Pair {
     double explained;
 };
 
-/// The pairs without those effects that explain nearly as much as the best of them, best first.
-std::vector<Pair> bestPairs(const std::vector<const Screened*>& effects, const Eigen::VectorXd& residual,
-                            const std::vector<bool>& isTaken) {
+/// The pairs that explain nearly as much as the best, best first.
+std::vector<Pair> bestPairs(const std::vector<const Screened*>& effects, const Eigen::VectorXd& residual) {
     std::vector<Pair> pairs;
     for (std::size_t a = 0; a < effects.size(); ++a)
         for (std::size_t b = a + 1; b < effects.size(); ++b) {
-            if (isTaken[a] || isTaken[b]) continue;
             const Candidate &x = effects[a]->candidate, &y = effects[b]->candidate;
             if (x.place.at == y.place.at && x.effect.kind == y.effect.kind) continue;
             pairs.push_back({a, b,
@@ -57,7 +55,7 @@ Search::Round Search::withPairMembers(const NullModel& null, Round round) {
         if (members.size() < mostMembers && std::find(members.begin(), members.end(), s) == members.end())
             members.push_back(s);
     };
-    for (const Pair& p : bestPairs(named, null.fit.optimum.residuals, std::vector<bool>(named.size()))) {
+    for (const Pair& p : bestPairs(named, null.fit.optimum.residuals)) {
         add(named[p.stronger]);
         add(named[p.weaker]);
     }
@@ -78,17 +76,14 @@ std::vector<std::size_t> Search::pairBeginnings(const NullModel& null, const Rou
     std::vector<const Screened*> screened;
     for (std::size_t i = 0; i < round.trials.size(); ++i) {
         const Trial& t = round.trials[i];
-        if (!t.ok || !(t.evidence > 0) || isProposal(t)) continue;
+        const auto isIt = [&](const Candidate& c) { return isSame(c, t.screened.candidate); };
+        if (!t.ok || !(t.evidence > 0) || isProposal(t) || std::any_of(taken.begin(), taken.end(), isIt)) continue;
         named.push_back(i);
         screened.push_back(&t.screened);
     }
-    std::vector<bool> isTaken;
-    for (const Screened* s : screened)
-        isTaken.push_back(
-            std::any_of(taken.begin(), taken.end(), [&](const Candidate& c) { return isSame(c, s->candidate); }));
     std::vector<std::size_t> begins;
     const auto isThere = [&](std::size_t i) { return std::find(begins.begin(), begins.end(), i) != begins.end(); };
-    for (const Pair& p : bestPairs(screened, null.fit.optimum.residuals, isTaken)) {
+    for (const Pair& p : bestPairs(screened, null.fit.optimum.residuals)) {
         if (begins.size() == most) break;
         const std::size_t stronger = named[p.stronger], weaker = named[p.weaker];
         if (!isThere(stronger) && !isThere(weaker)) begins.push_back(stronger);

@@ -137,11 +137,14 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
         first = tryAll(base);
         decide(base, first);
     }
-    // noise with a memory is no missing effect, alone or in pairs, but a weak one may lie in it
-    const auto isOnlyNoise = [&](const NullModel& null) {
-        return isNoise(null) || leftovers(null, search_.fit.simulation).structure.empty();
+    // noise with a memory is no missing effect, alone or in pairs, but a weak one may lie in it; where a record is too
+    // short to tell, neither is found and the search goes on
+    const auto isColouredNoise = [&](const NullModel& null) {
+        if (isNoise(null)) return false;
+        const Leftovers left = leftovers(null, search_.fit.simulation);
+        return left.structure.empty() && !left.noise.empty();
     };
-    if (first.chosen && !isClearlyMissed(first.acceptance) && !isNoise(base) && isOnlyNoise(base)) {
+    if (first.chosen && !isClearlyMissed(first.acceptance) && isColouredNoise(base)) {
         first.chosen.reset();
         first.members.clear();
     }
@@ -150,7 +153,8 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
     if (first.chosen) others = otherBeginnings(base, first);
     goOn(best, first);
     if (beginsAnew_) return best;
-    if (isOnlyNoise(best.null) && best.steps.size() < 2 && !hasProposal(best.null)) return best;
+    if (best.steps.size() < 2 && !hasProposal(best.null) && (isNoise(best.null) || isColouredNoise(best.null)))
+        return best;
     const auto misfit = [&](const Path& p) {
         const double rows = static_cast<double>(p.null.fit.optimum.residuals.size());
         return p.null.sumOfSquares() + p.null.parameterCount() * std::log(rows);

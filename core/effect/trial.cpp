@@ -11,6 +11,7 @@ namespace {
 constexpr double leastEvidence = 20;         // fall in BIC that an effect must bring
 constexpr double leastOfStructure = 30;      // where it leaves structure, on which it may only feed
 constexpr double leastBesideStructure = 60;  // the same beside other effects, whose form it may only mend
+constexpr double structureFactor = 3;        // of what chance can bring, there
 constexpr std::ptrdiff_t mostStarts = 8;     // that are weighed against each other
 constexpr double trialTolerance = 1e-6;
 constexpr double leastHeldOut = 0.5;
@@ -312,10 +313,11 @@ Acceptance examine(const NullModel& null, const FitResult& with, int freed, doub
                     std::clamp(static_cast<int>(count / samplesPerBlock), heldOutFolds, mostBlocks), heldOutFolds);
     // What leaves noise has explained all there was. What leaves structure must show more, and show it against chance.
     const bool leavesStructure = !isNoise(null.channels, with);
-    const double least = !leavesStructure               ? std::max(leastEvidence, threshold)
-                         : null.variant.effects.empty() ? std::max(leastOfStructure, 3 * threshold)
-                                                        : std::max(leastBesideStructure, 3 * threshold);
-    a.isSignificant = std::max(a.evidence, a.effective) > least;
+    const double least = !leavesStructure               ? leastEvidence
+                         : null.variant.effects.empty() ? leastOfStructure
+                                                        : leastBesideStructure;
+    a.isSignificant =
+        std::max(a.evidence, a.effective) > std::max(least, threshold * (leavesStructure ? structureFactor : 1));
     const double left = with.optimum.residuals.squaredNorm(), unexplained = left - rows;
     const bool explainsAll = !leavesStructure && std::min(a.evidence, a.effective) > farMore;
     a.holdsOut = a.heldOut > (explainsAll              ? leastHeldOutOfAll

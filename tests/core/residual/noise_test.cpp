@@ -147,9 +147,12 @@ TEST(StationaryNoise, IsOfAnyColour) {
 
 TEST(StationaryNoise, HasNoLine) {
     for (unsigned seed = 1; seed <= 10; ++seed) {
-        Eigen::VectorXd signal = coloured(3000, 0.9, seed);
+        Eigen::VectorXd signal = coloured(3000, 0.9, seed), faint = signal;
         for (int k = 0; k < 3000; ++k) signal[k] += 0.7 * std::sin(0.35 * k);
         EXPECT_FALSE(isStationaryNoise(signal)) << seed;
+        // too faint for anything but its line
+        for (int k = 0; k < 3000; ++k) faint[k] += 0.2 * std::sin(1.5 * k);
+        EXPECT_FALSE(isStationaryNoise(faint)) << seed;
     }
 }
 
