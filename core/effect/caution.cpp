@@ -12,11 +12,14 @@
 namespace analogon {
 namespace {
 
-constexpr double worthSaying = 0.1;                  // of the fitted range
-constexpr double leastDifference = 1e-3;             // of a parameter between two recordings
-constexpr double clearlyWorse = 1.3, asGood = 1.15;  // of what is left in the fitted recordings
-constexpr double sigmas = 5.0;                       // by which more than chance is told from it
-constexpr double mostOfExcess = 0.5, least = 100.0;  // of what is above the noise; in units of the noise, squared
+constexpr double hardlyMoved = 2;  // of its range, beyond which a quantity stood still
+constexpr Eigen::Index fewestSamples = 50, samplesOfStart = 3;
+constexpr double clearStart = 3, shareOfStart = 0.05;  // deviations of the residual; of the range
+constexpr double worthSaying = 0.1;                    // of the fitted range
+constexpr double leastDifference = 1e-3;               // of a parameter between two recordings
+constexpr double clearlyWorse = 1.3, asGood = 1.15;    // of what is left in the fitted recordings
+constexpr double sigmas = 5.0;                         // by which more than chance is told from it
+constexpr double mostOfExcess = 0.5, least = 100.0;    // of what is above the noise; in units of the noise, squared
 
 Range rangeIn(const Recording& recording, const std::vector<std::string>& names, const Eigen::MatrixXd& values,
               const std::string& name) {
@@ -62,7 +65,12 @@ std::vector<Text> extrapolations(const EstimationTask& task) {
             const Range own = rangeOfIts(checked, name);
             if (!(fitted.width() > 0) || own.isEmpty()) return;
             const double beyond = std::max(own.high - fitted.high, fitted.low - own.low) / fitted.width();
-            if (beyond > worthSaying)
+            if (beyond > hardlyMoved)
+                said.push_back(
+                    phrase("the fitted recordings hold {} near {:.4g}, '{}' has it between {:.4g} and {:.4g}: what the "
+                           "model says of that is extrapolated",
+                           side(name), 0.5 * (fitted.low + fitted.high), checked.name, own.low, own.high));
+            else if (beyond > worthSaying)
                 said.push_back(
                     phrase("'{}' leaves the range of the fitted recordings on {} by {:.0f} % of that range: "
                            "what the model says there is extrapolated",
@@ -180,6 +188,28 @@ std::vector<Text> poorValidations(const ModelState& state) {
                        "the fitted recordings; {}",
                        e.name, output.name, miss.rms(), output.unit.empty() ? "" : " ", output.unit, miss.rms() / noise,
                        lookOf(miss, noise, output.unit)));
+        }
+    }
+    return said;
+}
+
+std::vector<Text> wrongStarts(const ModelState& state) {
+    std::vector<Text> said;
+    for (const ExperimentState& e : state.experiments) {
+        if (e.role != Role::Fit || e.failure.failed) continue;
+        for (const OutputState& output : e.outputs) {
+            const auto left = state.residual.find(output.name);
+            if (left == state.residual.end() || output.measured.size() < fewestSamples) continue;
+            const Eigen::VectorXd first = (output.measured - output.simulated).head(samplesOfStart);
+            const double clear =
+                std::max(clearStart * left->second.standardDeviation, shareOfStart * rangeOf(output.measured).width());
+            // a start value is wrong from the first sample on, not at the first sample alone
+            if (!(first.minCoeff() > clear) && !(first.maxCoeff() < -clear)) continue;
+            const std::string unit = output.unit.empty() ? "" : " " + output.unit;
+            said.push_back(phrase(
+                "'{}' begins with {} at {:.4g}{} where the model begins at {:.4g}{}: tell its start value, or fit "
+                "it (\"initial\")",
+                e.name, output.name, output.measured[0], unit, output.simulated[0], unit));
         }
     }
     return said;

@@ -14,9 +14,12 @@ std::vector<Text> extrapolations(const EstimationTask& task);
 /// most of what is above the noise (Chow 1960, with recordings instead of moments).
 std::vector<Text> driftBetweenRecordings(const NullModel& null);
 
-/// Channels of validation recordings that a model which leaves only noise of the fitted ones misses by clearly more:
-/// by how much, and whether an offset or a gain of that recording alone is what it looks like.
+/// Channels of validation recordings that a model misses by clearly more than those of the fitted ones: by how much,
+/// and whether an offset or a gain of that recording alone is what it looks like.
 std::vector<Text> poorValidations(const ModelState& state);
+
+/// Outputs of the fitted recordings that begin elsewhere than the model does, by far more than what is left later.
+std::vector<Text> wrongStarts(const ModelState& state);
 
 /// Median time between samples of the fitted recordings [s]; 0: there are none.
 double samplingInterval(const EstimationTask& task);

@@ -10,7 +10,6 @@
 #include "core/effect/caution.hpp"
 #include "core/effect/dependence.hpp"
 #include "core/effect/disturbance.hpp"
-#include "core/effect/missing_flow.hpp"
 #include "core/effect/model_state.hpp"
 #include "core/effect/remainder.hpp"
 #include "core/effect/search.hpp"
@@ -19,6 +18,7 @@
 namespace analogon {
 namespace {
 
+constexpr double leastHeldOutWhenCut = 0.5;
 constexpr double integrationShare = 2e-3, coarsestTolerance = 3e-5;  // of the noise, and of a channel's range at most
 constexpr int otherStarts = 7;
 constexpr double startsWithin = 4;  // of the values in the study, by this factor
@@ -171,9 +171,35 @@ void Search::takeOutAll(NullModel& null, const NullModel& base) {
 std::optional<ModelState> Search::backToLastWhole(NullModel& null, const NullModel& base) {
     takeOutAll(null, base);
     if (!whole_) return std::nullopt;
+    // what the search had no time to hold against the rest must be clear by itself
+    const auto isClear = [&](const Step& s) {
+        return isMissed(s.acceptance) && isClearlyMissed(s.acceptance) && s.acceptance.heldOut > leastHeldOutWhenCut;
+    };
+    if (!isNoise(whole_->null) && !std::all_of(whole_->steps.begin(), whole_->steps.end(), isClear))
+        return std::nullopt;
     exchange(*whole_);
     null = std::move(whole_->null);
     return std::move(whole_->state);
+}
+
+/// Where the search has placed the jumps of the inputs, the errors are told with the recordings as they are.
+void Search::reportAsRecorded(const NullModel& null, ModelState& state) const {
+    Variant plain = full_;
+    for (std::size_t r = 0; r < asRecorded_.size(); ++r) {
+        Recording& recording = plain.task.recordings[r];
+        const Recording& from = asRecorded_[r];
+        recording.time = from.time;
+        recording.inputs = from.inputs;
+        recording.outputs = from.outputs;
+        recording.spares = from.spares;
+    }
+    Outcome<Variant> whole = withEffects(plain, null.variant.effects, null.variant.values);
+    if (!whole) return;
+    // an interrupted search reports as well
+    Outcome<ModelState> told = stateOf(*whole, null.fit, options_.fit.simulation, Progress());
+    if (!told) return;
+    state.experiments = std::move(told->experiments);
+    state.residual = std::move(told->residual);
 }
 
 /// Takes out of what a path ends with all that is not missed, or no more than a disturbance, and the equations without
@@ -308,13 +334,16 @@ Outcome<Finding> Search::run() {
         change_.reset();
         dependence_.reset();
         finding.final = backToLastWhole(*null, base).value_or(finding.baseline);
+        if (!edges_.empty() && !steps_.empty()) reportAsRecorded(*null, finding.final);
     }
     holdUnneededStarts(*null);
     finding.nextExperiment = proposeExperiments(*null);
     const std::map<int, Text> held = heldRemarks(*null);
     const bool isOpen = proposed.empty() && !change_ && !dependence_ && !isNoise(*null);
     const std::string place = isOpen ? likeliestPlace(*null, search_.fit.simulation, progress_) : std::string();
-    const auto isAsGiven = [&] { return steps_.empty() && freedStarts_.empty() && noisyInputs_.empty(); };
+    const auto isAsGiven = [&] {
+        return steps_.empty() && freedStarts_.empty() && noisyInputs_.empty() && edges_.empty();
+    };
     // what is left with the inputs as recorded is their noise; it says nothing of the component
     std::optional<NullModel> quiet;
     // the search was content with less: on every sample, and integrated as exactly as was asked for
@@ -345,6 +374,7 @@ Outcome<Finding> Search::run() {
         }
         null = std::move(*fitted);
         finding.final = std::move(*after);
+        if (!edges_.empty()) reportAsRecorded(*null, finding.final);
         isFinal = true;
     }
     if (isAsGiven()) null = onAll ? *onAll : base;
@@ -409,8 +439,9 @@ Outcome<Finding> Search::run() {
     const bool leavesStructure = !finding.remainders.empty() || (finding.interrupted && !isNoise(*null));
     finding.kind = !leavesStructure ? (finding.effects.empty() ? FindingKind::Adequate : FindingKind::Effect)
                                     : (finding.effects.empty() ? FindingKind::Unexplained : FindingKind::Partial);
-    if (!leavesStructure)
-        for (Text& sentence : poorValidations(finding.final)) finding.warnings.push_back(std::move(sentence));
+    for (Text& sentence : poorValidations(finding.final)) finding.warnings.push_back(std::move(sentence));
+    if (leavesStructure)
+        for (Text& sentence : wrongStarts(finding.final)) finding.warnings.push_back(std::move(sentence));
     finding.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return finding;
 }

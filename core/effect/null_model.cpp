@@ -137,6 +137,13 @@ bool isDetermined(const PlacedEffect& effect, const std::vector<FitEstimate>& es
     });
 }
 
+bool isScaleOpen(const PlacedEffect& effect, const std::vector<FitEstimate>& estimates) {
+    return std::any_of(estimates.begin(), estimates.end(), [&](const FitEstimate& e) {
+        const bool isOwn = e.name.starts_with(effect.instance + ".");
+        return !isOwn && !(std::isfinite(e.standardError) && e.standardError < std::abs(e.value));
+    });
+}
+
 bool isDetermined(const NullModel& null, std::size_t effect) {
     return isDetermined(null.variant.effects[effect], null.fit.estimates);
 }

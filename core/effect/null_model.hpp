@@ -71,6 +71,10 @@ double quietest(const NullModel& null);
 bool isDetermined(const NullModel& null, std::size_t effect);
 bool isDetermined(const PlacedEffect& effect, const std::vector<FitEstimate>& estimates);
 
+/// Whether a parameter of the model itself is not determined either: all of them may then be known but for a common
+/// factor, and the standard error of an effect's strength tells nothing.
+bool isScaleOpen(const PlacedEffect& effect, const std::vector<FitEstimate>& estimates);
+
 /// Whether an equation without a name is among the effects of the model.
 bool hasProposal(const NullModel& null);
 

@@ -13,8 +13,9 @@ namespace {
 constexpr double significance = 1e-4;
 constexpr double leastMotion = 1e-9;  // of a quantity, after what the parameters can imitate is taken out
 constexpr double leastCorrelation = 0.05;
-constexpr int mostShift = 20;      // between two outputs [samples]
-constexpr double leastShared = 5;  // deviations of the correlation of two noises
+constexpr int mostShift = 20;        // between two outputs [samples]
+constexpr double leastShared = 5;    // deviations of the correlation of two noises
+constexpr double leastOfWhite = 60;  // evidence, on a channel whose residual is white
 
 /// A quantity the residual may move with, at the samples of every fitted experiment.
 struct Regressor {
@@ -214,7 +215,9 @@ Leftovers leftovers(const NullModel& null, const SimulationOptions& simulation) 
         const Eigen::VectorXd own = null.fit.optimum.residuals.segment(channel.begin, count);
         e.summary = summarise(own);
         e.isWhite = isChance(e.summary.whiteProbability);
-        e.isNoise = isChance(e.pMoves) && (e.isWhite || isStationaryNoise(own));
+        const double beyondChance = e.all.explained - dof * std::log(static_cast<double>(count));
+        const bool isLittle = e.isWhite && std::max(beyondChance, -std::log(std::max(e.pMoves, 1e-300))) < leastOfWhite;
+        e.isNoise = (isLittle || isChance(e.pMoves)) && (e.isWhite || isStationaryNoise(own));
         examined.push_back(std::move(e));
     }
     const bool isAllNoise =

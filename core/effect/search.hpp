@@ -7,6 +7,7 @@
 #include "core/effect/change.hpp"
 #include "core/effect/dependence.hpp"
 #include "core/effect/discover.hpp"
+#include "core/effect/input_edge.hpp"
 #include "core/effect/input_noise.hpp"
 #include "core/effect/judgement.hpp"
 #include "core/effect/start_value.hpp"
@@ -84,6 +85,14 @@ private:
     Path pathFrom(const NullModel& base, Round round, std::size_t begin);
     Outcome<Path> bestPath(NullModel& base);
     Outcome<Path> bestPathFrom(NullModel& base);
+    Round firstRound(NullModel& base);
+    bool isColouredNoise(const NullModel& null) const;
+    bool isExplainedBy(const Path& path, std::size_t most) const;
+    bool isBetter(const Path& path, const Path& than) const;
+    void keepBetter(Path& best, Path path);
+    Path bareOf(const NullModel& base, Round first);
+    void addPairPaths(Path& best, const NullModel& base, const Round& first, const std::vector<Candidate>& taken);
+    bool addLawPath(Path& best, Path begin);
     std::optional<Path> withLaw(Path begin);
     std::size_t termsIn(const NullModel& null) const;
     void exchange(Path& path);
@@ -111,9 +120,18 @@ private:
     void removeOutweighed(NullModel& null);
     bool allowForRecordings(NullModel& null, const Round& round);
     bool refitQuiet(NullModel& null, Variant quiet, const std::vector<NoisyInput>& noisy);
+    struct Allowed {
+        FitResult fit;
+        double gain{};  // Acceptance::effective
+    };
+    std::optional<Allowed> allowed(const NullModel& null, const Variant& variant, int freed, double threshold) const;
+    bool placeEdges(NullModel& null, double threshold, double most);
+    bool takesEdgesForDelays(const NullModel& null);
+    bool refitPlaced(NullModel& null, Variant placed, std::vector<InputEdge> edges);
     Outcome<NullModel> fittedWith(const NullModel& null, const ToldStart& start, bool isFitted) const;
     bool refitWith(NullModel& null, const ToldStart& start);
     void holdUnneededStarts(NullModel& null);
+    void reportAsRecorded(const NullModel& null, ModelState& state) const;
     std::vector<Text> recordingRemarks(const NullModel& null) const;
     void treatAlike(NullModel& null);
     void sharpen(NullModel& null);
@@ -149,6 +167,8 @@ private:
     std::optional<Dependence> dependence_;     // on a channel, that does
     std::vector<ToldStart> freedStarts_;       // that were told wrongly
     std::vector<NoisyInput> noisyInputs_;      // that base_ has without their noise
+    std::vector<InputEdge> edges_;             // that base_ and full_ have where they are
+    std::vector<Recording> asRecorded_;        // of full_, without them
     bool beginsAnew_{};                        // what was allowed for in a later round
     bool writesLaws_{};                        // for what no class has, in every round
     int round_{}, choices_{};

@@ -20,6 +20,7 @@ constexpr double structuredResidual = 1.1;  // in units of the noise: something 
 constexpr double mostForPairs = 10;         // level of what is left: far from an optimum no slopes tell of two effects
 constexpr double leastGain = 1;             // in evidence, for which an effect is exchanged: exact twins are not
 constexpr int mostSharpenings = 2;
+constexpr double leastHeldOutAtLast = 0.5;
 constexpr double leastSharpening = 8;  // fall in the sum of squares, in units of the noise
 
 std::vector<PlacedEffect> allBut(std::vector<PlacedEffect> effects, std::size_t one) {
@@ -75,6 +76,8 @@ void Search::goOn(Path& path, Round first) {
         reconsider(path.null);
         removeUnneeded(path.null, 1);  // a single one has just passed its tests
         treatAlike(path.null);
+        beginsAnew_ = takesEdgesForDelays(path.null);
+        if (beginsAnew_) break;
         if (Outcome<ModelState> after = stateOf(path.null.variant, path.null.fit, search_.fit.simulation, progress_);
             after && !progress_.stopRequested()) {
             const double error = errorPercentOf(*after, Role::Fit);
@@ -127,96 +130,118 @@ Search::Path Search::pathFrom(const NullModel& base, Round round, std::size_t be
     return path;
 }
 
-/// Where the first choices leave structure, the search begins again with what came next: two effects that hide each
-/// other may not show in the order of their size.
-Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
+/// What is tried first of all. Noise with a memory is no missing effect, but a weak one may lie in it.
+Search::Round Search::firstRound(NullModel& base) {
     Round first = tryAll(base);
-    if (progress_.stopRequested()) return Path{base, {}, {}, {}, {}};
+    if (progress_.stopRequested()) return first;
     decide(base, first);
     while (allowForRecordings(base, first)) {
         first = tryAll(base);
         decide(base, first);
     }
-    // noise with a memory is no missing effect, alone or in pairs, but a weak one may lie in it; where a record is too
-    // short to tell, neither is found and the search goes on
-    const auto isColouredNoise = [&](const NullModel& null) {
-        if (isNoise(null)) return false;
-        const Leftovers left = leftovers(null, search_.fit.simulation);
-        return left.structure.empty() && !left.noise.empty();
-    };
     if (first.chosen && !isClearlyMissed(first.acceptance) && isColouredNoise(base)) {
         first.chosen.reset();
         first.members.clear();
     }
-    Path best{base, {}, {}, {}, {}};
-    std::vector<std::size_t> others;
-    if (first.chosen) others = otherBeginnings(base, first);
-    goOn(best, first);
-    if (beginsAnew_) return best;
-    if (best.steps.size() < 2 && !hasProposal(best.null) && (isNoise(best.null) || isColouredNoise(best.null)))
-        return best;
-    const auto misfit = [&](const Path& p) {
+    return first;
+}
+
+/// Whether what is left is noise, of which a part has a memory; where a record is too short to tell, it is not.
+bool Search::isColouredNoise(const NullModel& null) const {
+    if (isNoise(null)) return false;
+    const Leftovers left = leftovers(null, search_.fit.simulation);
+    return left.structure.empty() && !left.noise.empty();
+}
+
+/// Whether nothing is left to find: noise alone behind no more than so many named effects.
+bool Search::isExplainedBy(const Path& path, std::size_t most) const {
+    return isNoise(path.null) && !hasProposal(path.null) && path.null.variant.effects.size() <= most;
+}
+
+/// Whether a path ends better than another: of two accounts that are as good and as simple, the one by names.
+bool Search::isBetter(const Path& path, const Path& than) const {
+    const auto misfit = [](const Path& p) {
         const double rows = static_cast<double>(p.null.fit.optimum.residuals.size());
         return p.null.sumOfSquares() + p.null.parameterCount() * std::log(rows);
     };
-    const auto isBetter = [&](const Path& p) {
-        const double gain = independentShare(p.null, p.null.fit) * (misfit(best) - misfit(p));
-        // of two accounts that are as good and as simple, the one by names
-        const bool isNamed =
-            hasProposal(best.null) && !hasProposal(p.null) && isNoise(p.null) && termsIn(p.null) <= termsIn(best.null);
-        return gain > (isNamed ? -equivalenceMargin : equivalenceMargin);
-    };
+    const double gain = independentShare(path.null, path.null.fit) * (misfit(than) - misfit(path));
+    const bool isNamed = hasProposal(than.null) && !hasProposal(path.null) && isNoise(path.null) &&
+                         termsIn(path.null) <= termsIn(than.null);
+    return gain > (isNamed ? -equivalenceMargin : equivalenceMargin);
+}
+
+/// Keeps the better of two paths, and the other among the ends.
+void Search::keepBetter(Path& best, Path path) {
+    if (isBetter(path, best)) std::swap(best, path);
+    otherEnds_.push_back(std::move(path));
+}
+
+/// Where the first choices leave structure, the search begins again with what came next: two effects that hide each
+/// other may not show in the order of their size. Several effects may only imitate what has no name: a short law that
+/// leaves next to nothing is the better account.
+Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
+    const Round first = firstRound(base);
+    Path best{base, {}, {}, {}, {}};
+    if (progress_.stopRequested()) return best;
+    std::vector<std::size_t> others;
+    if (first.chosen) others = otherBeginnings(base, first);
+    goOn(best, first);
+    if (beginsAnew_ || progress_.stopRequested()) return best;
+    const bool hasMore = best.steps.size() > 1 || hasProposal(best.null);
+    if (!hasMore && (isNoise(best.null) || isColouredNoise(best.null))) return best;
+
+    const bool isLawful = addLawPath(best, bareOf(base, first));
+    if (beginsAnew_ || (isLawful && termsIn(best.null) < 2)) return best;
     for (const std::size_t other : others) {
-        if (progress_.stopRequested() || levelOf(best.null.fit) < structuredResidual) break;
-        if (work_ > mostWork) break;
+        if (progress_.stopRequested() || levelOf(best.null.fit) < structuredResidual || work_ > mostWork) break;
         Path path = pathFrom(base, first, other);
         if (beginsAnew_) return best;
-        if (isBetter(path)) std::swap(best, path);
-        otherEnds_.push_back(std::move(path));
+        keepBetter(best, std::move(path));
     }
-    // an equation that took the place of names may stand for two that hide each other
-    const auto isExplained = [&] {
-        const auto isEquation = [](const PlacedEffect& e) { return !e.effect.proposal.empty(); };
-        const std::vector<PlacedEffect>& effects = best.null.variant.effects;
-        return isNoise(best.null) && effects.size() <= 2 && std::none_of(effects.begin(), effects.end(), isEquation);
-    };
-    if (!isExplained() && levelOf(best.null.fit) < mostForPairs) {
-        std::vector<Candidate> taken;
-        if (first.chosen) taken.push_back(first.trials[*first.chosen].screened.candidate);
-        for (const std::size_t other : others) taken.push_back(first.trials[other].screened.candidate);
-        const Round wider = work_ > mostWork ? first : withPairMembers(base, first);
-        for (const std::size_t begin : pairBeginnings(base, wider, otherPairs, taken)) {
-            if (progress_.stopRequested() || isExplained() || work_ > mostWork) break;
-            Path path = pathFrom(base, wider, begin);
-            if (beginsAnew_) return best;
-            if (path.steps.size() < 2) continue;  // it has passed no test alone
-            if (isBetter(path)) std::swap(best, path);
-            otherEnds_.push_back(std::move(path));
-        }
-    }
-    // several effects may only imitate what has no name: a law that leaves next to nothing is the better account
-    const bool isExplainedByOne = isNoise(best.null) && best.steps.size() < 2;
-    if (progress_.stopRequested() || isExplainedByOne || work_ > mostWork) return best;
-    if (!isNoise(best.null) && levelOf(best.null.fit) < structuredResidual) return best;
-    Path bare{base, {}, {}, {}, {}};
+    std::vector<Candidate> taken;
+    if (first.chosen) taken.push_back(first.trials[*first.chosen].screened.candidate);
+    for (const std::size_t other : others) taken.push_back(first.trials[other].screened.candidate);
+    addPairPaths(best, base, first, taken);
+    if (beginsAnew_ || progress_.stopRequested() || isNoise(best.null) || work_ > mostWork || !opening_) return best;
+    addLawPath(best, std::move(*opening_));
+    return best;
+}
+
+/// The path before its first choice, with what was tried.
+Search::Path Search::bareOf(const NullModel& base, Round first) {
     first.chosen.reset();
     first.members.clear();
+    Path bare{base, {}, {}, {}, {}};
     exchange(bare);
     noteAll(first);
     exchange(bare);
-    std::vector<Path> begins{std::move(bare)};
-    if (opening_ && !isNoise(best.null)) begins.push_back(std::move(*opening_));
-    for (Path& begin : begins) {
-        if (progress_.stopRequested()) break;
-        std::optional<Path> path = withLaw(std::move(begin));
-        if (beginsAnew_) return best;
-        if (!path || !isBetter(*path)) continue;
-        // as many terms as there are names are no simpler, and were chosen from far more
-        if (isNoise(best.null) && termsIn(path->null) >= termsIn(best.null)) continue;
-        otherEnds_.push_back(std::move(best));
-        best = std::move(*path);
+    return bare;
+}
+
+/// Begins with the halves of pairs, also where one equation took the place of names: it may stand for two that hide
+/// each other.
+void Search::addPairPaths(Path& best, const NullModel& base, const Round& first, const std::vector<Candidate>& taken) {
+    constexpr std::size_t aPair = 2;
+    if (isExplainedBy(best, aPair) || !(levelOf(best.null.fit) < mostForPairs) || progress_.stopRequested()) return;
+    const Round wider = work_ > mostWork ? first : withPairMembers(base, first);
+    for (const std::size_t begin : pairBeginnings(base, wider, otherPairs, taken)) {
+        if (progress_.stopRequested() || isExplainedBy(best, aPair) || work_ > mostWork) return;
+        Path path = pathFrom(base, wider, begin);
+        if (beginsAnew_) return;
+        if (path.steps.size() > 1) keepBetter(best, std::move(path));  // else it has passed no test alone
     }
-    return best;
+}
+
+/// Goes on from a path with a law; true where that is the better end. As many terms as there are names are no simpler,
+/// and were chosen from far more.
+bool Search::addLawPath(Path& best, Path begin) {
+    if (!isNoise(best.null) && levelOf(best.null.fit) < structuredResidual) return false;
+    std::optional<Path> path = withLaw(std::move(begin));
+    if (beginsAnew_ || !path || !isBetter(*path, best)) return false;
+    if (isNoise(best.null) && termsIn(path->null) >= termsIn(best.null)) return false;
+    otherEnds_.push_back(std::move(best));
+    best = std::move(*path);
+    return isNoise(best.null);
 }
 
 /// Effects of a model, each term of a law for one.
@@ -422,9 +447,11 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
             return isBorneOut(besideDisturbance(*refitted, search_.fit.simulation, progress_), *beside,
                               null.fit.optimum.residuals.size(), freed);
         };
-        const bool isTold = isDetermined(null, i) || isClearlyMissed(missed);
+        const bool isTold = isDetermined(null, i) ||
+                            (isClearlyMissed(missed) && isScaleOpen(null.variant.effects[i], null.fit.estimates));
         const bool isItself = !isAtBound(null.variant.effects[i], null.fit);
-        if (isMissed(missed) && isTold && isItself && (!isDoubtful || isMore())) {
+        const bool holds = !isLast || missed.heldOut > leastHeldOutAtLast;
+        if (isMissed(missed) && isTold && isItself && holds && (!isDoubtful || isMore())) {
             steps_[i].acceptance = missed;
             steps_[i].fall = refitted->sumOfSquares() - null.sumOfSquares();
             if (Outcome<ModelState> state =
@@ -464,9 +491,10 @@ bool Search::dropIndistinct(const NullModel& last, const ModelState& state, Null
                      [](const FitEstimate& e) { return std::isfinite(e.standardError); }))
         return false;
     const std::vector<PlacedEffect>& effects = last.variant.effects;
-    for (std::size_t i = 0; i < effects.size(); ++i)
-        if (!isDetermined(effects[i], state.parameters) && !isClearlyMissed(steps_[i].acceptance) && takeOut(null, i))
-            return true;
+    for (std::size_t i = 0; i < effects.size(); ++i) {
+        const bool isExcused = isClearlyMissed(steps_[i].acceptance) && isScaleOpen(effects[i], state.parameters);
+        if (!isDetermined(effects[i], state.parameters) && !isExcused && takeOut(null, i)) return true;
+    }
     return false;
 }
 

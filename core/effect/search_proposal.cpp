@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/effect/held_parameter.hpp"
-#include "core/effect/missing_flow.hpp"
+#include "core/effect/law.hpp"
 #include "core/effect/model_state.hpp"
 #include "core/effect/next_experiment.hpp"
 #include "core/effect/search.hpp"
@@ -26,12 +26,11 @@ bool hasRole(const ModelState& state, Role role) {
 
 }  // namespace
 
-/// Fits the likeliest laws of a flow that the model lacks; their classes join the libraries.
+/// Fits the likeliest laws of what the model lacks; their classes join the libraries.
 std::vector<Trial> Search::tryLaws(NullModel& null) {
     say("propose", "a law for what is left", -1);
-    const std::vector<FlowLaw> laws =
-        likelyFlowLaws(null, static_cast<int>(laws_.size()), search_.fit.simulation, progress_);
-    for (const FlowLaw& law : laws) {
+    const std::vector<Law> laws = likelyLaws(null, static_cast<int>(laws_.size()), search_.fit.simulation, progress_);
+    for (const Law& law : laws) {
         const std::string& name = law.candidate.effect.className;
         const auto source = std::make_shared<Source>(name + ".mo", law.text);
         for (Library* library : {&null.variant.task.library, &base_.task.library, &full_.task.library}) {
@@ -42,7 +41,7 @@ std::vector<Trial> Search::tryLaws(NullModel& null) {
         laws_[name] = law.text;
     }
     std::vector<Screened> screened;
-    for (const FlowLaw& law : laws) screened.push_back(screen(null, law.candidate, search_.fit.simulation, progress_));
+    for (const Law& law : laws) screened.push_back(screen(null, law.candidate, search_.fit.simulation, progress_));
     std::vector<const Screened*> chosen;
     for (const Screened& s : screened)
         if (s.failure.empty()) chosen.push_back(&s);

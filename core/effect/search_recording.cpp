@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/effect/caution.hpp"
+#include "core/effect/input_edge.hpp"
 #include "core/effect/input_noise.hpp"
 #include "core/effect/search.hpp"
 
@@ -11,20 +13,49 @@ namespace analogon {
 namespace {
 
 constexpr std::size_t mostStarts = 12;  // that are tried
+constexpr double asHeld = 0.8;          // of an interval
+constexpr int mostPasses = 3;
+constexpr double nearlyAll = 0.95;  // of what an effect explains
+
+bool areHeld(const std::vector<InputEdge>& edges) {
+    return std::all_of(edges.begin(), edges.end(), [](const InputEdge& e) { return e.bend == 0 && e.part > asHeld; });
+}
+
+Text remarkOn(const std::vector<InputEdge>& edges) {
+    if (areHeld(edges))
+        return phrase(
+            "the inputs jump just before the next sample ({} jumps): they are held in between and do not run straight "
+            "from sample to sample; the parameters reckon with it, the errors that are reported do not",
+            edges.size());
+    return phrase(
+        "the inputs jump between two samples ({} jumps), and the outputs tell when: the parameters reckon with it, the "
+        "errors that are reported are with straight lines from sample to sample; record faster, or log the moment of "
+        "each jump",
+        edges.size());
+}
 
 }  // namespace
+
+/// The fit of a model that allows for something wrong with a recording, and what it explains; nothing where that does
+/// not count.
+std::optional<Search::Allowed> Search::allowed(const NullModel& null, const Variant& variant, int freed,
+                                               double threshold) const {
+    if (progress_.stopRequested()) return std::nullopt;
+    std::optional<FitResult> fit = fitBeside(null, variant, search_.fit, progress_);
+    if (!fit) return std::nullopt;
+    const Acceptance gain = examine(null, *fit, freed, threshold);
+    if (!gain.isSignificant || !gain.isWorthwhile) return std::nullopt;
+    return Allowed{std::move(*fit), gain.effective};
+}
 
 /// Allows for what is wrong with a recording, where that explains more than what this round has chosen. True when it
 /// did: the round is to be repeated beside it.
 bool Search::allowForRecordings(NullModel& null, const Round& round) {
     double most = round.chosen ? round.acceptance.effective : 0;
     const auto explainsMore = [&](const Variant& variant, int freed) {
-        if (progress_.stopRequested()) return false;
-        const std::optional<FitResult> fit = fitBeside(null, variant, search_.fit, progress_);
-        if (!fit) return false;
-        const Acceptance gain = examine(null, *fit, freed, round.threshold);
-        if (!gain.isSignificant || !gain.isWorthwhile || !(gain.effective > most)) return false;
-        most = gain.effective;
+        const std::optional<Allowed> gain = allowed(null, variant, freed, round.threshold);
+        if (!gain || !(gain->gain > most)) return false;
+        most = gain->gain;
         return true;
     };
     const Outcome<std::vector<ToldStart>> told = toldStarts(null.variant.task);
@@ -42,7 +73,71 @@ bool Search::allowForRecordings(NullModel& null, const Round& round) {
         say("reconsider", "noise of the inputs", -1);
         if (explainsMore(quiet, static_cast<int>(noisy.size()))) return refitQuiet(null, std::move(quiet), noisy);
     }
-    return best && refitWith(null, *best);
+    return placeEdges(null, round.threshold, most) || (best && refitWith(null, *best));
+}
+
+/// Draws the inputs as they run between their samples by what the outputs say, where that explains more than so much.
+bool Search::placeEdges(NullModel& null, double threshold, double most) {
+    if (!edges_.empty() || thinning_ > 1) return false;
+    Variant placed;
+    std::vector<InputEdge> edges;
+    const std::vector<InputEdge> found = inputEdges(null.variant.task);
+    for (const bool areAlike : {true, false}) {
+        // the parameters made up for the jumps where they were: with them the jumps move on
+        NullModel there = null;
+        double before = 0;
+        for (int pass = 0; pass < mostPasses; ++pass) {
+            int told = 0;
+            std::vector<InputEdge> likely =
+                likeliestEdges(there, found, areAlike, search_.fit.simulation, progress_, told);
+            if (told == 0) break;
+            say("reconsider", "jumps of the inputs", -1);
+            Variant drawn = null.variant;
+            drawn.values = there.variant.values;
+            place(drawn.task, likely);
+            std::optional<Allowed> gain = allowed(null, drawn, told, threshold);
+            if (!gain || !(gain->gain > before)) break;
+            before = gain->gain;
+            there.variant.values = valuesOf(gain->fit);
+            there.fit = std::move(gain->fit);
+            // a command that is held looks like a dead time of half a sample, and is met far more often
+            if (!(before > (areHeld(likely) ? nearlyAll : 1) * most)) continue;
+            most = std::max(most, before);
+            edges = std::move(likely);
+            placed = std::move(drawn);
+        }
+    }
+    return !edges.empty() && refitPlaced(null, std::move(placed), std::move(edges));
+}
+
+/// A dead time or a lag of an input that is shorter than a sample may be no more than how the input runs between its
+/// samples: the search then begins anew beside that.
+bool Search::takesEdgesForDelays(const NullModel& null) {
+    const double interval = samplingInterval(null.variant.task);
+    for (std::size_t i = 0; i < null.variant.effects.size() && edges_.empty() && !progress_.stopRequested(); ++i) {
+        const PlacedEffect& placed = null.variant.effects[i];
+        const auto strength = std::find_if(null.fit.estimates.begin(), null.fit.estimates.end(),
+                                           [&](const FitEstimate& e) { return e.name == placed.freed.front().name; });
+        if (placed.effect.signalSide != "input" || strength == null.fit.estimates.end()) continue;
+        if (strength->unit != "s" || !(strength->value < interval)) continue;
+        std::optional<NullModel> rest = without(null, i);
+        if (!rest) continue;
+        const Acceptance missed = examine(*rest, null.fit, static_cast<int>(placed.freed.size()), 0);
+        if (placeEdges(*rest, 0, missed.effective)) return true;
+    }
+    return false;
+}
+
+/// The model with the jumps of its inputs where the outputs say that they are; so in all that is fitted from here on.
+bool Search::refitPlaced(NullModel& null, Variant placed, std::vector<InputEdge> edges) {
+    Outcome<NullModel> next = fitNull(placed, null.noise, NoiseLevel::Estimate, search_.fit, progress_);
+    if (!next || progress_.stopRequested()) return false;
+    null = std::move(*next);
+    asRecorded_ = full_.task.recordings;
+    place(base_.task, edges);
+    place(full_.task, edges);
+    edges_ = std::move(edges);
+    return true;
 }
 
 /// The model beside inputs without their noise; so in all that the search fits from here on.
@@ -108,6 +203,7 @@ std::vector<Text> Search::recordingRemarks(const NullModel& null) const {
                    "component: the search has smoothed it, the errors that are reported are with it; record it with "
                    "less noise, or smooth it",
                    input.name, full_.task.recordings[static_cast<std::size_t>(input.recording)].name, input.deviation));
+    if (!edges_.empty()) remarks.push_back(remarkOn(edges_));
     for (const ToldStart& start : freedStarts_)
         for (const FitEstimate& e : null.fit.estimates) {
             if (e.name != start.parameter || e.experiment != start.experiment) continue;

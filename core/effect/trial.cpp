@@ -5,14 +5,19 @@
 #include <limits>
 #include <optional>
 
+#include "core/effect/input_edge.hpp"
+
 namespace analogon {
 namespace {
 
-constexpr double leastEvidence = 20;         // fall in BIC that an effect must bring
-constexpr double leastOfStructure = 30;      // where it leaves structure, on which it may only feed
-constexpr double leastBesideStructure = 60;  // the same beside other effects, whose form it may only mend
-constexpr double structureFactor = 3;        // of what chance can bring, there
-constexpr std::ptrdiff_t mostStarts = 8;     // that are weighed against each other
+constexpr double leastEvidence = 20;                   // fall in BIC that an effect must bring
+constexpr double leastOfStructure = 30;                // where it leaves structure, on which it may only feed
+constexpr double leastBesideOthers = 60;               // beside other effects, whose form it may only mend
+constexpr double leastAtEdges = 100;                   // where it acts right behind changes of an input alone
+constexpr double mostAtEdges = 0.7, fewAtEdges = 0.4;  // of the fall, of the samples
+constexpr int samplesBehindEdge = 3;
+constexpr double structureFactor = 3;     // of what chance can bring, there
+constexpr std::ptrdiff_t mostStarts = 8;  // that are weighed against each other
 constexpr double trialTolerance = 1e-6;
 constexpr double leastHeldOut = 0.5;
 constexpr double leastHeldOutOfAll = 0.2;   // where nothing else remains, and far more is explained than chance can
@@ -292,6 +297,35 @@ void rank(const NullModel& null, std::vector<Trial>& trials) {
                      [](const Trial& a, const Trial& b) { return a.evidence > b.evidence; });
 }
 
+namespace {
+
+/// Whether a fall in the sum of squares happens right behind changes of an input that is sampled too slowly for them,
+/// and hardly elsewhere: how the input ran there is not known.
+bool happensAtEdges(const NullModel& null, const FitResult& with) {
+    std::vector<std::vector<bool>> isBehind;  // by recording and sample
+    for (const Recording& r : null.variant.task.recordings) isBehind.emplace_back(r.time.size(), false);
+    for (const InputEdge& e : inputEdges(null.variant.task)) {
+        std::vector<bool>& samples = isBehind[static_cast<std::size_t>(e.recording)];
+        for (int k = e.sample + 1; k <= e.sample + samplesBehindEdge && k < static_cast<int>(samples.size()); ++k)
+            samples[static_cast<std::size_t>(k)] = true;
+    }
+    const std::vector<int> fitted = recordingsOf(null.variant.task, Role::Fit);
+    double fall = 0, there = 0, rows = 0;
+    for (const ResidualChannel& c : null.channels)
+        for (int row = c.begin; row < c.end; ++row) {
+            const double before = null.fit.optimum.residuals[row], after = with.optimum.residuals[row];
+            const auto recording = static_cast<std::size_t>(fitted[static_cast<std::size_t>(c.experiment)]);
+            const bool isHere =
+                isBehind[recording][static_cast<std::size_t>(c.samples[static_cast<std::size_t>(row - c.begin)])];
+            fall += before * before - after * after;
+            if (isHere) there += before * before - after * after;
+            rows += isHere ? 1 : 0;
+        }
+    return there > mostAtEdges * fall && rows < fewAtEdges * static_cast<double>(with.optimum.residuals.size());
+}
+
+}  // namespace
+
 Acceptance examine(const NullModel& null, const FitResult& with, int freed, double threshold) {
     const Whitener whiten(null.channels, with.optimum.residuals);
     const auto whiteSum = [&](const Linearisation& l) {
@@ -313,11 +347,12 @@ Acceptance examine(const NullModel& null, const FitResult& with, int freed, doub
                     std::clamp(static_cast<int>(count / samplesPerBlock), heldOutFolds, mostBlocks), heldOutFolds);
     // What leaves noise has explained all there was. What leaves structure must show more, and show it against chance.
     const bool leavesStructure = !isNoise(null.channels, with);
-    const double least = !leavesStructure               ? leastEvidence
-                         : null.variant.effects.empty() ? leastOfStructure
-                                                        : leastBesideStructure;
+    const bool isFirst = null.variant.effects.empty();
+    const double least = !isFirst ? leastBesideOthers : leavesStructure ? leastOfStructure : leastEvidence;
     a.isSignificant =
         std::max(a.evidence, a.effective) > std::max(least, threshold * (leavesStructure ? structureFactor : 1));
+    if (a.isSignificant && std::max(a.evidence, a.effective) < leastAtEdges && happensAtEdges(null, with))
+        a.isSignificant = false;
     const double left = with.optimum.residuals.squaredNorm(), unexplained = left - rows;
     const bool explainsAll = !leavesStructure && std::min(a.evidence, a.effective) > farMore;
     a.holdsOut = a.heldOut > (explainsAll              ? leastHeldOutOfAll

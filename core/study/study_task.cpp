@@ -446,7 +446,8 @@ private:
         return plain;
     }
 
-    /// Columns that the model does not use; those with missing values cannot be a cause and are left out.
+    /// Columns that the model does not use. Gaps are bridged by straight lines; where little is left beside them the
+    /// column is left out.
     static void addSpares(const Table& table, const StudyExperiment& experiment, Recording& recording) {
         const auto isUsed = [&](const Column& column) {
             const auto uses = [&](const auto& mapping) { return table.find(mapping.second.column) == &column; };
@@ -455,8 +456,35 @@ private:
                    std::any_of(experiment.outputs.begin(), experiment.outputs.end(), uses);
         };
         for (const Column& column : table.columns)
-            if (!isUsed(column) && column.blanks.empty())
-                recording.spares.push_back({column.name, column.unit, column.values});
+            if (!isUsed(column)) addSpare(column, recording);
+    }
+
+    static void addSpare(const Column& column, Recording& recording) {
+        constexpr double mostBlanks = 0.5;
+        SpareChannel spare{column.name, column.unit, column.values};
+        if (spare.values.size() != recording.time.size()) return;
+        for (const BlankCell& blank : column.blanks) spare.values[blank.row] = std::nan("");
+        if (static_cast<double>(column.blanks.size()) > mostBlanks * static_cast<double>(spare.values.size())) return;
+        bridge(recording.time, spare.values);
+        recording.spares.push_back(std::move(spare));
+    }
+
+    /// NaN become what the straight line between their neighbours has there; at the ends, the nearest value.
+    static void bridge(const std::vector<double>& time, std::vector<double>& values) {
+        std::vector<std::size_t> known;
+        for (std::size_t k = 0; k < values.size(); ++k)
+            if (!std::isnan(values[k])) known.push_back(k);
+        if (known.empty()) return;
+        auto behind = known.begin();
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            while (behind != known.end() && *behind < k) ++behind;
+            if (behind != known.end() && *behind == k) continue;
+            const std::size_t after = behind == known.end() ? known.back() : *behind,
+                              before = behind == known.begin() ? after : *std::prev(behind);
+            values[k] = after <= before ? values[before]
+                                        : values[before] + (values[after] - values[before]) * (time[k] - time[before]) /
+                                                               (time[after] - time[before]);
+        }
     }
 
     const Study& study_;

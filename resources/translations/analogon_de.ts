@@ -4078,6 +4078,22 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>{} und {}</translation>
     </message>
     <message>
+        <source>the fitted recordings hold {} near {:.4g}, '{}' has it between {:.4g} and {:.4g}: what the model says of that is extrapolated</source>
+        <translation>Die angepassten Aufzeichnungen halten {} bei {}, „{}“ hat dort {} bis {}: Was das Modell dazu sagt, ist extrapoliert</translation>
+    </message>
+    <message>
+        <source>'{}' begins with {} at {:.4g}{} where the model begins at {:.4g}{}: tell its start value, or fit it (&quot;initial&quot;)</source>
+        <translation>„{}“ beginnt bei {} mit {}{}, das Modell mit {}{}: den Startwert angeben oder anpassen („initial“)</translation>
+    </message>
+    <message>
+        <source>the inputs jump just before the next sample ({} jumps): they are held in between and do not run straight from sample to sample; the parameters reckon with it, the errors that are reported do not</source>
+        <translation>Die Eingänge springen kurz vor dem nächsten Abtastwert ({} Sprünge): Sie werden dazwischen gehalten und verlaufen nicht gerade von Wert zu Wert; die Parameter berücksichtigen das, die genannten Fehler nicht</translation>
+    </message>
+    <message>
+        <source>the inputs jump between two samples ({} jumps), and the outputs tell when: the parameters reckon with it, the errors that are reported are with straight lines from sample to sample; record faster, or log the moment of each jump</source>
+        <translation>Die Eingänge springen zwischen zwei Abtastwerten ({} Sprünge), und die Ausgänge sagen, wann: Die Parameter berücksichtigen das, die genannten Fehler gelten für gerade Linien von Wert zu Wert; schneller aufzeichnen oder den Zeitpunkt jedes Sprungs festhalten</translation>
+    </message>
+    <message>
         <source>'{}' leaves the range of the fitted recordings on {} by {:.0f} % of that range: what the model says there is extrapolated</source>
         <translation>„{}“ verlässt bei {} den Bereich der angepassten Aufzeichnungen um {} % dieses Bereichs: Was das Modell dort sagt, ist extrapoliert</translation>
     </message>

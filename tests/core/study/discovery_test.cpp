@@ -26,26 +26,32 @@ struct Shaft {
     std::function<double(double t, double w, double phi)> torque;
     double limit{1e9};  // [N.m] of the drive
     double lag{};       // [s] of the tachometer
+    double pickUp{};    // [rad/(s.N.m)] of the tachometer, from the drive
+    bool isHeld{};      // the command, between its samples
 };
 
 double signOf(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
-double excitation(double t) {
+double levelAt(double t) {
     const double levels[] = {0.4, -0.3, 0.8, 0.1, -0.7, 0.5, -0.1, 0.9, -0.5, 0.2};
-    return levels[static_cast<int>(t / 3.0) % 10] + 0.15 * std::sin(1.7 * t);
+    return levels[static_cast<int>(t / 3.0) % 10];
 }
+
+double excitation(double t) { return levelAt(t) + 0.15 * std::sin(1.7 * t); }
+
+double commandOf(const Shaft& shaft, double t) { return shaft.isHeld ? levelAt(t + 1e-9) : excitation(t); }
 
 std::vector<double> speedOf(const Shaft& shaft) {
     constexpr int inner = 40;
     double w = 0, phi = 0, shown = 0;
     std::vector<double> speed;
     for (int k = 0; k < samples; ++k) {
-        speed.push_back(shaft.lag > 0 ? shown : w);
+        speed.push_back((shaft.lag > 0 ? shown : w) + shaft.pickUp * commandOf(shaft, k * step));
         for (int i = 0; i < inner; ++i) {
             const double h = step / inner, t = k * step + i * h;
             // the program joins samples by straight lines
-            const double a = (t - k * step) / step;
-            const double command = (1 - a) * excitation(k * step) + a * excitation((k + 1) * step);
+            const double a = shaft.isHeld ? 0 : (t - k * step) / step;
+            const double command = (1 - a) * commandOf(shaft, k * step) + a * commandOf(shaft, (k + 1) * step);
             const double u = std::clamp(command, -shaft.limit, shaft.limit);
             const double half = w + 0.5 * h * (u - shaft.torque(t, w, phi)) / shaft.inertia;
             phi += h * half;
@@ -95,7 +101,7 @@ end Rotor;
         const std::vector<double> speed = speedOf(shaft);
         double error = scatter(random);
         for (int k = 0; k < samples; ++k) {
-            csv << k * step << ',' << excitation(k * step) << ',' << speed[static_cast<std::size_t>(k)] + error;
+            csv << k * step << ',' << commandOf(shaft, k * step) << ',' << speed[static_cast<std::size_t>(k)] + error;
             error = memory * error + std::sqrt(1 - memory * memory) * scatter(random);
             if (oil) csv << ',' << oil(k * step);
             csv << '\n';
@@ -145,6 +151,30 @@ TEST_F(Discovery, TakesNoiseWithAMemoryForNoise) {
     const auto rubbing = [](double t, double w, double) { return 0.03 * w + (std::sin(t * t / 12) > 0.6 ? 0.15 : 0); };
     const Finding left = search({0.02, rubbing}, 0.05, {}, 0.5);
     EXPECT_NE(left.kind, FindingKind::Adequate);
+}
+
+TEST_F(Discovery, TakesACommandThatIsHeldForNoDeadTime) {
+    Shaft shaft;
+    shaft.torque = [](double, double w, double) { return 0.03 * w; };
+    shaft.isHeld = true;
+    const Finding finding = search(shaft);
+    EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
+    EXPECT_EQ(finding.kind, FindingKind::Adequate);
+    EXPECT_TRUE(std::any_of(finding.warnings.begin(), finding.warnings.end(),
+                            [](const Text& w) { return w.english().find("held in between") != std::string::npos; }));
+}
+
+TEST_F(Discovery, WritesALawForWhatASensorPicksUp) {
+    Shaft shaft;
+    shaft.torque = [](double, double w, double) { return 0.03 * w; };
+    shaft.pickUp = 2;
+    const Finding finding = search(shaft);
+    EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
+    ASSERT_FALSE(finding.remainders.empty());
+    const Remainder& law = finding.remainders.front();
+    EXPECT_EQ(law.node, "output w");
+    EXPECT_NE(law.proposedEquation.find("w = u + a1*tau"), std::string::npos) << law.proposedEquation;
+    EXPECT_NE(law.proposedEquation.find("rad/(s.N.m)"), std::string::npos) << law.proposedEquation;
 }
 
 TEST_F(Discovery, ChoosesNothingByValidation) {

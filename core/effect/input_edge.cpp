@@ -1,0 +1,290 @@
+#include "core/effect/input_edge.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "core/base/range.hpp"
+#include "core/effect/input_noise.hpp"
+#include "core/effect/score.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr double leastJump = 0.03, mostAside = 0.1;  // of the input's range; of the jump, in the intervals beside it
+constexpr double clearOfNoise = 8;                   // deviations of the noise
+constexpr std::size_t mostEdges = 150, fewestEdges = 8;
+constexpr double mostSamples = 2e5;  // that are simulated to look at each edge once
+constexpr double sharpness = 1e-4;   // of an interval, that a jump takes
+constexpr double nearest = 1e-3;     // part of an interval between a jump and a sample
+constexpr double firstParts[] = {0.001, 0.01, 0.03, 0.06, 0.12, 0.25, 0.5, 0.75, 0.88, 0.94, 0.97, 0.99, 0.999};
+constexpr int bitsOfAPart = 8;
+constexpr double evenPrecision = 12;  // of a number that lies anywhere between 0 and 1
+
+/// What an interval of a recording holds, by the input it happens to.
+using Edges = std::map<int, const InputEdge*>;
+
+double valueAt(const Eigen::MatrixXd& inputs, int input, const InputEdge& edge, double at) {
+    const double before = inputs(input, edge.sample), after = inputs(input, edge.sample + 1);
+    if (edge.bend == 0) return at < std::clamp(edge.part, nearest, 1 - nearest) ? before : after;
+    const double line = (1 - at) * before + at * after;
+    return line + (2 * edge.part - 1) * edge.bend * (1 - std::abs(2 * at - 1));
+}
+
+/// The moments to be added in an interval: before and behind each jump, and at the middle of each bend.
+std::vector<double> momentsOf(const Edges& edges) {
+    std::vector<double> moments;
+    for (const auto& [input, edge] : edges)
+        if (edge->bend != 0)
+            moments.push_back(0.5);
+        else
+            for (const double side : {-0.5, 0.5})
+                moments.push_back(std::clamp(edge->part, nearest, 1 - nearest) + side * sharpness);
+    std::sort(moments.begin(), moments.end());
+    // as many wherever the jumps are, none at the same time as another
+    for (std::size_t i = 1; i < moments.size(); ++i)
+        moments[i] = std::max(moments[i], moments[i - 1] + 0.1 * sharpness);
+    return moments;
+}
+
+int rowOf(const Recording& recording, const std::string& input) {
+    const auto found = std::find(recording.inputNames.begin(), recording.inputNames.end(), input);
+    return static_cast<int>(found - recording.inputNames.begin());
+}
+
+}  // namespace
+
+std::vector<InputEdge> inputEdges(const EstimationTask& task) {
+    struct Found {
+        InputEdge edge;
+        double size{};  // of the input's range
+    };
+    std::vector<Found> found;
+    for (std::size_t r = 0; r < task.recordings.size(); ++r) {
+        const Recording& recording = task.recordings[r];
+        if (recording.role != Role::Fit) continue;
+        for (Eigen::Index i = 0; i < recording.inputs.rows(); ++i) {
+            const Eigen::VectorXd u = recording.inputs.row(i).transpose();
+            const double range = rangeOf(u).width();
+            const double least = std::max(leastJump * range, clearOfNoise * whiteNoise(u));
+            for (Eigen::Index k = 1; k + 2 < u.size(); ++k) {
+                const double before = u[k] - u[k - 1], change = u[k + 1] - u[k], behind = u[k + 2] - u[k + 1];
+                InputEdge edge{static_cast<int>(r), recording.inputNames[static_cast<std::size_t>(i)],
+                               static_cast<int>(k)};
+                const double corner = std::max(std::abs(change - before), std::abs(behind - change));
+                const bool isFlatAside = std::max(std::abs(before), std::abs(behind)) <= mostAside * std::abs(change);
+                if (isFlatAside && std::abs(change) > least) {
+                    found.push_back({edge, std::abs(change) / range});
+                } else if (corner > 2 * least && std::abs(change) > mostAside * corner) {
+                    edge.bend = corner / 4;
+                    found.push_back({edge, 0.5 * corner / range});
+                }
+            }
+        }
+    }
+    std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.size > b.size; });
+    double samples = 1;
+    for (const Recording& r : task.recordings)
+        if (r.role == Role::Fit) samples += static_cast<double>(r.time.size());
+    const auto most = std::clamp(static_cast<std::size_t>(mostSamples / samples), fewestEdges, mostEdges);
+    std::vector<InputEdge> edges;
+    for (std::size_t i = 0; i < std::min(found.size(), most); ++i) edges.push_back(found[i].edge);
+    return edges;
+}
+
+void place(EstimationTask& task, const std::vector<InputEdge>& edges) {
+    for (std::size_t r = 0; r < task.recordings.size(); ++r) {
+        Recording& recording = task.recordings[r];
+        std::map<int, Edges> bySample;
+        for (const InputEdge& e : edges)
+            if (e.recording == static_cast<int>(r)) bySample[e.sample][rowOf(recording, e.input)] = &e;
+        if (bySample.empty()) continue;
+        const Recording from = recording;
+        std::vector<double> time;
+        std::vector<Eigen::VectorXd> inputs;
+        std::vector<std::pair<int, double>> origin;  // of each new sample: that before it, and the part passed since
+        for (int k = 0; k < static_cast<int>(from.time.size()); ++k) {
+            time.push_back(from.time[static_cast<std::size_t>(k)]);
+            inputs.emplace_back(from.inputs.col(k));
+            origin.emplace_back(k, 0.0);
+            const auto here = bySample.find(k);
+            if (here == bySample.end()) continue;
+            const double width = from.time[static_cast<std::size_t>(k + 1)] - from.time[static_cast<std::size_t>(k)];
+            for (const double at : momentsOf(here->second)) {
+                time.push_back(from.time[static_cast<std::size_t>(k)] + at * width);
+                Eigen::VectorXd& then =
+                    inputs.emplace_back((1 - at) * from.inputs.col(k) + at * from.inputs.col(k + 1));
+                for (const auto& [input, edge] : here->second) then[input] = valueAt(from.inputs, input, *edge, at);
+                origin.emplace_back(k, at);
+            }
+        }
+        const auto count = static_cast<Eigen::Index>(time.size());
+        recording.time = std::move(time);
+        recording.inputs.resize(from.inputs.rows(), count);
+        recording.outputs = Eigen::MatrixXd::Constant(from.outputs.rows(), count, std::nan(""));
+        for (SpareChannel& s : recording.spares) s.values.assign(static_cast<std::size_t>(count), 0);
+        for (Eigen::Index j = 0; j < count; ++j) {
+            const auto [k, part] = origin[static_cast<std::size_t>(j)];
+            recording.inputs.col(j) = inputs[static_cast<std::size_t>(j)];
+            if (part == 0) recording.outputs.col(j) = from.outputs.col(k);
+            for (std::size_t s = 0; s < recording.spares.size(); ++s) {
+                const std::vector<double>& values = from.spares[s].values;
+                const auto at = static_cast<std::size_t>(k);
+                recording.spares[s].values[static_cast<std::size_t>(j)] =
+                    part == 0 ? values[at] : (1 - part) * values[at] + part * values[at + 1];
+            }
+        }
+    }
+}
+
+namespace {
+
+/// The residual of a model as its inputs jump at these moments, its parameters held.
+class EdgeModel {
+public:
+    EdgeModel(const NullModel& null, const SimulationOptions& simulation, const Progress& progress)
+        : null_(null),
+          simulation_(simulation),
+          progress_(progress),
+          prepared_(prepareHeld(null.variant, {}, null.noise)) {}
+
+    bool isReady() const { return prepared_.hasValue(); }
+
+    /// Steps that do wherever in their intervals the inputs change: half an interval may become a whole one.
+    void plan(std::vector<InputEdge> edges) {
+        for (InputEdge& e : edges) e.part = 0.5;
+        set(edges);
+        for (std::size_t e = 0; e < prepared_->problem.experiments.size(); ++e) {
+            GridPlan plan = planFor(prepared_->problem, static_cast<int>(e), {}, simulation_, progress_);
+            plan.terms.reset();
+            std::vector<int> needed;
+            const std::size_t samples = prepared_->problem.experiments[e].inputs.time.size();
+            for (std::size_t k = 0; k + 1 < samples; ++k) needed.push_back(2 * plan.substepsIn(static_cast<int>(k)));
+            plans_.push_back(plan.method == GridMethod::Exact ? plan : refined(plan, needed));
+        }
+    }
+
+    /// Empty where it cannot be simulated.
+    Eigen::VectorXd residuals(const std::vector<InputEdge>& edges) {
+        set(edges);
+        const FitProblem& problem = prepared_->problem;
+        Linearisation l = linearise(problem, {}, false, plans_, simulation_, progress_);
+        if (!l.ok || l.residuals.size() != null_.fit.optimum.residuals.size() || !l.residuals.allFinite()) return {};
+        return std::move(l.residuals);
+    }
+
+private:
+    void set(const std::vector<InputEdge>& edges) {
+        EstimationTask task;
+        task.recordings = null_.variant.task.recordings;
+        place(task, edges);
+        FitProblem& problem = prepared_->problem;
+        for (std::size_t e = 0; e < problem.experiments.size(); ++e)
+            apply(task.recordings[static_cast<std::size_t>(prepared_->fitRecordings[e])], problem.experiments[e]);
+    }
+
+    void apply(const Recording& recording, FitExperiment& experiment) const {
+        const System& system = *experiment.system;
+        const auto count = static_cast<Eigen::Index>(recording.time.size());
+        const Eigen::MatrixXd before = experiment.inputs.values;
+        experiment.inputs.time = recording.time;
+        experiment.inputs.values.resize(before.rows(), count);
+        for (Eigen::Index i = 0; i < before.rows(); ++i)
+            experiment.inputs.values.row(i) =
+                recording.inputs.row(rowOf(recording, system.inputs()[static_cast<std::size_t>(i)].name));
+        const Eigen::Index outputs = experiment.measured.rows();
+        experiment.measured = Eigen::MatrixXd::Constant(outputs, count, std::nan(""));
+        for (Eigen::Index o = 0; o < outputs; ++o) {
+            const std::string& name = system.outputs()[static_cast<std::size_t>(o)].name;
+            const auto found = std::find(recording.outputNames.begin(), recording.outputNames.end(), name);
+            if (found != recording.outputNames.end())
+                experiment.measured.row(o) = recording.outputs.row(found - recording.outputNames.begin());
+        }
+    }
+
+    const NullModel& null_;
+    const SimulationOptions& simulation_;
+    const Progress& progress_;
+    Outcome<PreparedTask> prepared_;
+    std::vector<GridPlan> plans_;
+};
+
+}  // namespace
+
+std::vector<InputEdge> likeliestEdges(const NullModel& null, std::vector<InputEdge> edges, bool areAlike,
+                                      const SimulationOptions& simulation, const Progress& progress, int& told) {
+    told = 0;
+    if (areAlike) std::erase_if(edges, [](const InputEdge& e) { return e.bend != 0; });
+    EdgeModel model(null, simulation, progress);
+    if (edges.empty() || !model.isReady()) return {};
+    model.plan(edges);
+    const Complement complement(null.fit.optimum.jacobian);
+    const double variance = null.sumOfSquares() / static_cast<double>(null.fit.optimum.residuals.size());
+    const auto at = [&](const std::vector<double>& parts) {
+        std::vector<InputEdge> moved = edges;
+        for (std::size_t i = 0; i < edges.size(); ++i) moved[i].part = std::clamp(parts[areAlike ? 0 : i], 0.0, 1.0);
+        return moved;
+    };
+    const auto misfit = [&](const Eigen::VectorXd& residuals) {
+        return residuals.size() == 0 ? std::numeric_limits<double>::infinity() : complement(residuals).squaredNorm();
+    };
+
+    // all alike first: where a model is much faster than the sampling, no slope at the middle tells of the ends
+    std::vector<double> parts(areAlike ? 1 : edges.size(), 0.5);
+    const auto alike = [&](double part) {
+        std::vector<double> tried(parts.size(), part);
+        for (std::size_t i = 0; i < tried.size(); ++i)
+            if (edges[i].bend != 0) tried[i] = 0.5;
+        return tried;
+    };
+    const auto misfitAlike = [&](double part) { return misfit(model.residuals(at(alike(part)))); };
+    std::size_t best = 0;
+    std::vector<double> misfits;
+    for (const double part : firstParts) {
+        misfits.push_back(misfitAlike(part));
+        if (misfits.back() < misfits[best]) best = misfits.size() - 1;
+    }
+    const double low = firstParts[best == 0 ? 0 : best - 1],
+                 high = firstParts[std::min(best + 1, std::size(firstParts) - 1)];
+    parts = alike(boost::math::tools::brent_find_minima(misfitAlike, low, high, bitsOfAPart).first);
+    Eigen::VectorXd here = model.residuals(at(parts));
+    if (here.size() == 0) return {};
+    const auto unknowns = static_cast<Eigen::Index>(parts.size());
+    for (const double width : {0.02, 0.005}) {
+        Eigen::MatrixXd traces(here.size(), unknowns);
+        for (Eigen::Index j = 0; j < unknowns; ++j) {
+            if (progress.stopRequested()) return {};
+            std::vector<double> tried = parts;
+            double& part = tried[static_cast<std::size_t>(j)];
+            const double by = part > 0.5 ? -width : width;
+            part += by;
+            const Eigen::VectorXd there = model.residuals(at(tried));
+            if (there.size() == 0) return {};
+            traces.col(j) = (there - here) / by;
+        }
+        const Eigen::MatrixXd own = complement(traces);
+        Eigen::MatrixXd information = own.transpose() * own / variance;
+        told = static_cast<int>((information.diagonal().array() > evenPrecision).count());
+        information.diagonal().array() += evenPrecision;
+        const Eigen::Map<const Eigen::VectorXd> now(parts.data(), unknowns);
+        const Eigen::VectorXd step =
+            -information.ldlt().solve(own.transpose() * complement(here) / variance +
+                                      evenPrecision * (now - Eigen::VectorXd::Constant(unknowns, 0.5)));
+        for (const double share : {1.0, 0.3, 0.1}) {
+            std::vector<double> tried = parts;
+            for (std::size_t i = 0; i < tried.size(); ++i)
+                tried[i] = std::clamp(tried[i] + share * step[static_cast<Eigen::Index>(i)], nearest, 1 - nearest);
+            const Eigen::VectorXd there = model.residuals(at(tried));
+            if (!(misfit(there) < misfit(here))) continue;
+            parts = std::move(tried);
+            here = there;
+            break;
+        }
+    }
+    return at(parts);
+}
+
+}  // namespace analogon

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/effect/null_model.hpp"
+
+namespace analogon {
+
+/// An interval in which an input changes faster than it is sampled. Where it is flat on both sides it jumps: the
+/// recording tells the values before and after, not when in between, and the straight line that joins them stands for a
+/// jump half way. Elsewhere it bends: its mean over the interval is not that of its ends.
+struct InputEdge {
+    int recording{};  // of the task
+    std::string input;
+    int sample{};      // at which the interval begins
+    double part{0.5};  // a jump: of the interval, that has passed then; a bend: 0 to 1 from the lowest to the highest
+    double bend{};     // [unit of the input] by which the middle may leave the straight line; 0: a jump
+};
+
+/// Those of the fitted recordings that are far more than the noise. No more than can be looked at one by one, the
+/// largest first.
+std::vector<InputEdge> inputEdges(const EstimationTask& task);
+
+/// Draws the inputs as they run there, by more samples at which no output is measured.
+void place(EstimationTask& task, const std::vector<InputEdge>& edges);
+
+/// How the inputs ran there by what the outputs of a model say, none of it placed yet: least squares beside the
+/// parameters, each part equally likely beforehand. `told` becomes the number of those that the data tell. `areAlike`:
+/// the jumps alone, all at the same part of their interval (a command that is held).
+std::vector<InputEdge> likeliestEdges(const NullModel& null, std::vector<InputEdge> edges, bool areAlike,
+                                      const SimulationOptions& simulation, const Progress& progress, int& told);
+
+}  // namespace analogon

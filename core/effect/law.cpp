@@ -1,0 +1,170 @@
+#include "core/effect/law.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "core/base/unit.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr std::size_t mostQuantities = 10;
+constexpr std::size_t mostOfFlows = 8, mostOfSensors = 4;
+constexpr double leastAngle = std::numbers::pi / 3;  // passed, for a wave along it to show
+
+using Names = std::vector<std::pair<std::string, std::string>>;  // of variables, with their units
+
+std::string potentialName(const ModelNodes::FlowNode& node) { return node.place.connector + "." + node.potential; }
+
+/// The quantities of the model but for one that moves as the place's own; temperatures as differences to `origin`,
+/// NaN: to their own first value.
+std::vector<Quantity> foreignQuantities(const Names& others, const Series& values, const std::string& own,
+                                        double origin) {
+    std::vector<Quantity> found;
+    const auto same = values.find(own);
+    for (const auto& [name, unit] : others) {
+        const auto x = values.find(name);
+        if (x == values.end() || found.size() == mostQuantities) continue;
+        if (same != values.end() && (x->second.front() - same->second.front()).cwiseAbs().maxCoeff() == 0) continue;
+        const double zero = unit != "K" ? 0 : std::isnan(origin) ? originOf(x->second.front()) : origin;
+        found.push_back(quantityOf("x" + std::to_string(found.size() + 1), name, name, unit, x->second, zero));
+    }
+    return found;
+}
+
+/// Products of two quantities of the model.
+void addPairs(const std::vector<Quantity>& foreign, std::size_t j, std::vector<Term>& terms) {
+    for (std::size_t k = j + 1; k < foreign.size(); ++k) {
+        const Quantity &a = foreign[j], &b = foreign[k];
+        std::optional<UnitFactors> unit;
+        if (a.unit && b.unit) unit = a.unit->times(*b.unit);
+        terms.push_back({a.name + "*" + b.name, a.shown + "*" + b.shown, std::move(unit), 3});
+    }
+}
+
+Eigen::VectorXd speed(const NullModel& null, const Eigen::VectorXd& angle, int experiment) {
+    const std::vector<double>& time = fittedRecording(null.variant.task, experiment).time;
+    Eigen::VectorXd w = Eigen::VectorXd::Zero(angle.size());
+    for (Eigen::Index k = 1; k < angle.size(); ++k)
+        w[k] = (angle[k] - angle[k - 1]) / (time[static_cast<std::size_t>(k)] - time[static_cast<std::size_t>(k - 1)]);
+    return w;
+}
+
+LawProbe probeAt(const NullModel& null, const ModelNodes::FlowNode& node, const Names& others, const Series& values) {
+    LawProbe probe(null, siteOf(node));
+    std::vector<Term>& terms = probe.terms();
+    const bool isMechanical = node.flow == "tau";
+    const std::string own = potentialName(node), potential = "port." + node.potential;
+    std::vector<Quantity> local;
+    if (const auto found = values.find(own); found != values.end()) {
+        if (isMechanical) {
+            std::vector<Eigen::VectorXd> speeds;
+            for (std::size_t e = 0; e < found->second.size(); ++e)
+                speeds.push_back(speed(null, found->second[e], static_cast<int>(e)));
+            local.push_back(
+                probe.addOwn(quantityOf("w", "", "w", "rad/s", speeds, 0), fmt::format("der({})", potential)));
+        }
+        const char* unit = isMechanical ? "rad" : node.flow == "Q_flow" ? "K" : "";
+        local.push_back(probe.addOwn(
+            quantityOf("p", "", node.potential, unit, found->second, originOf(found->second.front())), potential));
+    }
+    for (const Quantity& q : local) addPowers(q, q.name == "w", 1, terms);
+    if (!local.empty()) addHinges(local.back(), local.back().range, terms);
+    if (local.size() == 2) {
+        const double largest = local.front().largest();
+        addHinges(local.front(), {-largest, largest}, terms);
+        addProducts(local[0], local[1], true, 1, terms);
+    }
+    const std::vector<Quantity> foreign = foreignQuantities(others, values, own, std::nan(""));
+    for (std::size_t j = 0; j < foreign.size(); ++j) {
+        probe.addForeign(foreign[j]);
+        addPowers(foreign[j], false, 2, terms);
+        for (const Quantity& q : local) addProducts(q, foreign[j], q.name == "w", 2, terms);
+        addPairs(foreign, j, terms);
+    }
+    return probe;
+}
+
+/// A reading that is bent, that picks up another quantity, or whose scale moves with one. Its gain and offset have
+/// names.
+LawProbe probeAt(const NullModel& null, const SignalInfo& output, const Names& others, const Series& values) {
+    LawProbe probe(null, siteOf(output.name, output.unit));
+    std::vector<Term>& terms = probe.terms();
+    const auto found = values.find(output.name);
+    if (found == values.end()) return probe;
+    const bool isAngle = output.unit == "rad";
+    const double origin = output.unit == "K" ? originOf(found->second.front()) : 0;
+    const Quantity own = probe.addOwn(quantityOf("r", "", "u", output.unit, found->second, origin), "u");
+    if (!isAngle) {
+        addPowers(own, false, 1, terms);
+        terms.erase(terms.begin());  // its gain
+    } else if (own.range.width() > leastAngle) {
+        addWaves(own, terms);
+    }
+    const std::vector<Quantity> foreign = foreignQuantities(others, values, output.name, origin);
+    for (std::size_t j = 0; j < foreign.size(); ++j) {
+        const Quantity& x = probe.addForeign(foreign[j]);
+        addPowers(x, false, 2, terms);
+        terms.push_back({fmt::format("{}*{}", own.name, x.name), fmt::format("{}*{}", own.shown, x.shown),
+                         own.unit && x.unit ? std::optional(own.unit->times(*x.unit)) : std::nullopt, 2});
+        const bool isAlike = !output.unit.empty() && x.unit && own.unit && x.unit->text() == own.unit->text();
+        if (isAlike)
+            terms.push_back(
+                {fmt::format("({} - {})", x.name, own.name), fmt::format("({} - u)", x.variable), x.unit, 2});
+        addPairs(foreign, j, terms);
+    }
+    return probe;
+}
+
+struct Likely {
+    std::size_t probe;
+    TermSet set;
+};
+
+/// The best of each kind of place, no more than so many.
+void keepBest(std::vector<Likely>& likely, std::size_t most) {
+    std::stable_sort(likely.begin(), likely.end(),
+                     [](const Likely& a, const Likely& b) { return a.set.explained > b.set.explained; });
+    if (likely.size() > most) likely.erase(likely.begin() + static_cast<std::ptrdiff_t>(most), likely.end());
+}
+
+}  // namespace
+
+std::vector<Law> likelyLaws(const NullModel& null, int before, const SimulationOptions& simulation,
+                            const Progress& progress) {
+    std::vector<Law> laws;
+    Diagram diagram;
+    const Outcome<ModelNodes> nodes = nodesOf(null.variant, diagram);
+    const Outcome<PreparedTask> held = prepareHeld(null.variant, {}, null.noise);
+    if (!nodes || !held) return laws;
+    const std::vector<ModelNodes::FlowNode> flowNodes = nodes->flowNodes();
+    const Names others = quantitiesOf(*held->system);
+    std::set<std::string> names;
+    for (const ModelNodes::FlowNode& node : flowNodes) names.insert(potentialName(node));
+    for (const auto& [name, unit] : others) names.insert(name);
+    const Series values = movingSeries(null, *held, {names.begin(), names.end()}, simulation);
+    std::vector<LawProbe> probes;
+    std::vector<Likely> likely, ofSensors;
+    const auto collect = [&](LawProbe probe, std::vector<Likely>& found) {
+        if (progress.stopRequested()) return;
+        const std::optional<Eigen::MatrixXd> columns = probe.traces(false, simulation, progress);
+        if (!columns) return;
+        for (TermSet& set : likeliestSets(null, probe.terms(), *columns))
+            found.push_back({probes.size(), std::move(set)});
+        probes.push_back(std::move(probe));
+    };
+    for (const ModelNodes::FlowNode& node : flowNodes) collect(probeAt(null, node, others, values), likely);
+    for (const SignalInfo& output : held->system->outputs()) collect(probeAt(null, output, others, values), ofSensors);
+    keepBest(likely, mostOfFlows);
+    keepBest(ofSensors, mostOfSensors);
+    likely.insert(likely.end(), ofSensors.begin(), ofSensors.end());
+    keepBest(likely, likely.size());
+    for (const Likely& each : likely) laws.push_back(probes[each.probe].law(each.set.terms, ++before));
+    return laws;
+}
+
+}  // namespace analogon
