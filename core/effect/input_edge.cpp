@@ -16,8 +16,8 @@ namespace {
 
 constexpr double leastJump = 0.03, mostAside = 0.1;  // of the input's range; of the jump, in the intervals beside it
 constexpr double clearOfNoise = 8;                   // deviations of the noise
-constexpr std::size_t mostEdges = 150, fewestEdges = 8;
-constexpr double mostSamples = 2e5;  // that are simulated to look at each edge once
+constexpr std::size_t mostEdges = 60, fewestEdges = 8;
+constexpr double mostSamples = 1e5;  // that are simulated to look at each edge once
 constexpr double sharpness = 1e-4;   // of an interval, that a jump takes
 constexpr double nearest = 1e-3;     // part of an interval between a jump and a sample
 constexpr double firstParts[] = {0.001, 0.01, 0.03, 0.06, 0.12, 0.25, 0.5, 0.75, 0.88, 0.94, 0.97, 0.99, 0.999};

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t mostStarts = 12;  // that are tried
 constexpr double asHeld = 0.8;          // of an interval
 constexpr int mostPasses = 3;
-constexpr double nearlyAll = 0.95;  // of what an effect explains
+constexpr double nearlyAll = 0.95, farFromAll = 0.05;  // of what an effect explains
 
 bool areHeld(const std::vector<InputEdge>& edges) {
     return std::all_of(edges.begin(), edges.end(), [](const InputEdge& e) { return e.bend == 0 && e.part > asHeld; });
@@ -101,7 +101,10 @@ bool Search::placeEdges(NullModel& null, double threshold, double most) {
             there.variant.values = valuesOf(gain->fit);
             there.fit = std::move(gain->fit);
             // a command that is held looks like a dead time of half a sample, and is met far more often
-            if (!(before > (areHeld(likely) ? nearlyAll : 1) * most)) continue;
+            if (!(before > (areHeld(likely) ? nearlyAll : 1) * most)) {
+                if (before < farFromAll * most) break;
+                continue;
+            }
             most = std::max(most, before);
             edges = std::move(likely);
             placed = std::move(drawn);

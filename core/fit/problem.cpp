@@ -284,15 +284,6 @@ bool FitProblem::hasClocks() const {
                        [](const FitExperiment& e) { return !e.clocks.empty(); });
 }
 
-namespace {
-
-/// Whether a plan was made for as many intervals.
-bool fits(const GridPlan& plan, const SampledInputs& inputs) {
-    return !plan.steps || plan.steps->size() + 1 == inputs.time.size();
-}
-
-}  // namespace
-
 GridPlan planFor(const FitProblem& problem, int experiment, const Eigen::VectorXd& values,
                  const SimulationOptions& options, const Progress& progress, const GridPlan* inForce) {
     return planGrid(taskFor(problem, experiment, values, nullptr), options, progress, inForce);
@@ -319,8 +310,7 @@ Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values
         const SimulationTask task = taskFor(problem, static_cast<int>(e), values, withJacobian ? &columns : nullptr);
         const std::vector<ClockAt> clocks = clocksAt(problem, experiment, values);
         RowWriter writer(experiment, columns, row, withJacobian, clocks, result);
-        const bool isPlanned = e < plans.size() && fits(plans[e], experiment.inputs);
-        const GridPlan* const plan = isPlanned ? &plans[e] : nullptr;
+        const GridPlan* const plan = e < plans.size() ? &plans[e] : nullptr;
         result.trajectories.push_back(simulated(problem, task, plan, options, progress, writer));
         Trajectory& trajectory = result.trajectories.back();
         if (options.engine == Engine::Adaptive) pour(trajectory, static_cast<int>(task.directions.cols()), writer);
@@ -361,8 +351,7 @@ MisfitSums sumUp(const FitProblem& problem, const Eigen::VectorXd& values, bool 
         std::vector<Eigen::Index> columns;
         const SimulationTask task = taskFor(problem, index, values, withJacobian ? &columns : nullptr);
         parts[e] = std::make_unique<NormalEquations>(problem.experiments[e], std::move(columns));
-        const bool isPlanned = e < plans.size() && fits(plans[e], problem.experiments[e].inputs);
-        const GridPlan* const plan = isPlanned ? &plans[e] : nullptr;
+        const GridPlan* const plan = e < plans.size() ? &plans[e] : nullptr;
         const Trajectory trajectory = simulated(problem, task, plan, options, progress, *parts[e]);
         if (trajectory.failure.failed) {
             failures[e] = describe(trajectory.failure, problem.experiments[e].name);

@@ -350,6 +350,12 @@ private:
     std::vector<double> x_, dx_, u_, dy_, results_;
 };
 
+/// In one sample interval.
+int mostExplicitSteps(const GridPlan& plan) {
+    if (!plan.steps) return plan.substeps;
+    return plan.steps->empty() ? 0 : *std::max_element(plan.steps->begin(), plan.steps->end());
+}
+
 /// Whether rows can be made of this, and how: nothing, or the step of exact ones (0: Runge-Kutta).
 const RowLayout* rowsFor(Dynamics& dynamics, const SampledInputs& inputs, const GridPlan& plan) {
     const Dynamics::Shape& shape = dynamics.shape();
@@ -359,7 +365,8 @@ const RowLayout* rowsFor(Dynamics& dynamics, const SampledInputs& inputs, const 
         const std::optional<double> h = equidistantStep(inputs);
         return h ? dynamics.prepareRows(*h) : nullptr;
     }
-    if ((plan.method != GridMethod::RungeKutta4 && !plan.steps) || plan.substeps > kMostSubsteps) return nullptr;
+    if (plan.method != GridMethod::RungeKutta4 && !plan.steps) return nullptr;
+    if (mostExplicitSteps(plan) > kMostSubsteps) return nullptr;
     return dynamics.prepareRows(0.0);
 }
 

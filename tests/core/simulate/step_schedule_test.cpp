@@ -113,6 +113,18 @@ TEST(StepSchedule, KeepsAPlanThatStillHolds) {
     EXPECT_FALSE(planGrid(task, {}, {}, &coarse) == coarse);
 }
 
+TEST(StepSchedule, TakesAnyNumberOfStepsInAnInterval) {
+    const Rotor rotor;
+    const SimulationTask task = rotor.task(false);
+    std::vector<std::int16_t> steps(rotor.inputs.time.size() - 1, 100);
+    for (std::size_t k = 0; k < steps.size(); k += 7) steps[k] = 1000;  // more than a table of rows holds
+    for (std::size_t k = 3; k < steps.size(); k += 7) steps[k] = -60;
+    const Trajectory y = simulateGrid(task, planOf(steps));
+    ASSERT_FALSE(y.failure.failed);
+    const Trajectory fine = simulateGrid(task, {GridMethod::Esdirk, 64, 0.0});
+    EXPECT_LT(gapInRanges(y.outputs, fine.outputs), 2e-5);
+}
+
 TEST(StepSchedule, OfAnotherRecordingGivesItsMostDemandingSteps) {
     const Rotor rotor;
     SimulationTask task = rotor.task(false);
