@@ -139,7 +139,8 @@ bool isDetermined(const PlacedEffect& effect, const std::vector<FitEstimate>& es
 
 bool isScaleOpen(const PlacedEffect& effect, const std::vector<FitEstimate>& estimates) {
     return std::any_of(estimates.begin(), estimates.end(), [&](const FitEstimate& e) {
-        const bool isOwn = e.name.starts_with(effect.instance + ".");
+        const bool isOwn = std::any_of(effect.freed.begin(), effect.freed.end(),
+                                       [&](const FitParameter& p) { return p.name == e.name; });
         return !isOwn && !(std::isfinite(e.standardError) && e.standardError < std::abs(e.value));
     });
 }

@@ -39,6 +39,34 @@ TEST(Caution, SaysWhereAValidationIsExtrapolated) {
                                                             "input v by 40 %")));
 }
 
+TEST(Caution, SaysThatTheFittedRecordingsHoldStillWhatMovesLater) {
+    EstimationTask task;
+    task.recordings = {recording("cold", Role::Fit, 20, 20.1), recording("warm", Role::Validate, 26, 26.5)};
+    EXPECT_THAT(extrapolations(task), ElementsAre(HasSubstr("hold input v near 20.05, 'warm' has it between 26 and")));
+}
+
+TEST(Caution, SaysThatARecordingBeginsElsewhereThanTheModel) {
+    ModelState state;
+    ExperimentState run;
+    run.name = "run";
+    OutputState n;
+    n.name = "n";
+    n.unit = "rad/s";
+    n.simulated = Eigen::VectorXd::Constant(200, 250);
+    n.measured = n.simulated;
+    for (int k = 0; k < 40; ++k) n.simulated[k] = 250 * (1 - std::exp(-0.1 * k));
+    run.outputs = {n};
+    state.experiments = {run};
+    // where nothing moves at all every difference would be clear
+    n.measured[100] = 200;
+    state.experiments.front().outputs = {n};
+    state.residual["n"] = summarise(n.simulated - n.measured);
+    EXPECT_THAT(wrongStarts(state),
+                ElementsAre(HasSubstr("'run' begins with n at 250 rad/s where the model begins at 0")));
+    state.experiments.front().outputs.front().simulated[0] = 250;
+    EXPECT_THAT(wrongStarts(state), IsEmpty()) << "a start that is right";
+}
+
 /// Two recordings of y = p*x with p = 2 in the first; what p is in the second is the test's.
 NullModel proportional(double inSecond) {
     NullModel null;

@@ -46,5 +46,17 @@ TEST(IsAtBound, IsAnEffectThatEndsWhereItIsNoLongerWhatItIsCalled) {
     EXPECT_FALSE(isAtBound(cogging(), ended(9, false, false, true))) << "a phase may be any";
 }
 
+TEST(IsScaleOpen, IsAModelOfWhichAParameterIsNotDeterminedEither) {
+    FitResult fit = ended(9, false);
+    FitEstimate resistance;
+    resistance.name = "cogging.R";  // of the component itself, where an effect specialises it
+    resistance.value = 2;
+    resistance.standardError = 0.1;
+    fit.estimates.push_back(resistance);
+    EXPECT_FALSE(isScaleOpen(cogging(), fit.estimates)) << "the effect's own do not count";
+    fit.estimates.back().standardError = 50;
+    EXPECT_TRUE(isScaleOpen(cogging(), fit.estimates));
+}
+
 }  // namespace
 }  // namespace analogon

@@ -31,14 +31,28 @@ TEST_F(StudyTask, HoldsChannelsInTheUnitsOfTheModel) {
     EXPECT_THAT(result.model->text(), HasSubstr("model Heater"));
 }
 
-TEST_F(StudyTask, KeepsUnusedColumnsThatAreComplete) {
+TEST_F(StudyTask, KeepsUnusedColumnsAndBridgesTheirGaps) {
     putHeater();
     const EstimationTask result = task();
     const auto& spares = result.recordings.at(0).spares;
-    ASSERT_EQ(spares.size(), 1u);
+    ASSERT_EQ(spares.size(), 2u);
+    EXPECT_EQ(spares[1].name, "broken");
+    EXPECT_THAT(spares[1].values, ElementsAre(1, 1.5, 2, 3));
     EXPECT_EQ(spares[0].name, "flow");
     EXPECT_EQ(spares[0].unit, "l/min");
     EXPECT_THAT(spares[0].values, ElementsAre(1, 2, 3, 4));
+}
+
+TEST_F(StudyTask, LeavesOutUnusedColumnsOfWhichLittleWasRecorded) {
+    putHeater();
+    put("train.csv",
+        "t [ms],u_heater [mV],T_air [degC],current [mA],late,rare\n"
+        "0,0,20,0,,\n500,1000,20,333,,\n1000,1000,21,333,3,2\n1500,2000,21,667,4,\n");
+    const EstimationTask result = task();
+    const auto& spares = result.recordings.at(0).spares;
+    ASSERT_EQ(spares.size(), 1u);
+    EXPECT_EQ(spares[0].name, "late");
+    EXPECT_THAT(spares[0].values, ElementsAre(3, 3, 3, 4));
 }
 
 TEST_F(StudyTask, TakesStartBoundsAndScaleOfParameters) {
