@@ -122,7 +122,7 @@ private:
     bool refitQuiet(NullModel& null, Variant quiet, const std::vector<NoisyInput>& noisy);
     struct Allowed {
         FitResult fit;
-        double gain{};  // Acceptance::effective
+        Acceptance gain;
     };
     std::optional<Allowed> allowed(const NullModel& null, const Variant& variant, int freed, double threshold) const;
     bool placeEdges(NullModel& null, double threshold, double most);

@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t mostStarts = 12;  // that are tried
 constexpr double asHeld = 0.8;          // of an interval
 constexpr int mostPasses = 3;
+constexpr double leastOfJumps = 20;                    // evidence
 constexpr double nearlyAll = 0.95, farFromAll = 0.05;  // of what an effect explains
 
 bool areHeld(const std::vector<InputEdge>& edges) {
@@ -36,16 +37,14 @@ Text remarkOn(const std::vector<InputEdge>& edges) {
 
 }  // namespace
 
-/// The fit of a model that allows for something wrong with a recording, and what it explains; nothing where that does
-/// not count.
+/// The fit of a model that allows for something wrong with a recording, and what it explains.
 std::optional<Search::Allowed> Search::allowed(const NullModel& null, const Variant& variant, int freed,
                                                double threshold) const {
     if (progress_.stopRequested()) return std::nullopt;
     std::optional<FitResult> fit = fitBeside(null, variant, search_.fit, progress_);
     if (!fit) return std::nullopt;
     const Acceptance gain = examine(null, *fit, freed, threshold);
-    if (!gain.isSignificant || !gain.isWorthwhile) return std::nullopt;
-    return Allowed{std::move(*fit), gain.effective};
+    return Allowed{std::move(*fit), gain};
 }
 
 /// Allows for what is wrong with a recording, where that explains more than what this round has chosen. True when it
@@ -53,9 +52,10 @@ std::optional<Search::Allowed> Search::allowed(const NullModel& null, const Vari
 bool Search::allowForRecordings(NullModel& null, const Round& round) {
     double most = round.chosen ? round.acceptance.effective : 0;
     const auto explainsMore = [&](const Variant& variant, int freed) {
-        const std::optional<Allowed> gain = allowed(null, variant, freed, round.threshold);
-        if (!gain || !(gain->gain > most)) return false;
-        most = gain->gain;
+        const std::optional<Allowed> there = allowed(null, variant, freed, round.threshold);
+        if (!there || !there->gain.isSignificant || !there->gain.isWorthwhile) return false;
+        if (!(there->gain.effective > most)) return false;
+        most = there->gain.effective;
         return true;
     };
     const Outcome<std::vector<ToldStart>> told = toldStarts(null.variant.task);
@@ -95,11 +95,15 @@ bool Search::placeEdges(NullModel& null, double threshold, double most) {
             Variant drawn = null.variant;
             drawn.values = there.variant.values;
             place(drawn.task, likely);
-            std::optional<Allowed> gain = allowed(null, drawn, told, threshold);
-            if (!gain || !(gain->gain > before)) break;
-            before = gain->gain;
-            there.variant.values = valuesOf(gain->fit);
-            there.fit = std::move(gain->fit);
+            std::optional<Allowed> with = allowed(null, drawn, told, threshold);
+            // what jumps explain lies behind jumps: no doubt of them
+            const auto counts = [&](const Acceptance& gain) {
+                return std::max(gain.evidence, gain.effective) > std::max(leastOfJumps, threshold) && gain.isWorthwhile;
+            };
+            if (!with || !counts(with->gain) || !(with->gain.effective > before)) break;
+            before = with->gain.effective;
+            there.variant.values = valuesOf(with->fit);
+            there.fit = std::move(with->fit);
             // a command that is held looks like a dead time of half a sample, and is met far more often
             if (!(before > (areHeld(likely) ? nearlyAll : 1) * most)) {
                 if (before < farFromAll * most) break;
