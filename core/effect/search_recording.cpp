@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t mostStarts = 12;  // that are tried
 constexpr double asHeld = 0.8;          // of an interval
 constexpr int mostPasses = 3;
-constexpr double leastOfJumps = 20;                    // evidence
-constexpr double nearlyAll = 0.95, farFromAll = 0.05;  // of what an effect explains
+constexpr double leastOfJumps = 20, shareOfJumps = 0.5;  // evidence; of what stays unexplained
+constexpr double nearlyAll = 0.95, farFromAll = 0.05;    // of what an effect explains
 
 bool areHeld(const std::vector<InputEdge>& edges) {
     return std::all_of(edges.begin(), edges.end(), [](const InputEdge& e) { return e.bend == 0 && e.part > asHeld; });
@@ -78,7 +78,8 @@ bool Search::allowForRecordings(NullModel& null, const Round& round) {
 
 /// Draws the inputs as they run between their samples by what the outputs say, where that explains more than so much.
 bool Search::placeEdges(NullModel& null, double threshold, double most) {
-    if (!edges_.empty() || thinning_ > 1) return false;
+    // beside an equation that only stands for something the jumps would mend it
+    if (!edges_.empty() || thinning_ > 1 || hasProposal(null)) return false;
     Variant placed;
     std::vector<InputEdge> edges;
     const std::vector<InputEdge> found = inputEdges(null.variant.task);
@@ -98,7 +99,8 @@ bool Search::placeEdges(NullModel& null, double threshold, double most) {
             std::optional<Allowed> with = allowed(null, drawn, told, threshold);
             // what jumps explain lies behind jumps: no doubt of them
             const auto counts = [&](const Acceptance& gain) {
-                return std::max(gain.evidence, gain.effective) > std::max(leastOfJumps, threshold) && gain.isWorthwhile;
+                return std::max(gain.evidence, gain.effective) > std::max(leastOfJumps, threshold) &&
+                       gain.share > shareOfJumps;
             };
             if (!with || !counts(with->gain) || !(with->gain.effective > before)) break;
             before = with->gain.effective;
