@@ -18,7 +18,6 @@
 namespace analogon {
 namespace {
 
-constexpr double leastHeldOutWhenCut = 0.5;
 constexpr double integrationShare = 2e-3, coarsestTolerance = 3e-5;  // of the noise, and of a channel's range at most
 constexpr int otherStarts = 7;
 constexpr double startsWithin = 4;  // of the values in the study, by this factor
@@ -173,7 +172,7 @@ std::optional<ModelState> Search::backToLastWhole(NullModel& null, const NullMod
     if (!whole_) return std::nullopt;
     // what the search had no time to hold against the rest must be clear by itself
     const auto isClear = [&](const Step& s) {
-        return isMissed(s.acceptance) && isClearlyMissed(s.acceptance) && s.acceptance.heldOut > leastHeldOutWhenCut;
+        return isMissed(s.acceptance) && isClearlyMissed(s.acceptance) && s.acceptance.heldOut > leastHeldOut;
     };
     if (!isNoise(whole_->null) && !std::all_of(whole_->steps.begin(), whole_->steps.end(), isClear))
         return std::nullopt;

@@ -27,9 +27,12 @@ constexpr double evenPrecision = 12;  // of a number that lies anywhere between 
 /// What an interval of a recording holds, by the input it happens to.
 using Edges = std::map<int, const InputEdge*>;
 
+/// Where in its interval a jump is drawn: it takes time, and stays clear of the samples.
+double drawnPart(const InputEdge& edge) { return std::clamp(edge.part, nearest, 1 - nearest); }
+
 double valueAt(const Eigen::MatrixXd& inputs, int input, const InputEdge& edge, double at) {
     const double before = inputs(input, edge.sample), after = inputs(input, edge.sample + 1);
-    if (edge.bend == 0) return at < std::clamp(edge.part, nearest, 1 - nearest) ? before : after;
+    if (edge.bend == 0) return at < drawnPart(edge) ? before : after;
     const double line = (1 - at) * before + at * after;
     return line + (2 * edge.part - 1) * edge.bend * (1 - std::abs(2 * at - 1));
 }
@@ -41,8 +44,7 @@ std::vector<double> momentsOf(const Edges& edges) {
         if (edge->bend != 0)
             moments.push_back(0.5);
         else
-            for (const double side : {-0.5, 0.5})
-                moments.push_back(std::clamp(edge->part, nearest, 1 - nearest) + side * sharpness);
+            for (const double side : {-0.5, 0.5}) moments.push_back(drawnPart(*edge) + side * sharpness);
     std::sort(moments.begin(), moments.end());
     // as many wherever the jumps are, none at the same time as another
     for (std::size_t i = 1; i < moments.size(); ++i)
@@ -96,46 +98,46 @@ std::vector<InputEdge> inputEdges(const EstimationTask& task) {
 }
 
 void place(EstimationTask& task, const std::vector<InputEdge>& edges) {
-    for (std::size_t r = 0; r < task.recordings.size(); ++r) {
-        Recording& recording = task.recordings[r];
-        std::map<int, Edges> bySample;
-        for (const InputEdge& e : edges)
-            if (e.recording == static_cast<int>(r)) bySample[e.sample][rowOf(recording, e.input)] = &e;
-        if (bySample.empty()) continue;
-        const Recording from = recording;
-        std::vector<double> time;
-        std::vector<Eigen::VectorXd> inputs;
-        std::vector<std::pair<int, double>> origin;  // of each new sample: that before it, and the part passed since
-        for (int k = 0; k < static_cast<int>(from.time.size()); ++k) {
-            time.push_back(from.time[static_cast<std::size_t>(k)]);
-            inputs.emplace_back(from.inputs.col(k));
-            origin.emplace_back(k, 0.0);
-            const auto here = bySample.find(k);
-            if (here == bySample.end()) continue;
-            const double width = from.time[static_cast<std::size_t>(k + 1)] - from.time[static_cast<std::size_t>(k)];
-            for (const double at : momentsOf(here->second)) {
-                time.push_back(from.time[static_cast<std::size_t>(k)] + at * width);
-                Eigen::VectorXd& then =
-                    inputs.emplace_back((1 - at) * from.inputs.col(k) + at * from.inputs.col(k + 1));
-                for (const auto& [input, edge] : here->second) then[input] = valueAt(from.inputs, input, *edge, at);
-                origin.emplace_back(k, at);
-            }
+    for (std::size_t r = 0; r < task.recordings.size(); ++r) place(task.recordings[r], static_cast<int>(r), edges);
+}
+
+void place(Recording& recording, int index, const std::vector<InputEdge>& edges) {
+    std::map<int, Edges> bySample;
+    for (const InputEdge& e : edges)
+        if (e.recording == index) bySample[e.sample][rowOf(recording, e.input)] = &e;
+    if (bySample.empty()) return;
+    const Recording from = recording;
+    std::vector<double> time;
+    std::vector<Eigen::VectorXd> inputs;
+    std::vector<std::pair<int, double>> origin;  // of each new sample: that before it, and the part passed since
+    for (int k = 0; k < static_cast<int>(from.time.size()); ++k) {
+        time.push_back(from.time[static_cast<std::size_t>(k)]);
+        inputs.emplace_back(from.inputs.col(k));
+        origin.emplace_back(k, 0.0);
+        const auto here = bySample.find(k);
+        if (here == bySample.end()) continue;
+        const double width = from.time[static_cast<std::size_t>(k + 1)] - from.time[static_cast<std::size_t>(k)];
+        for (const double at : momentsOf(here->second)) {
+            time.push_back(from.time[static_cast<std::size_t>(k)] + at * width);
+            Eigen::VectorXd& then = inputs.emplace_back((1 - at) * from.inputs.col(k) + at * from.inputs.col(k + 1));
+            for (const auto& [input, edge] : here->second) then[input] = valueAt(from.inputs, input, *edge, at);
+            origin.emplace_back(k, at);
         }
-        const auto count = static_cast<Eigen::Index>(time.size());
-        recording.time = std::move(time);
-        recording.inputs.resize(from.inputs.rows(), count);
-        recording.outputs = Eigen::MatrixXd::Constant(from.outputs.rows(), count, std::nan(""));
-        for (SpareChannel& s : recording.spares) s.values.assign(static_cast<std::size_t>(count), 0);
-        for (Eigen::Index j = 0; j < count; ++j) {
-            const auto [k, part] = origin[static_cast<std::size_t>(j)];
-            recording.inputs.col(j) = inputs[static_cast<std::size_t>(j)];
-            if (part == 0) recording.outputs.col(j) = from.outputs.col(k);
-            for (std::size_t s = 0; s < recording.spares.size(); ++s) {
-                const std::vector<double>& values = from.spares[s].values;
-                const auto at = static_cast<std::size_t>(k);
-                recording.spares[s].values[static_cast<std::size_t>(j)] =
-                    part == 0 ? values[at] : (1 - part) * values[at] + part * values[at + 1];
-            }
+    }
+    const auto count = static_cast<Eigen::Index>(time.size());
+    recording.time = std::move(time);
+    recording.inputs.resize(from.inputs.rows(), count);
+    recording.outputs = Eigen::MatrixXd::Constant(from.outputs.rows(), count, std::nan(""));
+    for (SpareChannel& s : recording.spares) s.values.assign(static_cast<std::size_t>(count), 0);
+    for (Eigen::Index j = 0; j < count; ++j) {
+        const auto [k, part] = origin[static_cast<std::size_t>(j)];
+        recording.inputs.col(j) = inputs[static_cast<std::size_t>(j)];
+        if (part == 0) recording.outputs.col(j) = from.outputs.col(k);
+        for (std::size_t s = 0; s < recording.spares.size(); ++s) {
+            const std::vector<double>& values = from.spares[s].values;
+            const auto at = static_cast<std::size_t>(k);
+            recording.spares[s].values[static_cast<std::size_t>(j)] =
+                part == 0 ? values[at] : (1 - part) * values[at] + part * values[at + 1];
         }
     }
 }
@@ -178,30 +180,11 @@ public:
 
 private:
     void set(const std::vector<InputEdge>& edges) {
-        EstimationTask task;
-        task.recordings = null_.variant.task.recordings;
-        place(task, edges);
-        FitProblem& problem = prepared_->problem;
-        for (std::size_t e = 0; e < problem.experiments.size(); ++e)
-            apply(task.recordings[static_cast<std::size_t>(prepared_->fitRecordings[e])], problem.experiments[e]);
-    }
-
-    void apply(const Recording& recording, FitExperiment& experiment) const {
-        const System& system = *experiment.system;
-        const auto count = static_cast<Eigen::Index>(recording.time.size());
-        const Eigen::MatrixXd before = experiment.inputs.values;
-        experiment.inputs.time = recording.time;
-        experiment.inputs.values.resize(before.rows(), count);
-        for (Eigen::Index i = 0; i < before.rows(); ++i)
-            experiment.inputs.values.row(i) =
-                recording.inputs.row(rowOf(recording, system.inputs()[static_cast<std::size_t>(i)].name));
-        const Eigen::Index outputs = experiment.measured.rows();
-        experiment.measured = Eigen::MatrixXd::Constant(outputs, count, std::nan(""));
-        for (Eigen::Index o = 0; o < outputs; ++o) {
-            const std::string& name = system.outputs()[static_cast<std::size_t>(o)].name;
-            const auto found = std::find(recording.outputNames.begin(), recording.outputNames.end(), name);
-            if (found != recording.outputNames.end())
-                experiment.measured.row(o) = recording.outputs.row(found - recording.outputNames.begin());
+        for (std::size_t e = 0; e < prepared_->problem.experiments.size(); ++e) {
+            const int index = prepared_->fitRecordings[e];
+            Recording recording = null_.variant.task.recordings[static_cast<std::size_t>(index)];
+            place(recording, index, edges);
+            setSignals(prepared_->problem.experiments[e], recording);
         }
     }
 
@@ -218,8 +201,9 @@ std::vector<InputEdge> likeliestEdges(const NullModel& null, std::vector<InputEd
                                       const SimulationOptions& simulation, const Progress& progress, int& told) {
     told = 0;
     if (areAlike) std::erase_if(edges, [](const InputEdge& e) { return e.bend != 0; });
+    if (edges.empty()) return {};
     EdgeModel model(null, simulation, progress);
-    if (edges.empty() || !model.isReady()) return {};
+    if (!model.isReady()) return {};
     model.plan(edges);
     const Complement complement(null.fit.optimum.jacobian);
     const double variance = null.sumOfSquares() / static_cast<double>(null.fit.optimum.residuals.size());

@@ -24,6 +24,8 @@ std::vector<InputEdge> inputEdges(const EstimationTask& task);
 
 /// Draws the inputs as they run there, by more samples at which no output is measured.
 void place(EstimationTask& task, const std::vector<InputEdge>& edges);
+/// The same of one recording; `index`: that of the task.
+void place(Recording& recording, int index, const std::vector<InputEdge>& edges);
 
 /// How the inputs ran there by what the outputs of a model say, none of it placed yet: least squares beside the
 /// parameters, each part equally likely beforehand. `told` becomes the number of those that the data tell. `areAlike`:

@@ -28,6 +28,10 @@ bool isMissed(const Acceptance& a) { return a.isSignificant && a.isWorthwhile &&
 
 bool isClearlyMissed(const Acceptance& a) { return std::min(a.evidence, a.effective) > clearlyMissed; }
 
+bool isTold(const PlacedEffect& placed, const std::vector<FitEstimate>& estimates, const Acceptance& missed) {
+    return isDetermined(placed, estimates) || (isClearlyMissed(missed) && isScaleOpen(placed, estimates));
+}
+
 bool outweighsRest(double fall, const NullModel& null) {
     return !(levelOf(null.fit) > largeResidual) || fall > leastOfRest * excess(null);
 }

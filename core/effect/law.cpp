@@ -7,8 +7,6 @@
 #include <numbers>
 #include <set>
 
-#include "core/base/unit.hpp"
-
 namespace analogon {
 namespace {
 
@@ -38,12 +36,7 @@ std::vector<Quantity> foreignQuantities(const Names& others, const Series& value
 
 /// Products of two quantities of the model.
 void addPairs(const std::vector<Quantity>& foreign, std::size_t j, std::vector<Term>& terms) {
-    for (std::size_t k = j + 1; k < foreign.size(); ++k) {
-        const Quantity &a = foreign[j], &b = foreign[k];
-        std::optional<UnitFactors> unit;
-        if (a.unit && b.unit) unit = a.unit->times(*b.unit);
-        terms.push_back({a.name + "*" + b.name, a.shown + "*" + b.shown, std::move(unit), 3});
-    }
+    for (std::size_t k = j + 1; k < foreign.size(); ++k) terms.push_back(productOf(foreign[j], foreign[k], 3));
 }
 
 Eigen::VectorXd speed(const NullModel& null, const Eigen::VectorXd& angle, int experiment) {
@@ -109,8 +102,7 @@ LawProbe probeAt(const NullModel& null, const SignalInfo& output, const Names& o
     for (std::size_t j = 0; j < foreign.size(); ++j) {
         const Quantity& x = probe.addForeign(foreign[j]);
         addPowers(x, false, 2, terms);
-        terms.push_back({fmt::format("{}*{}", own.name, x.name), fmt::format("{}*{}", own.shown, x.shown),
-                         own.unit && x.unit ? std::optional(own.unit->times(*x.unit)) : std::nullopt, 2});
+        terms.push_back(productOf(own, x, 2));
         const bool isAlike = !output.unit.empty() && x.unit && own.unit && x.unit->text() == own.unit->text();
         if (isAlike)
             terms.push_back(

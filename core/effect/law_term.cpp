@@ -114,9 +114,13 @@ void addPowers(const Quantity& q, bool withSign, int complexity, std::vector<Ter
     if (withSign) terms.push_back({signText(q), fmt::format("sign({})", q.shown), UnitFactors(), complexity});
 }
 
+Term productOf(const Quantity& a, const Quantity& b, int complexity) {
+    return {a.name + "*" + b.name, a.shown + "*" + b.shown, product(a.unit, b.unit), complexity};
+}
+
 void addProducts(const Quantity& a, const Quantity& b, bool withSign, int complexity, std::vector<Term>& terms) {
-    const std::optional<UnitFactors> both = product(a.unit, b.unit);
-    terms.push_back({a.name + "*" + b.name, a.shown + "*" + b.shown, both, complexity});
+    terms.push_back(productOf(a, b, complexity));
+    const std::optional<UnitFactors> both = terms.back().unit;
     terms.push_back(
         {fmt::format("{}*abs({})", a.name, b.name), fmt::format("{}*abs({})", a.shown, b.shown), both, complexity});
     terms.push_back({fmt::format("{}*{}^2", a.name, b.name), fmt::format("{}*{}^2", a.shown, b.shown),

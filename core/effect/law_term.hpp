@@ -32,6 +32,7 @@ struct Term {
 
 /// q, q|q|, q², q³, |q| and, where asked for, a smooth stand-in for the sign.
 void addPowers(const Quantity& q, bool withSign, int complexity, std::vector<Term>& terms);
+Term productOf(const Quantity& a, const Quantity& b, int complexity);
 /// ab, a|b|, ab² and, where asked for, b sign(a) and |b| sign(a).
 void addProducts(const Quantity& a, const Quantity& b, bool withSign, int complexity, std::vector<Term>& terms);
 /// What sets in above or below a value: an overflow, a stop, a valve.

@@ -126,6 +126,7 @@ private:
     };
     std::optional<Allowed> allowed(const NullModel& null, const Variant& variant, int freed, double threshold) const;
     bool placeEdges(NullModel& null, double threshold, double most);
+    bool canPlaceEdges(const NullModel& null) const;
     bool takesEdgesForDelays(const NullModel& null);
     bool refitPlaced(NullModel& null, Variant placed, std::vector<InputEdge> edges);
     Outcome<NullModel> fittedWith(const NullModel& null, const ToldStart& start, bool isFitted) const;

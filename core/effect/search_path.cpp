@@ -20,7 +20,6 @@ constexpr double structuredResidual = 1.1;  // in units of the noise: something 
 constexpr double mostForPairs = 10;         // level of what is left: far from an optimum no slopes tell of two effects
 constexpr double leastGain = 1;             // in evidence, for which an effect is exchanged: exact twins are not
 constexpr int mostSharpenings = 2;
-constexpr double leastHeldOutAtLast = 0.5;
 constexpr double leastSharpening = 8;  // fall in the sum of squares, in units of the noise
 
 std::vector<PlacedEffect> allBut(std::vector<PlacedEffect> effects, std::size_t one) {
@@ -447,11 +446,10 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
             return isBorneOut(besideDisturbance(*refitted, search_.fit.simulation, progress_), *beside,
                               null.fit.optimum.residuals.size(), freed);
         };
-        const bool isTold = isDetermined(null, i) ||
-                            (isClearlyMissed(missed) && isScaleOpen(null.variant.effects[i], null.fit.estimates));
         const bool isItself = !isAtBound(null.variant.effects[i], null.fit);
-        const bool holds = !isLast || missed.heldOut > leastHeldOutAtLast;
-        if (isMissed(missed) && isTold && isItself && holds && (!isDoubtful || isMore())) {
+        const bool holds = !isLast || missed.heldOut > leastHeldOut;
+        if (isMissed(missed) && isTold(null.variant.effects[i], null.fit.estimates, missed) && isItself && holds &&
+            (!isDoubtful || isMore())) {
             steps_[i].acceptance = missed;
             steps_[i].fall = refitted->sumOfSquares() - null.sumOfSquares();
             if (Outcome<ModelState> state =
@@ -492,8 +490,7 @@ bool Search::dropIndistinct(const NullModel& last, const ModelState& state, Null
         return false;
     const std::vector<PlacedEffect>& effects = last.variant.effects;
     for (std::size_t i = 0; i < effects.size(); ++i) {
-        const bool isExcused = isClearlyMissed(steps_[i].acceptance) && isScaleOpen(effects[i], state.parameters);
-        if (!isDetermined(effects[i], state.parameters) && !isExcused && takeOut(null, i)) return true;
+        if (!isTold(effects[i], state.parameters, steps_[i].acceptance) && takeOut(null, i)) return true;
     }
     return false;
 }

@@ -76,10 +76,14 @@ bool Search::allowForRecordings(NullModel& null, const Round& round) {
     return placeEdges(null, round.threshold, most) || (best && refitWith(null, *best));
 }
 
+/// Beside an equation that only stands for something the jumps would mend it.
+bool Search::canPlaceEdges(const NullModel& null) const {
+    return edges_.empty() && thinning_ == 1 && !hasProposal(null);
+}
+
 /// Draws the inputs as they run between their samples by what the outputs say, where that explains more than so much.
 bool Search::placeEdges(NullModel& null, double threshold, double most) {
-    // beside an equation that only stands for something the jumps would mend it
-    if (!edges_.empty() || thinning_ > 1 || hasProposal(null)) return false;
+    if (!canPlaceEdges(null)) return false;
     Variant placed;
     std::vector<InputEdge> edges;
     const std::vector<InputEdge> found = inputEdges(null.variant.task);
@@ -122,6 +126,7 @@ bool Search::placeEdges(NullModel& null, double threshold, double most) {
 /// A dead time or a lag of an input that is shorter than a sample may be no more than how the input runs between its
 /// samples: the search then begins anew beside that.
 bool Search::takesEdgesForDelays(const NullModel& null) {
+    if (!canPlaceEdges(null) || inputEdges(null.variant.task).empty()) return false;
     const double interval = samplingInterval(null.variant.task);
     for (std::size_t i = 0; i < null.variant.effects.size() && edges_.empty() && !progress_.stopRequested(); ++i) {
         const PlacedEffect& placed = null.variant.effects[i];

@@ -19,7 +19,6 @@ constexpr int samplesBehindEdge = 3;
 constexpr double structureFactor = 3;     // of what chance can bring, there
 constexpr std::ptrdiff_t mostStarts = 8;  // that are weighed against each other
 constexpr double trialTolerance = 1e-6;
-constexpr double leastHeldOut = 0.5;
 constexpr double leastHeldOutOfAll = 0.2;   // where nothing else remains, and far more is explained than chance can
 constexpr double farMore = 100;             // in evidence
 constexpr double leastHeldOutOfMuch = 0.7;  // where other structure remains, which a wrong effect may feed on

@@ -30,6 +30,8 @@ void proceed(const NullModel& null, Trial& trial, const FitOptions& options, con
 /// Sorts by evidence, best first; the noise level and N_eff are those of the residual of the best fit among them.
 void rank(const NullModel& null, std::vector<Trial>& trials);
 
+constexpr double leastHeldOut = 0.5;  // share of the fall that blocks must show which the fit did not see
+
 /// The tests a winner must pass (all in units of its own noise).
 struct Acceptance {
     double explained{};  // fall in the sum of squares under the winner's noise model

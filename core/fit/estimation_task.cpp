@@ -93,19 +93,17 @@ FitParameter completed(FitParameter parameter, const System& system) {
     return parameter;
 }
 
-/// Rows in the order of `signals`; a signal without channel gets NaN and stands in `missing`.
+/// Rows in the order of `signals`; NaN where a signal has no channel.
 Eigen::MatrixXd inOrder(const std::vector<SignalInfo>& signals, const std::vector<std::string>& names,
-                        const Eigen::MatrixXd& values, Eigen::Index samples, std::vector<std::string>& missing) {
+                        const Eigen::MatrixXd& values, Eigen::Index samples) {
     Eigen::MatrixXd ordered(static_cast<Eigen::Index>(signals.size()), samples);
     for (std::size_t i = 0; i < signals.size(); ++i) {
         const auto found = std::find(names.begin(), names.end(), signals[i].name);
         const auto row = static_cast<Eigen::Index>(i);
-        if (found == names.end()) {
-            missing.push_back(signals[i].name);
+        if (found == names.end())
             ordered.row(row).setConstant(std::numeric_limits<double>::quiet_NaN());
-        } else {
+        else
             ordered.row(row) = values.row(found - names.begin());
-        }
     }
     return ordered;
 }
@@ -138,7 +136,6 @@ public:
     void addRecording(int index, const Eigen::VectorXd* noise) {
         const Recording& recording = task_.recordings[static_cast<std::size_t>(index)];
         const System& system = *prepared_.system;
-        const auto samples = static_cast<Eigen::Index>(recording.time.size());
         const std::size_t faultsBefore = faults_.size();
         checkChannels(recording, "input", recording.inputNames, recording.inputs, system.inputs());
         checkChannels(recording, "output", recording.outputNames, recording.outputs, system.outputs());
@@ -147,13 +144,11 @@ public:
         FitExperiment experiment;
         experiment.name = recording.name;
         experiment.system = prepared_.system;
-        experiment.inputs.time = recording.time;
-        std::vector<std::string> missing, unmeasured;
-        experiment.inputs.values = inOrder(system.inputs(), recording.inputNames, recording.inputs, samples, missing);
-        for (const std::string& name : missing) {
-            fault(recording, fmt::format("input {} has no channel", name), "map a column to it");
-        }
-        experiment.measured = inOrder(system.outputs(), recording.outputNames, recording.outputs, samples, unmeasured);
+        for (const SignalInfo& input : system.inputs())
+            if (std::find(recording.inputNames.begin(), recording.inputNames.end(), input.name) ==
+                recording.inputNames.end())
+                fault(recording, fmt::format("input {} has no channel", input.name), "map a column to it");
+        setSignals(experiment, recording);
         experiment.weights = Eigen::VectorXd::Zero(system.outputCount());
         for (std::size_t i = 0; i < recording.outputNames.size(); ++i) {
             const int output = system.outputIndex(recording.outputNames[i]);
@@ -261,6 +256,14 @@ void blankBeyond(Recording& recording, const std::string& output, double least, 
         if (isBeyond(recording, k, least, most))
             recording.outputs(found - recording.outputNames.begin(), static_cast<Eigen::Index>(k)) =
                 std::numeric_limits<double>::quiet_NaN();
+}
+
+void setSignals(FitExperiment& experiment, const Recording& recording) {
+    const System& system = *experiment.system;
+    const auto samples = static_cast<Eigen::Index>(recording.time.size());
+    experiment.inputs.time = recording.time;
+    experiment.inputs.values = inOrder(system.inputs(), recording.inputNames, recording.inputs, samples);
+    experiment.measured = inOrder(system.outputs(), recording.outputNames, recording.outputs, samples);
 }
 
 Outcome<PreparedTask> prepare(const EstimationTask& task, const std::vector<Eigen::VectorXd>& noise, Role role,

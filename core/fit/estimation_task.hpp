@@ -85,6 +85,9 @@ struct PreparedTask {
 /// Leaves out what a clock that is ahead by `least` to `most` may stamp outside the recording.
 void blankBeyond(Recording& recording, const std::string& output, double least, double most);
 
+/// Takes over the channels of a recording in the order of the experiment's system; NaN where a signal has none.
+void setSignals(FitExperiment& experiment, const Recording& recording);
+
 /// Compiles the model with the fitted parameters and start values kept symbolic, orders channels as the system
 /// does, weights by `noise` (per recording and output of the system: standard deviation; empty: 1 / range of
 /// the channel). Faults: a fitted name that is no parameter of the model, an input without a channel, an
