@@ -15,6 +15,8 @@ namespace {
 constexpr double hardlyMoved = 2;  // of its range, beyond which a quantity stood still
 constexpr Eigen::Index fewestSamples = 50, samplesOfStart = 3;
 constexpr double clearStart = 3, shareOfStart = 0.05;  // deviations of the residual; of the range
+constexpr Eigen::Index fewestAlike = 12;               // samples in a row
+constexpr double mostAlike = 0.01;                     // of neighbours elsewhere
 constexpr double worthSaying = 0.1;                    // of the fitted range
 constexpr double leastDifference = 1e-3;               // of a parameter between two recordings
 constexpr double clearlyWorse = 1.3, asGood = 1.15;    // of what is left in the fitted recordings
@@ -210,6 +212,32 @@ std::vector<Text> wrongStarts(const ModelState& state) {
                 "'{}' begins with {} at {:.4g}{} where the model begins at {:.4g}{}: tell its start value, or fit "
                 "it (\"initial\")",
                 e.name, output.name, output.measured[0], unit, output.simulated[0], unit));
+        }
+    }
+    return said;
+}
+
+std::vector<Text> stuckReadings(const EstimationTask& task) {
+    std::vector<Text> said;
+    for (const Recording& r : task.recordings) {
+        if (r.role != Role::Fit) continue;
+        for (Eigen::Index o = 0; o < r.outputs.rows(); ++o) {
+            const auto y = r.outputs.row(o);
+            Eigen::Index pairs = 0, begin = 0, from = 0, to = 0;  // [from, to] is the longest of all that read the same
+            for (Eigen::Index k = 1; k < y.size(); ++k) {
+                if (!(y[k] == y[k - 1])) begin = k;
+                if (k > begin) ++pairs;
+                if (k - begin > to - from) from = begin, to = k;
+            }
+            const auto elsewhere = static_cast<double>(pairs - (to - from));
+            if (y.size() < fewestSamples || to - from < fewestAlike ||
+                elsewhere > mostAlike * static_cast<double>(y.size()))
+                continue;
+            said.push_back(
+                phrase("output '{}' of '{}' reads {:.5g} from {:.4g} s to {:.4g} s without any change, and hardly ever "
+                       "twice the same elsewhere: did the sensor or the logger stick?",
+                       r.outputNames[static_cast<std::size_t>(o)], r.name, y[from],
+                       r.time[static_cast<std::size_t>(from)], r.time[static_cast<std::size_t>(to)]));
         }
     }
     return said;

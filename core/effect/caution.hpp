@@ -21,6 +21,9 @@ std::vector<Text> poorValidations(const ModelState& state);
 /// Outputs of the fitted recordings that begin elsewhere than the model does, by far more than what is left later.
 std::vector<Text> wrongStarts(const ModelState& state);
 
+/// Outputs of the fitted recordings that read exactly the same for long, and hardly ever elsewhere.
+std::vector<Text> stuckReadings(const EstimationTask& task);
+
 /// Median time between samples of the fitted recordings [s]; 0: there are none.
 double samplingInterval(const EstimationTask& task);
 

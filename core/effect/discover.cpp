@@ -259,20 +259,32 @@ Outcome<Finding> Search::run() {
     say("fit", base_.task.className, 0);
     Outcome<NullModel> null = fitNull(base_, {}, NoiseLevel::Estimate, options_.fit, progress_);
     if (!null) return null.diagnostics();
-    if (beginElsewhere(*null))
+    std::optional<NullModel> onAll;
+    const auto fitAll = [&]() -> Outcome<Done> {
+        if (thinning_ < 2) return Done{};
+        Outcome<NullModel> fitted = fitNull(full_, {}, NoiseLevel::Estimate, options_.fit, progress_);
+        if (!fitted) return fitted.diagnostics();
+        onAll = std::move(*fitted);
+        return Done{};
+    };
+    Outcome<Done> isFitted = fitAll();
+    if (!isFitted) return isFitted.diagnostics();
+    const bool hasSpikes = leaveOutSpikes(onAll ? *onAll : *null);
+    if (hasSpikes) null = fitNull(base_, {}, NoiseLevel::Estimate, options_.fit, progress_);
+    if (!null) return null.diagnostics();
+    const bool isElsewhere = beginElsewhere(*null);
+    if (isElsewhere)
         finding.warnings.push_back(
             phrase("from the start values of the study the fit ends at a poorer optimum: the search begins at the best "
                    "of {} starts about them",
                    1 + otherStarts));
-    std::optional<NullModel> onAll;
-    if (thinning_ > 1) {
+    if (onAll) {
         finding.warnings.push_back(
             phrase("long recordings: the search works on means of {} samples, the fit before "
                    "and after it on all of them",
                    thinning_));
-        Outcome<NullModel> fitted = fitNull(full_, {}, NoiseLevel::Estimate, options_.fit, progress_);
-        if (!fitted) return fitted.diagnostics();
-        onAll = std::move(*fitted);
+        if (hasSpikes || isElsewhere) isFitted = fitAll();
+        if (!isFitted) return isFitted.diagnostics();
     }
     const NullModel& given = onAll ? *onAll : *null;
     Outcome<ModelState> state = stateOf(given.variant, given.fit, options_.fit.simulation, progress_);
@@ -440,7 +452,8 @@ Outcome<Finding> Search::run() {
                                     : (finding.effects.empty() ? FindingKind::Unexplained : FindingKind::Partial);
     for (Text& sentence : poorValidations(finding.final)) finding.warnings.push_back(std::move(sentence));
     if (leavesStructure)
-        for (Text& sentence : wrongStarts(finding.final)) finding.warnings.push_back(std::move(sentence));
+        for (const auto& sentences : {wrongStarts(finding.final), stuckReadings(full_.task)})
+            finding.warnings.insert(finding.warnings.end(), sentences.begin(), sentences.end());
     finding.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return finding;
 }

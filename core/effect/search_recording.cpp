@@ -8,6 +8,7 @@
 #include "core/effect/input_edge.hpp"
 #include "core/effect/input_noise.hpp"
 #include "core/effect/search.hpp"
+#include "core/effect/thin.hpp"
 
 namespace analogon {
 namespace {
@@ -36,6 +37,15 @@ Text remarkOn(const std::vector<InputEdge>& edges) {
 }
 
 }  // namespace
+
+/// Leaves out, in all that the search fits from here on, the samples that are faults of the measurement by what a fit
+/// on every sample leaves; true: there are such.
+bool Search::leaveOutSpikes(const NullModel& fitted) {
+    spikes_ = spikes(fitted);
+    leaveOut(full_.task, spikes_);
+    if (!spikes_.empty()) base_.task = thinned(full_.task, thinning_);
+    return !spikes_.empty();
+}
 
 /// The fit of a model that allows for something wrong with a recording, and what it explains.
 std::optional<Search::Allowed> Search::allowed(const NullModel& null, const Variant& variant, int freed,
@@ -210,7 +220,7 @@ void Search::holdUnneededStarts(NullModel& null) {
 
 /// What people should know of what was allowed for in the recordings.
 std::vector<Text> Search::recordingRemarks(const NullModel& null) const {
-    std::vector<Text> remarks;
+    std::vector<Text> remarks = spikeRemarks(full_.task, spikes_);
     for (const NoisyInput& input : noisyInputs_)
         remarks.push_back(
             phrase("the input '{}' of '{}' is recorded with noise ({:.2g} rms) that drives the model and not the "

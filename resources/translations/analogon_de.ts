@@ -4086,6 +4086,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>„{}“ beginnt bei {} mit {}{}, das Modell mit {}{}: den Startwert angeben oder anpassen („initial“)</translation>
     </message>
     <message>
+        <source>output '{}' of '{}': single samples far from their neighbours and from the model are taken for faults of the measurement and left out ({} of them: {})</source>
+        <translation>Ausgang „{}“ von „{}“: Einzelne Abtastwerte weit weg von ihren Nachbarn und vom Modell gelten als Fehler der Messung und bleiben weg ({} Stück: {})</translation>
+    </message>
+    <message>
+        <source>output '{}' of '{}' reads {:.5g} from {:.4g} s to {:.4g} s without any change, and hardly ever twice the same elsewhere: did the sensor or the logger stick?</source>
+        <translation>Ausgang „{}“ von „{}“ zeigt {} von {} s bis {} s ohne jede Änderung und sonst kaum je zweimal dasselbe: Hing der Sensor oder die Aufzeichnung?</translation>
+    </message>
+    <message>
         <source>the inputs jump just before the next sample ({} jumps): they are held in between and do not run straight from sample to sample; the parameters reckon with it, the errors that are reported do not</source>
         <translation>Die Eingänge springen kurz vor dem nächsten Abtastwert ({} Sprünge): Sie werden dazwischen gehalten und verlaufen nicht gerade von Wert zu Wert; die Parameter berücksichtigen das, die genannten Fehler nicht</translation>
     </message>

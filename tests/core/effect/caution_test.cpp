@@ -67,6 +67,26 @@ TEST(Caution, SaysThatARecordingBeginsElsewhereThanTheModel) {
     EXPECT_THAT(wrongStarts(state), IsEmpty()) << "a start that is right";
 }
 
+TEST(Caution, TellsWhereASensorStuck) {
+    EstimationTask task;
+    Recording r = recording("run", Role::Fit, 0, 1);
+    constexpr int samples = 200;
+    r.time.clear();
+    r.inputs = Eigen::MatrixXd::Zero(1, samples);
+    r.outputs.resize(1, samples);
+    for (int k = 0; k < samples; ++k) {
+        r.time.push_back(k);
+        r.outputs(0, k) = std::sin(0.1 * k + 0.01 * k * k);
+    }
+    task.recordings = {r};
+    EXPECT_THAT(stuckReadings(task), IsEmpty());
+    task.recordings[0].outputs.row(0).segment(80, 30).setConstant(0.25);
+    EXPECT_THAT(stuckReadings(task), ElementsAre(HasSubstr("reads 0.25 from 80 s to 109 s without any change")));
+    for (int k = 0; k < samples; ++k) task.recordings[0].outputs(0, k) = std::round(2 * r.outputs(0, k));
+    task.recordings[0].outputs.row(0).segment(80, 30).setConstant(2);
+    EXPECT_THAT(stuckReadings(task), IsEmpty()) << "a coarse converter often reads the same";
+}
+
 /// Two recordings of y = p*x with p = 2 in the first; what p is in the second is the test's.
 NullModel proportional(double inSecond) {
     NullModel null;

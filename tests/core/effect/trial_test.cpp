@@ -38,9 +38,7 @@ NullModel leaving(double extra, int behind) {
     return null;
 }
 
-Acceptance examined(double extra, int behind) {
-    return examine(leaving(extra, behind), leaving(0, 0).fit, 1, 0);
-}
+Acceptance examined(double extra, int behind) { return examine(leaving(extra, behind), leaving(0, 0).fit, 1, 0); }
 
 TEST(Examine, DoubtsWeakEvidenceThatLiesRightBehindJumpsOfAnInputAlone) {
     EXPECT_GT(examined(2.5, 20).evidence, 20);

@@ -28,6 +28,7 @@ struct Shaft {
     double lag{};       // [s] of the tachometer
     double pickUp{};    // [rad/(s.N.m)] of the tachometer, from the drive
     bool isHeld{};      // the command, between its samples
+    double spark{};     // [rad/s] by which every 150th sample of the tachometer is wrong
 };
 
 double signOf(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
@@ -101,7 +102,8 @@ end Rotor;
         const std::vector<double> speed = speedOf(shaft);
         double error = scatter(random);
         for (int k = 0; k < samples; ++k) {
-            csv << k * step << ',' << commandOf(shaft, k * step) << ',' << speed[static_cast<std::size_t>(k)] + error;
+            csv << k * step << ',' << commandOf(shaft, k * step) << ','
+                << speed[static_cast<std::size_t>(k)] + error + (k % 150 == 40 ? shaft.spark : 0);
             error = memory * error + std::sqrt(1 - memory * memory) * scatter(random);
             if (oil) csv << ',' << oil(k * step);
             csv << '\n';
@@ -162,6 +164,23 @@ TEST_F(Discovery, TakesACommandThatIsHeldForNoDeadTime) {
     EXPECT_EQ(finding.kind, FindingKind::Adequate);
     EXPECT_TRUE(std::any_of(finding.warnings.begin(), finding.warnings.end(),
                             [](const Text& w) { return w.english().find("held in between") != std::string::npos; }));
+}
+
+TEST_F(Discovery, LeavesSamplesOutThatAreFaultsOfTheMeasurement) {
+    Shaft shaft;
+    shaft.torque = [](double, double w, double) { return 0.03 * w; };
+    shaft.spark = 6;
+    const Finding right = search(shaft);
+    EXPECT_TRUE(right.effects.empty()) << right.effects.front().kind;
+    EXPECT_EQ(right.kind, FindingKind::Adequate);
+    EXPECT_TRUE(std::any_of(right.warnings.begin(), right.warnings.end(), [](const Text& w) {
+        return w.english().find("are taken for faults of the measurement") != std::string::npos;
+    }));
+    shaft.torque = [](double, double w, double) { return 0.03 * w + 0.05 * signOf(w); };
+    const Finding lacking = search(shaft);
+    EXPECT_EQ(lacking.kind, FindingKind::Effect) << "beside them a sure effect is none in part";
+    ASSERT_EQ(lacking.effects.size(), 1u);
+    EXPECT_EQ(lacking.effects.front().kind, "friction.coulomb");
 }
 
 TEST_F(Discovery, WritesALawForWhatASensorPicksUp) {
