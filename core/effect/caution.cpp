@@ -7,6 +7,7 @@
 
 #include "core/base/median.hpp"
 #include "core/base/range.hpp"
+#include "core/effect/faulty_sample.hpp"
 #include "core/residual/noise.hpp"
 
 namespace analogon {
@@ -15,8 +16,6 @@ namespace {
 constexpr double hardlyMoved = 2;  // of its range, beyond which a quantity stood still
 constexpr Eigen::Index fewestSamples = 50, samplesOfStart = 3;
 constexpr double clearStart = 3, shareOfStart = 0.05;  // deviations of the residual; of the range
-constexpr Eigen::Index fewestAlike = 12;               // samples in a row
-constexpr double mostAlike = 0.01;                     // of neighbours elsewhere
 constexpr double worthSaying = 0.1;                    // of the fitted range
 constexpr double leastDifference = 1e-3;               // of a parameter between two recordings
 constexpr double clearlyWorse = 1.3, asGood = 1.15;    // of what is left in the fitted recordings
@@ -222,22 +221,13 @@ std::vector<Text> stuckReadings(const EstimationTask& task) {
     for (const Recording& r : task.recordings) {
         if (r.role != Role::Fit) continue;
         for (Eigen::Index o = 0; o < r.outputs.rows(); ++o) {
-            const auto y = r.outputs.row(o);
-            Eigen::Index pairs = 0, begin = 0, from = 0, to = 0;  // [from, to] is the longest of all that read the same
-            for (Eigen::Index k = 1; k < y.size(); ++k) {
-                if (!(y[k] == y[k - 1])) begin = k;
-                if (k > begin) ++pairs;
-                if (k - begin > to - from) from = begin, to = k;
-            }
-            const auto elsewhere = static_cast<double>(pairs - (to - from));
-            if (y.size() < fewestSamples || to - from < fewestAlike ||
-                elsewhere > mostAlike * static_cast<double>(y.size()))
-                continue;
-            said.push_back(
-                phrase("output '{}' of '{}' reads {:.5g} from {:.4g} s to {:.4g} s without any change, and hardly ever "
-                       "twice the same elsewhere: did the sensor or the logger stick?",
-                       r.outputNames[static_cast<std::size_t>(o)], r.name, y[from],
-                       r.time[static_cast<std::size_t>(from)], r.time[static_cast<std::size_t>(to)]));
+            const Eigen::VectorXd y = r.outputs.row(o).transpose();
+            for (const auto& [begin, end] : runsAlike(y))
+                said.push_back(
+                    phrase("output '{}' of '{}' reads {:.5g} from {:.4g} s to {:.4g} s without any change, and hardly "
+                           "ever twice the same elsewhere: did the sensor or the logger stick?",
+                           r.outputNames[static_cast<std::size_t>(o)], r.name, y[begin],
+                           r.time[static_cast<std::size_t>(begin)], r.time[static_cast<std::size_t>(end - 1)]));
         }
     }
     return said;

@@ -269,8 +269,8 @@ Outcome<Finding> Search::run() {
     };
     Outcome<Done> isFitted = fitAll();
     if (!isFitted) return isFitted.diagnostics();
-    const bool hasSpikes = leaveOutSpikes(onAll ? *onAll : *null);
-    if (hasSpikes) null = fitNull(base_, {}, NoiseLevel::Estimate, options_.fit, progress_);
+    const bool hasFaults = leaveOutFaults(onAll ? *onAll : *null);
+    if (hasFaults) null = fitNull(base_, {}, NoiseLevel::Estimate, options_.fit, progress_);
     if (!null) return null.diagnostics();
     const bool isElsewhere = beginElsewhere(*null);
     if (isElsewhere)
@@ -283,7 +283,7 @@ Outcome<Finding> Search::run() {
             phrase("long recordings: the search works on means of {} samples, the fit before "
                    "and after it on all of them",
                    thinning_));
-        if (hasSpikes || isElsewhere) isFitted = fitAll();
+        if (hasFaults || isElsewhere) isFitted = fitAll();
         if (!isFitted) return isFitted.diagnostics();
     }
     const NullModel& given = onAll ? *onAll : *null;

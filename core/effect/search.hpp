@@ -7,10 +7,10 @@
 #include "core/effect/change.hpp"
 #include "core/effect/dependence.hpp"
 #include "core/effect/discover.hpp"
+#include "core/effect/faulty_sample.hpp"
 #include "core/effect/input_edge.hpp"
 #include "core/effect/input_noise.hpp"
 #include "core/effect/judgement.hpp"
-#include "core/effect/spike.hpp"
 #include "core/effect/start_value.hpp"
 
 namespace analogon {
@@ -113,7 +113,7 @@ private:
     bool replace(NullModel& null, std::size_t effect, Rivals wanted = Rivals::Known);
     void completeClasses(NullModel& null);
     Conclusion conclude(NullModel& null, const NullModel& base, bool mayAddLaw);
-    bool leaveOutSpikes(const NullModel& fitted);
+    bool leaveOutFaults(const NullModel& fitted);
     bool beginElsewhere(NullModel& null);
     void takeOutAll(NullModel& null, const NullModel& base);
     std::optional<ModelState> backToLastWhole(NullModel& null, const NullModel& base);
@@ -168,7 +168,7 @@ private:
     std::map<std::string, std::string> laws_;  // texts of the classes that were written for this model, by name
     std::optional<Change> change_;             // in mid run, that explains better than any effect
     std::optional<Dependence> dependence_;     // on a channel, that does
-    std::vector<Spike> spikes_;                // samples that are faults of the measurement
+    std::vector<FaultySamples> faults_;        // of the measurement
     std::vector<ToldStart> freedStarts_;       // that were told wrongly
     std::vector<NoisyInput> noisyInputs_;      // that base_ has without their noise
     std::vector<InputEdge> edges_;             // that base_ and full_ have where they are

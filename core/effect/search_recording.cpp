@@ -40,11 +40,11 @@ Text remarkOn(const std::vector<InputEdge>& edges) {
 
 /// Leaves out, in all that the search fits from here on, the samples that are faults of the measurement by what a fit
 /// on every sample leaves; true: there are such.
-bool Search::leaveOutSpikes(const NullModel& fitted) {
-    spikes_ = spikes(fitted);
-    leaveOut(full_.task, spikes_);
-    if (!spikes_.empty()) base_.task = thinned(full_.task, thinning_);
-    return !spikes_.empty();
+bool Search::leaveOutFaults(const NullModel& fitted) {
+    faults_ = faultySamples(fitted);
+    leaveOut(full_.task, faults_);
+    if (!faults_.empty()) base_.task = thinned(full_.task, thinning_);
+    return !faults_.empty();
 }
 
 /// The fit of a model that allows for something wrong with a recording, and what it explains.
@@ -220,7 +220,7 @@ void Search::holdUnneededStarts(NullModel& null) {
 
 /// What people should know of what was allowed for in the recordings.
 std::vector<Text> Search::recordingRemarks(const NullModel& null) const {
-    std::vector<Text> remarks = spikeRemarks(full_.task, spikes_);
+    std::vector<Text> remarks = faultRemarks(full_.task, faults_);
     for (const NoisyInput& input : noisyInputs_)
         remarks.push_back(
             phrase("the input '{}' of '{}' is recorded with noise ({:.2g} rms) that drives the model and not the "

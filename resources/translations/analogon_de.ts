@@ -4090,6 +4090,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Ausgang „{}“ von „{}“: Einzelne Abtastwerte weit weg von ihren Nachbarn und vom Modell gelten als Fehler der Messung und bleiben weg ({} Stück: {})</translation>
     </message>
     <message>
+        <source>output '{}' of '{}' reads exactly the same from {:.5g} s to {:.5g} s and jumps when it goes on: the sensor or the logger stuck, and this is left out</source>
+        <translation>Ausgang „{}“ von „{}“ zeigt von {} s bis {} s genau dasselbe und springt, wenn es weitergeht: Der Sensor oder die Aufzeichnung hing, das bleibt weg</translation>
+    </message>
+    <message>
         <source>output '{}' of '{}' reads {:.5g} from {:.4g} s to {:.4g} s without any change, and hardly ever twice the same elsewhere: did the sensor or the logger stick?</source>
         <translation>Ausgang „{}“ von „{}“ zeigt {} von {} s bis {} s ohne jede Änderung und sonst kaum je zweimal dasselbe: Hing der Sensor oder die Aufzeichnung?</translation>
     </message>

@@ -1,4 +1,4 @@
-#include "core/effect/spike.hpp"
+#include "core/effect/faulty_sample.hpp"
 
 #include <fmt/format.h>
 
@@ -26,14 +26,17 @@ constexpr double jumpOfMedian = 5, jumpOfRange = 0.01;
 constexpr double mostOfSamples = 0.01;
 constexpr double halfClear = 4, mostHalfClear = 2;  // where that many more stand out, the noise has long tails
 constexpr std::size_t mostAnyway = 6, mostTold = 4;
+constexpr int fewestAlike = 12, fewestSamples = 50;  // in a row; of a channel that can be judged
+constexpr double mostAlike = 0.01;                   // of neighbours elsewhere
 
 using Runs = std::vector<std::pair<int, int>>;  // [begin, end) of rows
 
 /// Standard deviation of what is new in each sample: from the differences of neighbours, so that what a model leaves
-/// slowly does not count.
+/// slowly does not count, nor a reading that stays the same.
 double noiseOf(const Eigen::VectorXd& values) {
     std::vector<double> differences;
-    for (Eigen::Index k = 1; k < values.size(); ++k) differences.push_back(std::abs(values[k] - values[k - 1]));
+    for (Eigen::Index k = 1; k < values.size(); ++k)
+        if (values[k] != values[k - 1]) differences.push_back(std::abs(values[k] - values[k - 1]));
     return median(std::move(differences)) / (0.6745 * std::numbers::sqrt2);
 }
 
@@ -124,76 +127,121 @@ Runs runsThatStandAlone(const Eigen::VectorXd& beyond, const Eigen::VectorXd& me
     return runs;
 }
 
-}  // namespace
+/// Samples of a channel that stand alone.
+struct Spikes {
+    const ResidualChannel* channel{};
+    std::vector<int> samples;
+};
 
-std::vector<Spike> spikes(const NullModel& model) {
-    struct Found {
-        const ResidualChannel* channel;
-        std::vector<int> samples;
-    };
-    std::vector<Found> found;
-    const std::vector<int> recordings = recordingsOf(model.variant.task, Role::Fit);
-    for (const ResidualChannel& channel : model.channels) {
-        const int index = recordings[static_cast<std::size_t>(channel.experiment)];
-        const std::vector<bool> isBehind = behindJumps(model.variant.task.recordings[static_cast<std::size_t>(index)]);
-        const int rows = channel.end - channel.begin;
-        const Eigen::VectorXd beyond = -model.fit.optimum.residuals.segment(channel.begin, rows);
-        const Runs runs = runsThatStandAlone(beyond, channel.measured, allClear);
-        if (runs.empty() ||
-            runsThatStandAlone(beyond, channel.measured, halfClear).size() > mostHalfClear * runs.size())
-            continue;
-        Found here{&channel, {}};
-        for (const auto& [begin, end] : runs) {
-            const auto first = channel.samples.begin() + begin, last = channel.samples.begin() + end;
-            if (std::any_of(first, last, [&](int k) { return isBehind[static_cast<std::size_t>(k)]; })) continue;
-            here.samples.insert(here.samples.end(), first, last);
-        }
-        if (here.samples.size() <= std::max(mostAnyway, static_cast<std::size_t>(mostOfSamples * rows)))
-            found.push_back(std::move(here));
+Spikes spikesOf(const NullModel& model, const ResidualChannel& channel, const Recording& recording) {
+    Spikes spikes{&channel, {}};
+    const int rows = channel.end - channel.begin;
+    const Eigen::VectorXd beyond = -model.fit.optimum.residuals.segment(channel.begin, rows);
+    const Runs runs = runsThatStandAlone(beyond, channel.measured, allClear);
+    if (runs.empty() || runsThatStandAlone(beyond, channel.measured, halfClear).size() > mostHalfClear * runs.size())
+        return spikes;
+    const std::vector<bool> isBehind = behindJumps(recording);
+    for (const auto& [begin, end] : runs) {
+        const auto first = channel.samples.begin() + begin, last = channel.samples.begin() + end;
+        if (std::any_of(first, last, [&](int k) { return isBehind[static_cast<std::size_t>(k)]; })) continue;
+        spikes.samples.insert(spikes.samples.end(), first, last);
     }
-    // what several outputs do at once, the component does
-    const auto isAlsoIn = [](const Found& other, int sample) {
-        return std::any_of(other.samples.begin(), other.samples.end(),
-                           [&](int k) { return std::abs(k - sample) <= 1; });
-    };
-    std::vector<Spike> spikes;
-    const Outcome<PreparedTask> held = prepareHeld(model.variant, {}, model.noise);
-    if (!held) return spikes;
-    for (const Found& here : found)
-        for (const int sample : here.samples) {
-            const bool isShared = std::any_of(found.begin(), found.end(), [&](const Found& other) {
-                return &other != &here && other.channel->experiment == here.channel->experiment &&
-                       isAlsoIn(other, sample);
-            });
-            if (isShared) continue;
-            const SignalInfo& output = held->system->outputs()[static_cast<std::size_t>(here.channel->output)];
-            spikes.push_back({recordings[static_cast<std::size_t>(here.channel->experiment)], output.name, sample});
-        }
+    if (spikes.samples.size() > std::max(mostAnyway, static_cast<std::size_t>(mostOfSamples * rows)))
+        spikes.samples.clear();
     return spikes;
 }
 
-void leaveOut(EstimationTask& task, const std::vector<Spike>& spikes) {
-    for (const Spike& s : spikes) {
-        Recording& recording = task.recordings[static_cast<std::size_t>(s.recording)];
-        const auto row = std::find(recording.outputNames.begin(), recording.outputNames.end(), s.output);
-        if (row != recording.outputNames.end())
-            recording.outputs(row - recording.outputNames.begin(), s.sample) = std::nan("");
+/// What several outputs do at once, the component does.
+bool isShared(const std::vector<Spikes>& all, const Spikes& own, int sample) {
+    return std::any_of(all.begin(), all.end(), [&](const Spikes& other) {
+        return &other != &own && other.channel->experiment == own.channel->experiment &&
+               std::any_of(other.samples.begin(), other.samples.end(),
+                           [&](int k) { return std::abs(k - sample) <= 1; });
+    });
+}
+
+/// The first sample of a reading that stuck is right.
+void addStuck(const Recording& recording, int index, std::vector<FaultySamples>& faults) {
+    for (Eigen::Index o = 0; o < recording.outputs.rows(); ++o) {
+        const Eigen::VectorXd y = recording.outputs.row(o).transpose();
+        for (const auto& [begin, end] : runsAlike(y))
+            // a component that rests may do so at 0, and goes on from where it was
+            if (y[begin] != 0 && end < y.size() && std::abs(y[end] - y[begin]) > allClear * noiseOf(y))
+                faults.push_back({index, recording.outputNames[static_cast<std::size_t>(o)], begin + 1, end, true});
     }
 }
 
-std::vector<Text> spikeRemarks(const EstimationTask& task, const std::vector<Spike>& spikes) {
+}  // namespace
+
+std::vector<std::pair<int, int>> runsAlike(const Eigen::VectorXd& values) {
+    Runs runs;
+    int elsewhere = 0;
+    for (int begin = 0, end = 1; begin < values.size(); begin = end++) {
+        while (end < values.size() && values[end] == values[begin]) ++end;
+        if (end - begin < fewestAlike)
+            elsewhere += end - begin - 1;
+        else
+            runs.emplace_back(begin, end);
+    }
+    if (values.size() < fewestSamples || elsewhere > mostAlike * static_cast<double>(values.size())) runs.clear();
+    return runs;
+}
+
+std::vector<FaultySamples> faultySamples(const NullModel& model) {
+    const EstimationTask& task = model.variant.task;
+    std::vector<FaultySamples> faults;
+    const std::vector<int> recordings = recordingsOf(task, Role::Fit);
+    const auto indexOf = [&](const Spikes& s) { return recordings[static_cast<std::size_t>(s.channel->experiment)]; };
+    std::vector<Spikes> spikes;
+    for (const ResidualChannel& channel : model.channels)
+        spikes.push_back(spikesOf(
+            model, channel,
+            task.recordings[static_cast<std::size_t>(recordings[static_cast<std::size_t>(channel.experiment)])]));
+    const bool hasSpikes =
+        std::any_of(spikes.begin(), spikes.end(), [](const Spikes& s) { return !s.samples.empty(); });
+    if (hasSpikes)
+        if (const Outcome<PreparedTask> held = prepareHeld(model.variant, {}, model.noise))
+            for (const Spikes& s : spikes)
+                for (const int sample : s.samples)
+                    if (!isShared(spikes, s, sample))
+                        faults.push_back({indexOf(s),
+                                          held->system->outputs()[static_cast<std::size_t>(s.channel->output)].name,
+                                          sample, sample + 1, false});
+    for (const int index : recordings) addStuck(task.recordings[static_cast<std::size_t>(index)], index, faults);
+    return faults;
+}
+
+void leaveOut(EstimationTask& task, const std::vector<FaultySamples>& faults) {
+    for (const FaultySamples& f : faults) {
+        Recording& recording = task.recordings[static_cast<std::size_t>(f.recording)];
+        const auto row = std::find(recording.outputNames.begin(), recording.outputNames.end(), f.output);
+        if (row != recording.outputNames.end())
+            recording.outputs.row(row - recording.outputNames.begin())
+                .segment(f.begin, f.end - f.begin)
+                .setConstant(std::nan(""));
+    }
+}
+
+std::vector<Text> faultRemarks(const EstimationTask& task, const std::vector<FaultySamples>& faults) {
     std::vector<Text> remarks;
-    for (auto begin = spikes.begin(); begin != spikes.end();) {
-        const auto end = std::find_if(begin, spikes.end(), [&](const Spike& s) {
-            return s.recording != begin->recording || s.output != begin->output;
-        });
+    for (auto begin = faults.begin(); begin != faults.end();) {
         const Recording& recording = task.recordings[static_cast<std::size_t>(begin->recording)];
+        const auto timeOf = [&](int sample) { return recording.time[static_cast<std::size_t>(sample)]; };
+        if (begin->isStuck) {
+            remarks.push_back(
+                phrase("output '{}' of '{}' reads exactly the same from {:.5g} s to {:.5g} s and jumps when it goes "
+                       "on: the sensor or the logger stuck, and this is left out",
+                       begin->output, recording.name, timeOf(begin->begin - 1), timeOf(begin->end - 1)));
+            ++begin;
+            continue;
+        }
+        const auto end = std::find_if(begin, faults.end(), [&](const FaultySamples& f) {
+            return f.isStuck || f.recording != begin->recording || f.output != begin->output;
+        });
         const auto count = static_cast<std::size_t>(end - begin);
         std::string when;
-        for (std::size_t i = 0; i < std::min(count, mostTold); ++i)
-            when +=
-                fmt::format("{}{:.5g} s", i == 0 ? "" : ", ",
-                            recording.time[static_cast<std::size_t>((begin + static_cast<std::ptrdiff_t>(i))->sample)]);
+        for (auto f = begin; f != begin + static_cast<std::ptrdiff_t>(std::min(count, mostTold)); ++f)
+            when += fmt::format("{}{:.5g} s", f == begin ? "" : ", ", timeOf(f->begin));
         if (count > mostTold) when += ", …";
         remarks.push_back(
             phrase("output '{}' of '{}': single samples far from their neighbours and from the model are taken for "

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/effect/null_model.hpp"
+
+/// What a recording holds that is a fault of the measurement (a spark, a telegram that was lost, a reading that stuck)
+/// and not what the component does.
+namespace analogon {
+
+/// Samples [begin, end) of an output.
+struct FaultySamples {
+    int recording{};  // of the task
+    std::string output;
+    int begin{}, end{};
+    bool isStuck{};  // they read the same; else they stand alone
+};
+
+/// Those of the fitted recordings, channel by channel. A sample stands alone that is far from its neighbours and from
+/// what the model leaves beside it, while no input jumps and no other output does the same; none of a channel that has
+/// many or whose noise has long tails. A reading stuck that stays exactly the same for long, other than 0, hardly ever
+/// does so elsewhere, and jumps when it goes on.
+std::vector<FaultySamples> faultySamples(const NullModel& model);
+
+/// Runs of samples, [begin, end), that read exactly the same, where a channel hardly ever does so elsewhere.
+std::vector<std::pair<int, int>> runsAlike(const Eigen::VectorXd& values);
+
+/// Takes them for not measured.
+void leaveOut(EstimationTask& task, const std::vector<FaultySamples>& faults);
+
+/// What people should know of them; `task`: with these samples as they were read, or without.
+std::vector<Text> faultRemarks(const EstimationTask& task, const std::vector<FaultySamples>& faults);
+
+}  // namespace analogon
