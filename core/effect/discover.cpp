@@ -204,7 +204,9 @@ void Search::reportAsRecorded(const NullModel& null, ModelState& state) const {
 /// Takes out of what a path ends with all that is not missed, or no more than a disturbance, and the equations without
 /// a name, which are returned.
 Search::Conclusion Search::conclude(NullModel& null, const NullModel& base, bool mayAddLaw) {
-    if (!isNoise(null)) removeUnneeded(null, 0, true);
+    const bool hasWeak =
+        std::any_of(steps_.begin(), steps_.end(), [](const Step& s) { return s.acceptance.evidence < beyondDoubt; });
+    if (!isNoise(null) || hasWeak) removeUnneeded(null, 0, true);
     if (onlyImitate(base, null)) takeOutAll(null, base);
     if (mayAddLaw && !isNoise(null) && !progress_.stopRequested() && addLaw(null)) removeUnneeded(null, 0, true);
     // where a proposal explains all, what it made needless only imitated it

@@ -8,6 +8,7 @@ namespace analogon {
 namespace {
 
 constexpr double leastBesideDisturbance = 30;  // fall in BIC
+constexpr double leastLikelier = 8;            // the same where noise is left
 constexpr double clearlyMissed = 100;          // in evidence
 constexpr double mostGrowth = 5;               // of an effect's strength when another joins it
 constexpr double leastOfRest = 0.5;            // of what is left above the noise
@@ -38,6 +39,10 @@ bool outweighsRest(double fall, const NullModel& null) {
 
 bool isBorneOut(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int freed) {
     return evidenceBeside(without, with, rows, freed) > leastBesideDisturbance;
+}
+
+bool isLikelier(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int freed) {
+    return evidenceBeside(without, with, rows, freed) > leastLikelier;
 }
 
 bool isAtBound(const PlacedEffect& placed, const FitResult& fit) {

@@ -9,6 +9,7 @@
 namespace analogon {
 
 constexpr double nearlyAsMuch = 0.6;  // of the fall in the sum of squares
+constexpr double beyondDoubt = 1000;  // evidence of an effect that leaves noise: no disturbance looks like it
 
 /// Probability of so much in noise, with as many candidates tried (Sidak 1967).
 double pValue(double explained, int dof, std::size_t tried);
@@ -34,6 +35,10 @@ bool isTold(const PlacedEffect& placed, const std::vector<FitEstimate>& estimate
 /// Whether an effect is more than what a flow that nobody measured takes over, one that varies slowly at some node: a
 /// second mass or a small exponent imitates it well from one short block to the next.
 bool isBorneOut(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int freed);
+
+/// The same of an effect that leaves noise: it need only be the likelier account (what is constant hardly differs from
+/// a flow that varies slowly).
+bool isLikelier(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int freed);
 
 /// Whether what the model loses without an effect (a fall in the sum of squares) is a good part of what the model
 /// leaves above the noise: in the shadow of something large that has no name, many an effect passes for a part of it.

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double mostWork = 3e7;  // in steps of the trials, beyond which no other beginning is tried
 constexpr std::size_t otherPaths = 2, otherPairs = 2;
+constexpr double leastUnproven = 0.3;       // of what is above the noise
 constexpr double structuredResidual = 1.1;  // in units of the noise: something is left to find
 constexpr double mostForPairs = 10;         // level of what is left: far from an optimum no slopes tell of two effects
 constexpr double leastGain = 1;             // in evidence, for which an effect is exchanged: exact twins are not
@@ -189,6 +190,8 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
     const bool hasMore = best.steps.size() > 1 || hasProposal(best.null);
     if (!hasMore && (isNoise(best.null) || isColouredNoise(best.null))) return best;
 
+    addUnprovenPaths(best, base, first);
+    if (beginsAnew_) return best;
     const bool isLawful = addLawPath(best, bareOf(base, first));
     if (beginsAnew_ || (isLawful && termsIn(best.null) < 2)) return best;
     for (const std::size_t other : others) {
@@ -215,6 +218,22 @@ Search::Path Search::bareOf(const NullModel& base, Round first) {
     noteAll(first);
     exchange(bare);
     return bare;
+}
+
+/// Begins with what explains most of all that is left and fails only on the blocks left out: those are refitted to
+/// first order, which far from the optimum tells little. Where such a path leads to noise, what it found is borne out.
+void Search::addUnprovenPaths(Path& best, const NullModel& base, const Round& first) {
+    std::size_t tried = 0;
+    for (const std::size_t begin : first.failsHeldOut) {
+        const bool isEnough = tried == otherPaths || (tried > 0 && work_ > mostWork);
+        if (progress_.stopRequested() || isNoise(best.null) || isEnough) return;
+        const double fall = base.sumOfSquares() - first.trials[begin].sumOfSquares();
+        if (!(fall > leastUnproven * excess(base))) continue;
+        ++tried;
+        Path path = pathFrom(base, first, begin);
+        if (beginsAnew_) return;
+        if (isNoise(path.null) && !hasProposal(path.null)) keepBetter(best, std::move(path));
+    }
 }
 
 /// Begins with the halves of pairs, also where one equation took the place of names: it may stand for two that hide
@@ -428,7 +447,7 @@ void Search::setVerdict(const std::string& kind, const std::string& at, Verdict 
 }
 
 /// Takes each effect out again and keeps only those that are missed. At the last, where something is left that nothing
-/// explains, they must be more than what a disturbance takes over.
+/// explains, they must be more than what a disturbance takes over; where noise is left, a weak one must be likelier.
 void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
     std::optional<BesideDisturbance> beside;  // of the model as it stands
     for (std::size_t i = 0; i < steps_.size() && steps_.size() > least && !progress_.stopRequested();) {
@@ -440,11 +459,13 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
         }
         const int freed = static_cast<int>(null.variant.effects[i].freed.size());
         const Acceptance missed = examine(*refitted, null.fit, freed, 0);
-        const bool isDoubtful = isLast && !isNoise(null);
+        const bool leavesNoise = isNoise(null);
+        const bool isDoubtful = isLast && (!leavesNoise || missed.evidence < beyondDoubt);
         const auto isMore = [&] {
             if (!beside) beside = besideDisturbance(null, search_.fit.simulation, progress_);
-            return isBorneOut(besideDisturbance(*refitted, search_.fit.simulation, progress_), *beside,
-                              null.fit.optimum.residuals.size(), freed);
+            const BesideDisturbance without = besideDisturbance(*refitted, search_.fit.simulation, progress_);
+            const Eigen::Index rows = null.fit.optimum.residuals.size();
+            return leavesNoise ? isLikelier(without, *beside, rows, freed) : isBorneOut(without, *beside, rows, freed);
         };
         const bool isItself = !isAtBound(null.variant.effects[i], null.fit);
         const bool holds = !isLast || missed.heldOut > leastHeldOut;
