@@ -425,6 +425,15 @@ Outcome<Finding> Search::run() {
                 phrase("what is left on output '{}' of '{}' is noise with a memory ({:.2g} s): it moves with nothing "
                        "that is recorded or simulated, and is taken for noise of the measurement",
                        n.output, n.experiment, n.memory));
+        const bool isSmall = std::all_of(finding.remainders.begin(), finding.remainders.end(),
+                                         [&](const Remainder& r) { return isWithinForms(r.evidence); });
+        if (isSmall && proposed.empty() && !finding.remainders.empty()) {
+            finding.warnings.push_back(phrase(
+                "what is left on output '{}' of '{}' is not quite noise, but far less than what was found "
+                "explains: the forms of its blocks (a rounded change of sign, an exact square) may leave as much",
+                finding.remainders.front().output, finding.remainders.front().experiment));
+            finding.remainders.clear();
+        }
         // a sensor shows on its own output alone
         for (Remainder& r : finding.remainders)
             if (!place.starts_with(outputPrefix) || place.substr(outputPrefix.size()) == r.output) r.node = place;

@@ -93,6 +93,7 @@ private:
     void keepBetter(Path& best, Path path);
     Path bareOf(const NullModel& base, Round first);
     void addPairPaths(Path& best, const NullModel& base, const Round& first, const std::vector<Candidate>& taken);
+    bool isWithinForms(double evidence) const;
     void addUnprovenPaths(Path& best, const NullModel& base, const Round& first);
     bool addLawPath(Path& best, Path begin);
     std::optional<Path> withLaw(Path begin);

@@ -16,6 +16,8 @@ namespace {
 
 constexpr double mostWork = 3e7;  // in steps of the trials, beyond which no other beginning is tried
 constexpr std::size_t otherPaths = 2, otherPairs = 2;
+constexpr double mostOfForms = 300;         // evidence
+constexpr double formError = 0.0015;        // of what effects explain, squared
 constexpr double leastUnproven = 0.3;       // of what is above the noise
 constexpr double structuredResidual = 1.1;  // in units of the noise: something is left to find
 constexpr double mostForPairs = 10;         // level of what is left: far from an optimum no slopes tell of two effects
@@ -56,6 +58,10 @@ void Search::goOn(Path& path, Round first) {
         if (round_ > 1) decide(path.null, round);
         beginsAnew_ = round_ > 1 && allowForRecordings(path.null, round);
         if (beginsAnew_) break;
+        if (round.chosen && isWithinForms(std::max(round.acceptance.evidence, round.acceptance.effective))) {
+            round.chosen.reset();
+            round.members.clear();
+        }
         noteAll(round);
         if (!round.chosen) break;
         Step step = stepOf(round);
@@ -88,6 +94,14 @@ void Search::goOn(Path& path, Round first) {
         if (!opening_) opening_ = Path{path.null, steps_, displaced_, candidates_, {}};
     }
     exchange(path);
+}
+
+/// Whether so much evidence is no more than the forms of the effects may be wrong by: a change of sign is rounded off,
+/// and no drag is exactly quadratic.
+bool Search::isWithinForms(double evidence) const {
+    double explained = 0;
+    for (const Step& each : steps_) explained += each.acceptance.evidence;
+    return evidence < std::min(formError * explained, mostOfForms);
 }
 
 /// The other effects with which the search may begin: they pass the same tests alone.

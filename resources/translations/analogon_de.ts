@@ -4098,6 +4098,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Ausgang „{}“ von „{}“ zeigt {} von {} s bis {} s ohne jede Änderung und sonst kaum je zweimal dasselbe: Hing der Sensor oder die Aufzeichnung?</translation>
     </message>
     <message>
+        <source>what is left on output '{}' of '{}' is not quite noise, but far less than what was found explains: the forms of its blocks (a rounded change of sign, an exact square) may leave as much</source>
+        <translation>Was an Ausgang „{}“ von „{}“ bleibt, ist nicht ganz Rauschen, aber viel weniger, als das Gefundene erklärt: So viel können die Formen seiner Blöcke lassen (ein gerundeter Vorzeichenwechsel, ein genaues Quadrat)</translation>
+    </message>
+    <message>
         <source>the inputs jump just before the next sample ({} jumps): they are held in between and do not run straight from sample to sample; the parameters reckon with it, the errors that are reported do not</source>
         <translation>Die Eingänge springen kurz vor dem nächsten Abtastwert ({} Sprünge): Sie werden dazwischen gehalten und verlaufen nicht gerade von Wert zu Wert; die Parameter berücksichtigen das, die genannten Fehler nicht</translation>
     </message>
