@@ -36,7 +36,7 @@ using Runs = std::vector<std::pair<int, int>>;  // [begin, end) of rows
 double noiseOf(const Eigen::VectorXd& values) {
     std::vector<double> differences;
     for (Eigen::Index k = 1; k < values.size(); ++k)
-        if (values[k] != values[k - 1]) differences.push_back(std::abs(values[k] - values[k - 1]));
+        if (const double d = std::abs(values[k] - values[k - 1]); d > 0) differences.push_back(d);
     return median(std::move(differences)) / (0.6745 * std::numbers::sqrt2);
 }
 
@@ -48,10 +48,12 @@ std::optional<double> levelBeside(const Eigen::VectorXd& values, int begin, int 
     return median(std::vector<double>(values.begin() + from, values.begin() + to));
 }
 
+/// By how much a run stands out.
 struct Height {
     double above{};   // the middle of both sides
     bool isReturn{};  // to where it came from
 };
+
 Height heightOf(const Eigen::VectorXd& values, int begin, int end) {
     const std::optional<double> before = levelBeside(values, begin, end, false),
                                 behind = levelBeside(values, begin, end, true);

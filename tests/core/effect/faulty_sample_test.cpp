@@ -75,6 +75,7 @@ TEST(FaultySamples, AreNotWhatAnInputOrTheComponentDoes) {
 TEST(FaultySamples, AreReadingsThatStuck) {
     Recording r = heated();
     for (int k = 110; k < 140; ++k) r.outputs(0, k) = r.outputs(0, 109);
+    for (int k = 1; k < 105; k += 2) r.outputs(0, k) = std::nan("");  // was not measured
     const std::vector<FaultySamples> found = faultsIn(r);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_TRUE(found[0].isStuck);
