@@ -305,12 +305,15 @@ void ModelEdit::writeNewComponents(Replacements& edits) const {
     std::uint32_t last = definition_->nameSpan.end;
     std::string indent = edit_text::indentation(text, definition_->span.begin) + "  ";
     bool any = false;
-    for (const Component& c : definition_->components)
-        if (!c.isProtected && c.clauseSpan.end > last) {
+    for (const Component& c : definition_->components) {
+        const auto change = components_.find(c.name);
+        const bool stays = change == components_.end() || !change->second.isRemoved;
+        if (stays && !c.isProtected && c.clauseSpan.end > last) {
             last = c.clauseSpan.end;
             indent = edit_text::indentation(text, c.clauseSpan.begin);
             any = true;
         }
+    }
     if (!any) {
         for (const syntax::Import& i : definition_->imports) last = std::max(last, i.span.end);
         for (const syntax::Extends& e : definition_->bases) last = std::max(last, e.span.end);
@@ -402,8 +405,11 @@ void ModelEdit::writeNewConnections(Replacements& edits) const {
     const std::string lines = newConnectionsText(indent);
 
     if (section) {
-        const std::uint32_t end =
-            section->equations.empty() ? section->keyword.end : section->equations.back().span.end;
+        std::uint32_t end = section->keyword.end;  // behind what stays: a change cannot begin within one that removes
+        for (const Equation& equation : section->equations) {
+            const auto change = connections_.find(&equation);
+            if (change == connections_.end() || !change->second.isRemoved) end = equation.span.end;
+        }
         const std::uint32_t at = edit_text::behindTrailingComment(text, end);
         edits.push_back({at, at, lines});
         return;

@@ -244,6 +244,23 @@ TEST(ModelEdit, RemovesAConnectionInEitherDirection) {
     EXPECT_THAT(result, HasSubstr("// rigid\n  hidden = "));
 }
 
+/// As when a block is led into the only connection: what is added stands where what goes has stood.
+TEST(ModelEdit, ReplacesTheLastConnectionAndTheLastComponent) {
+    const std::string before =
+        "model M\n  Motor m;\n  Motor n;\nequation\n  connect(m.a, n.b);\n  annotation (Icon());\nend M;\n";
+    const Edited text(before);
+    auto edit = text.edit();
+    edit.removeConnection("m.a", "n.b").addConnection("m.a", "x.a", {}, {}).addConnection("x.b", "n.b", {}, {});
+    EXPECT_EQ(text(edit),
+              "model M\n  Motor m;\n  Motor n;\nequation\n  connect(m.a, x.a);\n  connect(x.b, n.b);\n"
+              "  annotation (Icon());\nend M;\n");
+    auto other = text.edit();
+    other.removeComponent("n").addConnection("m.a", "x.a", {}, {}).addComponent({"Motor", "x", {}, "", {}});
+    const std::string replaced = text(other);
+    EXPECT_THAT(replaced, HasSubstr("model M\n  Motor m;\n  Motor x annotation"));
+    EXPECT_THAT(replaced, HasSubstr("equation\n  connect(m.a, x.a);\n  annotation (Icon());\nend M;"));
+}
+
 TEST(ModelEdit, MovesBlocksAndLines) {
     const Edited text(drive);
     const Placement moved{{{0, 0}, {20, 20}}, {5, 5}, 90};
