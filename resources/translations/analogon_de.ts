@@ -174,6 +174,10 @@
         <translation>%1 einsetzen</translation>
     </message>
     <message>
+        <source>Insert %1 between %2 and %3</source>
+        <translation>%1 zwischen %2 und %3 einfügen</translation>
+    </message>
+    <message>
         <source>A connector cannot be connected with itself.</source>
         <translation>Ein Anschluss lässt sich nicht mit sich selbst verbinden.</translation>
     </message>

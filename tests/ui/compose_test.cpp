@@ -19,6 +19,7 @@
 #include <QTreeView>
 #include <QTreeWidget>
 #include <QWheelEvent>
+#include <map>
 #include <memory>
 #include <random>
 #include <set>
@@ -527,6 +528,135 @@ TEST_F(Compose, TheOverviewLeadsTheView) {
     EXPECT_TRUE(panel<DiagramScene>()->selection().isEmpty());
 }
 
+std::set<std::pair<std::string, std::string>> endsOf(const Diagram& diagram) {
+    std::set<std::pair<std::string, std::string>> ends;
+    for (const Wire& wire : diagram.wires) ends.insert({wire.from, wire.to});
+    return ends;
+}
+using Ends = std::set<std::pair<std::string, std::string>>;
+
+TEST_F(Compose, ABlockDroppedOnAWireIsLedIntoTheConnection) {
+    startNew();
+    const std::string conductor = "Analogon.Thermal.ThermalConductor";
+    ASSERT_EQ(composer().addBlock(conductor, {-60, 0}), "thermalConductor");
+    ASSERT_EQ(composer().addBlock(conductor, {60, 0}), "thermalConductor1");
+    ASSERT_TRUE(composer().addWire("thermalConductor.port_b", "thermalConductor1.port_a"));
+    const QString start = document().modelText();
+    const int steps = document().undoStack().count();
+
+    // from the library: what would be parted is shown on the way
+    auto* tree = panel<LibraryPanel>()->tree();
+    const QPoint row = panel<LibraryPanel>()->showClass(conductor.c_str()).center();
+    auto* view = panel<DiagramView>();
+    const QPoint on = tree->viewport()->mapFromGlobal(view->viewport()->mapToGlobal(pixel({2, -3})));
+    QTest::mousePress(tree->viewport(), Qt::LeftButton, {}, row);
+    QTest::mouseMove(tree->viewport(), row + QPoint(30, 10));
+    EXPECT_TRUE(view->parted().empty());
+    QTest::mouseMove(tree->viewport(), on);
+    ASSERT_EQ(view->parted().size(), 1u);
+    grab("dropped-on-a-wire");
+    QTest::mouseRelease(tree->viewport(), Qt::LeftButton, {}, on);
+    EXPECT_TRUE(view->parted().empty());
+    EXPECT_EQ(endsOf(document().diagram()), (Ends{{"thermalConductor.port_b", "thermalConductor2.port_a"},
+                                                  {"thermalConductor2.port_b", "thermalConductor1.port_a"}}));
+    EXPECT_EQ(panel<DiagramScene>()->selectedBlock(), "thermalConductor2");
+    EXPECT_EQ(document().undoStack().count(), steps + 1) << "one step";
+    for (const Wire& wire : document().diagram().wires) {
+        EXPECT_EQ(wire.points.front(), *document().diagram().anchor(wire.from));
+        EXPECT_EQ(wire.points.back(), *document().diagram().anchor(wire.to));
+    }
+    key(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(document().modelText().toStdString(), start.toStdString()) << "taken back at once";
+
+    // a block that is there already, as long as nothing is connected to it
+    ASSERT_EQ(composer().addBlock(conductor, {0, 50}), "thermalConductor2");
+    dragOnDiagram(pixel({0, 50}), pixel({0, 0}));
+    EXPECT_EQ(endsOf(document().diagram()), (Ends{{"thermalConductor.port_b", "thermalConductor2.port_a"},
+                                                  {"thermalConductor2.port_b", "thermalConductor1.port_a"}}));
+    EXPECT_EQ(document().diagram().find("thermalConductor2")->placement.extent.p1, (Point{-10, -10}));
+    EXPECT_EQ(document().undoStack().count(), steps + 2) << "placed, and moved with its wires";
+    dragOnDiagram(pixel({0, 0}), pixel({0, 50}));
+    dragOnDiagram(pixel({60, 0}), pixel({30, 50}));
+    EXPECT_EQ(document().diagram().wires.size(), 2u) << "what is connected keeps its wires";
+}
+
+TEST_F(Compose, ABlockThatDoesNotFitAWireIsOnlyPlaced) {
+    startNew();
+    ASSERT_FALSE(composer().addBlock("Analogon.Thermal.ThermalConductor", {-60, 0}).empty());
+    ASSERT_FALSE(composer().addBlock("Analogon.Thermal.ThermalConductor", {60, 0}).empty());
+    ASSERT_TRUE(composer().addWire("thermalConductor.port_b", "thermalConductor1.port_a"));
+    const Ends wires = endsOf(document().diagram());
+    drag("Analogon.Mechanics.Inertia", {0, 0});  // two flanges
+    EXPECT_TRUE(document().diagram().find("inertia"));
+    EXPECT_EQ(endsOf(document().diagram()), wires);
+    drag("Analogon.Thermal.HeatCapacitor", {20, 0});  // one heat port
+    EXPECT_TRUE(document().diagram().find("heatCapacitor"));
+    EXPECT_EQ(endsOf(document().diagram()), wires);
+    composer().dropBlock("Analogon.Thermal.ThermalConductor", {0, 10});  // beside it
+    EXPECT_EQ(endsOf(document().diagram()), wires);
+    composer().addBlock("Analogon.Thermal.ThermalConductor", {0, 0});  // by the keyboard: where there is room, no more
+    EXPECT_EQ(endsOf(document().diagram()), wires);
+    // Both ends stay connected by another way: the block would be bypassed.
+    ASSERT_FALSE(composer().addBlock("Analogon.Thermal.HeatCapacitor", {0, -60}).empty());
+    const auto at = [&](const char* port) { return *document().diagram().anchor(port); };
+    const Point left = at("thermalConductor.port_b"), right = at("thermalConductor1.port_a"),
+                below = at("heatCapacitor1.port");
+    ASSERT_TRUE(composer().addWire("thermalConductor.port_b", "heatCapacitor1.port", {left, {left.x, below.y}, below}));
+    ASSERT_TRUE(
+        composer().addWire("heatCapacitor1.port", "thermalConductor1.port_a", {below, {right.x, below.y}, right}));
+    const Ends ring = endsOf(document().diagram());
+    const std::string bypassed = composer().dropBlock("Analogon.Thermal.ThermalConductor", {-30, 0});
+    EXPECT_TRUE(document().diagram().find(bypassed));
+    EXPECT_EQ(endsOf(document().diagram()), ring);
+}
+
+TEST_F(Compose, ASignalKeepsItsDirectionThroughABlockDroppedOnItsWire) {
+    startNew();
+    composer().addBlock("Analogon.Interfaces.RealInput", {80, 0});    // u, to the right of its sink
+    composer().addBlock("Analogon.Interfaces.RealOutput", {-80, 0});  // y
+    composer().addBlock("Analogon.Interfaces.RealOutput", {-80, -60});
+    ASSERT_TRUE(composer().addWire("y", "u", {{-80, 0}, {80, 0}}));
+    ASSERT_TRUE(composer().addWire("u", "y1", {{80, -10}, {80, -60}, {-80, -60}}));
+    ASSERT_EQ(composer().dropBlock("Analogon.Signals.FirstOrder", {0, 0}), "firstOrder");
+    EXPECT_EQ(endsOf(document().diagram()), (Ends{{"y", "firstOrder.y"}, {"firstOrder.u", "u"}, {"u", "y1"}}));
+}
+
+/// One node, a – b, a – c and c – d: each wire parts what it connects, and the rest stays where it is wired.
+TEST_F(Compose, TheWireThatIsHitSaysWhichMembersAreParted) {
+    startNew();
+    const std::string capacitor = "Analogon.Thermal.HeatCapacitor", conductor = "Analogon.Thermal.ThermalConductor";
+    const std::map<std::string, Point> places{{"heatCapacitor", {-70, 0}},
+                                              {"heatCapacitor1", {90, 0}},
+                                              {"heatCapacitor2", {90, -60}},
+                                              {"heatCapacitor3", {150, -60}}};
+    for (const auto& [name, at] : places) ASSERT_EQ(composer().addBlock(capacitor, at), name);
+    const std::string a = "heatCapacitor.port", b = "heatCapacitor1.port", c = "heatCapacitor2.port",
+                      d = "heatCapacitor3.port";
+    const auto at = [&](const std::string& port) { return *document().diagram().anchor(port); };
+    ASSERT_EQ(at(a), (Point{-80, 0}));
+    ASSERT_TRUE(composer().addWire(a, b, {at(a), at(b)}));
+    ASSERT_TRUE(composer().addWire(a, c, {at(a), {0, 0}, {0, -60}, at(c)}));
+    ASSERT_TRUE(composer().addWire(c, d, {at(c), at(d)}));
+    const Ends start{{a, b}, {a, c}, {c, d}};
+    ASSERT_EQ(endsOf(document().diagram()), start);
+    const std::string x = "thermalConductor.port_a", y = "thermalConductor.port_b";
+    const struct {
+        Point at;
+        Ends expected;
+    } drops[]{
+        {{40, 0}, {{a, x}, {y, b}, {a, c}, {c, d}}},     // where a – b runs alone: c stays with a
+        {{110, -60}, {{a, b}, {a, c}, {c, x}, {y, d}}},  // d is parted from the others
+        {{40, -60}, {{a, b}, {a, x}, {y, c}, {c, d}}},   // d stays with c
+        {{-40, 0}, {{a, x}, {y, b}, {y, c}, {c, d}}},    // both wires run there: a is parted from all others
+    };
+    for (const auto& drop : drops) {
+        ASSERT_EQ(composer().dropBlock(conductor, drop.at), "thermalConductor");
+        EXPECT_EQ(endsOf(document().diagram()), drop.expected) << drop.at.x << " " << drop.at.y;
+        document().undoStack().undo();
+        ASSERT_EQ(endsOf(document().diagram()), start);
+    }
+}
+
 TEST_F(Compose, SaysWhyConnectorsDoNotFit) {
     startNew();
     drag("Analogon.Thermal.HeatCapacitor", {-40, 0});
@@ -825,10 +955,11 @@ TEST(RandomEditing, UndoesAndRedoesByteForByte) {
                 case 0:
                 case 1:
                 case 2:
-                    composer.addBlock(classes[below(classes.size())], {x, y});
+                    below(2) == 0 ? composer.addBlock(classes[below(classes.size())], {x, y})
+                                  : composer.dropBlock(classes[below(classes.size())], {x, y});
                     break;
                 case 3:
-                    composer.move(some, x / 10, y / 10);
+                    below(2) == 0 ? composer.move(some, x / 10, y / 10) : composer.drop(some, x, y);
                     break;
                 case 4:
                     composer.rotate(some);

@@ -221,6 +221,12 @@ void DiagramView::setGhost(std::optional<GhostBlock> ghost) {
     viewport()->update();
 }
 
+void DiagramView::setParted(std::vector<WireEnds> wires) {
+    if (parted_ == wires) return;
+    parted_ = std::move(wires);
+    viewport()->update();
+}
+
 void DiagramView::refitIfHidden() {
     if (!isFitted_ || scene_.isEmpty()) return;
     const QRectF seen = mapToScene(viewport()->rect()).boundingRect();
@@ -343,6 +349,15 @@ void DiagramView::drawForeground(QPainter* painter, const QRectF&) {
         painter->drawText(viewport()->rect(), Qt::AlignCenter | Qt::TextWordWrap,
                           tr("Drag blocks here from the library,\nor press A and type the name of a block."));
         painter->restore();
+    }
+    for (const WireItem* item : scene_.wires()) {
+        const WireEnds ends{item->wire().from, item->wire().to};
+        if (std::find(parted_.begin(), parted_.end(), ends) == parted_.end()) continue;
+        QPolygonF line;
+        for (const Point p : item->wire().points) line << toScene(p);
+        painter->setPen(QPen(style::accent(palette()), 3 * pixel, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawPolyline(line);
     }
     if (ghost_) {
         const double x = std::round(ghost_->at.x() / 10) * 10, y = std::round(ghost_->at.y() / 10) * 10;

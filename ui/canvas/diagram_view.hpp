@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/diagram/diagram.hpp"
+#include "ui/route/selection.hpp"
 
 namespace analogon::ui {
 
@@ -52,7 +53,13 @@ public:
     /// Why two connectors cannot be connected; empty: they can. Set by the owner.
     std::function<QString(const std::string&, const std::string&)> refusal{
         [](const auto&, const auto&) { return QString(); }};
+    /// The wires that the selection, moved by (dx, dy) and dropped there, would part. Set by the owner.
+    std::function<std::vector<WireEnds>(double dx, double dy)> partedByMove{
+        [](double, double) { return std::vector<WireEnds>(); }};
     void setGhost(std::optional<GhostBlock> ghost);
+    /// Wires to be shown as those that a drop would part.
+    void setParted(std::vector<WireEnds> wires);
+    const std::vector<WireEnds>& parted() const { return parted_; }
     /// A sentence at a place of the scene.
     void paintNote(QPainter& painter, QPointF at, const QString& text, const QColor& colour) const;
     /// Diagram coordinates of a point of the viewport.
@@ -60,6 +67,7 @@ public:
 
 Q_SIGNALS:
     void moveWanted(double dx, double dy);  // of the selection, in diagram units
+    void dropWanted(double dx, double dy);  // the same by the mouse, which may mean a wire
     void wireWanted(const QString& from, const QString& to);
     void refused(const QString& reason);
     void blockActivated(const QString& name);
@@ -95,6 +103,7 @@ private:
     DiagramScene& scene_;
     std::unique_ptr<Gesture> gesture_;
     std::optional<GhostBlock> ghost_;
+    std::vector<WireEnds> parted_;
     bool isFitted_{true};  // until the user zooms or pans, the view follows the window's size
 };
 

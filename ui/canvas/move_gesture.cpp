@@ -36,19 +36,24 @@ public:
         dx_ = dx;
         dy_ = dy;
         view_.scene()->showMoved(dx_, dy_);
+        view_.setParted(dx_ == 0 && dy_ == 0 ? std::vector<WireEnds>() : view_.partedByMove(dx_, dy_));
     }
 
     void release(QMouseEvent*) override {
+        view_.setParted({});
         if (dx_ != 0 || dy_ != 0) {
             const double dx = dx_, dy = dy_;
             view_.scene()->showMoved(0, 0);
-            Q_EMIT view_.moveWanted(dx, dy);
+            Q_EMIT view_.dropWanted(dx, dy);
         } else if (!isMoving_ && wasSelected_ && !adds_) {
             view_.scene()->select(name_);  // a click into a selection of several picks one
         }
     }
 
-    void cancel() override { view_.scene()->showMoved(0, 0); }
+    void cancel() override {
+        view_.setParted({});
+        view_.scene()->showMoved(0, 0);
+    }
 
 private:
     QPoint pressed_;

@@ -9,7 +9,9 @@
 #include "core/diagram/group.hpp"
 #include "core/fit/clock.hpp"
 #include "core/syntax/parser.hpp"
+#include "ui/document/connector.hpp"
 #include "ui/document/document.hpp"
+#include "ui/document/insertion.hpp"
 #include "ui/route/route.hpp"
 #include "ui/words/words.hpp"
 
@@ -57,15 +59,6 @@ Placement plain(Placement p) {
     return shifted(p, origin.x, origin.y);
 }
 
-bool isSignal(Domain domain) { return domain == Domain::RealInput || domain == Domain::RealOutput; }
-
-/// A signal comes out of here: an output of a component, or an input of the whole model.
-bool isSource(const Diagram& diagram, const std::string& connector) {
-    const Block* block = diagram.find(connector);
-    const bool isTop = block && block->isConnector;
-    return (diagram.domain(connector) == Domain::RealOutput) != isTop;
-}
-
 QString domainName(Domain domain) {
     switch (domain) {
         case Domain::Rotational:
@@ -80,15 +73,6 @@ QString domainName(Domain domain) {
             break;
     }
     return tr("a connector of another kind");
-}
-
-std::string connectorClass(const Diagram& diagram, const std::string& connector) {
-    if (const Block* top = diagram.find(connector); top && top->isConnector) return top->className;
-    const Block* block = diagram.find(instanceOf(connector));
-    if (!block) return {};
-    for (const Port& port : block->ports)
-        if (block->name + "." + port.name == connector) return port.className;
-    return {};
 }
 
 /// `name = value` pairs of a modification as NewComponent takes them.
@@ -202,30 +186,100 @@ bool Composer::applyWith(const Outcome<syntax::TextEdit>& edit, const std::funct
     return true;
 }
 
-std::string Composer::addBlock(const std::string& className, Point centre) {
-    if (!isReady()) return {};
+/// A block of this class as it would be declared around a point; nothing (fault() says why) when it cannot be.
+std::optional<Block> Composer::newBlock(const std::string& className, Point centre) {
+    if (!isReady()) return std::nullopt;
     const LibraryClass* cls = document_.library().find(className);
     if (!cls) {
         fault_ = tr("There is no class %1.").arg(qString(className));
-        return {};
+        return std::nullopt;
     }
     if (cls->definition->isPartial) {
         fault_ = tr("%1 is only a base for other classes and cannot be placed.").arg(qString(className));
-        return {};
+        return std::nullopt;
     }
     if (wouldHoldItself(*cls)) {
         fault_ = tr("A model cannot hold itself.");
-        return {};
+        return std::nullopt;
     }
+    Block block;
+    block.name = freeName(*document_.definition(), baseName(className));
+    block.className = className;
+    const double x = snapped(centre.x), y = snapped(centre.y);
+    block.placement.extent = {{x - blockSize / 2, y - blockSize / 2}, {x + blockSize / 2, y + blockSize / 2}};
+    block.icon = readIcon(document_.library(), className);
+    block.ports = readPorts(document_.library(), className);
+    return block;
+}
+
+std::string Composer::declare(const std::string& className, Point centre, bool isDropped) {
+    const std::optional<Block> block = newBlock(className, centre);
+    if (!block) return {};
     NewComponent component;
     component.className = className;
-    component.name = freeName(*document_.definition(), baseName(className));
-    const double x = snapped(centre.x), y = snapped(centre.y);
-    component.placement.extent = {{x - blockSize / 2, y - blockSize / 2}, {x + blockSize / 2, y + blockSize / 2}};
+    component.name = block->name;
+    component.placement = block->placement;
+    if (isDropped) {
+        Diagram after = document_.diagram();
+        after.blocks.push_back(*block);
+        ModelEdit edit(*document_.definition(), &after, &document_.library());
+        edit.addComponent(component);
+        if (insert(*block, edit, after)) return component.name;
+    }
     ModelEdit edit(*document_.definition(), &document_.diagram(), &document_.library());
     edit.addComponent(component);
     return apply(edit.finish(tr("Place %1").arg(qString(component.name)).toStdString())) ? component.name
                                                                                          : std::string();
+}
+
+std::string Composer::addBlock(const std::string& className, Point centre) { return declare(className, centre, false); }
+
+std::string Composer::dropBlock(const std::string& className, Point centre) { return declare(className, centre, true); }
+
+/// What becomes of the wires where a block stands; only wires that the shown class connects itself can be parted.
+std::optional<Insertion> Composer::insertion(const Block& block) const {
+    if (!document_.definition()) return std::nullopt;
+    std::optional<Insertion> found = insertionAt(document_.diagram(), block);
+    if (!found) return std::nullopt;
+    const Span& own = document_.definition()->span;
+    for (const Wire& wire : document_.diagram().wires) {
+        const bool isOwn = wire.span.source == own.source && wire.span.begin >= own.begin && wire.span.end <= own.end;
+        const bool isParted =
+            std::find(found->parted.begin(), found->parted.end(), WireEnds{wire.from, wire.to}) != found->parted.end();
+        if (isParted && !isOwn) return std::nullopt;
+    }
+    return found;
+}
+
+/// Adds to an edit that places a block how it is led into the connection it lies on, and makes the edit; false:
+/// nothing was done, as it lies on none, or does not fit.
+bool Composer::insert(const Block& block, ModelEdit& edit, const Diagram& after) {
+    const std::optional<Insertion> wires = insertion(block);
+    if (!wires) return false;
+    for (const WireEnds& wire : wires->parted) edit.removeConnection(wire.from, wire.to);
+    for (const WireEnds& wire : wires->laid)
+        edit.addConnection(wire.from, wire.to, routeWire(after, wire.from, wire.to),
+                           domainColour(after.domain(wire.from)));
+    const Outcome<syntax::TextEdit> done =
+        edit.finish(tr("Insert %1 between %2 and %3")
+                        .arg(qString(block.name), qString(wires->between.from), qString(wires->between.to))
+                        .toStdString());
+    return done && apply(done);  // a connection of a loop stays as it is
+}
+
+std::vector<WireEnds> Composer::partedByDrop(const std::string& className, Point centre) {
+    const std::optional<Block> block = newBlock(className, centre);
+    const std::optional<Insertion> wires = block ? insertion(*block) : std::nullopt;
+    return wires ? wires->parted : std::vector<WireEnds>();
+}
+
+std::vector<WireEnds> Composer::partedByMove(const std::vector<std::string>& blocks, double dx, double dy) const {
+    const Block* block = blocks.size() == 1 ? document_.diagram().find(blocks.front()) : nullptr;
+    if (!block) return {};
+    Block there = *block;
+    there.placement = shifted(there.placement, dx, dy);
+    const std::optional<Insertion> wires = insertion(there);
+    return wires ? wires->parted : std::vector<WireEnds>();
 }
 
 QString Composer::refusal(const std::string& from, const std::string& to) const {
@@ -310,6 +364,18 @@ bool Composer::move(const std::vector<std::string>& blocks, double dx, double dy
     const QString what =
         blocks.size() == 1 ? tr("Move %1").arg(qString(blocks.front())) : tr("Move %1 blocks").arg(blocks.size());
     return apply(edit.finish(what.toStdString()));
+}
+
+bool Composer::drop(const std::vector<std::string>& blocks, double dx, double dy) {
+    if (!isReady() || blocks.empty() || (dx == 0 && dy == 0)) return false;
+    if (!partedByMove(blocks, dx, dy).empty()) {
+        const Diagram after = moved(document_.diagram(), blocks, dx, dy);
+        const Block& block = *after.find(blocks.front());
+        ModelEdit edit(*document_.definition(), &after, &document_.library());
+        edit.setPlacement(block.name, block.placement);
+        if (insert(block, edit, after)) return true;
+    }
+    return move(blocks, dx, dy);
 }
 
 /// New placements, with every wire at these blocks led anew.

@@ -14,6 +14,7 @@
 namespace analogon::ui {
 
 class Document;
+struct Insertion;
 
 enum class Edge { Left, Right, Top, Bottom, Middle, Centre };  // Middle: one height; Centre: one column
 
@@ -25,9 +26,16 @@ public:
 
     /// A component of a class around a point on the grid; its name, or empty.
     std::string addBlock(const std::string& className, Point centre);
+    /// The same; where it lies on a connection that it fits into (insertionAt), it is led into that.
+    std::string dropBlock(const std::string& className, Point centre);
     bool addWire(const std::string& from, const std::string& to, const std::vector<Point>& points = {});
     bool remove(const DiagramSelection& selection);
     bool move(const std::vector<std::string>& blocks, double dx, double dy);
+    /// The same; one block that nothing is connected to is led into the connection it comes to lie on, if it fits.
+    bool drop(const std::vector<std::string>& blocks, double dx, double dy);
+    /// The wires that a drop there would part; none: it would only be placed.
+    std::vector<WireEnds> partedByDrop(const std::string& className, Point centre);
+    std::vector<WireEnds> partedByMove(const std::vector<std::string>& blocks, double dx, double dy) const;
     /// A quarter turn counter-clockwise, each block about its own centre.
     bool rotate(const std::vector<std::string>& blocks);
     bool flip(const std::vector<std::string>& blocks, bool isHorizontal);
@@ -56,6 +64,10 @@ private:
     bool apply(const Outcome<syntax::TextEdit>& edit);
     bool applyWith(const Outcome<syntax::TextEdit>& edit, const std::function<std::string(std::string)>& rename);
     bool wouldHoldItself(const LibraryClass& cls, int depth = 0) const;
+    std::optional<Block> newBlock(const std::string& className, Point centre);
+    std::string declare(const std::string& className, Point centre, bool isDropped);
+    std::optional<Insertion> insertion(const Block& block) const;
+    bool insert(const Block& block, ModelEdit& edit, const Diagram& after);
     bool place(const std::vector<std::pair<std::string, Placement>>& placements, const QString& what);
 
     Document& document_;

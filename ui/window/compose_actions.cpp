@@ -81,6 +81,11 @@ void ComposeActions::connectGestures() {
     view_.refusal = [this](const std::string& from, const std::string& to) { return composer_->refusal(from, to); };
     connect(&view_, &DiagramView::moveWanted, this,
             [this](double dx, double dy) { report(composer_->move(scene_.selection().blocks, dx, dy)); });
+    view_.partedByMove = [this](double dx, double dy) {
+        return composer_->partedByMove(scene_.selection().blocks, dx, dy);
+    };
+    connect(&view_, &DiagramView::dropWanted, this,
+            [this](double dx, double dy) { report(composer_->drop(scene_.selection().blocks, dx, dy)); });
     connect(&view_, &DiagramView::wireWanted, this, [this](const QString& from, const QString& to) {
         report(composer_->addWire(from.toStdString(), to.toStdString()));
     });
@@ -110,16 +115,23 @@ void ComposeActions::connectGestures() {
     connect(&library_, &LibraryPanel::placeWanted, this, &ComposeActions::placeAnywhere);
     connect(&library_, &LibraryPanel::dragged, this, [this](const QString& name, QPoint global) {
         const QPoint at = view_.viewport()->mapFromGlobal(global);
-        if (!view_.isVisible() || !view_.viewport()->rect().contains(at)) return view_.setGhost(std::nullopt);
+        if (!view_.isVisible() || !view_.viewport()->rect().contains(at)) return clearGhost();
         view_.setGhost(
             GhostBlock{readIcon(document_.library(), name.toStdString()), name.section('.', -1), view_.mapToScene(at)});
+        view_.setParted(composer_->partedByDrop(name.toStdString(), view_.diagramPoint(at)));
     });
-    connect(&library_, &LibraryPanel::dragCancelled, this, [this] { view_.setGhost(std::nullopt); });
+    connect(&library_, &LibraryPanel::dragCancelled, this, &ComposeActions::clearGhost);
     connect(&library_, &LibraryPanel::dropped, this, [this](const QString& name, QPoint global) {
-        view_.setGhost(std::nullopt);
+        clearGhost();
         const QPoint at = view_.viewport()->mapFromGlobal(global);
-        if (view_.isVisible() && view_.viewport()->rect().contains(at)) placeAt(name, view_.diagramPoint(at));
+        if (view_.isVisible() && view_.viewport()->rect().contains(at))
+            show(composer_->dropBlock(name.toStdString(), view_.diagramPoint(at)));
     });
+}
+
+void ComposeActions::clearGhost() {
+    view_.setGhost(std::nullopt);
+    view_.setParted({});
 }
 
 void ComposeActions::report(bool isDone) {
@@ -156,8 +168,8 @@ void ComposeActions::fill(QMenu& menu) const {
     for (QAction* a : align_) align->addAction(a);
 }
 
-void ComposeActions::placeAt(const QString& className, Point at) {
-    const std::string name = composer_->addBlock(className.toStdString(), at);
+/// Shows a block that was placed; without a name, why there is none.
+void ComposeActions::show(const std::string& name) {
     report(!name.empty());
     if (name.empty()) return;
     scene_.select(name);
@@ -193,7 +205,7 @@ void ComposeActions::placeAnywhere(const QString& className) {
     }
     const Placement free = freePlacement(document_.diagram(), near, 20, 20);
     const auto [low, high] = boxOf(free);
-    placeAt(className, {(low.x + high.x) / 2, (low.y + high.y) / 2});
+    show(composer_->addBlock(className.toStdString(), {(low.x + high.x) / 2, (low.y + high.y) / 2}));
     view_.setFocus();
 }
 

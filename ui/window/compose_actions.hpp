@@ -44,7 +44,8 @@ private:
     void update();
     void report(bool isDone);
     std::vector<std::string> blocks() const;
-    void placeAt(const QString& className, Point at);
+    void show(const std::string& block);
+    void clearGhost();
     void chooseBlock(const QString& typed);
 
     void insertBlock() { chooseBlock({}); }
