@@ -2706,6 +2706,22 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
 <context>
     <name>MainWindow</name>
     <message>
+        <source>Open a study first.</source>
+        <translation>Zuerst eine Studie öffnen.</translation>
+    </message>
+    <message>
+        <source>The model has an error: %1</source>
+        <translation>Das Modell hat einen Fehler: %1</translation>
+    </message>
+    <message>
+        <source>Import a measurement first, and map a column of it to an output.</source>
+        <translation>Zuerst eine Messung importieren und eine ihrer Spalten einem Ausgang zuordnen.</translation>
+    </message>
+    <message>
+        <source>Error in the model: no run</source>
+        <translation>Fehler im Modell: kein Lauf</translation>
+    </message>
+    <message>
         <source>%1 is a file of its own: open it in an editor.</source>
         <translation>%1 ist eine eigene Datei: in einem Editor öffnen.</translation>
     </message>

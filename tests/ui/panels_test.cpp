@@ -134,6 +134,71 @@ TEST_F(Panels, ABrokenTextLeavesTheRestUsable) {
     EXPECT_TRUE(document().diagram().find("heater"));
 }
 
+TEST_F(Panels, AnErrorInTheModelHoldsRunsBackAndSaysWhy) {
+    auto* fit = window.findChild<QAction*>("fit");
+    auto* discover = window.findChild<QAction*>("discover");
+    auto* why = window.findChild<QToolButton*>("why-no-run");
+    ASSERT_TRUE(fit && discover && why);
+    EXPECT_FALSE(fit->isEnabled());
+    EXPECT_TRUE(fit->toolTip().contains("Open a study first")) << fit->toolTip().toStdString();
+    openLambda();
+    EXPECT_TRUE(fit->isEnabled() && discover->isEnabled());
+    EXPECT_FALSE(why->isVisible());
+    const QString tip = fit->toolTip();
+    // found by the analysis of the whole model, a moment after the edit; the text itself parses
+    const QString sound = document().modelText();
+    document().typeText(QString(sound).replace("equation", "  Real unknown;\nequation"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().modelError() != nullptr; }, 10000));
+    for (const QAction* action : {fit, discover}) {
+        EXPECT_FALSE(action->isEnabled());
+        EXPECT_TRUE(action->toolTip().contains(QString::fromStdString(document().modelError()->message.english())))
+            << action->toolTip().toStdString();
+    }
+    EXPECT_TRUE(why->isVisible());
+    // the keys and the button lead to the message
+    auto* messages = panel<MessagePanel>();
+    auto* dock = window.findChild<QDockWidget*>("messages");
+    const auto isShown = [&] {
+        return !messages->list()->viewport()->visibleRegion().isEmpty() && messages->list()->currentRow() >= 0;
+    };
+    const auto leave = [&] {
+        window.findChild<QDockWidget*>("traces")->raise();
+        messages->list()->setCurrentRow(-1);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return messages->list()->viewport()->visibleRegion().isEmpty(); }, 2000));
+    };
+    ASSERT_TRUE(dock);
+    for (const Qt::Key key : {Qt::Key_F5, Qt::Key_F6}) {
+        leave();
+        window.activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+        QTest::keyClick(&window, key);
+        EXPECT_TRUE(QTest::qWaitFor(isShown, 2000)) << "and no run that can only fail";
+        EXPECT_FALSE(window.controller().isRunning());
+        EXPECT_TRUE(window.statusBar()->currentMessage().contains("The model has an error"));
+    }
+    leave();
+    QTest::mouseClick(why, Qt::LeftButton);
+    EXPECT_TRUE(QTest::qWaitFor(isShown, 2000));
+    // another edit that does not mend it changes nothing in between
+    document().typeText(document().modelText() + " ");
+    EXPECT_FALSE(fit->isEnabled());
+    document().typeText(sound);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().modelError() == nullptr; }, 10000));
+    EXPECT_TRUE(fit->isEnabled() && discover->isEnabled());
+    EXPECT_EQ(fit->toolTip(), tip);
+    EXPECT_FALSE(why->isVisible());
+    // a text that does not parse is told at once
+    document().typeText(QString(sound).replace("equation", "equatoin"));
+    EXPECT_FALSE(fit->isEnabled());
+    EXPECT_TRUE(why->isVisible());
+    document().undoStack().undo();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return fit->isEnabled(); }, 10000));
+
+    window.startNew();
+    EXPECT_FALSE(fit->isEnabled());
+    EXPECT_TRUE(fit->toolTip().contains("Import a measurement first")) << fit->toolTip().toStdString();
+}
+
 TEST_F(Panels, KeepsEveryRunForComparison) {
     openLambda();
     run(RunKind::Fit);

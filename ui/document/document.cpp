@@ -65,7 +65,7 @@ Document::Document(QObject* parent) : QObject(parent) {
             tr("Analysing the model"), [study = *study_](const Progress&) { return modelFacts(study); },
             [this](ModelFacts facts) {
                 facts_ = std::move(facts);
-                setMessages(Message::Origin::Model, modelFaults_.empty() ? facts_.messages : modelFaults_);
+                setModelMessages(modelFaults_.empty() ? facts_.messages : modelFaults_);
                 Q_EMIT factsChanged();
             });
     });
@@ -147,6 +147,7 @@ void Document::adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory>
     resultStudy_.reset();
     beforeFit_.reset();
     facts_ = {};
+    modelError_.reset();
     setMessages(Message::Origin::Run, {});
     ++revision_;
     ++tracesVersion_;
@@ -201,7 +202,11 @@ void Document::readModel() {
         library_ = std::move(*library);
         readDiagram();
     }
-    setMessages(Message::Origin::Model, modelFaults_);
+    // What the analysis found stands until the next one: else an error would come and go with every edit.
+    if (hasError(modelFaults_))
+        setModelMessages(modelFaults_);
+    else
+        setMessages(Message::Origin::Model, modelFaults_);
     if (library) analysisDelay_.start();
 }
 
@@ -417,6 +422,13 @@ const ModelState* Document::after() const {
 }
 
 void Document::setRunMessages(Diagnostics messages) { setMessages(Message::Origin::Run, messages); }
+
+void Document::setModelMessages(const Diagnostics& diagnostics) {
+    const auto error = std::find_if(diagnostics.begin(), diagnostics.end(),
+                                    [](const Diagnostic& d) { return d.severity == Severity::Error; });
+    modelError_ = error == diagnostics.end() ? std::nullopt : std::optional(*error);
+    setMessages(Message::Origin::Model, diagnostics);
+}
 
 void Document::setMessages(Message::Origin origin, const Diagnostics& diagnostics) {
     std::erase_if(messages_, [origin](const Message& m) { return m.origin == origin; });

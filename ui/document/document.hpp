@@ -58,6 +58,8 @@ public:
     QString path() const { return path_; }
     /// There is a recording with something to compare with.
     bool canRun() const;
+    /// Why the model cannot be simulated, as its last analysis says; null: it can.
+    const Diagnostic* modelError() const { return modelError_ ? &*modelError_ : nullptr; }
     /// Writes the study in the background; the document is clean when this has worked.
     void save(const QString& path);
     bool isSaving() const { return saver_.isBusy(); }
@@ -165,6 +167,7 @@ private:
     void collectPrefixes(const LibraryClass& cls, const std::string& prefix, std::vector<std::string>& found) const;
     void modelTextChanged();
     void setMessages(Message::Origin origin, const Diagnostics& diagnostics);
+    void setModelMessages(const Diagnostics& diagnostics);
 
     std::optional<Study> study_;
     Library library_;
@@ -173,6 +176,7 @@ private:
     std::vector<std::string> levels_;
     ModelFacts facts_;
     Diagnostics modelFaults_;  // found while reading the diagram
+    std::optional<Diagnostic> modelError_;
     std::optional<ModelState> simulated_;
     std::optional<SimulatedTraces> live_;
     std::optional<Preview> preview_;

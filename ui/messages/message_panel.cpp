@@ -63,6 +63,17 @@ MessagePanel::MessagePanel(Document& document, QWidget* parent)
     connect(list_, &QListWidget::itemActivated, this, choose);
 }
 
+void MessagePanel::pointAtError() {
+    for (int row = 0; row < list_->count(); ++row) {
+        const auto message = list_->item(row)->data(Qt::UserRole).toUInt();
+        if (message >= document_.messages().size() ||
+            document_.messages()[message].diagnostic.severity != Severity::Error)
+            continue;
+        list_->setCurrentRow(row);
+        return list_->setFocus();
+    }
+}
+
 void MessagePanel::refresh() {
     list_->clear();
     int errors = 0;

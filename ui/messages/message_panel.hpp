@@ -22,6 +22,8 @@ class MessagePanel : public QWidget {
 public:
     explicit MessagePanel(Document& document, QWidget* parent = nullptr);
     QListWidget* list() const { return list_; }
+    /// Marks the first error.
+    void pointAtError();
 
 Q_SIGNALS:
     void placeChosen(const analogon::Place& place);

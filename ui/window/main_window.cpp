@@ -12,6 +12,7 @@
 #include <QTabWidget>
 #include <QTableView>
 #include <QToolBar>
+#include <QToolButton>
 
 #include "core/export/export.hpp"
 #include "ui/canvas/diagram_scene.hpp"
@@ -228,6 +229,12 @@ void MainWindow::createActions() {
     discoverAction_ =
         make(tr("Discover"), "discover", Qt::Key_F6, tr("Fit, find the effect that the model lacks, add it and refit"));
     discoverAction_->setObjectName("discover");
+    fitTip_ = fitAction_->toolTip();
+    discoverTip_ = discoverAction_->toolTip();
+    whyNoRunAction_ = new QAction(this);  // the keys of both, while they wait for something
+    whyNoRunAction_->setShortcuts({Qt::Key_F5, Qt::Key_F6});
+    addAction(whyNoRunAction_);
+    connect(whyNoRunAction_, &QAction::triggered, this, &MainWindow::explainNoRun);
     fitViewAction_ = make(tr("Show all"), "fit-view", {}, tr("Show the whole diagram (Space)"));
 
     connect(newAction_, &QAction::triggered, this, [this] { leaveThen([this] { startNew(); }); });
@@ -262,6 +269,7 @@ void MainWindow::createMenus() {
     compose_->fill(*edit);
     QMenu* run = menuBar()->addMenu(tr("&Run"));
     run->addActions({fitAction_, discoverAction_});
+    run->setToolTipsVisible(true);  // they say what a run waits for
     QMenu* view = menuBar()->addMenu(tr("&View"));
     view->addAction(fitViewAction_);
     view->addSeparator();
@@ -364,6 +372,15 @@ void MainWindow::createToolBar() {
     runBar_ = new RunBar(*controller_, bar);
     bar->addWidget(runBar_);
     statusBar()->setSizeGripEnabled(false);
+    whyNoRun_ = new QToolButton(this);
+    whyNoRun_->setObjectName("why-no-run");
+    whyNoRun_->setAutoRaise(true);
+    whyNoRun_->setIcon(style::icon("error"));
+    whyNoRun_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    whyNoRun_->setText(tr("Error in the model: no run"));
+    whyNoRun_->hide();
+    connect(whyNoRun_, &QToolButton::clicked, this, &MainWindow::explainNoRun);
+    statusBar()->addPermanentWidget(whyNoRun_);
 }
 
 void MainWindow::connectPanels() {
@@ -401,6 +418,7 @@ void MainWindow::connectPanels() {
         if (!fault.hint.empty()) text += "\n" + inWords(fault.hint);
         start_->showFault(text);
     });
+    connect(document_, &Document::messagesChanged, this, &MainWindow::updateActions);
     connect(document_, &Document::modifiedChanged, this, &MainWindow::updateTitle);
     connect(document_, &Document::experimentsChanged, this, &MainWindow::updateActions);
     connect(document_, &Document::saved, this, [this](bool isDone) {
@@ -694,10 +712,35 @@ void MainWindow::showMention(const Mention& mention) {
     scene_->pointOut(scene_->block(name) ? std::string() : name);
 }
 
+/// What a run waits for; empty: for nothing.
+QString MainWindow::whyNoRun() const {
+    if (!document_->isOpen()) return tr("Open a study first.");
+    if (const Diagnostic* error = document_->modelError())
+        return tr("The model has an error: %1").arg(inWords(error->message));
+    if (!document_->canRun()) return tr("Import a measurement first, and map a column of it to an output.");
+    return {};
+}
+
+/// Where the reason is an error, to its message.
+void MainWindow::explainNoRun() {
+    statusBar()->showMessage(whyNoRun(), 8000);
+    if (!document_->modelError()) return;
+    messageDock_->show();
+    messageDock_->raise();
+    messages_->pointAtError();
+}
+
 void MainWindow::updateActions() {
     const bool isReady = document_->canRun() && !controller_->isRunning() && !document_->isReading();
-    fitAction_->setEnabled(isReady);
-    discoverAction_->setEnabled(isReady);
+    const bool isBusy = controller_->isRunning() || document_->isReading();
+    const QString why = isBusy ? QString() : whyNoRun();
+    for (const auto& [action, tip] : {std::pair(fitAction_, &fitTip_), std::pair(discoverAction_, &discoverTip_)}) {
+        action->setEnabled(!isBusy && why.isEmpty());
+        action->setToolTip(why.isEmpty() ? *tip : *tip + "\n" + why);
+    }
+    whyNoRunAction_->setEnabled(!why.isEmpty());
+    whyNoRun_->setVisible(document_->isOpen() && document_->modelError());
+    whyNoRun_->setToolTip(why);
     for (QAction* a : {saveAction_, saveAsAction_, importAction_}) a->setEnabled(document_->isOpen());
     reportAction_->setEnabled(isReady && document_->result());
     const bool isShown = document_->isOpen() && !document_->isReading();

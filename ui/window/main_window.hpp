@@ -10,6 +10,7 @@ class QFileDialog;
 class QMenu;
 class QStackedWidget;
 class QTabWidget;
+class QToolButton;
 
 namespace analogon {
 struct Place;
@@ -84,6 +85,8 @@ private:
     QString layoutKey() const;
 
     void updateActions();
+    QString whyNoRun() const;
+    void explainNoRun();
     void updateTitle();
     void showStudy();
     void showModel();
@@ -146,7 +149,9 @@ private:
 
     QAction *newAction_{}, *generateAction_{}, *openAction_{}, *openFileAction_{}, *saveAction_{}, *saveAsAction_{},
         *importAction_{}, *reportAction_{}, *exportTracesAction_{}, *quitAction_{};
-    QAction *undoAction_{}, *redoAction_{}, *fitAction_{}, *discoverAction_{}, *fitViewAction_{};
+    QAction *undoAction_{}, *redoAction_{}, *fitAction_{}, *discoverAction_{}, *fitViewAction_{}, *whyNoRunAction_{};
+    QString fitTip_, discoverTip_;
+    QToolButton* whyNoRun_{};
 };
 
 }  // namespace analogon::ui
