@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "core/study/json_places.hpp"
 #include "core/study/study.hpp"
@@ -14,6 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* formatName = "analogon-study-1";
+constexpr std::string_view formatStem = "analogon-study-";  // and the number of the version
 
 /// A member and where it stands.
 struct Node {
@@ -50,7 +52,7 @@ public:
         }
         for (const Span& twice : places_.duplicates())
             faults_.push_back(error(phrase("{} is given twice", twice.text()), twice, phrase("Keep one of them.")));
-        readFormat(root);
+        if (!readFormat(root)) return faults_;
         study_.className = requiredText(root, "class");
         readExperiments(root);
         readParameters(root);
@@ -118,11 +120,27 @@ private:
         }
     }
 
-    void readFormat(const Node& root) {
-        const std::string format = requiredText(root, "format");
-        if (!format.empty() && format != formatName)
-            fault(root.member("format"), phrase("the format \"{}\" is not known", format),
+    /// Without one, the first: there has been no other. What a later one means nobody knows, so it is not guessed at:
+    /// false, and nothing else of the study is read.
+    bool readFormat(const Node& root) {
+        const Node node = root.member("format");
+        if (!node) {
+            warnings_.push_back(warning(phrase("the study does not say its format; it is read as \"{}\"", formatName),
+                                        {}, phrase("Saving it writes the format down.")));
+            return true;
+        }
+        const std::string format = text(node);
+        if (format.empty() || format == formatName) return true;
+        const std::string number = format.starts_with(formatStem) ? format.substr(formatStem.size()) : std::string();
+        const bool isNewer = !number.empty() && number.front() != '0' &&
+                             std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
+        if (isNewer)
+            fault(node, phrase("a newer version of Analogon has written this study: its format is \"{}\"", format),
+                  phrase("This version reads \"{}\": open the study with the newer one.", formatName));
+        else
+            fault(node, phrase("the format \"{}\" is not known", format),
                   phrase("This program reads \"{}\".", formatName));
+        return false;
     }
 
     void readExperiments(const Node& root) {

@@ -4782,6 +4782,22 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Jedem Versuch einen eigenen Namen geben.</translation>
     </message>
     <message>
+        <source>a newer version of Analogon has written this study: its format is &quot;{}&quot;</source>
+        <translation>eine neuere Version von Analogon hat diese Studie geschrieben: Ihr Format ist „{}“</translation>
+    </message>
+    <message>
+        <source>This version reads &quot;{}&quot;: open the study with the newer one.</source>
+        <translation>Diese Version liest „{}“: die Studie mit der neueren öffnen.</translation>
+    </message>
+    <message>
+        <source>the study does not say its format; it is read as &quot;{}&quot;</source>
+        <translation>die Studie nennt ihr Format nicht; sie wird als „{}“ gelesen</translation>
+    </message>
+    <message>
+        <source>Saving it writes the format down.</source>
+        <translation>Beim Speichern wird das Format eingetragen.</translation>
+    </message>
+    <message>
         <source>an experiment</source>
         <translation>einem Versuch</translation>
     </message>

@@ -118,6 +118,19 @@ TEST_F(Archive, RefusesWhatIsNoStudyWithOneSentence) {
     EXPECT_FALSE(openStudy(root / "missing.analogon"));
 }
 
+TEST_F(Archive, RefusesAFileOfANewerVersionAndNamesTheEntry) {
+    fs::create_directories(root / "from");
+    std::ofstream(root / "from" / "study.json") << "{\"format\": \"analogon-study-2\", \"model\": {}}";
+    std::ofstream(root / "from" / "model.mo") << "model M\nend M;\n";
+    ASSERT_TRUE(zipDirectory(root / "from", root / "newer.analogon"));
+    const auto opened = openStudy(root / "newer.analogon");
+    ASSERT_FALSE(opened);
+    const std::string shown = format(opened.diagnostics());
+    EXPECT_TRUE(shown.starts_with((root / "newer.analogon/study.json:1").string())) << shown;
+    EXPECT_NE(shown.find("newer version of Analogon"), std::string::npos) << shown;
+    EXPECT_EQ(opened.diagnostics().size(), 1u) << shown;
+}
+
 TEST_F(Archive, SurvivesEveryTruncation) {
     ASSERT_TRUE(saveStudy(example(), root / "whole.analogon"));
     const std::string whole = bytesOf(root / "whole.analogon");

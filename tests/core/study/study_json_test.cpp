@@ -99,8 +99,38 @@ TEST(StudyJson, NamesMissingMembersAndWrongTypes) {
     EXPECT_THAT(faultOf(withExperiment(", \"inputs\": {\"u\": 3}")).message, HasSubstr("found the number 3"));
     EXPECT_THAT(faultOf(withExperiment(", \"role\": \"fit\"")).message, HasSubstr("given twice"));
     EXPECT_THAT(faultOf(withExperiment(", \"range\": [3, 1]")).message, HasSubstr("before it begins"));
-    EXPECT_THAT(faultOf("{\"format\": \"analogon-study-9\", \"class\": \"M\", \"experiments\": []}").message,
-                HasSubstr("\"analogon-study-9\" is not known"));
+}
+
+/// There has been one version so far: it is what a study without a version is, and every file from now on says it.
+TEST(StudyJson, RefusesANewerFormatInWordsAndReadsOneThatDoesNotSay) {
+    const auto withFormat = [](const std::string& format) {
+        return "{" + format + "\n\"class\": \"M\", \"experiments\": [], \"parameters\": {}}";
+    };
+    // a newer one may mean something else by everything that follows: one sentence, and no faults of the rest
+    const Outcome<Study> newer =
+        parse("{\"format\": \"analogon-study-12\",\n\"models\": [\"M\"], \"experiments\": {}}");
+    ASSERT_FALSE(newer.hasValue());
+    ASSERT_EQ(newer.diagnostics().size(), 1u) << format(newer.diagnostics());
+    const Diagnostic& fault = newer.diagnostics().front();
+    EXPECT_THAT(fault.message, HasSubstr("newer version of Analogon"));
+    EXPECT_THAT(fault.message, HasSubstr("\"analogon-study-12\""));
+    EXPECT_THAT(fault.hint, HasSubstr("\"analogon-study-1\""));
+    EXPECT_EQ(fault.place.line, 1);
+    for (const char* other : {"analogon-study-", "analogon-study-0", "analogon-study-1b", "other-1"})
+        EXPECT_THAT(faultOf(withFormat("\"format\": \"" + std::string(other) + "\",")).message,
+                    HasSubstr("\"" + std::string(other) + "\" is not known"));
+    EXPECT_THAT(faultOf(withFormat("\"format\": 1,")).message, HasSubstr("format: expected a text"));
+
+    const Outcome<Study> first = parse(withFormat("\"format\": \"analogon-study-1\","));
+    ASSERT_TRUE(first.hasValue()) << format(first.diagnostics());
+    EXPECT_TRUE(first.diagnostics().empty());
+    const Outcome<Study> silent = parse(withFormat(""));
+    ASSERT_TRUE(silent.hasValue()) << format(silent.diagnostics());
+    ASSERT_EQ(silent.diagnostics().size(), 1u);
+    EXPECT_EQ(silent.diagnostics().front().severity, Severity::Warning);
+    EXPECT_THAT(silent.diagnostics().front().message, HasSubstr("does not say its format"));
+    EXPECT_EQ(studyJson(*silent), studyJson(*first));
+    EXPECT_THAT(studyJson(*silent), HasSubstr("\"format\": \"analogon-study-1\""));
 }
 
 TEST(StudyJson, RefusesBoundsThatCannotBe) {
