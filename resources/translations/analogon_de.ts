@@ -3493,6 +3493,10 @@ Relativer Standardfehler %1 %</translation>
 <context>
     <name>ReportPdf</name>
     <message>
+        <source>Screening</source>
+        <translation>Vorauswahl</translation>
+    </message>
+    <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
     </message>
@@ -3787,16 +3791,32 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Quadrat des Signal-Rausch-Verhältnisses</translation>
     </message>
     <message>
-        <source>Squared signal-to-noise ratio of the effect in the residual</source>
-        <translation>Quadrat des Signal-Rausch-Verhältnisses des Effekts im Residuum</translation>
+        <source>Squared signal-to-noise ratio of what the finished model misses when it is refitted without the effect</source>
+        <translation>Quadrat des Signal-Rausch-Verhältnisses dessen, was dem fertigen Modell fehlt, wenn es ohne den Effekt neu angepasst wird</translation>
     </message>
     <message>
         <source>negative: gains more than it costs</source>
         <translation>negativ: bringt mehr, als er kostet</translation>
     </message>
     <message>
-        <source>Negative: the fit gains more than the added parameters cost</source>
-        <translation>Negativ: Die Anpassung gewinnt mehr, als die zusätzlichen Parameter kosten</translation>
+        <source>Of the finished model against the same refitted without the effect; negative: it gains more than its parameters cost</source>
+        <translation>Des fertigen Modells gegen dasselbe, ohne den Effekt neu angepasst; negativ: Er bringt mehr, als seine Parameter kosten</translation>
+    </message>
+    <message>
+        <source>Each with its figures in the round in which it was tried; those above are of the finished model.</source>
+        <translation>Jeder mit seinen Zahlen aus der Runde, in der er geprüft wurde; die oben gelten für das fertige Modell.</translation>
+    </message>
+    <message>
+        <source>Screening</source>
+        <translation>Vorauswahl</translation>
+    </message>
+    <message>
+        <source>How much of the residual the effect would explain, estimated before any refit: signal to noise, squared</source>
+        <translation>Wie viel vom Residuum der Effekt erklären würde, geschätzt vor jeder Anpassung: Quadrat des Signal-Rausch-Verhältnisses</translation>
+    </message>
+    <message>
+        <source>Of the refit with the effect, beside what the model held in that round; empty: it was not refitted</source>
+        <translation>Der Anpassung mit dem Effekt, neben dem, was das Modell in jener Runde enthielt; leer: wurde nicht angepasst</translation>
     </message>
     <message>
         <source>+1: holds on data left out; −1: fails</source>

@@ -199,6 +199,22 @@ TEST_F(Panels, AnErrorInTheModelHoldsRunsBackAndSaysWhy) {
     EXPECT_TRUE(fit->toolTip().contains("Import a measurement first")) << fit->toolTip().toStdString();
 }
 
+/// What an effect would explain by the screening, and what the finished model misses without it, are two figures.
+TEST_F(Panels, NamesTheFiguresOfATrialOtherwiseThanThoseOfTheEvidence) {
+    openLambda();
+    run(RunKind::Discover);
+    auto* results = panel<ResultPanel>();
+    ASSERT_TRUE(results->candidates());
+    const QTreeWidgetItem* header = results->candidates()->headerItem();
+    QStringList captions;
+    for (const QLabel* label : results->widget()->findChildren<QLabel*>()) captions << label->text();
+    EXPECT_TRUE(captions.contains("Score"));
+    EXPECT_EQ(header->text(2), "Screening");
+    EXPECT_TRUE(header->toolTip(2).contains("before any refit"));
+    EXPECT_TRUE(header->toolTip(3).contains("in that round"));
+    EXPECT_FALSE(captions.filter("those above are of the finished model").isEmpty());
+}
+
 TEST_F(Panels, KeepsEveryRunForComparison) {
     openLambda();
     run(RunKind::Fit);

@@ -88,7 +88,7 @@ QString bodyOf(const QString& title, RunKind kind, const Finding& finding, std::
     }
     if (!finding.candidates.empty()) {
         html += "<h2>" + tr("What was tried") + "</h2>";
-        HtmlTable tried({tr("Effect"), tr("At"), tr("Score"), tr("ΔBIC"), tr("Verdict")});
+        HtmlTable tried({tr("Effect"), tr("At"), tr("Screening"), tr("ΔBIC"), tr("Verdict")});
         for (const CandidateResult& c : finding.candidates)
             tried.add({text(c.kind), placeText(text(c.at)), number(c.score, 3),
                        c.deltaBic ? number(*c.deltaBic, 3) : QString(), verdictText(c.verdict).toHtmlEscaped()});

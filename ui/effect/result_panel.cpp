@@ -373,9 +373,10 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
     add(tr("Error"), percent(e.errorPercentBefore) + " → " + percent(e.errorPercentAfter), tr("fitted experiments"),
         tr("Over the fitted experiments"));
     add(tr("Score"), evidenceText(e.score), tr("signal to noise, squared"),
-        tr("Squared signal-to-noise ratio of the effect in the residual"));
+        tr("Squared signal-to-noise ratio of what the finished model misses when it is refitted without the effect"));
     add(tr("ΔBIC"), evidenceText(e.deltaBic), tr("negative: gains more than it costs"),
-        tr("Negative: the fit gains more than the added parameters cost"));
+        tr("Of the finished model against the same refitted without the effect; negative: it gains more than its "
+           "parameters cost"));
     add(tr("Held out"), numberText(e.heldOut, 2), tr("+1: holds on data left out; −1: fails"),
         tr("+1: the gain holds on data left out of the fit; −1: it does not"));
     column_->addLayout(grid);
@@ -460,7 +461,15 @@ void ResultPanel::addCautions(const Finding& finding) {
 
 void ResultPanel::addCandidates(const Finding& finding) {
     addHeading(tr("What was tried"));
-    candidates_ = makeTable({tr("Effect"), tr("At"), tr("Score"), tr("ΔBIC"), tr("Verdict")}, body_);
+    if (!finding.effects.empty())
+        addText(tr("Each with its figures in the round in which it was tried; those above are of the finished model."),
+                true);
+    candidates_ = makeTable({tr("Effect"), tr("At"), tr("Screening"), tr("ΔBIC"), tr("Verdict")}, body_);
+    candidates_->headerItem()->setToolTip(
+        2,
+        tr("How much of the residual the effect would explain, estimated before any refit: signal to noise, squared"));
+    candidates_->headerItem()->setToolTip(
+        3, tr("Of the refit with the effect, beside what the model held in that round; empty: it was not refitted"));
     for (const CandidateResult& c : finding.candidates) {
         const LibraryClass* cls = document_.library().find(c.className);
         const QString what = cls ? shortDescription(text(cls->definition->description)) : QString();
