@@ -445,7 +445,7 @@ private:
         const StartGuess conductance = guessConductance(data_);
         const double fluid =
             data_.surroundingTemperature.empty() ? usualTemperature : median(data_.surroundingTemperature);
-        const double perCoefficient = surface * std::pow(fluid / 3.6, 0.78);  // eq. 8
+        const double perCoefficient = surface * std::pow(fluid / 3.6, 0.78);  // the law of BasicThermalFluid
         part.values["A"] = rounded(surface);
         assume("{0}.A is {1} m2 and stays: only the product of {0}.A and {0}.c_o shows in the data.", part.name,
                rounded(surface));

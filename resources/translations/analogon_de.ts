@@ -1276,16 +1276,16 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Exponent des Durchflusses (0: aus)</translation>
     </message>
     <message>
-        <source>Flow at which the conductance is that of eq. 8</source>
-        <translation>Durchfluss, bei dem der Leitwert der von Gl. 8 ist</translation>
+        <source>Flow at which the conductance is that without the effect</source>
+        <translation>Durchfluss, bei dem der Leitwert der ohne den Effekt ist</translation>
     </message>
     <message>
         <source>Exponent of the temperature difference (0: off)</source>
         <translation>Exponent der Temperaturdifferenz (0: aus)</translation>
     </message>
     <message>
-        <source>Difference at which the conductance is that of eq. 8</source>
-        <translation>Differenz, bei der der Leitwert der von Gl. 8 ist</translation>
+        <source>Difference at which the conductance is that without the effect</source>
+        <translation>Differenz, bei der der Leitwert der ohne den Effekt ist</translation>
     </message>
     <message>
         <source>Difference below which the power is smoothed</source>
@@ -1732,8 +1732,8 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Relative Änderung des Leitwerts je Kelvin des Körpers (0: aus)</translation>
     </message>
     <message>
-        <source>Temperature of the body at which the conductance is that of eq. 8</source>
-        <translation>Temperatur des Körpers, bei welcher der Leitwert der aus Gl. 8 ist</translation>
+        <source>Temperature of the body at which the conductance is that without the effect</source>
+        <translation>Temperatur des Körpers, bei welcher der Leitwert der ohne den Effekt ist</translation>
     </message>
     <message>
         <source>Torque that grows with the third power of speed</source>
@@ -1816,7 +1816,7 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Heizwiderstand, dessen Widerstand mit der Temperatur steigt</translation>
     </message>
     <message>
-        <source>Body with heat capacity in a stream (convection by the fluid temperature, eq. 8)</source>
+        <source>Body with heat capacity in a stream (convection by the fluid temperature)</source>
         <translation>Körper mit Wärmekapazität in einer Strömung</translation>
     </message>
     <message>
@@ -2632,16 +2632,16 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Konzentrierte Wärmekapazitäten und Leitwerte.</translation>
     </message>
     <message>
-        <source>The basic class of the thermal and fluid domain: a body of uniform temperature exchanges heat with a stream. The conductance follows eq. 8 of the paper as printed, with the fluid temperature in kelvin under the exponent.</source>
-        <translation>Die Grundklasse der thermischen und fluidischen Domäne: Ein Körper einheitlicher Temperatur tauscht Wärme mit einer Strömung. Der Leitwert folgt Gl. 8 der Veröffentlichung, wie sie gedruckt ist, mit der Temperatur des Fluids in Kelvin unter dem Exponenten.</translation>
+        <source>The basic class of the thermal and fluid domain: a body of uniform temperature exchanges heat with a stream. The conductance grows with the temperature of the fluid: in kelvin, it stands under the exponent.</source>
+        <translation>Die Grundklasse der thermischen und fluidischen Domäne: Ein Körper einheitlicher Temperatur tauscht Wärme mit einer Strömung. Der Leitwert wächst mit der Temperatur des Fluids: In Kelvin steht sie unter dem Exponenten.</translation>
     </message>
     <message>
-        <source>Eq. 8 descends from a law for the speed of the stream in km/h; see ConvectionByFlowSpeed. Only the product c_o*A shows in a measurement: keep one of the two.</source>
-        <translation>Gl. 8 stammt von einem Gesetz für die Geschwindigkeit der Strömung in km/h ab; siehe ConvectionByFlowSpeed. Nur das Produkt c_o*A zeigt sich in einer Messung: eines von beiden festhalten.</translation>
+        <source>It descends from the law of Juerges, which has the speed of the stream in km/h in that place; see ConvectionByFlowSpeed. Only the product c_o*A shows in a measurement: keep one of the two.</source>
+        <translation>Er stammt vom Gesetz von Jürges ab, das an dieser Stelle die Geschwindigkeit der Strömung in km/h hat; siehe ConvectionByFlowSpeed. Nur das Produkt c_o*A zeigt sich in einer Messung: eines von beiden festhalten.</translation>
     </message>
     <message>
-        <source>As BasicThermalFluid, with the speed of the stream under the exponent: the law of Juerges, from which eq. 8 of the paper descends. The speed is in km/h, so speed/3.6 is in m/s. A stream that stands still takes no heat; a negative speed counts as 0.</source>
-        <translation>Wie BasicThermalFluid, mit der Geschwindigkeit der Strömung unter dem Exponenten: das Gesetz von Jürges, von dem Gl. 8 der Veröffentlichung abstammt. Die Geschwindigkeit ist in km/h, speed/3.6 also in m/s. Eine ruhende Strömung nimmt keine Wärme auf; eine negative Geschwindigkeit zählt als 0.</translation>
+        <source>As BasicThermalFluid, with the speed of the stream under the exponent: the law of Juerges. The speed is in km/h, so speed/3.6 is in m/s. A stream that stands still takes no heat; a negative speed counts as 0.</source>
+        <translation>Wie BasicThermalFluid, mit der Geschwindigkeit der Strömung unter dem Exponenten: das Gesetz von Jürges. Die Geschwindigkeit ist in km/h, speed/3.6 also in m/s. Eine ruhende Strömung nimmt keine Wärme auf; eine negative Geschwindigkeit zählt als 0.</translation>
     </message>
     <message>
         <source>Base of the bodies in a stream. A class that extends it adds one equation for the conductance G_c.</source>

@@ -3,7 +3,7 @@ model ConvectionOfTemperature "Convection that grows with the temperature of the
   extends Analogon.ThermalFluid.PartialThermalFluid;
   parameter Real a(unit="1/K") = 0 "Relative change of the conductance for each kelvin of the body (0: off)"
     annotation (Dialog(group="Effect"));
-  parameter Real T_ref(unit="K", min=0) = 293.15 "Temperature of the body at which the conductance is that of eq. 8"
+  parameter Real T_ref(unit="K", min=0) = 293.15 "Temperature of the body at which the conductance is that without the effect"
     annotation (Dialog(group="Effect"));
 equation
   G_c = c_o*A*(fluid.T/3.6)^0.78*(1 + a*(solid.T - T_ref));

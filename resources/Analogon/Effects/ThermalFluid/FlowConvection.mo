@@ -5,7 +5,7 @@ model FlowConvection "Convection that depends on a recorded flow"
     annotation (Placement(transformation(origin={0,-100}, extent={{-20,-20},{20,20}}, rotation=90)));
   parameter Real n(unit="1") = 0 "Exponent of the flow (0: off)"
     annotation (Dialog(group="Effect"));
-  parameter Real flow_ref = 1 "Flow at which the conductance is that of eq. 8"
+  parameter Real flow_ref = 1 "Flow at which the conductance is that without the effect"
     annotation (Dialog(group="Effect"));
 equation
   G_c = c_o*A*(fluid.T/3.6)^0.78*noEvent(max(u_flow/flow_ref, 1e-3))^n;
