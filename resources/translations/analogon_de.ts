@@ -3371,8 +3371,8 @@ Relativer Standardfehler %1 %</translation>
         <translation>bisher bester Stand</translation>
     </message>
     <message>
-        <source>with %1</source>
-        <translation>mit %1</translation>
+        <source>with this effect</source>
+        <translation>mit diesem Effekt</translation>
     </message>
     <message>
         <source>There is nothing to fit yet: check parameters in the list.</source>
@@ -3600,12 +3600,12 @@ Relativer Standardfehler %1 %</translation>
         <translation>Autokorrelation</translation>
     </message>
     <message>
-        <source>lag</source>
-        <translation>Verschiebung</translation>
+        <source>lag [samples]</source>
+        <translation>Verschiebung [Abtastwerte]</translation>
     </message>
     <message>
-        <source>Residual against %1</source>
-        <translation>Residuum über %1</translation>
+        <source>Residual</source>
+        <translation>Residuum</translation>
     </message>
     <message>
         <source>Residual against</source>
@@ -4782,6 +4782,22 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>das Format &quot;{}&quot; ist nicht bekannt</translation>
     </message>
     <message>
+        <source>a newer version of Analogon has written this study: its format is &quot;{}&quot;</source>
+        <translation>eine neuere Version von Analogon hat diese Studie geschrieben: Ihr Format ist „{}“</translation>
+    </message>
+    <message>
+        <source>This version reads &quot;{}&quot;: open the study with the newer one.</source>
+        <translation>Diese Version liest „{}“: die Studie mit der neueren öffnen.</translation>
+    </message>
+    <message>
+        <source>the study does not say its format; it is read as &quot;{}&quot;</source>
+        <translation>die Studie nennt ihr Format nicht; sie wird als „{}“ gelesen</translation>
+    </message>
+    <message>
+        <source>Saving it writes the format down.</source>
+        <translation>Beim Speichern wird das Format eingetragen.</translation>
+    </message>
+    <message>
         <source>This program reads &quot;{}&quot;.</source>
         <translation>Dieses Programm liest &quot;{}&quot;.</translation>
     </message>
@@ -4800,22 +4816,6 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>Give each experiment its own name.</source>
         <translation>Jedem Versuch einen eigenen Namen geben.</translation>
-    </message>
-    <message>
-        <source>a newer version of Analogon has written this study: its format is &quot;{}&quot;</source>
-        <translation>eine neuere Version von Analogon hat diese Studie geschrieben: Ihr Format ist „{}“</translation>
-    </message>
-    <message>
-        <source>This version reads &quot;{}&quot;: open the study with the newer one.</source>
-        <translation>Diese Version liest „{}“: die Studie mit der neueren öffnen.</translation>
-    </message>
-    <message>
-        <source>the study does not say its format; it is read as &quot;{}&quot;</source>
-        <translation>die Studie nennt ihr Format nicht; sie wird als „{}“ gelesen</translation>
-    </message>
-    <message>
-        <source>Saving it writes the format down.</source>
-        <translation>Beim Speichern wird das Format eingetragen.</translation>
     </message>
     <message>
         <source>an experiment</source>

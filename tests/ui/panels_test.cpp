@@ -199,6 +199,16 @@ TEST_F(Panels, AnErrorInTheModelHoldsRunsBackAndSaysWhy) {
     EXPECT_TRUE(fit->toolTip().contains("Import a measurement first")) << fit->toolTip().toStdString();
 }
 
+TEST_F(Panels, ShowsTheTracesOfTwoOutputsWhole) {
+    window.open(ANALOGON_ROOT "/examples/water-pump");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen() && document().before(); }, 20000));
+    QTest::qWait(100);
+    auto* plots = panel<PlotPanel>();
+    ASSERT_EQ(plots->plots().size(), 2u);
+    const TimePlot* last = plots->plots().back()->residual();
+    EXPECT_EQ(last->visibleRegion().boundingRect(), last->rect()) << "with its time axis";
+}
+
 /// What an effect would explain by the screening, and what the finished model misses without it, are two figures.
 TEST_F(Panels, NamesTheFiguresOfATrialOtherwiseThanThoseOfTheEvidence) {
     openLambda();
@@ -248,6 +258,10 @@ TEST_F(Panels, ShowsTheResidualFromThreeSidesAndExports) {
     EXPECT_NEAR(std::accumulate(residual->facts().histogram.begin(), residual->facts().histogram.end(), 0.0),
                 static_cast<double>(document().before()->experiments.front().time.size()), 0.5);
     EXPECT_GE(residual->variableBox()->findText("p_ambient", Qt::MatchContains), 0) << "unused columns too";
+    EXPECT_EQ(residual->axisLabels().distribution, "residual [A]") << "every axis says its unit";
+    EXPECT_EQ(residual->axisLabels().againstY, "Residual [A]");
+    EXPECT_EQ(residual->axisLabels().againstX, "simulated [A]");
+    EXPECT_GE(residual->variableBox()->findText("time [s]"), 0);
     for (const char* name : {"r.png", "r.svg", "r.csv"}) {
         const QString file = directory.filePath(name);
         QString told;
@@ -498,7 +512,9 @@ TEST_F(Panels, ShowsWhatAnEffectWouldBringWhileThePointerIsOnIt) {
     enter(0);
     EXPECT_FALSE(scene->pointedOut().empty());
     ASSERT_TRUE(QTest::qWaitFor([&] { return document().preview() != nullptr; }, 20000));
-    EXPECT_TRUE(legend().contains(list->topLevelItem(0)->text(0))) << legend().toStdString();
+    EXPECT_TRUE(legend().startsWith("with this effect")) << legend().toStdString();
+    TimePlot* values = panel<PlotPanel>()->plots().front()->values();
+    EXPECT_EQ(values->note(), list->topLevelItem(0)->text(0)) << "the whole name, however long";
     QTest::qWait(20);
     const QWidget* plot = panel<PlotPanel>()->plots().front();
     EXPECT_LE(plot->width(), plot->parentWidget()->parentWidget()->width()) << "however long the name, nothing is cut";
@@ -508,6 +524,7 @@ TEST_F(Panels, ShowsWhatAnEffectWouldBringWhileThePointerIsOnIt) {
     leave();
     EXPECT_EQ(document().preview(), nullptr);
     EXPECT_EQ(legend(), result);
+    EXPECT_TRUE(values->note().isEmpty());
     EXPECT_TRUE(scene->pointedOut().empty());
     enter(0);
     EXPECT_NE(document().preview(), nullptr) << "known by now";

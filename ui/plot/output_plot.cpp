@@ -80,10 +80,10 @@ OutputPlot::OutputPlot(QWidget* parent)
     heading->addWidget(readout_);
 
     values_->setTimeLabels(false);
-    values_->setMinimumHeight(84);
+    values_->setMinimumHeight(74);  // two outputs have room one below the other
     residual_->setSymmetric(true);
     residual_->setCaption(tr("measured − simulated"));
-    residual_->setMinimumHeight(66);
+    residual_->setMinimumHeight(60);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -132,15 +132,17 @@ void OutputPlot::show(Content content) {
     };
     add(TraceRole::Before, content_.before);
     add(TraceRole::After, content_.after);
+    values_->setNote({});
     values_->setTraces(content_.time, std::move(values));
     residual_->setTraces(content_.time, std::move(residuals));
 }
 
-void OutputPlot::showAfter(const Series& values, const QString& label) {
+void OutputPlot::showAfter(const Series& values, const QString& label, const QString& note) {
     if (values.size() != content_.measured.size()) return;
     content_.after = values;
     content_.afterLabel = label;
     setLegend(TraceRole::After, label);
+    values_->setNote(note);
     values_->setTrace({TraceRole::After, values});
     residual_->setTrace({TraceRole::After, residualOf(content_.measured, values)});
 }

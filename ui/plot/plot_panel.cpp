@@ -221,10 +221,11 @@ void PlotPanel::rebuild() {
             content.afterLabel = tr("after") + " " + percent(o->figures.errorPercent);
         }
         const Series best = content.after.empty() ? content.before : content.after;
-        residuals_[i]->show(content.unit.isEmpty() ? content.name : content.name + "  [" + content.unit + "]",
-                            [study = document_.study(), name, time, measured = content.measured, best] {
+        residuals_[i]->show(withUnit(content.name + " ", content.unit), content.unit,
+                            [study = document_.study(), name, time, measured = content.measured, best,
+                             simulated = withUnit(tr("simulated"), content.unit)] {
                                 std::vector<NamedSeries> against = variablesOf(study, name, *time);
-                                against.insert(against.begin(), {tr("simulated"), best.values()});
+                                against.insert(against.begin(), {simulated, best.values()});
                                 return residualFacts(residualOf(measured, best), against);
                             });
         plots_[i]->show(std::move(content));
@@ -253,13 +254,14 @@ void PlotPanel::showLive() {
     const SimulatedTraces* live = document_.liveTraces();
     const Document::Preview* preview = live ? nullptr : document_.preview();
     if (!live && !preview) return rebuild();
-    const QString word = live ? tr("best so far") : tr("with %1").arg(preview->name);
+    const QString word = live ? tr("best so far") : tr("with this effect");
     for (const SimulatedExperiment& experiment : (live ? *live : preview->traces).experiments) {
         if (QString::fromStdString(experiment.name) != shown_) continue;
         for (const SimulatedTrace& trace : experiment.outputs)
             for (OutputPlot* plot : plots_)
                 if (plot->content().name == QString::fromStdString(trace.output))
-                    plot->showAfter(trace.values, word + " " + percent(trace.errorPercent));
+                    plot->showAfter(trace.values, word + " " + percent(trace.errorPercent),
+                                    preview ? preview->name : QString());
     }
 }
 

@@ -106,7 +106,7 @@ public:
     };
     void show(Content content);
     /// Another simulated trace in place of the one after.
-    void showAfter(const Series& values, const QString& label);
+    void showAfter(const Series& values, const QString& label, const QString& note = {});
     void setTimeRange(double from, double to);
     void showAllValues();
     void pointAt(std::optional<double> time);

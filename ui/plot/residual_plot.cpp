@@ -43,6 +43,10 @@ std::vector<double> everyNth(const std::vector<double>& values, std::size_t stri
 
 }  // namespace
 
+QString withUnit(const QString& name, const QString& unit) {
+    return unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, unit);
+}
+
 ResidualFacts residualFacts(const std::vector<double>& residual, const std::vector<NamedSeries>& against) {
     ResidualFacts facts;
     std::vector<double> finite;
@@ -82,7 +86,8 @@ std::vector<NamedSeries> variablesOf(const Study& study, const std::string& expe
         for (const Column& column : found->second->columns) {
             NamedSeries series{QString::fromStdString(column.header.empty() ? column.name : column.header), {}};
             if (column.name == e.timeColumn || column.values.size() != stamps->size()) {
-                if (column.name == e.timeColumn) result.insert(result.begin(), {QObject::tr("time"), time});
+                if (column.name == e.timeColumn)
+                    result.insert(result.begin(), {withUnit(QObject::tr("time"), QStringLiteral("s")), time});
                 continue;
             }
             series.values.reserve(time.size());
@@ -114,23 +119,22 @@ protected:
     }
 
 private:
+    /// Above it a line for the title; below it one for the ends of the axis and one for what it is.
     QRectF frame(double left, double width) const {
         return QRectF(left + 58, fontMetrics().height() + 6, width - 58 - style::margin,
-                      height() - 2.4 * fontMetrics().height() - 10);
+                      height() - 3.4 * fontMetrics().height() - 10);
     }
     void paintFrame(QPainter& painter, const QRectF& area, const QString& title, const QString& axis,
                     std::pair<double, double> x, std::pair<double, double> y, bool hasY) const {
         painter.setPen(style::mutedText(palette()));
         painter.drawText(QRectF(area.left(), 0, area.width(), area.top() - 2), Qt::AlignLeft | Qt::AlignVCenter,
                          fontMetrics().elidedText(title, Qt::ElideRight, static_cast<int>(area.width())));
-        const int ends = fontMetrics().horizontalAdvance(number(x.first) + number(x.second)) + 4 * style::unit;
-        if (fontMetrics().horizontalAdvance(axis) + ends <= area.width())
-            painter.drawText(QRectF(area.left(), area.bottom() + 3, area.width(), fontMetrics().height() + 2),
-                             Qt::AlignHCenter, axis);
-        painter.drawText(QRectF(area.left(), area.bottom() + 3, 100, fontMetrics().height() + 2), Qt::AlignLeft,
-                         number(x.first));
-        painter.drawText(QRectF(area.right() - 100, area.bottom() + 3, 100, fontMetrics().height() + 2), Qt::AlignRight,
-                         number(x.second));
+        const double line = fontMetrics().height() + 2;
+        painter.drawText(QRectF(area.left(), area.bottom() + 3 + fontMetrics().height(), area.width(), line),
+                         Qt::AlignHCenter,
+                         fontMetrics().elidedText(axis, Qt::ElideMiddle, static_cast<int>(area.width())));
+        painter.drawText(QRectF(area.left(), area.bottom() + 3, 100, line), Qt::AlignLeft, number(x.first));
+        painter.drawText(QRectF(area.right() - 100, area.bottom() + 3, 100, line), Qt::AlignRight, number(x.second));
         if (hasY) {
             painter.drawText(QRectF(area.left() - 58, area.top() - 4, 54, fontMetrics().height()), Qt::AlignRight,
                              number(y.second));
@@ -147,8 +151,8 @@ private:
     void paintHistogram(QPainter& painter, const QRectF& area) const {
         const ResidualFacts& f = plot_.facts_;
         const double reach = f.reach();
-        paintFrame(painter, area, ResidualPlot::tr("Distribution"), ResidualPlot::tr("residual"), {-reach, reach}, {},
-                   false);
+        paintFrame(painter, area, ResidualPlot::tr("Distribution"), plot_.axisLabels().distribution, {-reach, reach},
+                   {}, false);
         if (f.count < 2) return;
         const auto& counts = f.histogram;
         const double mean = f.mean, deviation = std::max(1e-150, f.deviation);
@@ -158,8 +162,9 @@ private:
             return f.count * binWidth / (deviation * std::sqrt(2 * std::numbers::pi)) * std::exp(-z * z / 2);
         };
         const double top = std::max(*std::max_element(counts.begin(), counts.end()), normal(mean)) * 1.05;
-        QColor fill = style::accent(palette());
-        fill.setAlphaF(0.45f);
+        // What is half seen on white is next to nothing on a dark ground.
+        QColor fill = style::afterTrace(palette());
+        fill.setAlphaF(style::isDark(palette()) ? 0.75f : 0.45f);
         for (int i = 0; i < bins; ++i) {
             const double h = counts[static_cast<std::size_t>(i)] / top * area.height();
             painter.fillRect(
@@ -176,7 +181,7 @@ private:
 
     void paintCorrelation(QPainter& painter, const QRectF& area) const {
         const auto& c = plot_.facts_.correlation;
-        paintFrame(painter, area, ResidualPlot::tr("Autocorrelation"), ResidualPlot::tr("lag"),
+        paintFrame(painter, area, ResidualPlot::tr("Autocorrelation"), plot_.axisLabels().correlation,
                    {0, static_cast<double>(c.size()) - 1}, {-1, 1}, true);
         if (c.size() < 2) return;
         const auto y = [&](double v) { return area.center().y() - v * area.height() / 2; };
@@ -200,18 +205,16 @@ private:
         const auto& x = variable.sampled;
         const auto& r = f.sampled;
         const auto xs = axisOf(variable.range), ys = axisOf(f.range);
-        const QString title = ResidualPlot::tr("Residual against %1").arg(plot_.variable_->currentText());
-        const bool fits = fontMetrics().horizontalAdvance(title) <= area.width();  // else the axis says against what
-        paintFrame(painter, area, fits ? title : ResidualPlot::tr("Residual"), plot_.variable_->currentText(), xs, ys,
-                   true);
+        const ResidualPlot::AxisLabels labels = plot_.axisLabels();
+        paintFrame(painter, area, labels.againstY, labels.againstX, xs, ys, true);
         const std::size_t n = std::min(x.size(), r.size());
         QPolygonF points;
         for (std::size_t i = 0; i < n; ++i)
             if (std::isfinite(x[i]) && std::isfinite(r[i]))
                 points << QPointF(area.left() + (x[i] - xs.first) / (xs.second - xs.first) * area.width(),
                                   area.bottom() - (r[i] - ys.first) / (ys.second - ys.first) * area.height());
-        QColor ink = style::accent(palette());
-        ink.setAlphaF(0.5f);
+        QColor ink = style::afterTrace(palette());
+        ink.setAlphaF(style::isDark(palette()) ? 0.7f : 0.5f);
         painter.setPen(QPen(ink, 2, Qt::SolidLine, Qt::RoundCap));
         painter.drawPoints(points);
     }
@@ -244,7 +247,13 @@ ResidualPlot::ResidualPlot(QWidget* parent)
     connect(variable_, &QComboBox::currentIndexChanged, canvas_, qOverload<>(&QWidget::update));
 }
 
-void ResidualPlot::show(const QString& output, std::function<ResidualFacts()> facts) {
+ResidualPlot::AxisLabels ResidualPlot::axisLabels() const {
+    return {withUnit(tr("residual"), unit_), tr("lag [samples]"), variable_->currentText(),
+            withUnit(tr("Residual"), unit_)};
+}
+
+void ResidualPlot::show(const QString& output, const QString& unit, std::function<ResidualFacts()> facts) {
+    unit_ = unit;
     name_->setText(output);
     wanted_ = std::move(facts);
     if (isVisible()) workOut();

@@ -19,6 +19,9 @@ struct NamedSeries {
     std::vector<double> values;
 };
 
+/// "i_mod [A]", as the heading of a column says it.
+QString withUnit(const QString& name, const QString& unit);
+
 /// The recorded columns of an experiment at these times (linear between samples), for "residual against".
 std::vector<NamedSeries> variablesOf(const Study& study, const std::string& experiment,
                                      const std::vector<double>& time);
@@ -50,7 +53,12 @@ class ResidualPlot : public QWidget {
 public:
     explicit ResidualPlot(QWidget* parent = nullptr);
 
-    void show(const QString& output, std::function<ResidualFacts()> facts);
+    void show(const QString& output, const QString& unit, std::function<ResidualFacts()> facts);
+    /// What stands at the axes of the three pictures, x and y; empty: a count or a pure number.
+    struct AxisLabels {
+        QString distribution, correlation, againstX, againstY;
+    };
+    AxisLabels axisLabels() const;
     QComboBox* variableBox() const { return variable_; }
     const ResidualFacts& facts() const { return facts_; }
 
@@ -62,6 +70,7 @@ private:
     void take(ResidualFacts facts);
 
     class Canvas;
+    QString unit_;
     QLabel* name_;
     QComboBox* variable_;
     Canvas* canvas_;

@@ -100,6 +100,12 @@ void TimePlot::setCaption(const QString& caption) {
     redraw();
 }
 
+void TimePlot::setNote(const QString& note) {
+    if (note == note_) return;
+    note_ = note;
+    redraw();
+}
+
 void TimePlot::setCursorTime(std::optional<double> time) {
     if (time == cursor_) return;
     cursor_ = time;
@@ -243,6 +249,19 @@ void TimePlot::paintGround(QPainter& painter) const {
     for (std::size_t i = 0; i < traces_.size(); ++i)
         if (!isHidden(traces_[i].role)) paintTrace(painter, i);
     painter.restore();
+    paintNote(painter);
+}
+
+/// Over the traces, so that they keep their place while one looks from effect to effect; names may be long.
+void TimePlot::paintNote(QPainter& painter) const {
+    if (note_.isEmpty()) return;
+    const QRectF room = area().adjusted(labelGap, labelGap / 2, -labelGap, 0);
+    const QRectF text = painter.boundingRect(room, Qt::AlignRight | Qt::AlignTop | Qt::TextWordWrap, note_);
+    QColor ground = palette().color(QPalette::Base);
+    ground.setAlphaF(0.8f);
+    painter.fillRect(text.adjusted(-labelGap / 2, 0, labelGap / 2, 0), ground);
+    painter.setPen(traceColour(TraceRole::After, palette()));
+    painter.drawText(text, Qt::AlignRight | Qt::AlignTop | Qt::TextWordWrap, note_);
 }
 
 void TimePlot::paintGrid(QPainter& painter) const {
@@ -257,11 +276,18 @@ void TimePlot::paintGrid(QPainter& painter) const {
     // one label alone tells no scale
     for (int k = 0; k < 4 && std::floor(high_ / valueStep) - std::ceil(low_ / valueStep) < 1; ++k)
         valueStep = niceStep(0.4 * valueStep, 1);
+    // In a low plot the ends say the scale; what stands between them only where there is room.
+    const double lowest = yAt(std::ceil(low_ / valueStep) * valueStep),
+                 highest = yAt(std::floor(high_ / valueStep) * valueStep), room = 0.9 * metrics.height();
+    const bool isCrowded = valueStep / (high_ - low_) * area.height() < room;
     ticks(low_, high_, valueStep, [&](double value) {
         const double y = yAt(value);
         painter.setPen(grid);
         painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
         painter.setPen(label);
+        const bool isEnd = std::abs(y - lowest) < 0.5 || (std::abs(y - highest) < 0.5 && lowest - highest >= room);
+        const bool isZero = std::abs(value) < valueStep * 1e-6;
+        if (isCrowded && !isEnd && !(isZero && lowest - y >= room && y - highest >= room)) return;
         painter.drawText(QRectF(0, y - metrics.height() / 2, leftMargin - labelGap, metrics.height()),
                          Qt::AlignRight | Qt::AlignVCenter, tickText(value, valueStep));
     });

@@ -45,6 +45,9 @@ public:
     void setSymmetric(bool isSymmetric);
     /// Name at the upper left corner of the area.
     void setCaption(const QString& caption);
+    /// A name that is too long for a legend, over the traces in a corner.
+    void setNote(const QString& note);
+    const QString& note() const { return note_; }
     /// While trimming, a drag chooses the range to keep.
     void setTrimming(bool isTrimming);
     void setCursorTime(std::optional<double> time);
@@ -79,6 +82,7 @@ private:
     void redraw();
     void paintGround(QPainter& painter) const;
     void paintGrid(QPainter& painter) const;
+    void paintNote(QPainter& painter) const;
     void paintTrace(QPainter& painter, std::size_t trace) const;
     QPolygonF lineThroughSamples(const std::vector<double>& values) const;
     void paintColumns(QPainter& painter, const std::vector<ValueRange>& columns, double width, const QPen& pen) const;
@@ -95,7 +99,7 @@ private:
     std::vector<Trace> traces_;
     std::vector<Extent> extents_;  // of their values
     std::vector<TraceRole> hidden_;
-    QString caption_;
+    QString caption_, note_;
     double from_{0}, to_{1};   // [s] shown
     double low_{0}, high_{1};  // values shown
     bool isCloseUp_{};         // they were chosen, and stay when traces change

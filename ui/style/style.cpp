@@ -203,6 +203,12 @@ public:
 
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                             const QWidget* widget) const override {
+        if (control == CC_SpinBox) {
+            QProxyStyle::drawComplexControl(control, option, painter, widget);
+            QStyleOption frame = *option;
+            frame.rect.adjust(0, 1, 0, -1);  // where the base style has its own
+            return drawField(frame, *painter);
+        }
         if (control != CC_ScrollBar) return QProxyStyle::drawComplexControl(control, option, painter, widget);
         const auto& bar = *static_cast<const QStyleOptionSlider*>(option);
         painter->fillRect(bar.rect, bar.palette.base());
