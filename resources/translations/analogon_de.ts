@@ -3601,7 +3601,7 @@ Relativer Standardfehler %1 %</translation>
     </message>
     <message>
         <source>lag [samples]</source>
-        <translation>Verschiebung [Abtastwerte]</translation>
+        <translation>Lag [Werte]</translation>
     </message>
     <message>
         <source>Residual</source>

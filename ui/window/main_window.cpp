@@ -378,6 +378,7 @@ void MainWindow::createToolBar() {
     whyNoRun_->setIcon(style::icon("error"));
     whyNoRun_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     whyNoRun_->setText(tr("Error in the model: no run"));
+    whyNoRun_->setFixedHeight(fontMetrics().height() + 2);  // the bar keeps its height
     whyNoRun_->hide();
     connect(whyNoRun_, &QToolButton::clicked, this, &MainWindow::explainNoRun);
     statusBar()->addPermanentWidget(whyNoRun_);
