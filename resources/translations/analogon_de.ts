@@ -1272,6 +1272,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Aufgezeichneter Durchfluss der Strömung</translation>
     </message>
     <message>
+        <source>Recorded flow on the other side</source>
+        <translation>Aufgezeichneter Durchfluss der anderen Seite</translation>
+    </message>
+    <message>
         <source>Exponent of the flow (0: off)</source>
         <translation>Exponent des Durchflusses (0: aus)</translation>
     </message>
@@ -1618,6 +1622,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     <message>
         <source>Convection that depends on a recorded flow</source>
         <translation>Konvektion abhängig von einer gemessenen Strömung</translation>
+    </message>
+    <message>
+        <source>Convection in a measured stream that depends on a second recorded flow</source>
+        <translation>Konvektion in gemessener Strömung, die von einem zweiten gemessenen Durchfluss abhängt</translation>
     </message>
     <message>
         <source>Convection that depends on the temperature difference</source>
@@ -2322,6 +2330,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     <message>
         <source>As ConvectionByFlowSpeed, with the conductance multiplied by a power of the difference between body and stream.</source>
         <translation>Wie ConvectionByFlowSpeed, der Leitwert jedoch mit einer Potenz der Differenz zwischen Körper und Strom multipliziert.</translation>
+    </message>
+    <message>
+        <source>As ConvectionByFlowSpeed, with the conductance multiplied by a power of a second measured flow: a radiator in the wind of the car, through which a pump drives the coolant. At n = 0 that flow plays no part. Below a thousandth of flow_ref it counts as that.</source>
+        <translation>Wie ConvectionByFlowSpeed, der Leitwert jedoch mit einer Potenz eines zweiten gemessenen Durchflusses multipliziert: ein Kühler im Fahrtwind, durch den eine Pumpe das Kühlmittel treibt. Bei n = 0 spielt dieser Durchfluss keine Rolle. Unter einem Tausendstel von flow_ref zählt er wie dieses.</translation>
     </message>
     <message>
         <source>The mains, a fan or a beat with the sampling that reaches the cable or the amplifier and not the component.</source>

@@ -289,6 +289,14 @@ TEST(FlowConvection, FollowsAPowerOfTheFlow) {
     EXPECT_LT(worst(r, "T", [](double t) { return 300 + 50 * std::exp(-2 * streamG / 4 * t); }), 1e-5);
 }
 
+TEST(FlowConvectionByFlowSpeed, FollowsAPowerOfTheSecondFlowBesideTheSpeed) {
+    const Recording r = inStream("FlowConvectionByFlowSpeed body(C=4, c_o=10, A=2e-3, T_start=350, n=0.5, flow_ref=3)",
+                                 "  connect(flow_in, body.u_flow);\n  connect(flow_in, body.speed);", {constant(12)});
+    ASSERT_EQ(r.fault, "");
+    const double g = 10 * 2e-3 * std::pow(12 / 3.6, 0.78);
+    EXPECT_LT(worst(r, "T", [&](double t) { return 300 + 50 * std::exp(-2 * g / 4 * t); }), 1e-5);
+}
+
 // ------------------------------------------------------------------------------------------------ machines, heaters
 
 /// A machine with a held rotor on an input voltage. Outputs i and tau.
