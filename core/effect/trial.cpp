@@ -102,6 +102,7 @@ struct Start {
     PreparedTask prepared;
     double promised{};  // half the sum of squares once the linearised problem is solved from here
     bool isAlongRecorded{};
+    std::vector<GridPlan> plans{};  // of the steps near here; empty: not known
 };
 
 /// The starts that a screened candidate offers: every probe's estimate of the strength, and for traces taken at a
@@ -118,6 +119,21 @@ std::vector<std::pair<const Probe*, double>> startsOf(const Screened& screened) 
             if (probe.plain.strengths.size() > 0 && probe.plain.strengths[0] != 0)
                 starts.emplace_back(&probe, std::abs(probe.plain.strengths[0]));
     return starts;
+}
+
+/// A simulation near a start, with the steps that served there before: to choose them takes longer than to take them.
+Linearisation lineariseAt(Start& start, const Eigen::VectorXd& values, bool withJacobian,
+                          const SimulationOptions& options, const Progress& progress) {
+    const FitProblem& problem = start.prepared.problem;
+    if (!start.plans.empty()) {
+        Linearisation known = linearise(problem, values, withJacobian, start.plans, options, progress);
+        if (known.ok) return known;
+    }
+    Linearisation at = linearise(problem, values, withJacobian, {}, options, progress);
+    start.plans.clear();
+    for (const Trajectory& t : at.trajectories)
+        if (at.ok) start.plans.push_back(t.plan);
+    return at;
 }
 
 /// Half the sum of squares that is left when all parameters follow the tangent at this point.
@@ -165,8 +181,7 @@ void takeBack(const NullModel& null, Start& start, const SimulationOptions& simu
     const double first = strength->start;
     for (const double part : {1.0, 0.25, 0.0625, 0.015625}) {
         strength->start = std::clamp(first * part, strength->min, strength->max);
-        const Linearisation at =
-            linearise(start.prepared.problem, start.prepared.problem.startValues(), false, {}, simulation, progress);
+        const Linearisation at = lineariseAt(start, start.prepared.problem.startValues(), false, simulation, progress);
         if (at.ok && at.residuals.squaredNorm() < null.sumOfSquares()) return;
     }
     strength->start = std::clamp(first, strength->min, strength->max);  // no way down: as promised
@@ -241,7 +256,7 @@ Trial refit(const NullModel& null, const Screened& screened, const FitOptions& o
             start->promised = 0.5 * (null.sumOfSquares() - probe->plain.explained);
         } else if (offered.size() > static_cast<std::size_t>(starts)) {
             const Eigen::VectorXd values = start->prepared.problem.startValues();
-            const Linearisation at = linearise(start->prepared.problem, values, true, {}, options.simulation, progress);
+            const Linearisation at = lineariseAt(*start, values, true, options.simulation, progress);
             if (!at.ok || !at.jacobian.allFinite()) continue;
             start->promised = promisedCost(at);
             // where the effect is not felt at all (below a threshold) a search by slopes has nowhere to go
