@@ -181,8 +181,10 @@ std::optional<ModelState> Search::backToLastWhole(NullModel& null, const NullMod
     return std::move(whole_->state);
 }
 
-/// Where the search has placed the jumps of the inputs, the errors are told with the recordings as they are.
-void Search::reportAsRecorded(const NullModel& null, ModelState& state) const {
+/// Where the search has placed the jumps of the inputs or set their clocks, the errors are told with the recordings as
+/// they are.
+void Search::reportAsRecorded(const NullModel& null, ModelState& state) {
+    if (asRecorded_.empty()) return;
     Variant plain = full_;
     for (std::size_t r = 0; r < asRecorded_.size(); ++r) {
         Recording& recording = plain.task.recordings[r];
@@ -197,6 +199,7 @@ void Search::reportAsRecorded(const NullModel& null, ModelState& state) const {
     // an interrupted search reports as well
     Outcome<ModelState> told = stateOf(*whole, null.fit, options_.fit.simulation, Progress());
     if (!told) return;
+    errorsOnTime_ = {errorPercentOf(state, Role::Fit), errorPercentOf(state, Role::Validate)};
     state.experiments = std::move(told->experiments);
     state.residual = std::move(told->residual);
 }
@@ -347,15 +350,16 @@ Outcome<Finding> Search::run() {
         change_.reset();
         dependence_.reset();
         finding.final = backToLastWhole(*null, base).value_or(finding.baseline);
-        if (!edges_.empty() && !steps_.empty()) reportAsRecorded(*null, finding.final);
+        if (!steps_.empty()) reportAsRecorded(*null, finding.final);
     }
     holdUnneededStarts(*null);
+    holdUnneededClocks(*null);
     finding.nextExperiment = proposeExperiments(*null);
     const std::map<int, Text> held = heldRemarks(*null);
     const bool isOpen = proposed.empty() && !change_ && !dependence_ && !isNoise(*null);
     const std::string place = isOpen ? likeliestPlace(*null, search_.fit.simulation, progress_) : std::string();
     const auto isAsGiven = [&] {
-        return steps_.empty() && freedStarts_.empty() && noisyInputs_.empty() && edges_.empty();
+        return steps_.empty() && freedStarts_.empty() && noisyInputs_.empty() && asRecorded_.empty();
     };
     // what is left with the inputs as recorded is their noise; it says nothing of the component
     std::optional<NullModel> quiet;
@@ -387,7 +391,7 @@ Outcome<Finding> Search::run() {
         }
         null = std::move(*fitted);
         finding.final = std::move(*after);
-        if (!edges_.empty()) reportAsRecorded(*null, finding.final);
+        reportAsRecorded(*null, finding.final);
         isFinal = true;
     }
     if (isAsGiven()) null = onAll ? *onAll : base;
@@ -401,7 +405,8 @@ Outcome<Finding> Search::run() {
         // what the model is without this effect, and with it; the others are there in both
         effect.evidence.errorPercentBefore =
             steps_[i].errorWithout >= 0 ? steps_[i].errorWithout : errorPercentOf(finding.baseline, Role::Fit);
-        effect.evidence.errorPercentAfter = errorPercentOf(finding.final, Role::Fit);
+        effect.evidence.errorPercentAfter =
+            errorsOnTime_ ? errorsOnTime_->first : errorPercentOf(finding.final, Role::Fit);
         finding.effects.push_back(effect);
         const PlacedEffect& placed = null->variant.effects[i];
         for (std::size_t t = 0; t < placed.twins.size(); ++t) {

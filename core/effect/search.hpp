@@ -8,6 +8,7 @@
 #include "core/effect/dependence.hpp"
 #include "core/effect/discover.hpp"
 #include "core/effect/faulty_sample.hpp"
+#include "core/effect/input_clock.hpp"
 #include "core/effect/input_edge.hpp"
 #include "core/effect/input_noise.hpp"
 #include "core/effect/judgement.hpp"
@@ -129,6 +130,14 @@ private:
         Acceptance gain;
     };
     std::optional<Allowed> allowed(const NullModel& null, const Variant& variant, int freed, double threshold) const;
+    struct Late {
+        std::vector<InputClock> clocks;
+        Variant variant;
+        Allowed with;
+    };
+    std::optional<Late> findClocks(const NullModel& null, double threshold, double most) const;
+    bool refitLate(NullModel& null, Late late);
+    void holdUnneededClocks(NullModel& null);
     bool placeEdges(NullModel& null, double threshold, double most);
     bool canPlaceEdges(const NullModel& null) const;
     bool takesEdgesForDelays(const NullModel& null);
@@ -136,7 +145,7 @@ private:
     Outcome<NullModel> fittedWith(const NullModel& null, const ToldStart& start, bool isFitted) const;
     bool refitWith(NullModel& null, const ToldStart& start);
     void holdUnneededStarts(NullModel& null);
-    void reportAsRecorded(const NullModel& null, ModelState& state) const;
+    void reportAsRecorded(const NullModel& null, ModelState& state);
     std::vector<Text> recordingRemarks(const NullModel& null) const;
     void treatAlike(NullModel& null);
     void sharpen(NullModel& null);
@@ -173,8 +182,12 @@ private:
     std::vector<FaultySamples> faults_;        // of the measurement
     std::vector<ToldStart> freedStarts_;       // that were told wrongly
     std::vector<NoisyInput> noisyInputs_;      // that base_ has without their noise
+    std::vector<InputClock> clocks_;           // that base_ and full_ have where they are
+    std::vector<Recording> stamped_;           // of base_, without them
+    int clockChanges_{};
     std::vector<InputEdge> edges_;             // that base_ and full_ have where they are
-    std::vector<Recording> asRecorded_;        // of full_, without them
+    std::vector<Recording> asRecorded_;        // of full_, without either
+    std::optional<std::pair<double, double>> errorsOnTime_;  // [%] with both: fitted, validated (negative: none)
     bool beginsAnew_{};                        // what was allowed for in a later round
     bool writesLaws_{};                        // for what no class has, in every round
     int round_{}, choices_{};

@@ -18,6 +18,8 @@ constexpr double asHeld = 0.8;          // of an interval
 constexpr int mostPasses = 3;
 constexpr double leastOfJumps = 20, shareOfJumps = 0.5;  // evidence; of what stays unexplained
 constexpr double nearlyAll = 0.95, farFromAll = 0.05;    // of what an effect explains
+constexpr double isLateByMean = 1;                       // sampling intervals, at most
+constexpr int mostClockChanges = 3;
 
 bool areHeld(const std::vector<InputEdge>& edges) {
     return std::all_of(edges.begin(), edges.end(), [](const InputEdge& e) { return e.bend == 0 && e.part > asHeld; });
@@ -83,7 +85,80 @@ bool Search::allowForRecordings(NullModel& null, const Round& round) {
         say("reconsider", "noise of the inputs", -1);
         if (explainsMore(quiet, static_cast<int>(noisy.size()))) return refitQuiet(null, std::move(quiet), noisy);
     }
-    return placeEdges(null, round.threshold, most) || (best && refitWith(null, *best));
+    std::optional<Late> late = findClocks(null, round.threshold, most);
+    if (late) most = late->with.gain.effective;
+    if (placeEdges(null, round.threshold, most)) return true;
+    if (late) return refitLate(null, std::move(*late));
+    return best && refitWith(null, *best);
+}
+
+/// The inputs earlier than they are stamped, where that explains more than so much. Jumps that were placed stay.
+std::optional<Search::Late> Search::findClocks(const NullModel& null, double threshold, double most) const {
+    if (!edges_.empty() || clockChanges_ >= mostClockChanges || hasProposal(null)) return std::nullopt;
+    const std::vector<Recording>& stamped = clocks_.empty() ? base_.task.recordings : stamped_;
+    say("reconsider", "clocks of the inputs", -1);
+    const double interval = samplingInterval(null.variant.task);
+    // the parameters made up for the lateness: with them it moves on
+    NullModel there = null;
+    std::optional<Late> found;
+    std::vector<std::vector<std::string>> groups = clockGroups(null.variant.task, stamped);
+    for (int pass = 0; pass < mostPasses; ++pass) {
+        std::size_t group = 0;
+        const std::vector<InputClock> clocks = likeliestClocks(there, stamped, found ? found->clocks : clocks_, groups,
+                                                               search_.fit.simulation, progress_, group);
+        if (clocks.empty()) break;
+        groups = {groups[group]};
+        Variant drawn = null.variant;
+        drawn.values = there.variant.values;
+        analogon::setClocks(drawn.task.recordings, stamped, clocks);
+        std::optional<Allowed> with = allowed(null, drawn, static_cast<int>(clocks.size()), threshold);
+        const double before = found ? found->with.gain.effective : 0;
+        if (!with || !with->gain.isSignificant || !(with->gain.effective > before)) break;
+        there.variant = drawn;
+        there.variant.values = valuesOf(with->fit);
+        there.fit = with->fit;
+        found = Late{clocks, std::move(drawn), std::move(*with)};
+    }
+    if (!found) return std::nullopt;
+    // less than a sample is what every mean over one is late by, and met far more often than an effect that looks alike
+    const bool isOfLogger = std::all_of(found->clocks.begin(), found->clocks.end(),
+                                        [&](const InputClock& c) { return c.late < isLateByMean * interval; });
+    const Acceptance& gain = found->with.gain;
+    const bool counts = std::max(gain.evidence, gain.effective) > std::max(leastOfJumps, threshold) &&
+                        gain.share > shareOfJumps && gain.effective > (isOfLogger ? nearlyAll : 1) * most;
+    return counts ? std::move(found) : std::nullopt;
+}
+
+/// The model beside inputs at their true times; so in all that is fitted from here on.
+bool Search::refitLate(NullModel& null, Late late) {
+    late.variant.values = valuesOf(late.with.fit);
+    Outcome<NullModel> next = fitNull(late.variant, null.noise, NoiseLevel::Estimate, search_.fit, progress_);
+    if (!next || progress_.stopRequested()) return false;
+    null = std::move(*next);
+    if (clocks_.empty()) stamped_ = base_.task.recordings;
+    if (asRecorded_.empty()) asRecorded_ = full_.task.recordings;
+    analogon::setClocks(base_.task.recordings, stamped_, late.clocks);
+    analogon::setClocks(full_.task.recordings, asRecorded_, late.clocks);
+    clocks_ = std::move(late.clocks);
+    ++clockChanges_;
+    return true;
+}
+
+/// Takes the columns as they are stamped where, beside the effects found since, being late explains nothing that
+/// counts.
+void Search::holdUnneededClocks(NullModel& null) {
+    if (clocks_.empty() || !edges_.empty() || progress_.stopRequested()) return;
+    Variant variant = null.variant;
+    analogon::setClocks(variant.task.recordings, stamped_, {});
+    Outcome<NullModel> stamped = fitNull(variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
+    if (!stamped || progress_.stopRequested()) return;
+    const Acceptance missed = examine(*stamped, null.fit, static_cast<int>(clocks_.size()), 0);
+    if (missed.isSignificant && missed.isWorthwhile) return;
+    base_.task.recordings = stamped_;
+    full_.task.recordings = asRecorded_;
+    asRecorded_.clear();
+    clocks_.clear();
+    null = std::move(*stamped);
 }
 
 /// Beside an equation that only stands for something the jumps would mend it.
@@ -157,7 +232,7 @@ bool Search::refitPlaced(NullModel& null, Variant placed, std::vector<InputEdge>
     Outcome<NullModel> next = fitNull(placed, null.noise, NoiseLevel::Estimate, search_.fit, progress_);
     if (!next || progress_.stopRequested()) return false;
     null = std::move(*next);
-    asRecorded_ = full_.task.recordings;
+    if (asRecorded_.empty()) asRecorded_ = full_.task.recordings;
     place(base_.task, edges);
     place(full_.task, edges);
     edges_ = std::move(edges);
@@ -170,6 +245,12 @@ bool Search::refitQuiet(NullModel& null, Variant quiet, const std::vector<NoisyI
     if (!next || progress_.stopRequested()) return false;
     null = std::move(*next);
     quieten(base_.task);
+    if (!clocks_.empty()) {
+        EstimationTask stamped = base_.task;
+        stamped.recordings = std::move(stamped_);
+        quieten(stamped);
+        stamped_ = std::move(stamped.recordings);
+    }
     noisyInputs_ = noisy;
     return true;
 }
@@ -227,6 +308,21 @@ std::vector<Text> Search::recordingRemarks(const NullModel& null) const {
                    "component: the search has smoothed it, the errors that are reported are with it; record it with "
                    "less noise, or smooth it",
                    input.name, full_.task.recordings[static_cast<std::size_t>(input.recording)].name, input.deviation));
+    for (const InputClock& clock : clocks_) {
+        const double samples = clock.late / samplingInterval(full_.task);
+        remarks.push_back(phrase(
+            "the input '{}' is stamped {:.3g} s late ({:.2g} samples; a mean over the last sample is late by half "
+            "of one): the search reckons with it, the errors that are reported do not; set it in the study as "
+            "its \"clock\": {:.3g}",
+            clock.input, clock.late, samples, clock.late));
+    }
+    if (!clocks_.empty() && errorsOnTime_)
+        remarks.push_back(
+            errorsOnTime_->second >= 0
+                ? phrase("with its inputs on time the model has an error of {:.2f} %, and of {:.2f} % on "
+                         "recordings that were not fitted",
+                         errorsOnTime_->first, errorsOnTime_->second)
+                : phrase("with its inputs on time the model has an error of {:.2f} %", errorsOnTime_->first));
     if (!edges_.empty()) remarks.push_back(remarkOn(edges_));
     for (const ToldStart& start : freedStarts_)
         for (const FitEstimate& e : null.fit.estimates) {

@@ -52,6 +52,19 @@ TimeStencil stencilAt(const std::vector<double>& time, double t) {
     return stencil;
 }
 
+Eigen::RowVectorXd onLinesAt(const std::vector<double>& time, const Eigen::RowVectorXd& column, double offset) {
+    Eigen::RowVectorXd shifted(column.size());
+    std::size_t k = 0;
+    for (Eigen::Index j = 0; j < column.size(); ++j) {
+        const double stamp = std::clamp(time[static_cast<std::size_t>(j)] + offset, time.front(), time.back());
+        while (k + 2 < time.size() && time[k + 1] <= stamp) ++k;
+        const auto left = static_cast<Eigen::Index>(k);
+        const double part = (stamp - time[k]) / (time[k + 1] - time[k]);
+        shifted[j] = column[left] + part * (column[left + 1] - column[left]);
+    }
+    return shifted;
+}
+
 Eigen::RowVectorXd atStamps(const std::vector<double>& time, const Eigen::RowVectorXd& trace, double offset) {
     Eigen::RowVectorXd shifted(trace.size());
     for (Eigen::Index k = 0; k < trace.size(); ++k)

@@ -40,6 +40,10 @@ private:
 };
 TimeStencil stencilAt(const std::vector<double>& time, double t);
 
+/// A column as it was at the true times, stamped by a clock that is ahead (stamped late: by a positive offset); on the
+/// lines between its samples, as inputs run, and constant beyond its ends. `time` ascends, two samples at least.
+Eigen::RowVectorXd onLinesAt(const std::vector<double>& time, const Eigen::RowVectorXd& column, double offset);
+
 /// A trace at the stamps of a clock that is ahead by `offset`.
 Eigen::RowVectorXd atStamps(const std::vector<double>& time, const Eigen::RowVectorXd& trace, double offset);
 

@@ -242,24 +242,8 @@ private:
                       phrase("Give its offset in seconds, or fit the clocks of the outputs."));
             if (mapping.clock == 0.0 || recording.inputs.cols() == 0) continue;
             auto row = recording.inputs.row(static_cast<Eigen::Index>(i));
-            row = linearAt(recording.time, row, mapping.clock);
+            row = onLinesAt(recording.time, row, mapping.clock);
         }
-    }
-
-    /// A column as it was at the true times, stamped by a clock that is ahead; on the lines between its samples, as
-    /// inputs run.
-    static Eigen::RowVectorXd linearAt(const std::vector<double>& time, const Eigen::RowVectorXd& column,
-                                       double ahead) {
-        Eigen::RowVectorXd shifted(column.size());
-        std::size_t k = 0;
-        for (Eigen::Index j = 0; j < column.size(); ++j) {
-            const double stamp = std::clamp(time[static_cast<std::size_t>(j)] + ahead, time.front(), time.back());
-            while (k + 2 < time.size() && time[k + 1] <= stamp) ++k;
-            const auto left = static_cast<Eigen::Index>(k);
-            const double part = (stamp - time[k]) / (time[k + 1] - time[k]);
-            shifted[j] = column[left] + part * (column[left + 1] - column[left]);
-        }
-        return shifted;
     }
 
     void readExperiment(const StudyExperiment& experiment, const std::string& pointer) {

@@ -4154,6 +4154,18 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Was an Ausgang „{}“ von „{}“ bleibt, ist nicht ganz Rauschen, aber viel weniger, als das Gefundene erklärt: So viel können die Formen seiner Blöcke lassen (ein gerundeter Vorzeichenwechsel, ein genaues Quadrat)</translation>
     </message>
     <message>
+        <source>the input '{}' is stamped {:.3g} s late ({:.2g} samples; a mean over the last sample is late by half of one): the search reckons with it, the errors that are reported do not; set it in the study as its &quot;clock&quot;: {:.3g}</source>
+        <translation>Der Eingang „{}“ trägt seinen Zeitstempel {:.3g} s zu spät ({:.2g} Abtastwerte; ein Mittel über den letzten Abtastwert kommt um einen halben zu spät): Die Suche berücksichtigt das, die genannten Fehler nicht; in der Studie als &quot;clock&quot;: {:.3g} eintragen</translation>
+    </message>
+    <message>
+        <source>with its inputs on time the model has an error of {:.2f} %, and of {:.2f} % on recordings that were not fitted</source>
+        <translation>Mit rechtzeitigen Eingängen hat das Modell einen Fehler von {:.2f} % und von {:.2f} % auf nicht angepassten Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>with its inputs on time the model has an error of {:.2f} %</source>
+        <translation>Mit rechtzeitigen Eingängen hat das Modell einen Fehler von {:.2f} %</translation>
+    </message>
+    <message>
         <source>the inputs jump just before the next sample ({} jumps): they are held in between and do not run straight from sample to sample; the parameters reckon with it, the errors that are reported do not</source>
         <translation>Die Eingänge springen kurz vor dem nächsten Abtastwert ({} Sprünge): Sie werden dazwischen gehalten und verlaufen nicht gerade von Wert zu Wert; die Parameter berücksichtigen das, die genannten Fehler nicht</translation>
     </message>

@@ -33,6 +33,18 @@ TEST(TimeStencil, IsExactForAParabolaBetweenUnequalSamples) {
     EXPECT_EQ(stencilAt(time, 2.0).slope(at), 0.0);
 }
 
+TEST(OnLinesAt, DrawsALateColumnEarlierOnItsLines) {
+    const std::vector<double> time{0.0, 1.0, 2.0, 4.0};
+    Eigen::RowVectorXd column(4);
+    column << 0.0, 0.0, 6.0, 2.0;
+    Eigen::RowVectorXd expected(4);
+    expected << 0.0, 3.0, 5.0, 2.0;
+    EXPECT_TRUE(onLinesAt(time, column, 0.5).isApprox(expected));
+    expected << 0.0, 0.0, 3.0, 3.0;
+    EXPECT_TRUE(onLinesAt(time, column, -0.5).isApprox(expected));
+    EXPECT_TRUE(onLinesAt(time, column, 0.0).isApprox(column));
+}
+
 TEST(TimeStencil, MovesSmoothlyPastASample) {
     const std::vector<double> time{0.0, 1.0, 2.0, 3.0, 4.0};
     const auto at = [](int k) { return k == 2 ? 1.0 : 0.0; };

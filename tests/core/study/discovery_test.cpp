@@ -29,6 +29,7 @@ struct Shaft {
     double pickUp{};    // [rad/(s.N.m)] of the tachometer, from the drive
     bool isHeld{};      // the command, between its samples
     double spark{};     // [rad/s] by which every 150th sample of the tachometer is wrong
+    double late{};      // [s] that the column of the command is stamped
 };
 
 double signOf(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
@@ -102,7 +103,7 @@ end Rotor;
         const std::vector<double> speed = speedOf(shaft);
         double error = scatter(random);
         for (int k = 0; k < samples; ++k) {
-            csv << k * step << ',' << commandOf(shaft, k * step) << ','
+            csv << k * step << ',' << commandOf(shaft, std::max(0.0, k * step - shaft.late)) << ','
                 << speed[static_cast<std::size_t>(k)] + error + (k % 150 == 40 ? shaft.spark : 0);
             error = memory * error + std::sqrt(1 - memory * memory) * scatter(random);
             if (oil) csv << ',' << oil(k * step);
@@ -164,6 +165,32 @@ TEST_F(Discovery, TakesACommandThatIsHeldForNoDeadTime) {
     EXPECT_EQ(finding.kind, FindingKind::Adequate);
     EXPECT_TRUE(std::any_of(finding.warnings.begin(), finding.warnings.end(),
                             [](const Text& w) { return w.english().find("held in between") != std::string::npos; }));
+}
+
+TEST_F(Discovery, TakesAnInputThatIsStampedLateForNoEffect) {
+    Shaft shaft{0.02, [](double, double w, double) { return 0.03 * w; }};
+    shaft.late = step;
+    const Finding finding = search(shaft);
+    EXPECT_EQ(finding.kind, FindingKind::Adequate);
+    EXPECT_TRUE(finding.effects.empty());
+    const auto said = std::find_if(finding.warnings.begin(), finding.warnings.end(), [](const Text& w) {
+        return w.english().find("the input 'tau' is stamped 0.0") != std::string::npos;
+    });
+    ASSERT_NE(said, finding.warnings.end());
+    EXPECT_NEAR(std::stod(said->english().substr(said->english().find("0.0"))), shaft.late, 0.1 * step);
+    const auto inertia = std::find_if(finding.final.parameters.begin(), finding.final.parameters.end(),
+                                      [](const FitEstimate& e) { return e.name == "rotor.J"; });
+    ASSERT_NE(inertia, finding.final.parameters.end());
+    EXPECT_NEAR(inertia->value, 0.02, 0.0003);
+}
+
+TEST_F(Discovery, FindsAnEffectBesideAnInputThatIsStampedLate) {
+    Shaft shaft{0.02, [](double, double w, double) { return 0.03 * w + 0.12 * signOf(w); }};
+    shaft.late = 2 * step;
+    const Finding finding = search(shaft);
+    ASSERT_EQ(finding.effects.size(), 1u);
+    EXPECT_EQ(finding.effects[0].kind, "friction.coulomb");
+    EXPECT_NEAR(finding.effects[0].parameters.at(0).value, 0.12, 0.006);
 }
 
 TEST_F(Discovery, LeavesSamplesOutThatAreFaultsOfTheMeasurement) {
