@@ -56,6 +56,7 @@ Outcome<NullModel> fitNull(const Variant& start, const std::vector<Eigen::Vector
         if (!null.fit.optimum.ok)
             return numericalError(null.fit.message, phrase("give other start values, or narrower bounds"));
         null.variant.values = valuesOf(null.fit);
+        null.variant.plans = stepsOf(null.fit);
         null.channels = residualChannels(prepared->problem);
         if (pass + 1 < passes) null.noise = noiseOf(null.variant.task, *prepared, null.fit);
     }

@@ -185,11 +185,11 @@ private:
     std::vector<InputClock> clocks_;           // that base_ and full_ have where they are
     std::vector<Recording> stamped_;           // of base_, without them
     int clockChanges_{};
-    std::vector<InputEdge> edges_;             // that base_ and full_ have where they are
-    std::vector<Recording> asRecorded_;        // of full_, without either
+    std::vector<InputEdge> edges_;                           // that base_ and full_ have where they are
+    std::vector<Recording> asRecorded_;                      // of full_, without either
     std::optional<std::pair<double, double>> errorsOnTime_;  // [%] with both: fitted, validated (negative: none)
-    bool beginsAnew_{};                        // what was allowed for in a later round
-    bool writesLaws_{};                        // for what no class has, in every round
+    bool beginsAnew_{};                                      // what was allowed for in a later round
+    bool writesLaws_{};                                      // for what no class has, in every round
     int round_{}, choices_{};
     double work_{};  // of the trials so far
     double bestError_{-1};

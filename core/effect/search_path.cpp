@@ -33,8 +33,9 @@ std::vector<PlacedEffect> allBut(std::vector<PlacedEffect> effects, std::size_t 
 /// The model with these effects instead, on the samples of `on`, beside the same noise.
 std::optional<NullModel> refitted(const Variant& on, const NullModel& model, const std::vector<PlacedEffect>& effects,
                                   const FitOptions& options, const Progress& progress) {
-    const Outcome<Variant> variant = withEffects(on, effects, model.variant.values);
+    Outcome<Variant> variant = withEffects(on, effects, model.variant.values);
     if (!variant) return std::nullopt;
+    variant->plans = model.variant.plans;
     Outcome<NullModel> fitted = fitNull(*variant, model.noise, NoiseLevel::Keep, options, progress);
     if (!fitted) return std::nullopt;
     return std::move(*fitted);

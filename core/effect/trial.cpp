@@ -273,6 +273,7 @@ Trial refit(const NullModel& null, const Screened& screened, const FitOptions& o
         if (progress.stopRequested()) break;
         followRecorded(null, screened, ready[i], options, progress);
         followWholeNumbers(ready[i], options, progress);
+        if (!ready[i].plans.empty()) ready[i].prepared.problem.knownPlans = ready[i].plans;
         FitResult result = fit(ready[i].prepared.problem, options, progress);
         if (!result.optimum.ok) {
             best.failure = result.message;
@@ -281,6 +282,7 @@ Trial refit(const NullModel& null, const Screened& screened, const FitOptions& o
         if (best.ok && result.objective >= best.fit.objective) continue;
         best.variant = std::move(ready[i].variant);
         best.variant.values = valuesOf(result);
+        best.variant.plans = stepsOf(result);
         best.fit = std::move(result);
         best.ok = true;
     }
@@ -293,6 +295,7 @@ void proceed(const NullModel& null, Trial& trial, const FitOptions& options, con
     FitResult result = fit(prepared->problem, options, progress);
     if (!result.optimum.ok || result.objective > trial.fit.objective) return;
     trial.variant.values = valuesOf(result);
+    trial.variant.plans = stepsOf(result);
     trial.fit = std::move(result);
 }
 

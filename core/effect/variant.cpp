@@ -85,7 +85,7 @@ Outcome<Variant> withEffect(const Variant& variant, const EffectClass& effect, c
     if (!wired) return wired.diagnostics();
     Outcome<EstimationTask> task = withText(variant.task, syntax::apply(variant.task.model->text(), wired->edit).text);
     if (!task) return task.diagnostics();
-    Variant changed{std::move(*task), variant.effects, variant.values};
+    Variant changed{std::move(*task), variant.effects, variant.values, variant.plans};
     if (!wired->newInput.empty()) connectSpare(changed.task, place.spare, wired->newInput, effect.quantity);
     changed.effects.push_back({effect, place, wired->instance, wired->newInput, {}, values});
     return changed;
@@ -128,6 +128,7 @@ Outcome<PreparedTask> prepareAt(const Variant& variant, const std::vector<Eigen:
         if (!isClock(v.name)) kept.push_back(v.name);
     Outcome<PreparedTask> prepared = prepare(variant.task, noise, role, kept);
     if (!prepared) return prepared;
+    if (role == Role::Fit) prepared->problem.knownPlans = variant.plans;
     for (const ParameterValue& v : variant.values)
         for (FitParameter& p : prepared->problem.parameters)
             if (p.name == v.name && (p.experiment < 0 || (role == Role::Fit && p.experiment == v.experiment)))
@@ -174,6 +175,7 @@ Outcome<PreparedTask> prepareHeld(const Variant& variant, const std::vector<FitP
         }
     Outcome<PreparedTask> prepared = prepare(task, noise, Role::Fit, kept);
     if (!prepared) return prepared;
+    prepared->problem.knownPlans = variant.plans;
     for (const ParameterValue& v : variant.values) {
         const int index = prepared->system->parameterIndex(v.name);
         if (v.experiment >= 0 || index < 0) continue;
@@ -186,6 +188,12 @@ std::vector<ParameterValue> valuesOf(const FitResult& result) {
     std::vector<ParameterValue> values;
     for (const FitEstimate& e : result.estimates) values.push_back({e.name, e.experiment, e.value});
     return values;
+}
+
+std::vector<GridPlan> stepsOf(const FitResult& result) {
+    std::vector<GridPlan> plans = result.plans;
+    for (GridPlan& plan : plans) plan.terms.reset();
+    return plans;
 }
 
 Outcome<std::string> textWithValues(const Variant& variant) {

@@ -35,6 +35,8 @@ struct Variant {
     EstimationTask task;
     std::vector<PlacedEffect> effects;
     std::vector<ParameterValue> values;
+    /// Steps that served the model or one near it, one a fitted recording; empty: none are known.
+    std::vector<GridPlan> plans{};
 };
 
 /// Whether an effect of that kind, of whatever class, stands at that place.
@@ -66,6 +68,9 @@ Outcome<PreparedTask> prepareHeld(const Variant& variant, const std::vector<FitP
 
 /// Values of a fit result.
 std::vector<ParameterValue> valuesOf(const FitResult& result);
+
+/// The steps of its plans alone, without what belongs to the system that was fitted: that may be gone.
+std::vector<GridPlan> stepsOf(const FitResult& result);
 
 /// The model text with all values written in as modifications.
 Outcome<std::string> textWithValues(const Variant& variant);

@@ -276,9 +276,10 @@ std::vector<GridPlan> Misfit::plansFor(const Eigen::VectorXd& values, double loo
     if (method != GridMethod::Auto) options.method = method;
     std::vector<GridPlan> plans;
     for (std::size_t e = 0; e < problem_.experiments.size(); ++e) {
-        const bool isKept = e < plans_.size() && method == GridMethod::Auto;
+        const int experiment = static_cast<int>(e);
+        const GridPlan* const inForce = e < plans_.size() ? &plans_[e] : problem_.knownPlan(experiment);
         plans.push_back(
-            planFor(problem_, static_cast<int>(e), values, options, progress_, isKept ? &plans_[e] : nullptr));
+            planFor(problem_, experiment, values, options, progress_, method == GridMethod::Auto ? inForce : nullptr));
     }
     return plans;
 }

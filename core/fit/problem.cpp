@@ -72,13 +72,18 @@ SimulationTask taskFor(const FitProblem& problem, int experiment, const Eigen::V
     return task;
 }
 
-/// One simulation with this plan, or one made here; what is thrown in it is a failure like any other.
-Trajectory simulated(const FitProblem& problem, SimulationTask task, const GridPlan* plan, SimulationOptions options,
-                     const Progress& progress, SampleSink& sink) {
+/// One simulation with the experiment's plan of these, or one made here; what is thrown in it is a failure like any
+/// other.
+Trajectory simulated(const FitProblem& problem, std::size_t experiment, SimulationTask task,
+                     const std::vector<GridPlan>& plans, SimulationOptions options, const Progress& progress,
+                     SampleSink& sink) {
     try {
         if (problem.beforeSimulation) problem.beforeSimulation(task, options);
         if (options.engine == Engine::Adaptive) return simulateAdaptive(task, options, progress);
-        return simulateGrid(task, plan ? *plan : planGrid(task, options, progress), options, progress, &sink);
+        const GridPlan plan = experiment < plans.size()
+                                  ? plans[experiment]
+                                  : planGrid(task, options, progress, problem.knownPlan(static_cast<int>(experiment)));
+        return simulateGrid(task, plan, options, progress, &sink);
     } catch (const std::exception& fault) {
         Trajectory stopped;
         stopped.engine = options.engine;
@@ -284,6 +289,11 @@ bool FitProblem::hasClocks() const {
                        [](const FitExperiment& e) { return !e.clocks.empty(); });
 }
 
+const GridPlan* FitProblem::knownPlan(int experiment) const {
+    const auto e = static_cast<std::size_t>(experiment);
+    return e < knownPlans.size() ? &knownPlans[e] : nullptr;
+}
+
 GridPlan planFor(const FitProblem& problem, int experiment, const Eigen::VectorXd& values,
                  const SimulationOptions& options, const Progress& progress, const GridPlan* inForce) {
     return planGrid(taskFor(problem, experiment, values, nullptr), options, progress, inForce);
@@ -310,8 +320,7 @@ Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values
         const SimulationTask task = taskFor(problem, static_cast<int>(e), values, withJacobian ? &columns : nullptr);
         const std::vector<ClockAt> clocks = clocksAt(problem, experiment, values);
         RowWriter writer(experiment, columns, row, withJacobian, clocks, result);
-        const GridPlan* const plan = e < plans.size() ? &plans[e] : nullptr;
-        result.trajectories.push_back(simulated(problem, task, plan, options, progress, writer));
+        result.trajectories.push_back(simulated(problem, e, task, plans, options, progress, writer));
         Trajectory& trajectory = result.trajectories.back();
         if (options.engine == Engine::Adaptive) pour(trajectory, static_cast<int>(task.directions.cols()), writer);
         if (!trajectory.failure.failed) writer.applyClocks();
@@ -351,8 +360,7 @@ MisfitSums sumUp(const FitProblem& problem, const Eigen::VectorXd& values, bool 
         std::vector<Eigen::Index> columns;
         const SimulationTask task = taskFor(problem, index, values, withJacobian ? &columns : nullptr);
         parts[e] = std::make_unique<NormalEquations>(problem.experiments[e], std::move(columns));
-        const GridPlan* const plan = e < plans.size() ? &plans[e] : nullptr;
-        const Trajectory trajectory = simulated(problem, task, plan, options, progress, *parts[e]);
+        const Trajectory trajectory = simulated(problem, e, task, plans, options, progress, *parts[e]);
         if (trajectory.failure.failed) {
             failures[e] = describe(trajectory.failure, problem.experiments[e].name);
         } else if (!parts[e]->isFinite()) {

@@ -69,6 +69,8 @@ struct FitProblem {
     /// Standard deviation of a weighted residual, against which priors weigh. 0: the fit finds it (1 where the weights
     /// are the noise and the model leaves no more than that).
     double scatter{};
+    /// Steps that served near the start before, one an experiment: judged before they are taken. Empty: none are known.
+    std::vector<GridPlan> knownPlans{};
     /// Sees every simulation before it runs, from any thread: may change it, or refuse it by throwing.
     std::function<void(SimulationTask&, SimulationOptions&)> beforeSimulation{};
 
@@ -76,6 +78,7 @@ struct FitProblem {
     Eigen::VectorXd startValues() const;  // of the parameters
     bool hasPriors() const;
     bool hasClocks() const;
+    const GridPlan* knownPlan(int experiment) const;  // null: none
 };
 
 /// All residuals and, when asked, their Jacobian with respect to the parameters in their own units (not

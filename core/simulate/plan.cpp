@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -45,11 +47,12 @@ public:
         if (mayBeExact && options_.substeps == 0 && canBeExact(dynamics_, inputs_)) return {GridMethod::Exact, 1, 0.0};
         if (options_.method == GridMethod::Exact) options_.method = GridMethod::Auto;
         takeTerms(inForce);
+        if (const std::optional<GridPlan> plan = stillHolding(inForce)) return *plan;
         if (!surveyWholeRecord() || progress_.stopRequested()) return fallback();
         if (const std::optional<GridPlan> plan = singleSteps()) return *plan;
         if (options_.method == GridMethod::Auto && options_.substeps == 0) {
             const std::optional<GridPlan> plan =
-                scheduleSteps(dynamics_, inputs_, surveyRun_, tolerance_, limited_, progress_, inForce);
+                scheduleSteps(dynamics_, inputs_, surveyRun_, tolerance_, limited_, progress_);
             if (plan) return *plan;
         }
         if (progress_.stopRequested()) return fallback();
@@ -84,6 +87,42 @@ private:
             inForce && inForce->terms && *inForce == oneStep() && inForce->terms->owner == dynamics_.identity();
         terms_ = isKnown ? inForce->terms : tabulateTerms(dynamics_, inputs_, oneStep(), progress_);
     }
+
+    /// Steps that served near here before, where halving them tells that they still do (with half as many, where far
+    /// less is asked for now): to choose them anew takes three times as long.
+    std::optional<GridPlan> stillHolding(const GridPlan* known) {
+        const bool isFree = options_.method == GridMethod::Auto && options_.substeps == 0;
+        if (!isFree || !known || !known->steps || known->method == GridMethod::Exact) return std::nullopt;
+        if (static_cast<int>(known->steps->size()) + 1 != sampleCount_) return std::nullopt;
+        const auto scaled = [&](const auto& change) {
+            std::vector<std::int16_t> steps;
+            for (const std::int16_t own : *known->steps)
+                steps.push_back(static_cast<std::int16_t>(own < 0 ? -change(-own) : change(own)));
+            return planOf(std::move(steps));
+        };
+        const Trajectory fine = run(scaled([](int n) { return 2 * n; }), wholeRecord(), false);
+        if (fine.failure.failed) return std::nullopt;
+        const Eigen::VectorXd ranges = rangesOf(fine);
+        const auto judged = [&](GridPlan plan) {
+            plan.terms.reset();
+            const Trajectory coarse = run(plan, wholeRecord(), false);
+            const double error =
+                coarse.failure.failed
+                    ? std::numeric_limits<double>::infinity()
+                    : ((coarse.outputs - fine.outputs).array().abs().colwise() / ranges.array()).maxCoeff();
+            plan.errorEstimate = std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
+            return plan;
+        };
+        const GridPlan same = judged(*known);
+        if (!(same.errorEstimate <= tolerance_)) return std::nullopt;
+        if (same.errorEstimate < farBelow_ * tolerance_) {
+            const GridPlan coarser = judged(scaled([](int n) { return (n + 1) / 2; }));
+            if (!(coarser == same) && coarser.errorEstimate <= 0.5 * tolerance_) return coarser;
+        }
+        return same;
+    }
+
+    static constexpr double farBelow_ = 0.1;  // of the tolerance
 
     /// One explicit step an interval, where that is far more exact than asked for, in a model without kinks: what is
     /// seen at the start, where the record is liveliest, and at the eigenvalues here and there then speaks for all of

@@ -151,6 +151,9 @@ Trajectory simulateGrid(const SimulationTask& task, const GridPlan& plan, const 
     GridRun run;
     run.plan = plan;
     run.plan.substeps = std::max(1, plan.substeps);
+    // the plan of a model that was linear: what has joined it may need any steps, and they are chosen without tangents
+    if (plan.method == GridMethod::Exact && dynamics.shape().states > 0 && !canBeExact(dynamics, *task.inputs))
+        run.plan = planGrid(task, options, progress);
     // Made for another recording: the most demanding steps for all of this one.
     if (plan.steps && plan.steps->size() + 1 != task.inputs->time.size()) run.plan.steps = nullptr;
     run.keepStates = task.keepStates;

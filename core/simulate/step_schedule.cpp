@@ -88,7 +88,7 @@ public:
         u_.resize(static_cast<std::size_t>(dynamics.shape().slots));
     }
 
-    std::optional<GridPlan> run(const Trajectory& survey, const GridPlan* inForce) {
+    std::optional<GridPlan> run(const Trajectory& survey) {
         stateRanges_ = rangesOf(survey.states, dynamics_.shape().stateNominal);
         for (int round = 0;; ++round) {
             if (!walk()) return std::nullopt;
@@ -99,11 +99,6 @@ public:
             if (round == 2) return std::nullopt;
         }
         outputRanges_ = rangesOf(reference_, dynamics_.shape().outputNominal);
-        if (inForce && inForce->steps) {
-            GridPlan kept = *inForce;
-            kept.errorEstimate = errorOf(kept);
-            if (kept.errorEstimate <= tolerance_) return kept;
-        }
         return fitted();
     }
 
@@ -306,14 +301,13 @@ private:
 }  // namespace
 
 std::optional<GridPlan> scheduleSteps(Dynamics& dynamics, const SampledInputs& inputs, const Trajectory& survey,
-                                      double tolerance, const SimulationOptions& options, const Progress& progress,
-                                      const GridPlan* inForce) {
+                                      double tolerance, const SimulationOptions& options, const Progress& progress) {
     const Dynamics::Shape& shape = dynamics.shape();
     if (static_cast<int>(inputs.time.size()) < kFewestSamples || shape.states == 0 || shape.outputs == 0 ||
         shape.directions > 0) {
         return std::nullopt;
     }
-    return Scheduler(dynamics, inputs, tolerance, options, progress).run(survey, inForce);
+    return Scheduler(dynamics, inputs, tolerance, options, progress).run(survey);
 }
 
 }  // namespace analogon

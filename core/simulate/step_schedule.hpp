@@ -10,11 +10,10 @@ namespace analogon {
 /// where that is stable, by the implicit one where a few of its steps are cheaper. The solution is walked once with
 /// step doubling in every interval; what the plan yields is compared with it over the whole record, and the plan is
 /// tightened until its outputs agree within the tolerance (a part of each output's range).
-/// `survey` is a run over the record with its states: it shows how far they move. `inForce`, unless null, is returned
-/// when it still holds. Nothing: the record is too short, the model delays signals, or the walk failed.
+/// `survey` is a run over the record with its states: it shows how far they move. Nothing: the record is too short, the
+/// model delays signals, or the walk failed.
 std::optional<GridPlan> scheduleSteps(Dynamics& dynamics, const SampledInputs& inputs, const Trajectory& survey,
-                                      double tolerance, const SimulationOptions& options, const Progress& progress,
-                                      const GridPlan* inForce = nullptr);
+                                      double tolerance, const SimulationOptions& options, const Progress& progress);
 
 /// Cost of an implicit step in explicit ones: measured, with machine code for the explicit method or without.
 double costOfImplicitStep(Dynamics& dynamics);
