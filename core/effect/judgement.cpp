@@ -10,8 +10,9 @@ namespace {
 constexpr double leastBesideDisturbance = 30;  // fall in BIC
 constexpr double leastLikelier = 8;            // the same where noise is left
 constexpr double clearlyMissed = 100;          // in evidence
-constexpr double mostGrowth = 5;               // of an effect's strength when another joins it
-constexpr double leastOfRest = 0.5;            // of what is left above the noise
+constexpr double deviationsBesideStructure = 2;
+constexpr double mostGrowth = 5;     // of an effect's strength when another joins it
+constexpr double leastOfRest = 0.5;  // of what is left above the noise
 
 }  // namespace
 
@@ -29,8 +30,11 @@ bool isMissed(const Acceptance& a) { return a.isSignificant && a.isWorthwhile &&
 
 bool isClearlyMissed(const Acceptance& a) { return std::min(a.evidence, a.effective) > clearlyMissed; }
 
-bool isTold(const PlacedEffect& placed, const std::vector<FitEstimate>& estimates, const Acceptance& missed) {
-    return isDetermined(placed, estimates) || (isClearlyMissed(missed) && isScaleOpen(placed, estimates));
+bool isTold(const PlacedEffect& placed, const std::vector<FitEstimate>& estimates, const Acceptance& missed,
+            bool leavesNoise) {
+    // a standard error reckons with noise: beside structure it is too small
+    const bool isDistinct = isDetermined(placed, estimates, leavesNoise ? 1 : deviationsBesideStructure);
+    return isDistinct || (isClearlyMissed(missed) && isScaleOpen(placed, estimates));
 }
 
 bool outweighsRest(double fall, const NullModel& null) {

@@ -29,8 +29,9 @@ bool isMissed(const Acceptance& a);
 bool isClearlyMissed(const Acceptance& a);
 
 /// Whether the strength of an effect is told by the data: by its standard error, or, where the scale of the model is
-/// open, by what the model loses without it.
-bool isTold(const PlacedEffect& placed, const std::vector<FitEstimate>& estimates, const Acceptance& missed);
+/// open, by what the model loses without it. `leavesNoise`: the model explains all but noise.
+bool isTold(const PlacedEffect& placed, const std::vector<FitEstimate>& estimates, const Acceptance& missed,
+            bool leavesNoise);
 
 /// Whether an effect is more than what a flow that nobody measured takes over, one that varies slowly at some node: a
 /// second mass or a small exponent imitates it well from one short block to the next.

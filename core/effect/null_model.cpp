@@ -131,10 +131,10 @@ double quietest(const NullModel& null) {
     return least;
 }
 
-bool isDetermined(const PlacedEffect& effect, const std::vector<FitEstimate>& estimates) {
+bool isDetermined(const PlacedEffect& effect, const std::vector<FitEstimate>& estimates, double deviations) {
     const std::string& strength = effect.freed.front().name;
     return std::any_of(estimates.begin(), estimates.end(), [&](const FitEstimate& e) {
-        return e.name == strength && std::isfinite(e.standardError) && e.standardError < std::abs(e.value);
+        return e.name == strength && std::isfinite(e.standardError) && deviations * e.standardError < std::abs(e.value);
     });
 }
 

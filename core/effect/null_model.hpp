@@ -67,9 +67,9 @@ double sumInUnitsOf(const NullModel& units, const NullModel& model);
 /// Smallest noise of a fitted channel over the range of its measurement.
 double quietest(const NullModel& null);
 
-/// Whether the data fix the strength of an effect: a standard error, and one smaller than the value.
+/// Whether the data fix the strength of an effect: a standard error, and so many of them less than the value.
 bool isDetermined(const NullModel& null, std::size_t effect);
-bool isDetermined(const PlacedEffect& effect, const std::vector<FitEstimate>& estimates);
+bool isDetermined(const PlacedEffect& effect, const std::vector<FitEstimate>& estimates, double deviations = 1);
 
 /// Whether a parameter of the model itself is not determined either: all of them may then be known but for a common
 /// factor, and the standard error of an effect's strength tells nothing.

@@ -480,12 +480,14 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
             if (!beside) beside = besideDisturbance(null, search_.fit.simulation, progress_);
             const BesideDisturbance without = besideDisturbance(*refitted, search_.fit.simulation, progress_);
             const Eigen::Index rows = null.fit.optimum.residuals.size();
-            return leavesNoise ? isLikelier(without, *beside, rows, freed) : isBorneOut(without, *beside, rows, freed);
+            // what is constant hardly differs from a flow that varies slowly, and noise with a memory is noise as well
+            return leavesNoise || isColouredNoise(null) ? isLikelier(without, *beside, rows, freed)
+                                                        : isBorneOut(without, *beside, rows, freed);
         };
         const bool isItself = !isAtBound(null.variant.effects[i], null.fit);
         const bool holds = !isLast || missed.heldOut > leastHeldOut;
-        if (isMissed(missed) && isTold(null.variant.effects[i], null.fit.estimates, missed) && isItself && holds &&
-            (!isDoubtful || isMore())) {
+        if (isMissed(missed) && isTold(null.variant.effects[i], null.fit.estimates, missed, leavesNoise) && isItself &&
+            holds && (!isDoubtful || isMore())) {
             steps_[i].acceptance = missed;
             steps_[i].fall = refitted->sumOfSquares() - null.sumOfSquares();
             if (Outcome<ModelState> state =
@@ -526,7 +528,7 @@ bool Search::dropIndistinct(const NullModel& last, const ModelState& state, Null
         return false;
     const std::vector<PlacedEffect>& effects = last.variant.effects;
     for (std::size_t i = 0; i < effects.size(); ++i) {
-        if (!isTold(effects[i], state.parameters, steps_[i].acceptance) && takeOut(null, i)) return true;
+        if (!isTold(effects[i], state.parameters, steps_[i].acceptance, isNoise(last)) && takeOut(null, i)) return true;
     }
     return false;
 }

@@ -58,5 +58,18 @@ TEST(IsScaleOpen, IsAModelOfWhichAParameterIsNotDeterminedEither) {
     EXPECT_TRUE(isScaleOpen(cogging(), fit.estimates));
 }
 
+TEST(IsTold, IsAStrengthThatStandsOutTwiceAsFarBesideStructure) {
+    FitResult fit = ended(9, false);
+    fit.estimates.front().value = 6.1;
+    fit.estimates.front().standardError = 4;
+    const Acceptance missed;
+    EXPECT_TRUE(isTold(cogging(), fit.estimates, missed, true));
+    EXPECT_FALSE(isTold(cogging(), fit.estimates, missed, false));
+    fit.estimates.front().standardError = 3;
+    EXPECT_TRUE(isTold(cogging(), fit.estimates, missed, false));
+    fit.estimates.front().standardError = 6.2;
+    EXPECT_FALSE(isTold(cogging(), fit.estimates, missed, true));
+}
+
 }  // namespace
 }  // namespace analogon

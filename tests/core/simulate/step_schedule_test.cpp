@@ -113,6 +113,39 @@ TEST(StepSchedule, KeepsAPlanThatStillHolds) {
     EXPECT_FALSE(planGrid(task, {}, {}, &coarse) == coarse);
 }
 
+TEST(StepSchedule, TakesFewerStepsWhereMuchLessIsAskedFor) {
+    const Rotor rotor;
+    const SimulationTask task = rotor.task(false);
+    const GridPlan plan = planGrid(task);
+    SimulationOptions loose;
+    loose.relativeTolerance *= 300;
+    const GridPlan fewer = planGrid(task, loose, {}, &plan);
+    EXPECT_LT(fewer.work(), plan.work());
+    EXPECT_LE(fewer.errorEstimate, 10 * loose.relativeTolerance);
+}
+
+TEST(StepSchedule, DoesNotTakeThePlanOfAnotherRecording) {
+    const Rotor rotor;
+    const SimulationTask task = rotor.task(false);
+    const GridPlan plan = planGrid(task);
+    for (const std::size_t intervals : {rotor.inputs.time.size() - 40, rotor.inputs.time.size() + 400}) {
+        std::vector<std::int16_t> steps(intervals, 2);
+        steps.front() = 4;
+        const GridPlan other = planOf(steps);
+        EXPECT_TRUE(planGrid(task, {}, {}, &other) == plan) << intervals;
+    }
+}
+
+TEST(StepSchedule, IsMadeWhereThePlanOfALinearModelDoesNotServe) {
+    const Rotor rotor;
+    const GridPlan exact{GridMethod::Exact, 1, 0.0};
+    for (const bool withTangents : {false, true}) {
+        const Trajectory taken = simulateGrid(rotor.task(withTangents), exact);
+        EXPECT_FALSE(taken.failure.failed);
+        EXPECT_TRUE(taken.plan == planGrid(rotor.task(false))) << withTangents;
+    }
+}
+
 TEST(StepSchedule, TakesAnyNumberOfStepsInAnInterval) {
     const Rotor rotor;
     const SimulationTask task = rotor.task(false);

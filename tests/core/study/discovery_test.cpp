@@ -156,6 +156,14 @@ TEST_F(Discovery, TakesNoiseWithAMemoryForNoise) {
     EXPECT_NE(left.kind, FindingKind::Adequate);
 }
 
+TEST_F(Discovery, FindsAConstantTorqueInNoiseWithAMemory) {
+    const Finding finding = search({0.02, [](double, double w, double) { return 0.03 * w + 0.03; }}, 0.3, {}, 0.97);
+    EXPECT_EQ(finding.kind, FindingKind::Effect);
+    ASSERT_EQ(finding.effects.size(), 1u);
+    EXPECT_EQ(finding.effects[0].kind, "torque.constant");
+    EXPECT_NEAR(std::abs(finding.effects[0].parameters.at(0).value), 0.03, 0.01);
+}
+
 TEST_F(Discovery, TakesACommandThatIsHeldForNoDeadTime) {
     Shaft shaft;
     shaft.torque = [](double, double w, double) { return 0.03 * w; };
