@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
+#include <iterator>
 #include <limits>
+#include <set>
 
 #include "core/base/range.hpp"
 #include "core/effect/caution.hpp"
@@ -145,6 +147,27 @@ std::vector<InputClock> likeliestClocks(const NullModel& null, const std::vector
         group = g;
     }
     return best;
+}
+
+double explainedByPickUp(const NullModel& null, const std::vector<InputClock>& clocks) {
+    std::set<int> outputs;
+    for (const ResidualChannel& c : null.channels) outputs.insert(c.output);
+    const auto count = static_cast<Eigen::Index>(clocks.size() * outputs.size());
+    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(null.fit.optimum.residuals.size(), count);
+    for (const ResidualChannel& c : null.channels) {
+        const Recording& recording = fittedRecording(null.variant.task, c.experiment);
+        const auto output = static_cast<std::size_t>(std::distance(outputs.begin(), outputs.find(c.output)));
+        for (std::size_t i = 0; i < clocks.size(); ++i) {
+            const auto& names = recording.inputNames;
+            const auto own = std::find(names.begin(), names.end(), clocks[i].input) - names.begin();
+            if (own >= recording.inputs.rows()) continue;
+            for (int row = c.begin; row < c.end; ++row)
+                columns(row, static_cast<Eigen::Index>(output * clocks.size() + i)) =
+                    recording.inputs(own, c.samples[static_cast<std::size_t>(row - c.begin)]);
+        }
+    }
+    const Complement complement(null.fit.optimum.jacobian);
+    return scoreColumns(complement, null.fit.optimum.residuals, columns, false).explained;
 }
 
 }  // namespace analogon

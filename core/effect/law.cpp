@@ -12,11 +12,15 @@ namespace {
 
 constexpr std::size_t mostQuantities = 10;
 constexpr std::size_t mostOfFlows = 8, mostOfSensors = 4;
-constexpr double leastAngle = std::numbers::pi / 3;  // passed, for a wave along it to show
+constexpr double mostAngle = 200 * std::numbers::pi;  // that an actuator passes, of whatever gear
+constexpr double leastAngle = std::numbers::pi / 3;   // passed, for a wave along it to show
 
 using Names = std::vector<std::pair<std::string, std::string>>;  // of variables, with their units
 
 std::string potentialName(const ModelNodes::FlowNode& node) { return node.place.connector + "." + node.potential; }
+
+/// Whether a quantity is the angle of a shaft that turns on and on: nothing depends on how often it has turned.
+bool turnsOn(const Quantity& q, const std::string& unit) { return unit == "rad" && q.range.width() > mostAngle; }
 
 /// The quantities of the model but for one that moves as the place's own; temperatures as differences to `origin`,
 /// NaN: to their own first value.
@@ -29,7 +33,8 @@ std::vector<Quantity> foreignQuantities(const Names& others, const Series& value
         if (x == values.end() || found.size() == mostQuantities) continue;
         if (same != values.end() && (x->second.front() - same->second.front()).cwiseAbs().maxCoeff() == 0) continue;
         const double zero = unit != "K" ? 0 : std::isnan(origin) ? originOf(x->second.front()) : origin;
-        found.push_back(quantityOf("x" + std::to_string(found.size() + 1), name, name, unit, x->second, zero));
+        Quantity q = quantityOf("x" + std::to_string(found.size() + 1), name, name, unit, x->second, zero);
+        if (!turnsOn(q, unit)) found.push_back(std::move(q));
     }
     return found;
 }
@@ -62,15 +67,15 @@ LawProbe probeAt(const NullModel& null, const ModelNodes::FlowNode& node, const 
                 probe.addOwn(quantityOf("w", "", "w", "rad/s", speeds, 0), fmt::format("der({})", potential)));
         }
         const char* unit = isMechanical ? "rad" : node.flow == "Q_flow" ? "K" : "";
-        local.push_back(probe.addOwn(
-            quantityOf("p", "", node.potential, unit, found->second, originOf(found->second.front())), potential));
+        Quantity p = quantityOf("p", "", node.potential, unit, found->second, originOf(found->second.front()));
+        if (!turnsOn(p, unit)) local.push_back(probe.addOwn(std::move(p), potential));
     }
     for (const Quantity& q : local) addPowers(q, q.name == "w", 1, terms);
-    if (!local.empty()) addHinges(local.back(), local.back().range, terms);
-    if (local.size() == 2) {
+    if (!local.empty() && local.back().name == "p") addHinges(local.back(), local.back().range, terms);
+    if (isMechanical && !local.empty()) {
         const double largest = local.front().largest();
         addHinges(local.front(), {-largest, largest}, terms);
-        addProducts(local[0], local[1], true, 1, terms);
+        if (local.size() == 2) addProducts(local[0], local[1], true, 1, terms);
     }
     const std::vector<Quantity> foreign = foreignQuantities(others, values, own, std::nan(""));
     for (std::size_t j = 0; j < foreign.size(); ++j) {
@@ -91,7 +96,8 @@ LawProbe probeAt(const NullModel& null, const SignalInfo& output, const Names& o
     if (found == values.end()) return probe;
     const bool isAngle = output.unit == "rad";
     const double origin = output.unit == "K" ? originOf(found->second.front()) : 0;
-    const Quantity own = probe.addOwn(quantityOf("r", "", "u", output.unit, found->second, origin), "u");
+    const std::string reading = trueReading(output.name);
+    const Quantity own = probe.addOwn(quantityOf("r", "", reading, output.unit, found->second, origin), "u");
     if (!isAngle) {
         addPowers(own, false, 1, terms);
         terms.erase(terms.begin());  // its gain
@@ -106,7 +112,7 @@ LawProbe probeAt(const NullModel& null, const SignalInfo& output, const Names& o
         const bool isAlike = !output.unit.empty() && x.unit && own.unit && x.unit->text() == own.unit->text();
         if (isAlike)
             terms.push_back(
-                {fmt::format("({} - {})", x.name, own.name), fmt::format("({} - u)", x.variable), x.unit, 2});
+                {fmt::format("({} - {})", x.name, own.name), fmt::format("({} - {})", x.variable, reading), x.unit, 2});
         addPairs(foreign, j, terms);
     }
     return probe;

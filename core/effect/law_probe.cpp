@@ -33,13 +33,15 @@ LawSite siteOf(const ModelNodes::FlowNode& node) {
     return site;
 }
 
+std::string trueReading(const std::string& output) { return output + "_true"; }
+
 LawSite siteOf(const std::string& output, const std::string& unit) {
     LawSite site;
     site.place = {std::string(outputPrefix) + output, output, {}};
     site.baseName = "MissingReading";
     site.declaration = "extends Analogon.Interfaces.PartialSignal";
     site.sum = "y = u +";
-    site.shown = fmt::format("{} = u +", output);
+    site.shown = fmt::format("{} = {} +", output, trueReading(output));
     site.unit = UnitFactors::of(unit);
     site.way = Way::Insert;
     site.ports = {"u", "y"};

@@ -32,6 +32,9 @@ struct LawSite {
 
 /// At a node whose balance of flows may lack something.
 LawSite siteOf(const ModelNodes::FlowNode& node);
+/// What a sensor would show without the law, in an equation that people read: "w_true" of the output w.
+std::string trueReading(const std::string& output);
+
 /// At an output of the model, whose sensor may add something to what it reads.
 LawSite siteOf(const std::string& output, const std::string& unit);
 

@@ -123,6 +123,10 @@ std::optional<Search::Late> Search::findClocks(const NullModel& null, double thr
     // less than a sample is what every mean over one is late by, and met far more often than an effect that looks alike
     const bool isOfLogger = std::all_of(found->clocks.begin(), found->clocks.end(),
                                         [&](const InputClock& c) { return c.late < isLateByMean * interval; });
+    const Eigen::VectorXd& left = found->with.fit.optimum.residuals;
+    const double fall = null.sumOfSquares() - left.squaredNorm();
+    const double margin = equivalenceMargin * left.squaredNorm() / static_cast<double>(left.size());
+    if (!isOfLogger && explainedByPickUp(null, found->clocks) - fall > margin) return std::nullopt;
     const Acceptance& gain = found->with.gain;
     const bool counts = std::max(gain.evidence, gain.effective) > std::max(leastOfJumps, threshold) &&
                         gain.share > shareOfJumps && gain.effective > (isOfLogger ? nearlyAll : 1) * most;

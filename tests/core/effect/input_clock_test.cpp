@@ -86,6 +86,29 @@ TEST(LikeliestClocks, AreNoneWhereTheInputIsOnTimeOrEarly) {
     }
 }
 
+TEST(PickUp, ExplainsMoreThanALateInputOnlyWhereItIsOne) {
+    const auto nullOf = [](const EstimationTask& task) {
+        Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, FitOptions(), {});
+        EXPECT_TRUE(null) << format(null.diagnostics());
+        return std::move(*null);
+    };
+    const auto leftByClocks = [](const NullModel& null, const EstimationTask& task) {
+        std::size_t group = 0;
+        Variant drawn = null.variant;
+        setClocks(drawn.task.recordings, task.recordings,
+                  likeliestClocks(null, task.recordings, {}, {{"P"}}, FitOptions().simulation, {}, group));
+        const std::optional<FitResult> fit = fitBeside(null, drawn, FitOptions(), {});
+        return fit ? fit->optimum.residuals.squaredNorm() : -1;
+    };
+    EstimationTask picked = recordedLate(0);
+    picked.recordings[0].outputs += 0.8 * picked.recordings[0].inputs;
+    const NullModel pickUp = nullOf(picked);
+    EXPECT_GT(explainedByPickUp(pickUp, {{"P", 1}}), pickUp.sumOfSquares() - leftByClocks(pickUp, picked));
+    const EstimationTask late = recordedLate(1.5 * interval);
+    const NullModel delayed = nullOf(late);
+    EXPECT_LT(explainedByPickUp(delayed, {{"P", 1}}), delayed.sumOfSquares() - leftByClocks(delayed, late));
+}
+
 TEST(ClockGroups, AreEachInputThatChangesAndAllTogether) {
     EstimationTask task = recordedLate(0);
     Recording& r = task.recordings[0];

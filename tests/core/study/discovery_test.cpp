@@ -227,7 +227,7 @@ TEST_F(Discovery, WritesALawForWhatASensorPicksUp) {
     ASSERT_FALSE(finding.remainders.empty());
     const Remainder& law = finding.remainders.front();
     EXPECT_EQ(law.node, "output w");
-    EXPECT_NE(law.proposedEquation.find("w = u + a1*tau"), std::string::npos) << law.proposedEquation;
+    EXPECT_NE(law.proposedEquation.find("w = w_true + a1*tau"), std::string::npos) << law.proposedEquation;
     EXPECT_NE(law.proposedEquation.find("rad/(s.N.m)"), std::string::npos) << law.proposedEquation;
 }
 
