@@ -215,13 +215,14 @@ Search::Conclusion Search::conclude(NullModel& null, const NullModel& base, bool
     // where a proposal explains all, what it made needless only imitated it
     const bool leavesMuch = levelOf(null.fit) > largeResidual;
     if (leavesMuch) setAsideBehindProposal(null);
-    if (!isNoise(null)) removeOutweighed(null);
+    if (!isNoise(null)) removeOutweighed(null, leastOfRest);
     const bool hadProposal = hasProposal(null);
     const double with = misfitIn(base, null), left = excess(null);
     std::vector<Remainder> proposed = takeOutProposals(null);
     if (hadProposal) {
         if (leavesMuch) bringBackDisplaced(null, left);
         removeUnneeded(null, 0, true);  // what was seen only beside a proposal is not kept without it
+        if (!isNoise(null)) removeOutweighed(null, proposed.empty() ? leastOfRest : leastBesideOffered);
     }
     if (isNoise(null)) completeClasses(null);
     const double misfit = proposed.empty() ? misfitIn(base, null) : with;

@@ -11,8 +11,7 @@ constexpr double leastBesideDisturbance = 30;  // fall in BIC
 constexpr double leastLikelier = 8;            // the same where noise is left
 constexpr double clearlyMissed = 100;          // in evidence
 constexpr double deviationsBesideStructure = 2;
-constexpr double mostGrowth = 5;     // of an effect's strength when another joins it
-constexpr double leastOfRest = 0.5;  // of what is left above the noise
+constexpr double mostGrowth = 5;  // of an effect's strength when another joins it
 
 }  // namespace
 
@@ -37,8 +36,8 @@ bool isTold(const PlacedEffect& placed, const std::vector<FitEstimate>& estimate
     return isDistinct || (isClearlyMissed(missed) && isScaleOpen(placed, estimates));
 }
 
-bool outweighsRest(double fall, const NullModel& null) {
-    return !(levelOf(null.fit) > largeResidual) || fall > leastOfRest * excess(null);
+bool outweighsRest(double fall, const NullModel& null, double share) {
+    return !(levelOf(null.fit) > largeResidual) || fall > share * excess(null);
 }
 
 bool isBorneOut(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int freed) {
@@ -62,6 +61,15 @@ bool isAtBound(const PlacedEffect& placed, const FitResult& fit) {
 }
 
 bool isAtBound(const Trial& trial) { return isAtBound(trial.variant.effects.back(), trial.fit); }
+
+bool drivesToBound(const FitResult& without, const FitResult& with) {
+    return std::any_of(without.estimates.begin(), without.estimates.end(), [&](const FitEstimate& before) {
+        if (before.atBound) return false;
+        return std::any_of(with.estimates.begin(), with.estimates.end(), [&](const FitEstimate& e) {
+            return e.name == before.name && e.experiment == before.experiment && e.atBound;
+        });
+    });
+}
 
 bool fightsAnother(const NullModel& null, const FitResult& with) {
     const auto valueOf = [](const FitResult& fit, const std::string& name) {

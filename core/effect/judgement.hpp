@@ -43,12 +43,19 @@ bool isLikelier(const BesideDisturbance& without, const BesideDisturbance& with,
 
 /// Whether what the model loses without an effect (a fall in the sum of squares) is a good part of what the model
 /// leaves above the noise: in the shadow of something large that has no name, many an effect passes for a part of it.
-bool outweighsRest(double fall, const NullModel& null);
+bool outweighsRest(double fall, const NullModel& null, double share);
+
+constexpr double leastOfRest = 0.5;         // share
+constexpr double leastBesideOffered = 0.2;  // the same, where an equation is offered for what is left
 
 /// Whether the strength rests at a bound, or a shape at the low end of its reach: the effect then stands for something
 /// else.
 bool isAtBound(const PlacedEffect& placed, const FitResult& fit);
 bool isAtBound(const Trial& trial);
+
+/// Whether a parameter of the model that has a value of its own without an effect rests at a bound with it: the effect
+/// does the work of what is known to be there.
+bool drivesToBound(const FitResult& without, const FitResult& with);
 
 /// Whether a new effect and an old one grow against each other: two that cancel explain what neither does.
 bool fightsAnother(const NullModel& null, const FitResult& with);

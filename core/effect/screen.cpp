@@ -242,7 +242,7 @@ class Prober {
 public:
     /// `course`: of the variable that a wave goes along, in each fitted experiment.
     Prober(const NullModel& null, const Variant& wired, const std::vector<std::vector<double>>& course,
-           const SimulationOptions& simulation, const Progress& progress)
+           const std::vector<GridPlan>& steps, const SimulationOptions& simulation, const Progress& progress)
         : null_(null),
           course_(course),
           placed_(wired.effects.back()),
@@ -250,6 +250,7 @@ public:
           complement_(null.fit.optimum.jacobian),
           whiteComplement_(null.whitener(null.fit.optimum.jacobian)),
           whiteResidual_(null.whitener(null.fit.optimum.residuals)),
+          plans_(steps),
           simulation_(simulation),
           progress_(progress) {}
 
@@ -262,7 +263,6 @@ public:
         Outcome<PreparedTask> held = prepareHeld(wired_, free, null_.noise, kept);
         if (!held) return held.diagnostics();
         held_ = std::move(*held);
-        plans_ = null_.fit.plans;
         // a linear model's recurrence does not serve a wave
         for (std::size_t e = 0; !placed_.effect.phase.empty() && e < plans_.size(); ++e)
             if (plans_[e].method == GridMethod::Exact)
@@ -324,15 +324,17 @@ private:
     }
 
     /// Traces of the strength and of the further linear parameters, in units of the noise.
-    std::optional<Eigen::MatrixXd> traces(double secant) { return traces(secant, null_.fit.plans); }
+    std::optional<Eigen::MatrixXd> traces(double secant) { return traces(secant, plans_); }
 
     std::optional<Eigen::MatrixXd> traces(double secant, const std::vector<GridPlan>& plans) {
         Eigen::VectorXd at = off();
         at[0] = secant;
         const bool isSlope = secant == 0;
         const bool needsTangents = isSlope || !placed_.effect.linear.empty();
+        SimulationOptions simulation = simulation_;
+        if (!isSlope) simulation.relativeTolerance *= roughly;
         const Linearisation l = linearise(held_.problem, at, needsTangents, isSlope ? plans : std::vector<GridPlan>{},
-                                          simulation_, progress_);
+                                          simulation, progress_);
         if (!l.ok || l.residuals.size() != null_.fit.optimum.residuals.size()) return std::nullopt;
         Eigen::MatrixXd columns = needsTangents ? l.jacobian : Eigen::MatrixXd(l.residuals.size(), 1);
         if (!isSlope) columns.col(0) = (l.residuals - null_.fit.optimum.residuals) / secant;
@@ -385,10 +387,10 @@ private:
     const Variant& wired_;
     Complement complement_, whiteComplement_;
     Eigen::VectorXd whiteResidual_;
+    std::vector<GridPlan> plans_;
     const SimulationOptions& simulation_;
     const Progress& progress_;
     PreparedTask held_;
-    std::vector<GridPlan> plans_;
 };
 
 /// Whether the recorded course of an effect's variable is another than the simulated one to the shortest of its waves.
@@ -498,8 +500,8 @@ SimulationOptions limited(const NullModel& null, SimulationOptions simulation) {
     return simulation;
 }
 
-Screened screen(const NullModel& null, const Candidate& candidate, const SimulationOptions& options,
-                const Progress& progress) {
+Screened screen(const NullModel& null, const Candidate& candidate, const std::vector<GridPlan>& steps,
+                const SimulationOptions& options, const Progress& progress) {
     const SimulationOptions simulation = limited(null, options);
     Screened result;
     result.candidate = candidate;
@@ -529,7 +531,7 @@ Screened screen(const NullModel& null, const Candidate& candidate, const Simulat
     }
     if (secants.empty()) secants.push_back(0);
 
-    Prober prober(null, result.wired, observations->series(effect.along), simulation, progress);
+    Prober prober(null, result.wired, observations->series(effect.along), steps, simulation, progress);
     if (Outcome<Done> compiled = prober.compile(); !compiled) return fail(compiled.diagnostics());
     if (effect.states > 0) {
         const Outcome<PreparedTask> without = prepareHeld(null.variant, {}, null.noise);
@@ -553,7 +555,7 @@ Screened screen(const NullModel& null, const Candidate& candidate, const Simulat
     if (isAhead(observations->lead(), result)) {
         auto recorded = std::make_shared<const Variant>(
             alongRecorded(result.wired, observations->series(effect.along), observations->lead()));
-        Prober along(null, *recorded, observations->series(effect.along), simulation, progress);
+        Prober along(null, *recorded, observations->series(effect.along), steps, simulation, progress);
         result.recorded = std::move(recorded);
         if (along.compile())
             if (Outcome<Done> probed = probeAll(along); !probed) return fail(probed.diagnostics());

@@ -122,7 +122,7 @@ private:
     std::optional<ModelState> backToLastWhole(NullModel& null, const NullModel& base);
     bool onlyImitate(const NullModel& base, const NullModel& null) const;
     void removeUnneeded(NullModel& null, std::size_t least, bool isLast = false);
-    void removeOutweighed(NullModel& null);
+    void removeOutweighed(NullModel& null, double share);
     bool allowForRecordings(NullModel& null, const Round& round);
     bool refitQuiet(NullModel& null, Variant quiet, const std::vector<NoisyInput>& noisy);
     struct Allowed {

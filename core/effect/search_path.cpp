@@ -210,7 +210,8 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
     const bool isLawful = addLawPath(best, bareOf(base, first));
     if (beginsAnew_ || (isLawful && termsIn(best.null) < 2)) return best;
     for (const std::size_t other : others) {
-        if (progress_.stopRequested() || levelOf(best.null.fit) < structuredResidual || work_ > mostWork) break;
+        const bool isEnough = other != others.front() && work_ > mostWork;
+        if (progress_.stopRequested() || levelOf(best.null.fit) < structuredResidual || isEnough) break;
         Path path = pathFrom(base, first, other);
         if (beginsAnew_) return best;
         keepBetter(best, std::move(path));
@@ -350,13 +351,14 @@ bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted) {
     };
     std::copy_if(places->begin(), places->end(), std::back_inserter(rivals), isRival);
     std::vector<Screened> screened(rivals.size());
+    const std::vector<GridPlan> steps = roughSteps(*rest, search_.fit.simulation, progress_);
     parallelFor(static_cast<int>(rivals.size()), options_.threads, [&](int i) {
         say("reconsider",
             rivals[static_cast<std::size_t>(i)].effect.kind + " at " + rivals[static_cast<std::size_t>(i)].place.at +
                 " for " + old.effect.kind,
             -1);
         screened[static_cast<std::size_t>(i)] =
-            screen(*rest, rivals[static_cast<std::size_t>(i)], search_.fit.simulation, progress_);
+            screen(*rest, rivals[static_cast<std::size_t>(i)], steps, search_.fit.simulation, progress_);
     });
     // at the end few are left to try: also those whose slope has the wrong sign, beside parameters that took their part
     const auto isWorthATrial = [&](const Screened& s) {
@@ -484,7 +486,8 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
             return leavesNoise || isColouredNoise(null) ? isLikelier(without, *beside, rows, freed)
                                                         : isBorneOut(without, *beside, rows, freed);
         };
-        const bool isItself = !isAtBound(null.variant.effects[i], null.fit);
+        const bool isItself = !isAtBound(null.variant.effects[i], null.fit) &&
+                              (!isLast || leavesNoise || !drivesToBound(refitted->fit, null.fit));
         const bool holds = !isLast || missed.heldOut > leastHeldOut;
         if (isMissed(missed) && isTold(null.variant.effects[i], null.fit.estimates, missed, leavesNoise) && isItself &&
             holds && (!isDoubtful || isMore())) {
@@ -508,13 +511,13 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
 
 /// Takes out the names that explain little against what is left beside them, least first: the others are judged without
 /// it.
-void Search::removeOutweighed(NullModel& null) {
+void Search::removeOutweighed(NullModel& null, double share) {
     while (!progress_.stopRequested()) {
         std::optional<std::size_t> least;
         for (std::size_t i = 0; i < steps_.size(); ++i)
             if (null.variant.effects[i].effect.proposal.empty() && (!least || steps_[i].fall < steps_[*least].fall))
                 least = i;
-        if (!least || outweighsRest(steps_[*least].fall, null) || !takeOut(null, *least)) return;
+        if (!least || outweighsRest(steps_[*least].fall, null, share) || !takeOut(null, *least)) return;
         removeUnneeded(null, 0, true);
     }
 }

@@ -41,7 +41,9 @@ std::vector<Trial> Search::tryLaws(NullModel& null) {
         laws_[name] = law.text;
     }
     std::vector<Screened> screened;
-    for (const Law& law : laws) screened.push_back(screen(null, law.candidate, search_.fit.simulation, progress_));
+    const std::vector<GridPlan> steps = roughSteps(null, search_.fit.simulation, progress_);
+    for (const Law& law : laws)
+        screened.push_back(screen(null, law.candidate, steps, search_.fit.simulation, progress_));
     std::vector<const Screened*> chosen;
     for (const Screened& s : screened)
         if (s.failure.empty()) chosen.push_back(&s);
@@ -187,7 +189,7 @@ Text Search::proposeExperiments(const NullModel& null) {
             return c.effect.kind == open->kind && c.place.at == open->at;
         });
         if (other == steps_[i].rivals.end()) continue;
-        const Screened screened = screen(*rest, *other, search_.fit.simulation, progress_);
+        const Screened screened = screen(*rest, *other, rest->fit.plans, search_.fit.simulation, progress_);
         const std::vector<Trial> rival = tryThese(*rest, {&screened}, 2 * trialIterations, startsPerTrial);
         if (!rival.front().ok) continue;
         const std::optional<ProposedExperiment> next =

@@ -14,8 +14,9 @@ constexpr double twinCorrelation = 0.999;  // projected traces more alike than t
 constexpr double falseAlarmQuantile = 0.99;
 constexpr std::size_t mostRivals = 5, mostAlternatives = 6;
 constexpr std::size_t mostRetried = 4;
-constexpr double nearlyTheSame = 0.95;  // of the evidence, for what differs between the samples alone
-constexpr int glanceIterations = 5;     // of the whole catalogue, to see who deserves a trial
+constexpr double nearlyTheSame = 0.95;   // of the evidence, for what differs between the samples alone
+constexpr double contendingShare = 0.3;  // of the best evidence
+constexpr int glanceIterations = 5;      // of the whole catalogue, to see who deserves a trial
 
 /// What a fit took, in steps of the explicit method.
 double workOf(const FitResult& fit) {
@@ -36,17 +37,39 @@ bool isBetweenSamples(const Trial& trial, double interval) {
     return false;
 }
 
+/// Those whose further starts may change what is chosen: they promise to come near the best of all, or have come there.
+std::vector<TrialStarts*> contenders(const NullModel& null, const std::vector<std::unique_ptr<TrialStarts>>& begun) {
+    const Trial* best = nullptr;
+    for (const auto& each : begun)
+        if (const Trial& t = each->best(); t.ok && (best == nullptr || t.sumOfSquares() < best->sumOfSquares()))
+            best = &t;
+    std::vector<TrialStarts*> all;
+    for (const auto& each : begun) {
+        if (!each->hasNext()) continue;
+        bool contends = best == nullptr || !each->best().ok;
+        if (!contends) {
+            const EvidenceScale evidence(null, best->fit);
+            const double enough = std::max(0.0, contendingShare * evidence.of(best->sumOfSquares(), best->freed()));
+            const double reached = std::min(each->promised(), each->best().sumOfSquares());
+            contends = evidence.of(reached, each->best().freed()) >= enough;
+        }
+        if (contends) all.push_back(each.get());
+    }
+    return all;
+}
+
 }  // namespace
 
 std::vector<Screened> Search::screenAll(const NullModel& null) {
     Outcome<std::vector<Candidate>> candidates = candidatesFor(null.variant, catalogue_);
     if (!candidates) return {};
     std::vector<Screened> screened(candidates->size());
+    const std::vector<GridPlan> steps = roughSteps(null, search_.fit.simulation, progress_);
     parallelFor(static_cast<int>(screened.size()), options_.threads, [&](int i) {
         const Candidate& c = (*candidates)[static_cast<std::size_t>(i)];
         say("screen", c.effect.kind + " at " + c.place.at,
             static_cast<double>(i) / static_cast<double>(screened.size()));
-        screened[static_cast<std::size_t>(i)] = screen(null, c, search_.fit.simulation, progress_);
+        screened[static_cast<std::size_t>(i)] = screen(null, c, steps, search_.fit.simulation, progress_);
     });
     return screened;
 }
@@ -55,22 +78,33 @@ std::vector<Trial> Search::tryThese(const NullModel& null, const std::vector<con
                                     int starts) {
     FitOptions quick = trialOptions(search_.fit, iterations);
     quick.simulation = limited(null, quick.simulation);
-    std::vector<Trial> trials(chosen.size());
+    std::vector<std::unique_ptr<TrialStarts>> begun(chosen.size());
     parallelFor(static_cast<int>(chosen.size()), options_.threads, [&](int i) {
         const Screened& s = *chosen[static_cast<std::size_t>(i)];
         say("trial", s.candidate.effect.kind + " at " + s.candidate.place.at,
             static_cast<double>(i) / static_cast<double>(chosen.size()));
-        trials[static_cast<std::size_t>(i)] = refit(null, s, quick, starts, progress_);
+        auto& own = begun[static_cast<std::size_t>(i)];
+        own = std::make_unique<TrialStarts>(null, s, quick, starts, progress_);
+        if (own->hasNext()) own->takeNext();
     });
+    const std::vector<TrialStarts*> again = contenders(null, begun);
+    parallelFor(static_cast<int>(again.size()), options_.threads, [&](int i) {
+        TrialStarts& own = *again[static_cast<std::size_t>(i)];
+        while (own.hasNext()) own.takeNext();
+    });
+    std::vector<Trial> trials;
+    for (const auto& each : begun) trials.push_back(each->best());
     for (const Trial& t : trials) work_ += workOf(t.fit);
     return trials;
 }
 
-/// Refits the candidates that promise most by either score; where the residual is large against the noise, all.
+/// Refits the candidates that promise most by either score; where the residual is large against the noise, all. Beside
+/// noise alone, what promises less than would tell it apart is not worth a trial.
 std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>& screened) {
+    const double least = isNoise(null) ? equivalenceMargin : 0;
     std::vector<const Screened*> order;
     for (const Screened& s : screened)
-        if (s.failure.empty() && s.score() > 0) order.push_back(&s);
+        if (s.failure.empty() && s.score() > 0 && std::max(s.score(), s.whitenedScore()) > least) order.push_back(&s);
     std::stable_sort(order.begin(), order.end(),
                      [](const Screened* a, const Screened* b) { return a->score() > b->score(); });
     std::vector<const Screened*> byWhitened = order;
@@ -96,10 +130,10 @@ std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>&
     choose(proposals, options_.refitted / 3);
     std::vector<Trial> trials = tryThese(null, chosen, trialIterations, startsPerTrial);
 
-    double least = null.sumOfSquares();
+    double smallest = null.sumOfSquares();
     for (const Trial& t : trials)
-        if (t.ok) least = std::min(least, t.sumOfSquares());
-    const double level = std::sqrt(least / static_cast<double>(null.fit.optimum.residuals.size()));
+        if (t.ok) smallest = std::min(smallest, t.sumOfSquares());
+    const double level = std::sqrt(smallest / static_cast<double>(null.fit.optimum.residuals.size()));
     if (level > largeResidual && !progress_.stopRequested()) {
         const std::size_t before = chosen.size();
         choose(order, static_cast<int>(order.size()));

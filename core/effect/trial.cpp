@@ -8,6 +8,16 @@
 #include "core/effect/input_edge.hpp"
 
 namespace analogon {
+
+/// A point from which a candidate may be refitted.
+struct TrialStart {
+    Variant variant;  // effect's parameters freed, at their start values
+    PreparedTask prepared;
+    double promised{};  // half the sum of squares once the linearised problem is solved from here
+    bool isAlongRecorded{};
+    std::vector<GridPlan> plans{};  // of the steps near here; empty: not known
+};
+
 namespace {
 
 constexpr double leastEvidence = 20;                   // fall in BIC that an effect must bring
@@ -18,6 +28,8 @@ constexpr double mostAtEdges = 0.7, fewAtEdges = 0.4;  // of the fall, of the sa
 constexpr int samplesBehindEdge = 3;
 constexpr double structureFactor = 3;     // of what chance can bring, there
 constexpr std::ptrdiff_t mostStarts = 8;  // that are weighed against each other
+constexpr std::ptrdiff_t mostFaint = 4;   // of them, that may have come from traces which explain far less
+constexpr double faintShare = 0.2;        // than the best
 constexpr double trialTolerance = 1e-6;
 constexpr double leastHeldOutOfAll = 0.2;   // where nothing else remains, and far more is explained than chance can
 constexpr double farMore = 100;             // in evidence
@@ -96,15 +108,6 @@ std::vector<FitParameter> freedParameters(const Screened& s, const Probe& probe)
     return freed;
 }
 
-/// A point from which a candidate may be refitted.
-struct Start {
-    Variant variant;  // effect's parameters freed, at their start values
-    PreparedTask prepared;
-    double promised{};  // half the sum of squares once the linearised problem is solved from here
-    bool isAlongRecorded{};
-    std::vector<GridPlan> plans{};  // of the steps near here; empty: not known
-};
-
 /// The starts that a screened candidate offers: every probe's estimate of the strength, and for traces taken at a
 /// strength that strength itself, since what sets in at a threshold has no slope below it.
 std::vector<std::pair<const Probe*, double>> startsOf(const Screened& screened) {
@@ -122,7 +125,7 @@ std::vector<std::pair<const Probe*, double>> startsOf(const Screened& screened) 
 }
 
 /// A simulation near a start, with the steps that served there before: to choose them takes longer than to take them.
-Linearisation lineariseAt(Start& start, const Eigen::VectorXd& values, bool withJacobian,
+Linearisation lineariseAt(TrialStart& start, const Eigen::VectorXd& values, bool withJacobian,
                           const SimulationOptions& options, const Progress& progress) {
     const FitProblem& problem = start.prepared.problem;
     if (!start.plans.empty()) {
@@ -139,9 +142,9 @@ Linearisation lineariseAt(Start& start, const Eigen::VectorXd& values, bool with
 /// Half the sum of squares that is left when all parameters follow the tangent at this point.
 double promisedCost(const Linearisation& at) { return 0.5 * Complement(at.jacobian)(at.residuals).squaredNorm(); }
 
-std::optional<Start> prepareStart(const NullModel& null, const Screened& screened, const Probe& probe, double strength,
-                                  Text& failure) {
-    Start start;
+std::optional<TrialStart> prepareStart(const NullModel& null, const Screened& screened, const Probe& probe,
+                                       double strength, Text& failure) {
+    TrialStart start;
     start.variant = screened.wired;
     start.variant.effects.back().freed = freedParameters(screened, probe);
     if (strength != 0) start.variant.effects.back().freed.front().start = strength;
@@ -157,7 +160,7 @@ std::optional<Start> prepareStart(const NullModel& null, const Screened& screene
 }
 
 /// The strength of the newest effect among the parameters of its problem.
-std::vector<FitParameter>::iterator strengthOf(Start& start) {
+std::vector<FitParameter>::iterator strengthOf(TrialStart& start) {
     const std::string& name = start.variant.effects.back().freed.front().name;
     std::vector<FitParameter>& parameters = start.prepared.problem.parameters;
     return std::find_if(parameters.begin(), parameters.end(), [&](const FitParameter& p) { return p.name == name; });
@@ -165,10 +168,10 @@ std::vector<FitParameter>::iterator strengthOf(Start& start) {
 
 /// Lets the first `count` starts hold one along the recorded course and one along the simulated, where there are both:
 /// what they promise does not compare.
-void bothCourses(std::vector<Start>& starts, std::size_t count) {
+void bothCourses(std::vector<TrialStart>& starts, std::size_t count) {
     if (count < 2 || starts.size() <= count) return;
     const auto last = starts.begin() + static_cast<std::ptrdiff_t>(count);
-    const auto isOther = [&](const Start& s) { return s.isAlongRecorded != starts.front().isAlongRecorded; };
+    const auto isOther = [&](const TrialStart& s) { return s.isAlongRecorded != starts.front().isAlongRecorded; };
     if (std::any_of(starts.begin(), last, isOther)) return;
     if (const auto other = std::find_if(last, starts.end(), isOther); other != starts.end())
         std::iter_swap(last - 1, other);
@@ -176,7 +179,7 @@ void bothCourses(std::vector<Start>& starts, std::size_t count) {
 
 /// Where the strength comes from a slope at 0, the slope may promise far more than the model bears there (a magnet that
 /// warms until its field turns over). The strength is taken back until it is no worse than the model without.
-void takeBack(const NullModel& null, Start& start, const SimulationOptions& simulation, const Progress& progress) {
+void takeBack(const NullModel& null, TrialStart& start, const SimulationOptions& simulation, const Progress& progress) {
     const auto strength = strengthOf(start);
     const double first = strength->start;
     for (const double part : {1.0, 0.25, 0.0625, 0.015625}) {
@@ -193,7 +196,7 @@ bool isWhole(const PlacedEffect& placed, const FitParameter& parameter) {
 }
 
 /// Moves the start to the optimum of a problem with the same parameters, whole numbers held where they start.
-void follow(Start& start, FitProblem held, const FitOptions& options, const Progress& progress) {
+void follow(TrialStart& start, FitProblem held, const FitOptions& options, const Progress& progress) {
     const PlacedEffect& placed = start.variant.effects.back();
     std::vector<FitParameter>& parameters = start.prepared.problem.parameters;
     for (const FitParameter& p : parameters)
@@ -213,13 +216,13 @@ void follow(Start& start, FitProblem held, const FitOptions& options, const Prog
 
 /// Over many turns a count of waves that is off by a little fits nearly as well one turn later, and no slope leads from
 /// there to the best: what is a whole number is held at the start until all else has followed.
-void followWholeNumbers(Start& start, const FitOptions& options, const Progress& progress) {
+void followWholeNumbers(TrialStart& start, const FitOptions& options, const Progress& progress) {
     if (!start.variant.effects.back().effect.whole.empty()) follow(start, start.prepared.problem, options, progress);
 }
 
 /// Where the flow goes along a course that the model without it misses, all parameters first follow along the recorded
 /// one: from there the model takes that course by itself.
-void followRecorded(const NullModel& null, const Screened& screened, Start& start, const FitOptions& options,
+void followRecorded(const NullModel& null, const Screened& screened, TrialStart& start, const FitOptions& options,
                     const Progress& progress) {
     if (!start.isAlongRecorded || !screened.recorded) return;
     Variant variant = *screened.recorded;
@@ -236,27 +239,30 @@ FitOptions trialOptions(FitOptions options, int iterations) {
     return options;
 }
 
-Trial refit(const NullModel& null, const Screened& screened, const FitOptions& options, int starts,
-            const Progress& progress) {
-    Trial best;
-    best.screened = screened;
-    best.variant = screened.wired;
-    std::vector<Start> ready;
+TrialStarts::TrialStarts(const NullModel& null, const Screened& screened, const FitOptions& options, int starts,
+                         const Progress& progress)
+    : null_(null), screened_(screened), options_(options), progress_(progress) {
+    best_.screened = screened;
+    best_.variant = screened.wired;
+    SimulationOptions rough = options.simulation;  // starts are only compared
+    rough.relativeTolerance *= roughly;
     const std::vector<std::pair<const Probe*, double>> offered = startsOf(screened);
     for (const auto& [probe, strength] : offered) {
         if (progress.stopRequested()) break;
-        const auto alike = std::count_if(ready.begin(), ready.end(),
-                                         [&](const Start& s) { return s.isAlongRecorded == probe->isAlongRecorded; });
-        if (alike == mostStarts) continue;
-        std::optional<Start> start = prepareStart(null, screened, *probe, strength, best.failure);
+        const auto alike = std::count_if(ready_.begin(), ready_.end(), [&](const TrialStart& s) {
+            return s.isAlongRecorded == probe->isAlongRecorded;
+        });
+        const bool isFaint = probe->plain.explained < faintShare * offered.front().first->plain.explained;
+        if (alike == mostStarts || (alike >= mostFaint && isFaint)) continue;
+        std::optional<TrialStart> start = prepareStart(null, screened, *probe, strength, best_.failure);
         if (!start) continue;
-        if (probe->secant == 0 && !probe->isAlongRecorded) takeBack(null, *start, options.simulation, progress);
+        if (probe->secant == 0 && !probe->isAlongRecorded) takeBack(null, *start, rough, progress);
         start->isAlongRecorded = probe->isAlongRecorded;
         if (probe->isAlongRecorded) {
             start->promised = 0.5 * (null.sumOfSquares() - probe->plain.explained);
-        } else if (offered.size() > static_cast<std::size_t>(starts)) {
+        } else if (offered.size() > 1) {
             const Eigen::VectorXd values = start->prepared.problem.startValues();
-            const Linearisation at = lineariseAt(*start, values, true, options.simulation, progress);
+            const Linearisation at = lineariseAt(*start, values, true, rough, progress);
             if (!at.ok || !at.jacobian.allFinite()) continue;
             start->promised = promisedCost(at);
             // where the effect is not felt at all (below a threshold) a search by slopes has nowhere to go
@@ -264,29 +270,43 @@ Trial refit(const NullModel& null, const Screened& screened, const FitOptions& o
             if (at.jacobian.col(strengthColumn).norm() * std::abs(values[strengthColumn]) < 1e-6 * at.residuals.norm())
                 continue;
         }
-        ready.push_back(std::move(*start));
+        ready_.push_back(std::move(*start));
     }
-    std::stable_sort(ready.begin(), ready.end(),
-                     [](const Start& a, const Start& b) { return a.promised < b.promised; });
-    bothCourses(ready, static_cast<std::size_t>(starts));
-    for (std::size_t i = 0; i < std::min(ready.size(), static_cast<std::size_t>(starts)); ++i) {
-        if (progress.stopRequested()) break;
-        followRecorded(null, screened, ready[i], options, progress);
-        followWholeNumbers(ready[i], options, progress);
-        if (!ready[i].plans.empty()) ready[i].prepared.problem.knownPlans = ready[i].plans;
-        FitResult result = fit(ready[i].prepared.problem, options, progress);
-        if (!result.optimum.ok) {
-            best.failure = result.message;
-            continue;
-        }
-        if (best.ok && result.objective >= best.fit.objective) continue;
-        best.variant = std::move(ready[i].variant);
-        best.variant.values = valuesOf(result);
-        best.variant.plans = stepsOf(result);
-        best.fit = std::move(result);
-        best.ok = true;
+    std::stable_sort(ready_.begin(), ready_.end(),
+                     [](const TrialStart& a, const TrialStart& b) { return a.promised < b.promised; });
+    const auto count = static_cast<std::size_t>(starts);
+    bothCourses(ready_, count);
+    if (ready_.size() > count) ready_.erase(ready_.begin() + static_cast<std::ptrdiff_t>(count), ready_.end());
+}
+
+TrialStarts::~TrialStarts() = default;
+
+bool TrialStarts::hasNext() const { return next_ < ready_.size() && !progress_.stopRequested(); }
+
+double TrialStarts::promised() const { return 2 * ready_[next_].promised; }
+
+void TrialStarts::takeNext() {
+    TrialStart start = std::move(ready_[next_++]);
+    followRecorded(null_, screened_, start, options_, progress_);
+    followWholeNumbers(start, options_, progress_);
+    FitResult result = fit(start.prepared.problem, options_, progress_);
+    if (!result.optimum.ok) {
+        best_.failure = result.message;
+        return;
     }
-    return best;
+    if (best_.ok && result.objective >= best_.fit.objective) return;
+    best_.variant = std::move(start.variant);
+    best_.variant.values = valuesOf(result);
+    best_.variant.plans = stepsOf(result);
+    best_.fit = std::move(result);
+    best_.ok = true;
+}
+
+Trial refit(const NullModel& null, const Screened& screened, const FitOptions& options, int starts,
+            const Progress& progress) {
+    TrialStarts all(null, screened, options, starts, progress);
+    while (all.hasNext()) all.takeNext();
+    return all.best();
 }
 
 void proceed(const NullModel& null, Trial& trial, const FitOptions& options, const Progress& progress) {
@@ -299,17 +319,24 @@ void proceed(const NullModel& null, Trial& trial, const FitOptions& options, con
     trial.fit = std::move(result);
 }
 
+EvidenceScale::EvidenceScale(const NullModel& null, const FitResult& best)
+    : without_(null.sumOfSquares()),
+      variance_(best.optimum.residuals.squaredNorm() /
+                std::max(1.0, static_cast<double>(null.fit.optimum.residuals.size()) -
+                                  static_cast<double>(best.estimates.size()))),
+      logCount_(std::log(effectiveCount(null.channels, best.optimum.residuals))) {}
+
+double EvidenceScale::of(double sumOfSquares, int freed) const {
+    return (without_ - sumOfSquares) / variance_ - freed * logCount_;
+}
+
 void rank(const NullModel& null, std::vector<Trial>& trials) {
     const auto best = std::min_element(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) {
         return (a.ok ? a.sumOfSquares() : 1e300) < (b.ok ? b.sumOfSquares() : 1e300);
     });
     if (best == trials.end() || !best->ok) return;
-    const double rows = static_cast<double>(null.fit.optimum.residuals.size());
-    const double variance =
-        best->sumOfSquares() / std::max(1.0, rows - static_cast<double>(best->fit.estimates.size()));
-    const double logCount = std::log(effectiveCount(null.channels, best->fit.optimum.residuals));
-    for (Trial& t : trials)
-        t.evidence = t.ok ? (null.sumOfSquares() - t.sumOfSquares()) / variance - t.freed() * logCount : -1e300;
+    const EvidenceScale evidence(null, best->fit);
+    for (Trial& t : trials) t.evidence = t.ok ? evidence.of(t.sumOfSquares(), t.freed()) : -1e300;
     std::stable_sort(trials.begin(), trials.end(),
                      [](const Trial& a, const Trial& b) { return a.evidence > b.evidence; });
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "core/effect/screen.hpp"
 
 namespace analogon {
@@ -20,12 +22,51 @@ struct Trial {
 constexpr int trialIterations = 12;  // a trial shows what it is worth; the winner is fitted to convergence
 FitOptions trialOptions(FitOptions options, int iterations);
 
-/// Refits from the best probes (one start a distinct shape or secant, at most `starts`).
+struct TrialStart;
+
+/// A candidate on the way through its starts (one a distinct shape or secant, at most `starts`, best promise first).
+/// What it is made of must outlive it.
+class TrialStarts {
+public:
+    TrialStarts(const NullModel& null, const Screened& screened, const FitOptions& options, int starts,
+                const Progress& progress);
+    TrialStarts(const TrialStarts&) = delete;
+    TrialStarts& operator=(const TrialStarts&) = delete;
+    ~TrialStarts();
+
+    bool hasNext() const;
+    /// Sum of squares that the linearised problem leaves from the next start.
+    double promised() const;
+    void takeNext();
+    /// The best that was reached so far.
+    const Trial& best() const { return best_; }
+
+private:
+    const NullModel& null_;
+    const Screened& screened_;
+    const FitOptions& options_;
+    const Progress& progress_;
+    std::vector<TrialStart> ready_;
+    std::size_t next_{};
+    Trial best_;
+};
+
+/// Refits from all of them.
 Trial refit(const NullModel& null, const Screened& screened, const FitOptions& options, int starts,
             const Progress& progress);
 
 /// Goes on with the fit of a trial from where it stopped.
 void proceed(const NullModel& null, Trial& trial, const FitOptions& options, const Progress& progress);
+
+/// Fall in the sum of squares in units of the variance that the best trial leaves, less k ln N_eff of its residual.
+class EvidenceScale {
+public:
+    EvidenceScale(const NullModel& null, const FitResult& best);
+    double of(double sumOfSquares, int freed) const;
+
+private:
+    double without_, variance_, logCount_;
+};
 
 /// Sorts by evidence, best first; the noise level and N_eff are those of the residual of the best fit among them.
 void rank(const NullModel& null, std::vector<Trial>& trials);

@@ -95,7 +95,11 @@ private:
             const Eigen::VectorXd there = aimed.cwiseMax(lower_).cwiseMin(upper_);
             const double predicted = predictedFall(there - z_);
             if (predicted > 0.0) {
-                const ReducedMisfit found = misfit_.reduced(coordinates_.values(there));
+                const Eigen::VectorXd values = coordinates_.values(there);
+                // slopes from differences take many simulations: only where the cost falls are they worth it
+                const double known = misfit_.takesDifferences() ? misfit_.cost(values) : 0.0;
+                ReducedMisfit found;
+                if (known < cost) found = misfit_.reduced(values);
                 if (misfit_.isCancelled()) return true;
                 const double fall = found.ok ? cost - found.cost() : -1.0;
                 if (fall > 0.0) {
@@ -108,7 +112,7 @@ private:
                     here_ = found;
                     return true;
                 }
-                failures += !found.ok;
+                failures += !found.ok && !(std::isfinite(known) && known >= cost);
             }
             damping_ = std::max(damping_, 1e-8) * growth_;
             if (failures < many) growth_ *= 2.0;

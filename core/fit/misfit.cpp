@@ -277,7 +277,10 @@ std::vector<GridPlan> Misfit::plansFor(const Eigen::VectorXd& values, double loo
     std::vector<GridPlan> plans;
     for (std::size_t e = 0; e < problem_.experiments.size(); ++e) {
         const int experiment = static_cast<int>(e);
-        const GridPlan* const inForce = e < plans_.size() ? &plans_[e] : problem_.knownPlan(experiment);
+        // steps that were chosen loosely hardly serve where they are to be exact
+        const GridPlan* const known = problem_.knownPlan(experiment);
+        const bool isLoose = plannedWith_ > looseness && known != nullptr;
+        const GridPlan* const inForce = e < plans_.size() && !isLoose ? &plans_[e] : known;
         plans.push_back(
             planFor(problem_, experiment, values, options, progress_, method == GridMethod::Auto ? inForce : nullptr));
     }
@@ -293,7 +296,9 @@ bool Misfit::take(std::vector<GridPlan> plans) {
 
 bool Misfit::plan(const Eigen::VectorXd& values, double looseness) {
     if (options_.simulation.engine == Engine::Adaptive) return false;
-    return take(plansFor(values, looseness));
+    std::vector<GridPlan> plans = plansFor(values, looseness);
+    plannedWith_ = looseness;
+    return take(std::move(plans));
 }
 
 bool Misfit::refinePlan(const Eigen::VectorXd& values) {

@@ -71,5 +71,25 @@ TEST(IsTold, IsAStrengthThatStandsOutTwiceAsFarBesideStructure) {
     EXPECT_FALSE(isTold(cogging(), fit.estimates, missed, true));
 }
 
+TEST(OutweighsRest, ASmallerShareDoesWhereAnEquationIsOfferedForTheRest) {
+    NullModel null;
+    null.fit.optimum.residuals = Eigen::VectorXd::Constant(100, 2);  // 300 above the noise
+    EXPECT_TRUE(outweighsRest(160, null, leastOfRest));
+    EXPECT_FALSE(outweighsRest(100, null, leastOfRest));
+    EXPECT_TRUE(outweighsRest(100, null, leastBesideOffered));
+    EXPECT_FALSE(outweighsRest(50, null, leastBesideOffered));
+    null.fit.optimum.residuals.setConstant(1.1);  // hardly more than noise
+    EXPECT_TRUE(outweighsRest(1, null, leastOfRest));
+}
+
+TEST(DrivesToBound, AnEffectThatDoesTheWorkOfAParameter) {
+    const FitResult inside = ended(9, false), atBound = ended(15, true);
+    EXPECT_TRUE(drivesToBound(inside, atBound));
+    EXPECT_FALSE(drivesToBound(inside, inside));
+    EXPECT_FALSE(drivesToBound(atBound, atBound)) << "it rested there before";
+    FitResult ofEffect;  // parameters of its own are judged otherwise
+    EXPECT_FALSE(drivesToBound(ofEffect, atBound));
+}
+
 }  // namespace
 }  // namespace analogon

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
+
+#include "tests/core/effect/warm_body.hpp"
 
 namespace analogon {
 namespace {
@@ -46,6 +50,58 @@ TEST(Examine, DoubtsWeakEvidenceThatLiesRightBehindJumpsOfAnInputAlone) {
     EXPECT_TRUE(examined(2.5, 20).isSignificant) << "far behind the jumps";
     EXPECT_FALSE(examined(2.5, 1).isSignificant) << "how the input ran there is not known";
     EXPECT_TRUE(examined(6, 1).isSignificant) << "too much for that";
+}
+
+/// A body heated in two steps whose sensor lags by 3 s, fitted without the lag.
+Outcome<NullModel> fittedWithoutItsLag() {
+    constexpr double step = 0.25, lag = 3;
+    EstimationTask task = warmBody({{"joint.G", "", 0.3, 0.01, 10}});
+    Recording r = warmBodyRecording("warm-up", 400);
+    double body = 300, sensor = 300;
+    for (int k = 0; k < 400; ++k) {
+        const double power = k < 200 ? 8 : 2, noise = 0.05 * std::sin(12.9898 * k) * std::cos(78.233 * k);
+        r.time.push_back(step * k);
+        r.inputs(0, k) = power;
+        r.outputs(0, k) = sensor + noise;
+        for (int i = 0; i < 100; ++i) {
+            sensor += step / 100 * (body - sensor) / lag;
+            body += step / 100 * (power - 0.2 * (body - 300)) / 4;
+        }
+    }
+    task.recordings = {r};
+    return fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, {}, {});
+}
+
+TEST(TrialStarts, TakeTheBestPromiseFirst) {
+    const Outcome<NullModel> null = fittedWithoutItsLag();
+    ASSERT_TRUE(null) << format(null.diagnostics());
+    const Outcome<std::vector<EffectClass>> catalogue = effectCatalogue(null->variant.task.library);
+    ASSERT_TRUE(catalogue);
+    const Outcome<std::vector<Candidate>> candidates = candidatesFor(null->variant, *catalogue);
+    ASSERT_TRUE(candidates);
+    const auto lag = std::find_if(candidates->begin(), candidates->end(),
+                                  [](const Candidate& c) { return c.effect.kind == "sensor.lag"; });
+    ASSERT_NE(lag, candidates->end());
+    const FitOptions options = trialOptions({}, trialIterations);
+    const Screened screened = screen(*null, *lag, roughSteps(*null, options.simulation, {}), options.simulation, {});
+    ASSERT_TRUE(screened.failure.empty());
+
+    const Progress progress;
+    TrialStarts starts(*null, screened, options, 2, progress);
+    ASSERT_TRUE(starts.hasNext());
+    EXPECT_FALSE(starts.best().ok) << "nothing is fitted before it is taken";
+    const double first = starts.promised();
+    EXPECT_LT(first, 0.5 * null->sumOfSquares());
+    starts.takeNext();
+    ASSERT_TRUE(starts.best().ok);
+    EXPECT_NEAR(starts.best().fit.values[starts.best().fit.values.size() - 1], 3, 0.1);
+    const double reached = starts.best().sumOfSquares();
+    ASSERT_TRUE(starts.hasNext());
+    EXPECT_GE(starts.promised(), first);
+    starts.takeNext();
+    EXPECT_FALSE(starts.hasNext()) << "two were asked for";
+    EXPECT_LE(starts.best().sumOfSquares(), reached);
+    EXPECT_EQ(refit(*null, screened, options, 2, progress).sumOfSquares(), starts.best().sumOfSquares());
 }
 
 }  // namespace
