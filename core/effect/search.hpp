@@ -154,6 +154,10 @@ private:
     void setVerdict(const std::string& kind, const std::string& at, Verdict verdict);
     void note(const Screened& s, Verdict verdict, std::optional<double> deltaBic, const Text& failure);
     void retryNames(const NullModel& null, std::vector<Trial>& trials);
+    void retryFrom(const NullModel& null, const std::vector<ParameterValue>& values,
+                   const std::vector<std::size_t>& chosen, int iterations, std::vector<Trial>& trials);
+    void retryNear(const NullModel& null, const std::vector<ParameterValue>& values, double sumOfSquares,
+                   std::vector<Trial>& trials);
     void settleVerdicts(const std::vector<AddedEffect>& effects);
     bool dropIndistinct(const NullModel& last, const ModelState& state, NullModel& null);
     bool dropUnmissed(const NullModel& last, NullModel& null);

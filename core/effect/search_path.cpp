@@ -370,6 +370,7 @@ bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted) {
     std::vector<Trial> trials = tryThese(*rest, chosen, 2 * trialIterations, startsPerTrial);
     continueBest(*rest, trials);
     rank(*rest, trials);
+    retryNear(*rest, null.variant.values, null.sumOfSquares(), trials);
     if (trials.empty() || !trials.front().ok || progress_.stopRequested()) return false;
     Trial& best = trials.front();
     const double rows = static_cast<double>(null.fit.optimum.residuals.size());

@@ -15,6 +15,8 @@ constexpr double falseAlarmQuantile = 0.99;
 constexpr std::size_t mostRivals = 5, mostAlternatives = 6;
 constexpr std::size_t mostRetried = 4;
 constexpr double nearlyTheSame = 0.95;   // of the evidence, for what differs between the samples alone
+constexpr std::size_t mostNear = 3;      // trials that begin once more
+constexpr double nearShare = 0.2;        // of what the best explains, that they may explain less
 constexpr double contendingShare = 0.3;  // of the best evidence
 constexpr int glanceIterations = 5;      // of the whole catalogue, to see who deserves a trial
 
@@ -143,6 +145,9 @@ std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>&
     }
     continueBest(null, trials);
     retryNames(null, trials);
+    rank(null, trials);
+    if (!trials.empty() && trials.front().ok)
+        retryNear(null, trials.front().variant.values, trials.front().sumOfSquares(), trials);
     return trials;
 }
 
@@ -154,23 +159,47 @@ void Search::retryNames(const NullModel& null, std::vector<Trial>& trials) {
     const Trial& equation = trials.front();
     if (levelOf(equation.fit) > largeResidual) return;
     std::vector<std::size_t> names;
-    std::vector<Screened> begun;
     for (std::size_t i = 1; i < trials.size() && names.size() < mostRetried; ++i) {
         if (!trials[i].ok || isProposal(trials[i])) continue;
         if (trials[i].screened.candidate.place.connector != equation.screened.candidate.place.connector) continue;
+        names.push_back(i);
+    }
+    retryFrom(null, equation.variant.values, names, trialIterations, trials);
+}
+
+/// Begins these trials once more at other values of the model's parameters; what does better takes its place.
+void Search::retryFrom(const NullModel& null, const std::vector<ParameterValue>& values,
+                       const std::vector<std::size_t>& chosen, int iterations, std::vector<Trial>& trials) {
+    std::vector<Screened> begun;
+    for (const std::size_t i : chosen) {
         Screened screened = trials[i].screened;
         for (ParameterValue& own : screened.wired.values)
-            for (const ParameterValue& found : equation.variant.values)
+            for (const ParameterValue& found : values)
                 if (found.name == own.name && found.experiment == own.experiment) own.value = found.value;
-        names.push_back(i);
         begun.push_back(std::move(screened));
     }
-    std::vector<const Screened*> chosen;
-    for (const Screened& s : begun) chosen.push_back(&s);
-    std::vector<Trial> again = tryThese(null, chosen, trialIterations, startsPerTrial);
+    std::vector<const Screened*> all;
+    for (const Screened& s : begun) all.push_back(&s);
+    std::vector<Trial> again = tryThese(null, all, iterations, startsPerTrial);
     for (std::size_t i = 0; i < again.size(); ++i)
-        if (again[i].ok && again[i].sumOfSquares() < trials[names[i]].sumOfSquares())
-            trials[names[i]] = std::move(again[i]);
+        if (again[i].ok && again[i].sumOfSquares() < trials[chosen[i]].sumOfSquares())
+            trials[chosen[i]] = std::move(again[i]);
+}
+
+/// What does nearly as well as the best may only have been fitted from farther away: it begins once more where the best
+/// has led the other parameters (`values`), which left so much.
+void Search::retryNear(const NullModel& null, const std::vector<ParameterValue>& values, double sumOfSquares,
+                       std::vector<Trial>& trials) {
+    const double fall = null.sumOfSquares() - sumOfSquares;
+    std::vector<std::size_t> near;
+    for (std::size_t i = 0; i < trials.size() && near.size() < mostNear; ++i) {
+        if (!trials[i].ok || isProposal(trials[i])) continue;
+        const double behind = trials[i].sumOfSquares() - sumOfSquares;
+        if (behind > equivalenceMargin && behind < nearShare * fall) near.push_back(i);
+    }
+    if (near.empty() || progress_.stopRequested()) return;
+    retryFrom(null, values, near, 2 * trialIterations, trials);
+    rank(null, trials);
 }
 
 /// Takes the trials that a short fit brought to the front further.
