@@ -50,9 +50,8 @@ bool isLikelier(const BesideDisturbance& without, const BesideDisturbance& with,
 
 bool isAtBound(const PlacedEffect& placed, const FitResult& fit) {
     return std::any_of(placed.freed.begin(), placed.freed.end(), [&](const FitParameter& p) {
-        const auto estimate = std::find_if(fit.estimates.begin(), fit.estimates.end(),
-                                           [&](const FitEstimate& e) { return e.name == p.name; });
-        if (estimate == fit.estimates.end() || !estimate->atBound) return false;
+        const FitEstimate* estimate = fit.find(p.name);
+        if (estimate == nullptr || !estimate->atBound) return false;
         if (&p == &placed.freed.front()) return true;
         // below its reach a shape is not what the effect is called: no turn of a period, no warming
         const bool isLow = estimate->value < 1.01 * p.min;
@@ -64,22 +63,16 @@ bool isAtBound(const Trial& trial) { return isAtBound(trial.variant.effects.back
 
 bool drivesToBound(const FitResult& without, const FitResult& with) {
     return std::any_of(without.estimates.begin(), without.estimates.end(), [&](const FitEstimate& before) {
-        if (before.atBound) return false;
-        return std::any_of(with.estimates.begin(), with.estimates.end(), [&](const FitEstimate& e) {
-            return e.name == before.name && e.experiment == before.experiment && e.atBound;
-        });
+        const FitEstimate* after = with.find(before.name, before.experiment);
+        return !before.atBound && after != nullptr && after->atBound;
     });
 }
 
 bool fightsAnother(const NullModel& null, const FitResult& with) {
-    const auto valueOf = [](const FitResult& fit, const std::string& name) {
-        for (const FitEstimate& e : fit.estimates)
-            if (e.name == name) return std::abs(e.value);
-        return 0.0;
-    };
+    const auto sizeOf = [](const FitEstimate* e) { return e == nullptr ? 0.0 : std::abs(e->value); };
     return std::any_of(null.variant.effects.begin(), null.variant.effects.end(), [&](const PlacedEffect& e) {
         const std::string& strength = e.freed.front().name;
-        return valueOf(with, strength) > mostGrowth * valueOf(null.fit, strength);
+        return sizeOf(with.find(strength)) > mostGrowth * sizeOf(null.fit.find(strength));
     });
 }
 

@@ -180,18 +180,6 @@ double dominantPeriod(const NullModel& null) {
     return period;
 }
 
-std::vector<GridPlan> roughSteps(const NullModel& null, const SimulationOptions& simulation, const Progress& progress) {
-    std::vector<GridPlan> plans = null.fit.plans;
-    const Outcome<PreparedTask> held = prepareHeld(null.variant, {}, null.noise);
-    if (!held) return plans;
-    SimulationOptions rough = simulation;
-    rough.relativeTolerance *= roughly;
-    for (std::size_t e = 0; e < plans.size(); ++e)
-        if (plans[e].method != GridMethod::Exact)
-            plans[e] = planFor(held->problem, static_cast<int>(e), Eigen::VectorXd(), rough, progress, &plans[e]);
-    return plans;
-}
-
 std::vector<Trajectory> observe(const NullModel& null, const PreparedTask& held, const std::vector<std::string>& names,
                                 const SimulationOptions& simulation) {
     std::vector<Trajectory> traces;

@@ -30,10 +30,7 @@ double dominantPeriod(const NullModel& null);
 std::vector<Trajectory> observe(const NullModel& null, const PreparedTask& held, const std::vector<std::string>& names,
                                 const SimulationOptions& simulation);
 
-/// Steps of the fitted experiments that are as exact as traces need which are only compared.
-std::vector<GridPlan> roughSteps(const NullModel& null, const SimulationOptions& simulation, const Progress& progress);
-
-constexpr double roughly = 30;              // of the integration's tolerance, for such traces
+constexpr double roughly = 30;              // times the integration's tolerance, for what is only compared
 constexpr double leastLike = 0.5;           // of a winner's evidence, for what explains less to be like it
 constexpr double equivalenceMargin = 10;    // evidence within which two candidates cannot be told apart
 constexpr double largeResidual = 1.2;       // in units of the noise: above it, first-order scores may mislead

@@ -31,7 +31,7 @@ Outcome<ModelState> stateWith(const EstimationTask& task, const EffectChoice& ch
     const Outcome<NullModel> null = fitNull(base, {}, NoiseLevel::Estimate, quick, progress);
     if (!null) return null.diagnostics();
     quick.simulation = limited(*null, quick.simulation);
-    const Screened screened = screen(*null, *candidate, null->fit.plans, quick.simulation, progress);
+    const Screened screened = screen(*null, *candidate, quick.simulation, progress);
     if (!screened.failure.empty()) return numericalError(screened.failure, {});
     const Trial trial = refit(*null, screened, quick, 1, progress);
     if (!trial.ok)

@@ -242,7 +242,7 @@ class Prober {
 public:
     /// `course`: of the variable that a wave goes along, in each fitted experiment.
     Prober(const NullModel& null, const Variant& wired, const std::vector<std::vector<double>>& course,
-           const std::vector<GridPlan>& steps, const SimulationOptions& simulation, const Progress& progress)
+           const SimulationOptions& simulation, const Progress& progress)
         : null_(null),
           course_(course),
           placed_(wired.effects.back()),
@@ -250,7 +250,7 @@ public:
           complement_(null.fit.optimum.jacobian),
           whiteComplement_(null.whitener(null.fit.optimum.jacobian)),
           whiteResidual_(null.whitener(null.fit.optimum.residuals)),
-          plans_(steps),
+          plans_(null.fit.plans),
           simulation_(simulation),
           progress_(progress) {}
 
@@ -500,8 +500,8 @@ SimulationOptions limited(const NullModel& null, SimulationOptions simulation) {
     return simulation;
 }
 
-Screened screen(const NullModel& null, const Candidate& candidate, const std::vector<GridPlan>& steps,
-                const SimulationOptions& options, const Progress& progress) {
+Screened screen(const NullModel& null, const Candidate& candidate, const SimulationOptions& options,
+                const Progress& progress) {
     const SimulationOptions simulation = limited(null, options);
     Screened result;
     result.candidate = candidate;
@@ -531,7 +531,7 @@ Screened screen(const NullModel& null, const Candidate& candidate, const std::ve
     }
     if (secants.empty()) secants.push_back(0);
 
-    Prober prober(null, result.wired, observations->series(effect.along), steps, simulation, progress);
+    Prober prober(null, result.wired, observations->series(effect.along), simulation, progress);
     if (Outcome<Done> compiled = prober.compile(); !compiled) return fail(compiled.diagnostics());
     if (effect.states > 0) {
         const Outcome<PreparedTask> without = prepareHeld(null.variant, {}, null.noise);
@@ -555,7 +555,7 @@ Screened screen(const NullModel& null, const Candidate& candidate, const std::ve
     if (isAhead(observations->lead(), result)) {
         auto recorded = std::make_shared<const Variant>(
             alongRecorded(result.wired, observations->series(effect.along), observations->lead()));
-        Prober along(null, *recorded, observations->series(effect.along), steps, simulation, progress);
+        Prober along(null, *recorded, observations->series(effect.along), simulation, progress);
         result.recorded = std::move(recorded);
         if (along.compile())
             if (Outcome<Done> probed = probeAll(along); !probed) return fail(probed.diagnostics());

@@ -53,9 +53,8 @@ Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std:
 /// stiff for the recording is given up.
 SimulationOptions limited(const NullModel& null, SimulationOptions simulation);
 
-/// Takes a candidate's traces and scores them (Rao's score test; secants where the slope at 0 misleads). `steps`: of
-/// the slopes, as from roughSteps.
-Screened screen(const NullModel& null, const Candidate& candidate, const std::vector<GridPlan>& steps,
-                const SimulationOptions& simulation, const Progress& progress);
+/// Takes a candidate's traces and scores them (Rao's score test; secants where the slope at 0 misleads).
+Screened screen(const NullModel& null, const Candidate& candidate, const SimulationOptions& simulation,
+                const Progress& progress);
 
 }  // namespace analogon

@@ -351,14 +351,13 @@ bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted) {
     };
     std::copy_if(places->begin(), places->end(), std::back_inserter(rivals), isRival);
     std::vector<Screened> screened(rivals.size());
-    const std::vector<GridPlan> steps = roughSteps(*rest, search_.fit.simulation, progress_);
     parallelFor(static_cast<int>(rivals.size()), options_.threads, [&](int i) {
         say("reconsider",
             rivals[static_cast<std::size_t>(i)].effect.kind + " at " + rivals[static_cast<std::size_t>(i)].place.at +
                 " for " + old.effect.kind,
             -1);
         screened[static_cast<std::size_t>(i)] =
-            screen(*rest, rivals[static_cast<std::size_t>(i)], steps, search_.fit.simulation, progress_);
+            screen(*rest, rivals[static_cast<std::size_t>(i)], search_.fit.simulation, progress_);
     });
     // at the end few are left to try: also those whose slope has the wrong sign, beside parameters that took their part
     const auto isWorthATrial = [&](const Screened& s) {

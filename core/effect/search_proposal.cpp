@@ -41,9 +41,7 @@ std::vector<Trial> Search::tryLaws(NullModel& null) {
         laws_[name] = law.text;
     }
     std::vector<Screened> screened;
-    const std::vector<GridPlan> steps = roughSteps(null, search_.fit.simulation, progress_);
-    for (const Law& law : laws)
-        screened.push_back(screen(null, law.candidate, steps, search_.fit.simulation, progress_));
+    for (const Law& law : laws) screened.push_back(screen(null, law.candidate, search_.fit.simulation, progress_));
     std::vector<const Screened*> chosen;
     for (const Screened& s : screened)
         if (s.failure.empty()) chosen.push_back(&s);
@@ -96,9 +94,8 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
         if (const auto law = laws_.find(placed.effect.className); law != laws_.end()) r.proposedBlock = law->second;
         std::vector<EffectValue> values;
         for (const FitParameter& p : placed.freed)
-            for (const FitEstimate& e : null.fit.estimates)
-                if (e.name == p.name)
-                    values.push_back({p.name.substr(placed.instance.size() + 1), e.value, e.standardError, e.unit});
+            if (const FitEstimate* e = null.fit.find(p.name))
+                values.push_back({p.name.substr(placed.instance.size() + 1), e->value, e->standardError, e->unit});
         if (with)
             if (const Outcome<FlatModel> valued = flattened(null.variant.task, with->modelText))
                 addOtherParameters(*valued, placed, values);
@@ -189,7 +186,7 @@ Text Search::proposeExperiments(const NullModel& null) {
             return c.effect.kind == open->kind && c.place.at == open->at;
         });
         if (other == steps_[i].rivals.end()) continue;
-        const Screened screened = screen(*rest, *other, rest->fit.plans, search_.fit.simulation, progress_);
+        const Screened screened = screen(*rest, *other, search_.fit.simulation, progress_);
         const std::vector<Trial> rival = tryThese(*rest, {&screened}, 2 * trialIterations, startsPerTrial);
         if (!rival.front().ok) continue;
         const std::optional<ProposedExperiment> next =

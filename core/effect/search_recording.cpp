@@ -219,9 +219,8 @@ bool Search::takesEdgesForDelays(const NullModel& null) {
     const double interval = samplingInterval(null.variant.task);
     for (std::size_t i = 0; i < null.variant.effects.size() && edges_.empty() && !progress_.stopRequested(); ++i) {
         const PlacedEffect& placed = null.variant.effects[i];
-        const auto strength = std::find_if(null.fit.estimates.begin(), null.fit.estimates.end(),
-                                           [&](const FitEstimate& e) { return e.name == placed.freed.front().name; });
-        if (placed.effect.signalSide != "input" || strength == null.fit.estimates.end()) continue;
+        const FitEstimate* strength = null.fit.find(placed.freed.front().name);
+        if (placed.effect.signalSide != "input" || strength == nullptr) continue;
         if (strength->unit != "s" || !(strength->value < interval)) continue;
         std::optional<NullModel> rest = without(null, i);
         if (!rest) continue;

@@ -14,11 +14,10 @@ constexpr double twinCorrelation = 0.999;  // projected traces more alike than t
 constexpr double falseAlarmQuantile = 0.99;
 constexpr std::size_t mostRivals = 5, mostAlternatives = 6;
 constexpr std::size_t mostRetried = 4;
-constexpr double nearlyTheSame = 0.95;   // of the evidence, for what differs between the samples alone
-constexpr std::size_t mostNear = 3;      // trials that begin once more
-constexpr double nearShare = 0.2;        // of what the best explains, that they may explain less
-constexpr double contendingShare = 0.3;  // of the best evidence
-constexpr int glanceIterations = 5;      // of the whole catalogue, to see who deserves a trial
+constexpr double nearlyTheSame = 0.95;  // of the evidence, for what differs between the samples alone
+constexpr std::size_t mostNear = 3;     // trials that begin once more
+constexpr double nearShare = 0.2;       // of what the best explains, that they may explain less
+constexpr int glanceIterations = 5;     // of the whole catalogue, to see who deserves a trial
 
 /// What a fit took, in steps of the explicit method.
 double workOf(const FitResult& fit) {
@@ -33,30 +32,29 @@ bool isBetweenSamples(const Trial& trial, double interval) {
     const EffectClass& effect = trial.screened.candidate.effect;
     const auto unit = effect.units.find(effect.strength);
     if (effect.signalSide != "input" || unit == effect.units.end() || unit->second != "s") return false;
-    const std::string& strength = trial.variant.effects.back().freed.front().name;
-    for (const FitEstimate& e : trial.fit.estimates)
-        if (e.name == strength) return e.value < interval;
-    return false;
+    const FitEstimate* strength = trial.fit.find(trial.variant.effects.back().freed.front().name);
+    return strength != nullptr && strength->value < interval;
 }
 
-/// Those whose further starts may change what is chosen: they promise to come near the best of all, or have come there.
-std::vector<TrialStarts*> contenders(const NullModel& null, const std::vector<std::unique_ptr<TrialStarts>>& begun) {
+/// Those whose further starts may change what is chosen: they promise to reach this share of the best evidence, or have
+/// reached it.
+std::vector<TrialStarts*> contenders(const NullModel& null, const std::vector<std::unique_ptr<TrialStarts>>& begun,
+                                     double share) {
     const Trial* best = nullptr;
     for (const auto& each : begun)
         if (const Trial& t = each->best(); t.ok && (best == nullptr || t.sumOfSquares() < best->sumOfSquares()))
             best = &t;
     std::vector<TrialStarts*> all;
-    for (const auto& each : begun) {
-        if (!each->hasNext()) continue;
-        bool contends = best == nullptr || !each->best().ok;
-        if (!contends) {
-            const EvidenceScale evidence(null, best->fit);
-            const double enough = std::max(0.0, contendingShare * evidence.of(best->sumOfSquares(), best->freed()));
-            const double reached = std::min(each->promised(), each->best().sumOfSquares());
-            contends = evidence.of(reached, each->best().freed()) >= enough;
-        }
-        if (contends) all.push_back(each.get());
-    }
+    for (const auto& each : begun)
+        if (each->hasNext()) all.push_back(each.get());
+    if (best == nullptr) return all;
+    const EvidenceScale evidence(null, best->fit);
+    const double enough = std::max(0.0, share * evidence.of(best->sumOfSquares(), best->freed()));
+    std::erase_if(all, [&](const TrialStarts* each) {
+        if (!each->best().ok) return false;
+        const double reached = std::min(each->promised(), each->best().sumOfSquares());
+        return evidence.of(reached, each->best().freed()) < enough;
+    });
     return all;
 }
 
@@ -66,12 +64,11 @@ std::vector<Screened> Search::screenAll(const NullModel& null) {
     Outcome<std::vector<Candidate>> candidates = candidatesFor(null.variant, catalogue_);
     if (!candidates) return {};
     std::vector<Screened> screened(candidates->size());
-    const std::vector<GridPlan> steps = roughSteps(null, search_.fit.simulation, progress_);
     parallelFor(static_cast<int>(screened.size()), options_.threads, [&](int i) {
         const Candidate& c = (*candidates)[static_cast<std::size_t>(i)];
         say("screen", c.effect.kind + " at " + c.place.at,
             static_cast<double>(i) / static_cast<double>(screened.size()));
-        screened[static_cast<std::size_t>(i)] = screen(null, c, steps, search_.fit.simulation, progress_);
+        screened[static_cast<std::size_t>(i)] = screen(null, c, search_.fit.simulation, progress_);
     });
     return screened;
 }
@@ -89,19 +86,19 @@ std::vector<Trial> Search::tryThese(const NullModel& null, const std::vector<con
         own = std::make_unique<TrialStarts>(null, s, quick, starts, progress_);
         if (own->hasNext()) own->takeNext();
     });
-    const std::vector<TrialStarts*> again = contenders(null, begun);
+    const std::vector<TrialStarts*> again = contenders(null, begun, rivalShare);
     parallelFor(static_cast<int>(again.size()), options_.threads, [&](int i) {
         TrialStarts& own = *again[static_cast<std::size_t>(i)];
         while (own.hasNext()) own.takeNext();
     });
     std::vector<Trial> trials;
-    for (const auto& each : begun) trials.push_back(each->best());
+    for (const auto& each : begun) trials.push_back(std::move(*each).best());
     for (const Trial& t : trials) work_ += workOf(t.fit);
     return trials;
 }
 
 /// Refits the candidates that promise most by either score; where the residual is large against the noise, all. Beside
-/// noise alone, what promises less than would tell it apart is not worth a trial.
+/// noise alone, what promises less than would tell it apart is not worth a trial. Ranked.
 std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>& screened) {
     const double least = isNoise(null) ? equivalenceMargin : 0;
     std::vector<const Screened*> order;
@@ -273,7 +270,6 @@ Search::Round Search::tryAll(const NullModel& null) {
     const double logRows = std::log(static_cast<double>(null.fit.optimum.residuals.size()));
     round.threshold = noiseThreshold(directions, logRows, falseAlarmQuantile, 1);
     round.trials = tryBest(null, round.screened);
-    rank(null, round.trials);
     return round;
 }
 

@@ -28,7 +28,7 @@ constexpr double mostAtEdges = 0.7, fewAtEdges = 0.4;  // of the fall, of the sa
 constexpr int samplesBehindEdge = 3;
 constexpr double structureFactor = 3;     // of what chance can bring, there
 constexpr std::ptrdiff_t mostStarts = 8;  // that are weighed against each other
-constexpr std::ptrdiff_t mostFaint = 4;   // of them, that may have come from traces which explain far less
+constexpr std::ptrdiff_t mostFaint = 4;   // beyond so many, none whose trace explains far less
 constexpr double faintShare = 0.2;        // than the best
 constexpr double trialTolerance = 1e-6;
 constexpr double leastHeldOutOfAll = 0.2;   // where nothing else remains, and far more is explained than chance can
@@ -306,7 +306,7 @@ Trial refit(const NullModel& null, const Screened& screened, const FitOptions& o
             const Progress& progress) {
     TrialStarts all(null, screened, options, starts, progress);
     while (all.hasNext()) all.takeNext();
-    return all.best();
+    return std::move(all).best();
 }
 
 void proceed(const NullModel& null, Trial& trial, const FitOptions& options, const Progress& progress) {

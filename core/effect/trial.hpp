@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "core/effect/screen.hpp"
@@ -39,7 +40,8 @@ public:
     double promised() const;
     void takeNext();
     /// The best that was reached so far.
-    const Trial& best() const { return best_; }
+    const Trial& best() const& { return best_; }
+    Trial best() && { return std::move(best_); }
 
 private:
     const NullModel& null_;

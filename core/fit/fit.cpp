@@ -359,6 +359,12 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
 
 }  // namespace
 
+const FitEstimate* FitResult::find(const std::string& name, int experiment) const {
+    const auto found = std::find_if(estimates.begin(), estimates.end(),
+                                    [&](const FitEstimate& e) { return e.name == name && e.experiment == experiment; });
+    return found == estimates.end() ? nullptr : &*found;
+}
+
 FitResult fit(const FitProblem& problem, const FitOptions& options, const Progress& progress) {
     FitResult result;
     const Diagnostics faults = validate(problem);

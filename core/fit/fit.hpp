@@ -84,6 +84,9 @@ struct FitResult {
     std::vector<GridPlan> plans;
     bool takesDifferences{};    // the tangents of this model mislead (core/fit/difference_slopes.hpp)
     std::vector<Text> remarks;  // "R and k only appear as k/R here: fix one"
+
+    /// nullptr: not fitted. `experiment`: -1 of a parameter that all share.
+    const FitEstimate* find(const std::string& name, int experiment = -1) const;
 };
 
 /// Checks the problem before it starts: bounds in order, start inside, no empty data.

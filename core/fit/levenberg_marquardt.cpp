@@ -98,6 +98,7 @@ private:
                 const Eigen::VectorXd values = coordinates_.values(there);
                 // slopes from differences take many simulations: only where the cost falls are they worth it
                 const double known = misfit_.takesDifferences() ? misfit_.cost(values) : 0.0;
+                const bool rises = std::isfinite(known) && known >= cost;
                 ReducedMisfit found;
                 if (known < cost) found = misfit_.reduced(values);
                 if (misfit_.isCancelled()) return true;
@@ -112,7 +113,7 @@ private:
                     here_ = found;
                     return true;
                 }
-                failures += !found.ok && !(std::isfinite(known) && known >= cost);
+                failures += !found.ok && !rises;
             }
             damping_ = std::max(damping_, 1e-8) * growth_;
             if (failures < many) growth_ *= 2.0;

@@ -64,7 +64,9 @@ auto Misfit::attempt(const Eigen::VectorXd& values, const Evaluate& evaluate) {
     const auto tryWith = [&](std::vector<GridPlan> plans) {
         result = evaluate(plans);
         ++simulations_;
-        if (result.ok) plans_ = std::move(plans);
+        if (!result.ok) return;
+        plans_ = std::move(plans);
+        plannedWith_ = 1.0;
     };
     const bool mayPlan = options_.simulation.engine != Engine::Adaptive;
     if (!result.ok && !isCancelled() && mayPlan)

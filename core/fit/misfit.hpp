@@ -88,7 +88,7 @@ private:
     const FitOptions& options_;
     const Progress& progress_;
     std::vector<GridPlan> plans_;
-    double plannedWith_{1};        // looseness of the last plan()
+    double plannedWith_{1};        // looseness of plans_
     std::array<Point, 6> memory_;  // a line search comes back to points
     std::size_t oldest_{};
     Eigen::VectorXd best_;

@@ -83,7 +83,7 @@ TEST(TrialStarts, TakeTheBestPromiseFirst) {
                                   [](const Candidate& c) { return c.effect.kind == "sensor.lag"; });
     ASSERT_NE(lag, candidates->end());
     const FitOptions options = trialOptions({}, trialIterations);
-    const Screened screened = screen(*null, *lag, roughSteps(*null, options.simulation, {}), options.simulation, {});
+    const Screened screened = screen(*null, *lag, options.simulation, {});
     ASSERT_TRUE(screened.failure.empty());
 
     const Progress progress;
