@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <functional>
 
 #include "core/effect/caution.hpp"
 #include "core/effect/dependence.hpp"
-#include "core/effect/disturbance.hpp"
 #include "core/effect/model_state.hpp"
 #include "core/effect/remainder.hpp"
 #include "core/effect/search.hpp"
@@ -23,32 +21,6 @@ constexpr int otherStarts = 7;
 constexpr double startsWithin = 4;  // of the values in the study, by this factor
 constexpr std::size_t fewestOfImitation = 3;
 constexpr double shareOfImitation = 0.05;  // of what they explain together
-constexpr double changeShare = 0.5, leastChange = 100;
-
-/// Whether a parameter that changes (in mid run, or with a channel) accounts for most of what is above the noise, by a
-/// wide margin over chance, and is a better account of it than a disturbance and than the effects that were found:
-/// another structure, or all of them only to imitate it.
-template <class Change>
-bool isBetterThan(const NullModel& base, const NullModel& with, const Change& change,
-                  const std::function<BesideDisturbance(const NullModel&)>& beside) {
-    if (!(change.explained > changeShare * excess(base)) || !(change.explained > leastChange)) return false;
-    const double left = sumInUnitsOf(base, with), leftByChange = change.fit.optimum.residuals.squaredNorm();
-    const FitResult& nearer = left < leftByChange ? with.fit : change.fit;  // to the truth, as far as we know
-    const double count = effectiveCount(base.channels, nearer.optimum.residuals);
-    const double rows = static_cast<double>(nearer.optimum.residuals.size());
-    const double variance =
-        std::min(left, leftByChange) / std::max(1.0, rows - static_cast<double>(nearer.estimates.size()));
-    const double gain = (left - leftByChange) / variance * count / rows;
-    // the parameter that changes was chosen, too
-    const double more = static_cast<double>(change.fit.estimates.size()) - with.parameterCount() + 1;
-    if (!(gain - more * std::log(count) > equivalenceMargin)) return false;
-    const int freed = static_cast<int>(change.fit.estimates.size()) - base.parameterCount();
-    if (isNoise(base.channels, change.fit)) return true;
-    NullModel changed = base;
-    changed.variant = change.variant;
-    changed.fit = change.fit;
-    return isBorneOut(beside(base), beside(changed), changed.fit.optimum.residuals.size(), freed + 1);
-}
 
 /// What a model leaves, in units of the noise of the model as given, and what its parameters cost (BIC).
 double misfitIn(const NullModel& base, const NullModel& model) {
@@ -77,6 +49,16 @@ void offer(std::vector<Remainder> proposed, std::vector<Remainder>& left) {
 /// The same for a parameter that changes, where anything is left at all.
 void offerAlone(Remainder change, std::vector<Remainder>& left) {
     if (!left.empty()) offer({std::move(change)}, left);
+}
+
+/// What is left on a channel, all the time.
+Remainder throughout(const ColouredNoise& noise, const ModelState& state) {
+    Remainder r;
+    r.output = noise.output;
+    r.experiment = noise.experiment;
+    for (const ExperimentState& e : state.experiments)
+        if (e.name == noise.experiment) r.from = e.time.front(), r.to = e.time.back();
+    return r;
 }
 
 /// A parameter that changes, as a proposal at its component.
@@ -309,20 +291,7 @@ Outcome<Finding> Search::run() {
     displaced_ = std::move(path->displaced);
     candidates_ = std::move(path->candidates);
 
-    // A parameter that changed in mid run is imitated by many slow effects; none of them is it.
-    if (!isNoise(base) && !progress_.stopRequested()) change_ = bestChange(base, search_.fit, progress_);
-    if (!isNoise(base) && !progress_.stopRequested()) dependence_ = bestDependence(base, search_.fit, progress_);
-    const auto beside = [&](const NullModel& model) {
-        return besideDisturbance(model, search_.fit.simulation, progress_);
-    };
-    if (change_ && !isBetterThan(base, *null, *change_, beside)) change_.reset();
-    if (dependence_ && !isBetterThan(base, *null, *dependence_, beside)) dependence_.reset();
-    if (change_ && dependence_) {
-        if (change_->explained > dependence_->explained)
-            dependence_.reset();
-        else
-            change_.reset();
-    }
+    settleChange(base, *null);
     if (change_ || dependence_) {
         takeOutAll(*null, base);
         finding.final = finding.baseline;
@@ -426,6 +395,12 @@ Outcome<Finding> Search::run() {
     if (!finding.interrupted) {
         Leftovers left = leftovers(quiet ? *quiet : *null, options_.fit.simulation);
         finding.remainders = std::move(left.structure);
+        // what a parameter that changes accounts for is no noise with a memory
+        const bool isTakenForNoise = (change_ || dependence_) && finding.remainders.empty() && !left.noise.empty();
+        if (isTakenForNoise) {
+            finding.remainders.push_back(throughout(left.noise.front(), finding.final));
+            left.noise.clear();
+        }
         for (const ColouredNoise& n : left.noise)
             finding.warnings.push_back(
                 phrase("what is left on output '{}' of '{}' is noise with a memory ({:.2g} s): it moves with nothing "
@@ -457,6 +432,7 @@ Outcome<Finding> Search::run() {
             finding.warnings.push_back(
                 phrase("{} seems to move with the recorded channel {}", dependence_->parameter, dependence_->channel));
         }
+        if (isTakenForNoise) finding.remainders.pop_back();
     }
     for (const auto& sentences : {recordingRemarks(*null), extrapolations(full_.task), driftBetweenRecordings(*null),
                                   boundHits(null->fit), delaysBelowSampling(full_.task, finding.effects)})

@@ -115,6 +115,9 @@ private:
     enum class Rivals { Known, NewAtItsPlace };
     bool replace(NullModel& null, std::size_t effect, Rivals wanted = Rivals::Known);
     void completeClasses(NullModel& null);
+    void seekChange(const NullModel& base);
+    bool isChangeAll(const NullModel& base, const NullModel& with);
+    void settleChange(const NullModel& base, const NullModel& with);
     Conclusion conclude(NullModel& null, const NullModel& base, bool mayAddLaw);
     bool leaveOutFaults(const NullModel& fitted);
     bool beginElsewhere(NullModel& null);
@@ -183,11 +186,12 @@ private:
     std::map<std::string, std::string> laws_;  // texts of the classes that were written for this model, by name
     std::optional<Change> change_;             // in mid run, that explains better than any effect
     std::optional<Dependence> dependence_;     // on a channel, that does
-    std::vector<FaultySamples> faults_;        // of the measurement
-    std::vector<ToldStart> freedStarts_;       // that were told wrongly
-    std::vector<NoisyInput> noisyInputs_;      // that base_ has without their noise
-    std::vector<InputClock> clocks_;           // that base_ and full_ have where they are
-    std::vector<Recording> stamped_;           // of base_, without them
+    bool soughtChange_{};
+    std::vector<FaultySamples> faults_;    // of the measurement
+    std::vector<ToldStart> freedStarts_;   // that were told wrongly
+    std::vector<NoisyInput> noisyInputs_;  // that base_ has without their noise
+    std::vector<InputClock> clocks_;       // that base_ and full_ have where they are
+    std::vector<Recording> stamped_;       // of base_, without them
     int clockChanges_{};
     std::vector<InputEdge> edges_;                           // that base_ and full_ have where they are
     std::vector<Recording> asRecorded_;                      // of full_, without either

@@ -125,9 +125,11 @@ Outcome<Search::Path> Search::bestPath(NullModel& base) {
     for (;;) {
         Outcome<Path> path = bestPathFrom(base);
         if (!path || !beginsAnew_ || progress_.stopRequested()) return path;
-        beginsAnew_ = false;
+        beginsAnew_ = soughtChange_ = false;
         opening_.reset();
         otherEnds_.clear();
+        change_.reset();
+        dependence_.reset();
         base.variant.task.recordings = base_.task.recordings;
         Outcome<NullModel> next = fitNull(base.variant, base.noise, NoiseLevel::Estimate, search_.fit, progress_);
         if (!next) return next.diagnostics();
@@ -204,6 +206,7 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
     if (beginsAnew_ || progress_.stopRequested()) return best;
     const bool hasMore = best.steps.size() > 1 || hasProposal(best.null);
     if (!hasMore && (isNoise(best.null) || isColouredNoise(best.null))) return best;
+    if (!isNoise(best.null) && isChangeAll(base, best.null)) return best;
 
     addUnprovenPaths(best, base, first);
     if (beginsAnew_) return best;

@@ -1668,6 +1668,34 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Drehmomentkonstante, die mit dem Strom sinkt</translation>
     </message>
     <message>
+        <source>Torque of any course that repeats with every turn</source>
+        <translation>Drehmoment beliebigen Verlaufs, das mit jeder Umdrehung wiederkehrt</translation>
+    </message>
+    <message>
+        <source>Once per turn, with the sine of the angle (0: off)</source>
+        <translation>Einmal je Umdrehung, mit dem Sinus des Winkels (0: aus)</translation>
+    </message>
+    <message>
+        <source>Once per turn, with the cosine</source>
+        <translation>Einmal je Umdrehung, mit dem Kosinus</translation>
+    </message>
+    <message>
+        <source>Twice per turn, with the sine</source>
+        <translation>Zweimal je Umdrehung, mit dem Sinus</translation>
+    </message>
+    <message>
+        <source>Twice per turn, with the cosine</source>
+        <translation>Zweimal je Umdrehung, mit dem Kosinus</translation>
+    </message>
+    <message>
+        <source>Three times per turn, with the sine</source>
+        <translation>Dreimal je Umdrehung, mit dem Sinus</translation>
+    </message>
+    <message>
+        <source>Three times per turn, with the cosine</source>
+        <translation>Dreimal je Umdrehung, mit dem Kosinus</translation>
+    </message>
+    <message>
         <source>Torque constant that changes with the angle</source>
         <translation>Drehmomentkonstante, die sich mit dem Winkel ändert</translation>
     </message>
@@ -2262,6 +2290,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     <message>
         <source>A heater whose resistance bends over a wide range of temperature, as that of platinum or of a ceramic does.</source>
         <translation>Ein Heizer, dessen Widerstand sich über einen weiten Temperaturbereich krümmt, wie der von Platin oder einer Keramik.</translation>
+    </message>
+    <message>
+        <source>A cam, an eccentric gear or an uneven pull of the poles: the torque depends on the angle, and a single wave does not describe it.</source>
+        <translation>Ein Nocken, ein exzentrisches Zahnrad oder ein ungleicher Zug der Pole: Das Drehmoment hängt vom Winkel ab, und eine einzelne Welle beschreibt es nicht.</translation>
     </message>
     <message>
         <source>A rotary magnet or a torque motor that leaves the angle at which it pulls best.</source>

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <numbers>
 #include <numeric>
 #include <random>
 
@@ -1110,6 +1111,25 @@ TEST_F(Discovery, TellsAPeriodicTorqueFromTheShaftsOwn) {
     EXPECT_NEAR(std::stod(equation.substr(at + 4)), 2.3, 0.02);
 }
 
+TEST_F(Discovery, DoesNotTakeATorqueOfTheAngleForItsFirstWave) {
+    constexpr double turn = 2 * std::numbers::pi;
+    const auto sawtooth = [](double phi) { return 2 * (phi / turn - std::floor(phi / turn)) - 1; };
+    const Finding finding =
+        search({0.02, [&](double, double w, double phi) { return 0.03 * w + 0.04 * sawtooth(phi); }}, 0.1);
+    EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
+    ASSERT_FALSE(finding.remainders.empty());
+    EXPECT_NE(finding.remainders.front().proposedEquation.find("sin(2*phi)"), std::string::npos)
+        << finding.remainders.front().proposedEquation;
+}
+
+TEST_F(Discovery, TellsWhatTurnsWithTheShaftByItsWave) {
+    const Finding finding =
+        search({0.02, [](double, double w, double phi) { return 0.03 * w + 0.03 * std::sin(phi - 0.5); }}, 0.1);
+    ASSERT_EQ(finding.effects.size(), 1u);
+    EXPECT_EQ(finding.effects.front().kind, "torque.gravity");
+    EXPECT_EQ(finding.kind, FindingKind::Effect);
+}
+
 TEST_F(Discovery, SaysWithWhichUnusedChannelAParameterMoves) {
     const auto oil = [](double t) { return 40 + 25 * std::sin(0.4 * t) + 0.5 * t; };
     const Finding finding =
@@ -1131,6 +1151,19 @@ TEST_F(Discovery, SaysWhenAParameterChangedInMidRun) {
     EXPECT_EQ(finding.remainders.front().node, "load");
     EXPECT_NEAR(finding.remainders.front().from, 16.0, 0.2);
     ASSERT_FALSE(finding.warnings.empty());
+    EXPECT_NE(finding.warnings.front().find("load.b"), std::string::npos) << finding.warnings.front();
+}
+
+TEST_F(Discovery, DoesNotTakeAChangeInMidRunForNoiseWithAMemory) {
+    const Finding finding =
+        search({0.02, [](double t, double w, double) { return (t < 16.0 ? 0.03 : 0.0315) * w; }}, 0.8);
+    EXPECT_TRUE(finding.effects.empty());
+    EXPECT_EQ(finding.kind, FindingKind::Unexplained);
+    ASSERT_EQ(finding.remainders.size(), 1u);
+    EXPECT_EQ(finding.remainders.front().output, "w");
+    EXPECT_EQ(finding.remainders.front().node, "load");
+    EXPECT_NEAR(finding.remainders.front().from, 16.0, 0.5);
+    ASSERT_EQ(finding.warnings.size(), 1u);
     EXPECT_NE(finding.warnings.front().find("load.b"), std::string::npos) << finding.warnings.front();
 }
 

@@ -15,7 +15,7 @@ equation
       way = "attach",
       ports = {"flange"},
       strength = "tau_n",
-      valid = "n*range(phi) - 6.283185",
+      valid = "n*range(phi) - 3.141593",
       whole = {"n"},
       phase = "phi_0",
       along = "phi",

@@ -1,0 +1,85 @@
+/// Parameters that change, in mid run or with a recorded channel, beside what the search for effects comes to.
+#include <algorithm>
+#include <cmath>
+
+#include "core/effect/disturbance.hpp"
+#include "core/effect/search.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr double changeShare = 0.5, leastChange = 100;
+
+/// Evidence for a change against the effects that were found, beside independent samples.
+template <class Change>
+double gainOf(const NullModel& base, const NullModel& with, const Change& change) {
+    const double left = sumInUnitsOf(base, with), leftByChange = change.fit.optimum.residuals.squaredNorm();
+    const FitResult& nearer = left < leftByChange ? with.fit : change.fit;  // to the truth, as far as we know
+    const double count = effectiveCount(base.channels, nearer.optimum.residuals);
+    const double rows = static_cast<double>(nearer.optimum.residuals.size());
+    const double variance =
+        std::min(left, leftByChange) / std::max(1.0, rows - static_cast<double>(nearer.estimates.size()));
+    const double gain = (left - leftByChange) / variance * count / rows;
+    // the parameter that changes was chosen, too
+    const double more = static_cast<double>(change.fit.estimates.size()) - with.parameterCount() + 1;
+    return gain - more * std::log(count);
+}
+
+/// Whether a change accounts for most of what is above the noise, by a wide margin over chance, and is a better account
+/// of it than the effects that were found: another structure, or all of them only to imitate it.
+template <class Change>
+bool isBetterThan(const NullModel& base, const NullModel& with, const Change& change) {
+    return change.explained > changeShare * excess(base) && change.explained > leastChange &&
+           gainOf(base, with, change) > equivalenceMargin;
+}
+
+/// Whether it is a better account than a disturbance.
+template <class Change>
+bool isBorneOut(const NullModel& base, const Change& change, const SimulationOptions& simulation,
+                const Progress& progress) {
+    if (isNoise(base.channels, change.fit)) return true;
+    NullModel changed = base;
+    changed.variant = change.variant;
+    changed.fit = change.fit;
+    const int freed = static_cast<int>(change.fit.estimates.size()) - base.parameterCount();
+    return isBorneOut(besideDisturbance(base, simulation, progress), besideDisturbance(changed, simulation, progress),
+                      changed.fit.optimum.residuals.size(), freed + 1);
+}
+
+}  // namespace
+
+/// A parameter that changed in mid run is imitated by many slow effects; none of them is it.
+void Search::seekChange(const NullModel& base) {
+    if (soughtChange_ || isNoise(base) || progress_.stopRequested()) return;
+    soughtChange_ = true;
+    change_ = bestChange(base, search_.fit, progress_);
+    if (!progress_.stopRequested()) dependence_ = bestDependence(base, search_.fit, progress_);
+}
+
+/// Whether one change leaves noise alone and is a better account than these effects.
+bool Search::isChangeAll(const NullModel& base, const NullModel& with) {
+    seekChange(base);
+    const auto isAll = [&](const auto& change) {
+        return change && isNoise(base.channels, change->fit) && isBetterThan(base, with, *change);
+    };
+    return isAll(change_) || isAll(dependence_);
+}
+
+/// Keeps the better of the changes where it is a better account than the effects that were found.
+void Search::settleChange(const NullModel& base, const NullModel& with) {
+    seekChange(base);
+    const auto settle = [&](auto& change) {
+        if (change &&
+            !(isBetterThan(base, with, *change) && isBorneOut(base, *change, search_.fit.simulation, progress_)))
+            change.reset();
+    };
+    settle(change_);
+    settle(dependence_);
+    if (!change_ || !dependence_) return;
+    if (change_->explained > dependence_->explained)
+        dependence_.reset();
+    else
+        change_.reset();
+}
+
+}  // namespace analogon
