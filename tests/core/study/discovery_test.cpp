@@ -1039,6 +1039,62 @@ end Throttle;
         << finding.remainders.front().proposedEquation;
 }
 
+TEST_F(Discovery, FindsALagFarBelowTheSampleIntervalThatParametersHide) {
+    put("model.mo", R"(model WindowDrive
+  Analogon.Interfaces.RealInput v(unit="V");
+  Analogon.Interfaces.RealOutput i(unit="A");
+  Analogon.Interfaces.RealOutput w(unit="rad/s");
+  Analogon.ElectricMechanical.BasicElectricMechanical motor(R=0.4, L=0.0008, k=0.022);
+  Analogon.Mechanics.BasicMechanics gear(r=46, J1=1.6e-5, J2=0.0035, c=170, d=1.7);
+  Analogon.Mechanics.Inertia drum(J=0.028);
+  Analogon.Mechanics.ViscousLoad window(b=0.6);
+  Analogon.Sensors.SpeedSensor tacho;
+equation
+  connect(v, motor.v);
+  connect(motor.i, i);
+  connect(motor.flange, gear.flange_a);
+  connect(gear.flange_b, drum.flange_a);
+  connect(drum.flange_b, window.flange);
+  connect(drum.flange_b, tacho.flange);
+  connect(tacho.w, w);
+end WindowDrive;
+)");
+    put("study.json", R"({"format": "analogon-study-1", "class": "WindowDrive",
+  "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
+                   "inputs": {"v": "v"}, "outputs": {"i": "i", "w": "w"}}],
+  "parameters": {"motor.R": {"fit": true, "min": 0.05, "max": 50, "scale": "log"},
+                 "motor.k": {"fit": true, "min": 0.002, "max": 0.5, "scale": "log"},
+                 "gear.J1": {"fit": true, "min": 1e-7, "max": 1e-3, "scale": "log"},
+                 "window.b": {"fit": true, "min": 0.001, "max": 50, "scale": "log"}}})");
+    std::mt19937 random(21);
+    std::normal_distribution<double> scatter;
+    std::ofstream csv = recording("t [s],v [V],i [A],w [rad/s]");
+    constexpr double interval = 0.02, R = 0.5, L = 0.0008, k = 0.027, r = 46, J1 = 2.1e-5, J2 = 0.0315, c = 170,
+                     d = 1.7, b = 0.49, lag = 0.003;
+    const auto supply = [](int sample) { return 13 * levelAt(3.3 * interval * sample); };
+    double driven = 0, i = 0, w1 = 0, w2 = 0, twist = 0;
+    for (int n = 0; n < samples; ++n) {
+        csv << n * interval << ',' << supply(n) << ',' << i + 0.054 * scatter(random) << ','
+            << w2 + 0.064 * scatter(random) << '\n';
+        constexpr int inner = 400;
+        for (int m = 0; m < inner; ++m) {
+            const double a = (m + 0.5) / inner, h = interval / inner;
+            driven += h * ((1 - a) * supply(n) + a * supply(n + 1) - driven) / lag;
+            i += h * (driven - R * i - k * w1) / L;
+            const double shaft = c * twist + d * (w1 / r - w2);
+            w1 += h * (k * i - shaft / r) / J1;
+            w2 += h * (shaft - b * w2) / J2;
+            twist += h * (w1 / r - w2);
+        }
+    }
+    csv.close();
+    const Finding finding = discovered();
+    ASSERT_EQ(finding.effects.size(), 1u);
+    EXPECT_EQ(finding.effects.front().at, "input v") << finding.effects.front().kind;
+    EXPECT_NEAR(finding.effects.front().parameters.front().value, lag, 0.1 * lag);
+    EXPECT_EQ(finding.kind, FindingKind::Effect);
+}
+
 TEST_F(Discovery, GivesNoNameToAPartOfWhatHasNone) {
     put("model.mo", R"(model Pump
   Analogon.Interfaces.RealInput v(unit="V");

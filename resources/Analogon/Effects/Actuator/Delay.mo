@@ -9,7 +9,7 @@ block Delay "Dead time of an input channel"
       at = "input",
       strength = "T",
       oneSided = true,
-      secant = {"2*sample", "8*sample", "32*sample"})),
+      secant = {"0.25*sample", "2*sample", "8*sample", "32*sample"})),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}})),
     Documentation(info="<html>
 <p>An error of an actuator or its driver: inserted behind an input.</p>

@@ -9,7 +9,7 @@ block Lag "Lag of an input channel"
       at = "input",
       strength = "T",
       oneSided = true,
-      secant = {"2*sample", "12*sample", "60*sample"})),
+      secant = {"0.25*sample", "2*sample", "12*sample", "60*sample"})),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}})),
     Documentation(info="<html>
 <p>An error of an actuator or its driver: inserted behind an input.</p>

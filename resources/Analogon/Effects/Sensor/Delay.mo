@@ -9,7 +9,7 @@ block Delay "Dead time of a measured channel"
       at = "output",
       strength = "T",
       oneSided = true,
-      secant = {"2*sample", "8*sample", "32*sample"})),
+      secant = {"0.25*sample", "2*sample", "8*sample", "32*sample"})),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}})),
     Documentation(info="<html>
 <p>An error of a sensor: inserted in front of a measured output.</p>
