@@ -120,7 +120,8 @@ double leastMisfit(const Linearisation& onNew, const FitProblem& problem, const 
 }
 
 Text inWords(const Shape& shape, const InputRange& range, const std::string& unit) {
-    const auto value = [&](double u) { return fmt::format("{:.3g}{}{}", u, unit.empty() ? "" : " ", unit); };
+    const bool isPure = unit.empty() || unit == "1";
+    const auto value = [&](double u) { return fmt::format("{:.3g}{}{}", u, isPure ? "" : " ", isPure ? "" : unit); };
     return shape.words({value(range.low), value(range.high), value(0.5 * (range.low + range.high))});
 }
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <optional>
+#include <random>
 
 #include "core/residual/quantisation.hpp"
 
@@ -113,35 +115,76 @@ double pWhitened(const ColumnScore& all, double total, int count) {
 /// autoregressive model hides slow structure, this does not.
 class PatientTest {
 public:
-    explicit PatientTest(const NullModel& null) : residuals_(null.fit.optimum.residuals) {
-        scale_ = Eigen::VectorXd::Zero(residuals_.size());
-        for (const ResidualChannel& c : null.channels) {
+    explicit PatientTest(const NullModel& null) : channels_(null.channels) {
+        const Eigen::VectorXd& residuals = null.fit.optimum.residuals;
+        scale_ = Eigen::VectorXd::Zero(residuals.size());
+        for (const ResidualChannel& c : channels_) {
             const int count = c.end - c.begin;
-            const Eigen::VectorXd own = residuals_.segment(c.begin, count);
+            const Eigen::VectorXd own = residuals.segment(c.begin, count);
             const double variance = own.squaredNorm() / count, memory = summarise(own).autocorrelationTime;
             if (variance > 0)
                 scale_.segment(c.begin, count).setConstant(1 / std::sqrt(variance * std::max(1.0, memory)));
+            models_.push_back(fitAutoregressive(own, orderOfNoise));
         }
         complement_.emplace(Eigen::MatrixXd(scale_.asDiagonal() * null.fit.optimum.jacobian));
-        scaled_ = (*complement_)(Eigen::MatrixXd(scale_.cwiseProduct(residuals_)));
+        scaled_ = scaled(residuals);
     }
 
-    double p(const ResidualChannel& channel, const Eigen::MatrixXd& columns) const {
-        const int count = channel.end - channel.begin;
+    /// `unlikely`: probability below which noise of the channels' own colours is asked how often it moves so much. What
+    /// slow quantities explain of slow noise leaves it faster than it was, and the test is too sure.
+    double p(const ResidualChannel& channel, const Eigen::MatrixXd& columns, double unlikely) const {
         const Eigen::MatrixXd rest = (*complement_)(Eigen::MatrixXd(scale_.asDiagonal() * columns));
-        const ColumnScore all = scoreColumns(Complement(Eigen::MatrixXd(rest.rows(), 0)), scaled_, rest, false);
-        const double dof = static_cast<double>(all.directions.cols());
-        const Eigen::VectorXd left = scaled_ - all.directions * (all.directions.transpose() * scaled_);
-        const ResidualSummary noise = summarise(left.segment(channel.begin, count));
-        const double effective = count / std::max(1.0, noise.autocorrelationTime);
-        if (dof < 1 || effective < 2 * dof + 10) return 1;
-        const double variance = left.segment(channel.begin, count).squaredNorm() / (count - dof);
-        const double f = all.explained / variance * effective / count / dof;
-        return boost::math::cdf(boost::math::complement(boost::math::fisher_f(dof, effective - dof), std::max(0.0, f)));
+        const Eigen::MatrixXd directions =
+            scoreColumns(Complement(Eigen::MatrixXd(rest.rows(), 0)), scaled_, rest, false).directions;
+        const double dof = static_cast<double>(directions.cols());
+        const Ratio own = ratio(channel, directions, scaled_);
+        if (dof < 1 || own.effective < 2 * dof + 10) return 1;
+        const double p =
+            boost::math::cdf(boost::math::complement(boost::math::fisher_f(dof, own.effective - dof), own.f));
+        return p < unlikely ? std::max(p, pAmongSurrogates(channel, directions, own.f)) : p;
     }
 
 private:
-    const Eigen::VectorXd& residuals_;
+    static constexpr int orderOfNoise = 20, surrogates = 60;
+
+    /// What some directions explain of a channel, over what they would of noise of the memory that is left.
+    struct Ratio {
+        double f{}, effective{};
+    };
+
+    Eigen::VectorXd scaled(const Eigen::VectorXd& residuals) const {
+        return (*complement_)(Eigen::MatrixXd(scale_.cwiseProduct(residuals)));
+    }
+
+    static Ratio ratio(const ResidualChannel& channel, const Eigen::MatrixXd& directions,
+                       const Eigen::VectorXd& residuals) {
+        const int count = channel.end - channel.begin;
+        const double dof = static_cast<double>(directions.cols());
+        const Eigen::VectorXd along = directions.transpose() * residuals, left = residuals - directions * along;
+        const ResidualSummary noise = summarise(left.segment(channel.begin, count));
+        const double effective = count / std::max(1.0, noise.autocorrelationTime);
+        const double variance = left.segment(channel.begin, count).squaredNorm() / (count - dof);
+        return {along.squaredNorm() / variance * effective / count / dof, effective};
+    }
+
+    /// Parametric bootstrap: the logarithm of the ratio is nearly normal.
+    double pAmongSurrogates(const ResidualChannel& channel, const Eigen::MatrixXd& directions, double f) const {
+        std::mt19937_64 random(1);
+        Eigen::VectorXd logs(surrogates);
+        for (double& log : logs) {
+            Eigen::VectorXd noise = Eigen::VectorXd::Zero(scale_.size());
+            for (std::size_t c = 0; c < channels_.size(); ++c)
+                noise.segment(channels_[c].begin, channels_[c].end - channels_[c].begin) =
+                    models_[c].simulate(channels_[c].end - channels_[c].begin, random);
+            log = std::log(ratio(channel, directions, scaled(noise)).f);
+        }
+        const double mean = logs.mean(), deviation = std::sqrt((logs.array() - mean).square().sum() / (surrogates - 1));
+        const double t = (std::log(f) - mean) / (deviation * std::sqrt(1 + 1.0 / surrogates));
+        return boost::math::cdf(boost::math::complement(boost::math::students_t(surrogates - 1), t));
+    }
+
+    const std::vector<ResidualChannel>& channels_;
+    std::vector<AutoregressiveModel> models_;
     Eigen::VectorXd scale_, scaled_;
     std::optional<Complement> complement_;
 };
@@ -189,7 +232,8 @@ Leftovers leftovers(const NullModel& null, const SimulationOptions& simulation) 
     const Complement complement(null.whitener(null.fit.optimum.jacobian));
     const Eigen::VectorXd white = complement(null.whitener(null.fit.optimum.residuals));
     const PatientTest patient(null);
-    const auto isChance = [&](double p) { return !(p * 3 * static_cast<double>(null.channels.size()) < significance); };
+    const double unlikely = significance / (3 * static_cast<double>(null.channels.size()));
+    const auto isChance = [&](double p) { return !(p < unlikely); };
     std::vector<Examined> examined;
     for (const ResidualChannel& channel : null.channels) {
         if (quantisationStep(channel.measured) > 0 && isNoise(channel, null.fit.optimum.residuals)) continue;
@@ -211,7 +255,7 @@ Leftovers leftovers(const NullModel& null, const SimulationOptions& simulation) 
         const auto dof = static_cast<int>(e.all.directions.cols());
         if (dof < 1 || count < 2 * dof + 10) continue;
         e.total = white.segment(channel.begin, count).squaredNorm();
-        e.pMoves = std::min(pWhitened(e.all, e.total, count), patient.p(channel, columns));
+        e.pMoves = std::min(pWhitened(e.all, e.total, count), patient.p(channel, columns, unlikely));
         const Eigen::VectorXd own = null.fit.optimum.residuals.segment(channel.begin, count);
         e.summary = summarise(own);
         e.isWhite = isChance(e.summary.whiteProbability);

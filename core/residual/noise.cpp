@@ -134,12 +134,34 @@ double noiseFromDifferences(const Eigen::Ref<const Eigen::VectorXd>& signal) {
 Eigen::VectorXd AutoregressiveModel::whiten(const Eigen::Ref<const Eigen::VectorXd>& signal) const {
     Eigen::VectorXd result = signal;
     const auto order = static_cast<Eigen::Index>(coefficients.size());
-    for (Eigen::Index k = 0; k < signal.size(); ++k) {
-        for (Eigen::Index i = 1; i <= std::min(order, k); ++i) {
+    for (Eigen::Index k = order; k < signal.size(); ++k)
+        for (Eigen::Index i = 1; i <= order; ++i)
             result[k] -= coefficients[static_cast<std::size_t>(i - 1)] * signal[k - i];
-        }
+    // the beginning is told by shorter models, which leave more: Levinson's recursion, downwards
+    Eigen::VectorXd shorter = Eigen::Map<const Eigen::VectorXd>(coefficients.data(), order);
+    double share = 1;  // of the variance that the shorter model leaves, which this one does
+    for (Eigen::Index k = order - 1; k >= 0; --k) {
+        const double reflection = shorter[k], rest = std::max(1 - reflection * reflection, 1e-12);
+        share *= rest;
+        const Eigen::VectorXd head = shorter.head(k);
+        shorter.head(k) = (head + reflection * head.reverse()) / rest;
+        if (k >= signal.size()) continue;
+        for (Eigen::Index i = 1; i <= k; ++i) result[k] -= shorter[i - 1] * signal[k - i];
+        result[k] *= std::sqrt(share);
     }
     return result;
+}
+
+Eigen::VectorXd AutoregressiveModel::simulate(Eigen::Index count, std::mt19937_64& random) const {
+    std::normal_distribution<double> scatter(0, innovation);
+    const auto order = static_cast<Eigen::Index>(coefficients.size());
+    Eigen::VectorXd all(2 * count);  // a record may begin anywhere in the memory of the noise
+    for (Eigen::Index k = 0; k < all.size(); ++k) {
+        all[k] = scatter(random);
+        for (Eigen::Index i = 1; i <= std::min(order, k); ++i)
+            all[k] += coefficients[static_cast<std::size_t>(i - 1)] * all[k - i];
+    }
+    return all.tail(count);
 }
 
 /// Burg 1975: reflection coefficients that minimise forward and backward errors together, so that the model is

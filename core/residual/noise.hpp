@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <random>
 #include <vector>
 
 namespace analogon {
@@ -20,8 +21,11 @@ double channelNoise(const Eigen::Ref<const Eigen::VectorXd>& residual,
 struct AutoregressiveModel {
     std::vector<double> coefficients;  // a_1 … a_order
     double innovation{};               // standard deviation of w
-    /// w for a whole signal (the first `order` samples with what is there).
+    /// w for a whole signal. The first samples are predicted by what is there, in units of what that leaves (Prais &
+    /// Winsten 1954): told as they are, the first sample of slow noise would outweigh all others.
     Eigen::VectorXd whiten(const Eigen::Ref<const Eigen::VectorXd>& signal) const;
+    /// A signal of the model, as it goes on long after its beginning.
+    Eigen::VectorXd simulate(Eigen::Index count, std::mt19937_64& random) const;
 };
 AutoregressiveModel fitAutoregressive(const Eigen::Ref<const Eigen::VectorXd>& signal, int maxOrder);
 

@@ -353,7 +353,7 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation>Anpassen</translation>
+        <translation>Anpassung</translation>
     </message>
     <message>
         <source>Validate</source>
@@ -606,7 +606,7 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     </message>
     <message>
         <source>Used to</source>
-        <translation>Dient zum</translation>
+        <translation>Rolle</translation>
     </message>
     <message>
         <source>Time column</source>
@@ -1821,7 +1821,7 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     </message>
     <message>
         <source>mechanics</source>
-        <translation>Mechanik</translation>
+        <translation>mechanisch</translation>
     </message>
     <message>
         <source>electric-mechanical</source>
@@ -3262,11 +3262,11 @@ Ihre Spalten werden dann den Ein- und Ausgängen des Modells zugeordnet.</transl
     <name>ParameterModel</name>
     <message>
         <source>at min</source>
-        <translation>am Minimum</translation>
+        <translation>an unterer Grenze</translation>
     </message>
     <message>
         <source>at max</source>
-        <translation>am Maximum</translation>
+        <translation>an oberer Grenze</translation>
     </message>
     <message>
         <source>  not determined</source>
@@ -3401,7 +3401,7 @@ Relativer Standardfehler %1 %</translation>
     </message>
     <message>
         <source>No parameters to show. See the messages if the model could not be read.</source>
-        <translation>Keine Parameter zu zeigen. Konnte das Modell nicht gelesen werden, sagen die Meldungen, warum.</translation>
+        <translation>Keine Parameter zu zeigen. Falls das Modell nicht gelesen werden konnte: siehe Meldungen.</translation>
     </message>
     <message>
         <source>mean ± std</source>
@@ -3412,7 +3412,7 @@ Relativer Standardfehler %1 %</translation>
     <name>PlotPanel</name>
     <message>
         <source>best so far</source>
-        <translation>bisher bester Stand</translation>
+        <translation>bisher bestes</translation>
     </message>
     <message>
         <source>with this effect</source>
@@ -3692,7 +3692,7 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     </message>
     <message>
         <source>Within the bounds the error cannot be made smaller; beyond them it could be.</source>
-        <translation>Innerhalb der Grenzen lässt sich der Fehler nicht verkleinern; jenseits davon wohl.</translation>
+        <translation>Innerhalb der Grenzen lässt sich der Fehler nicht weiter verkleinern; jenseits davon wohl.</translation>
     </message>
     <message>
         <source>Fit did not converge</source>
@@ -3840,7 +3840,7 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     </message>
     <message>
         <source>negative: gains more than it costs</source>
-        <translation>negativ: bringt mehr, als er kostet</translation>
+        <translation>negativ: der Effekt bringt mehr, als er kostet</translation>
     </message>
     <message>
         <source>Of the finished model against the same refitted without the effect; negative: it gains more than its parameters cost</source>
@@ -3848,7 +3848,7 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     </message>
     <message>
         <source>Each with its figures in the round in which it was tried; those above are of the finished model.</source>
-        <translation>Jeder mit seinen Zahlen aus der Runde, in der er geprüft wurde; die oben gelten für das fertige Modell.</translation>
+        <translation>Jeder Effekt mit den Zahlen der Runde, in der er geprüft wurde; die Zahlen weiter oben gelten für das fertige Modell.</translation>
     </message>
     <message>
         <source>Screening</source>
@@ -3864,7 +3864,7 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     </message>
     <message>
         <source>+1: holds on data left out; −1: fails</source>
-        <translation>+1: gilt auch dort; −1: nicht</translation>
+        <translation>+1: gilt auch in zurückgehaltenen Daten; −1: nicht</translation>
     </message>
     <message>
         <source>+1: the gain holds on data left out of the fit; −1: it does not</source>
@@ -3939,19 +3939,19 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <name>RunBar</name>
     <message>
         <source>fitting</source>
-        <translation>anpassen</translation>
+        <translation>Anpassung</translation>
     </message>
     <message>
         <source>simulating</source>
-        <translation>simulieren</translation>
+        <translation>Simulation</translation>
     </message>
     <message>
         <source>looking at every effect</source>
-        <translation>alle Effekte ansehen</translation>
+        <translation>alle Effekte werden angesehen</translation>
     </message>
     <message>
         <source>trying</source>
-        <translation>prüfen</translation>
+        <translation>Prüfung</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -3964,6 +3964,58 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>Stopping …</source>
         <translation>Hält an …</translation>
+    </message>
+    <message>
+        <source>weighing again</source>
+        <translation>erneute Abwägung</translation>
+    </message>
+    <message>
+        <source>leaving out</source>
+        <translation>Weglassen</translation>
+    </message>
+    <message>
+        <source>looking for an equation</source>
+        <translation>Suche nach einer Gleichung</translation>
+    </message>
+    <message>
+        <source>planning the next experiment</source>
+        <translation>Planung des nächsten Versuchs</translation>
+    </message>
+    <message>
+        <source>iteration %1</source>
+        <translation>Iteration %1</translation>
+    </message>
+    <message>
+        <source>noise of the inputs</source>
+        <translation>Rauschen der Eingänge</translation>
+    </message>
+    <message>
+        <source>clocks of the inputs</source>
+        <translation>Uhren der Eingänge</translation>
+    </message>
+    <message>
+        <source>jumps of the inputs</source>
+        <translation>Sprünge der Eingänge</translation>
+    </message>
+    <message>
+        <source>a law for what is left</source>
+        <translation>ein Gesetz für den Rest</translation>
+    </message>
+    <message>
+        <source>%1 at every sensor like %2</source>
+        <translation>%1 an jedem Sensor wie %2</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>%1 at %2 for %3</source>
+        <translation>%1 bei %2 statt %3</translation>
+    </message>
+    <message>
+        <source>error %1 %</source>
+        <translation>Fehler %1 %</translation>
     </message>
 </context>
 <context>

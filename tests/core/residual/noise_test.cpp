@@ -181,6 +181,24 @@ TEST(StationaryNoise, TakesARecordLongEnoughToTell) {
     EXPECT_FALSE(isStationaryNoise(coloured(3000, 0.998, 3)));
 }
 
+TEST(AutoregressiveModel, WhitensTheBeginningLikeTheRest) {
+    const AutoregressiveModel model{{1.6, -0.62}, 0.1};
+    std::mt19937_64 random(3);
+    Eigen::VectorXd squares = Eigen::VectorXd::Zero(5);
+    constexpr int signals = 4000;
+    for (int n = 0; n < signals; ++n)
+        squares += model.whiten(model.simulate(200, random)).head(5).array().square().matrix() / signals;
+    for (const double square : squares) EXPECT_NEAR(square, 0.01, 0.001);
+}
+
+TEST(AutoregressiveModel, SimulatesWhatItDescribes) {
+    const AutoregressiveModel model{{0.9}, 1};
+    std::mt19937_64 random(5);
+    const Eigen::VectorXd signal = model.simulate(200000, random);
+    EXPECT_NEAR(signal.squaredNorm() / 200000, 1 / (1 - 0.81), 0.15);
+    EXPECT_NEAR(signal.head(199999).dot(signal.tail(199999)) / signal.squaredNorm(), 0.9, 0.01);
+}
+
 TEST(Coherence, IsLikelyByChanceOnlyWhereSignalsAreIndependent) {
     int rare = 0;
     for (unsigned seed = 1; seed <= 40; ++seed) {
