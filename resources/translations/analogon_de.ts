@@ -534,6 +534,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <source>Drop measurement files here, or press Add recording.</source>
         <translation>Messdateien hierher ziehen oder „Aufzeichnung hinzufügen“ drücken.</translation>
     </message>
+    <message>
+        <source>Take out</source>
+        <translation>Herausnehmen</translation>
+    </message>
 </context>
 <context>
     <name>GuidePage</name>
@@ -1853,7 +1857,7 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     </message>
     <message>
         <source>Body with heat capacity in a stream (convection by the fluid temperature)</source>
-        <translation>Körper mit Wärmekapazität in einer Strömung</translation>
+        <translation>Körper mit Wärmekapazität in einer Strömung (Konvektion nach der Fluidtemperatur)</translation>
     </message>
     <message>
         <source>Body with heat capacity in a stream of measured speed</source>

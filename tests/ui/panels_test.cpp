@@ -704,6 +704,26 @@ TEST_F(Panels, ComposesAStudyFromDomainsAndARecording) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return document().before() != nullptr; }, 20000));
 }
 
+TEST_F(Panels, TakesADomainAndARecordingOutAgain) {
+    QMetaObject::invokeMethod(panel<StartPage>(), "generateWanted");
+    auto* page = panel<GeneratePage>();
+    page->addDomain("electric-thermal");
+    page->addDomain("thermal-fluid");
+    page->addRecording(ANALOGON_ROOT "/examples/lambda-sensor-heating/train.csv");
+    for (const auto& [list, name] :
+         {std::pair{page->chain(), "takeOutDomain"}, std::pair{page->recordings(), "takeOutRecording"}}) {
+        auto* button = page->findChild<QPushButton*>(name);
+        ASSERT_TRUE(button);
+        EXPECT_FALSE(button->isEnabled()) << "nothing is marked";
+        const int before = list->count();
+        list->setCurrentRow(0);
+        QTest::mouseClick(button, Qt::LeftButton);
+        EXPECT_EQ(list->count(), before - 1);
+    }
+    EXPECT_EQ(page->chain()->item(0)->data(Qt::UserRole).toString(), "thermal-fluid");
+    EXPECT_FALSE(page->generateButton()->isEnabled()) << "without a recording";
+}
+
 TEST_F(Panels, RemembersFromOneStartToTheNext) {
     {
         Settings settings;

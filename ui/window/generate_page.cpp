@@ -81,9 +81,15 @@ GeneratePage::GeneratePage(QWidget* parent)
     grid->addWidget(known_, 1, 0);
     grid->addWidget(chain_, 1, 1);
     grid->addWidget(add_, 2, 0, Qt::AlignLeft);
+    grid->addWidget(takeOutOf(chain_, "takeOutDomain"), 2, 1, Qt::AlignLeft);
     grid->addWidget(heading(tr("Recordings (the last of several is kept for validation)"), recordings_), 3, 0, 1, 2);
     grid->addWidget(recordings_, 4, 0, 1, 2);
-    grid->addWidget(browse_, 5, 0, Qt::AlignLeft);
+    auto* recordingButtons = new QHBoxLayout;
+    recordingButtons->setSpacing(2 * style::unit);
+    recordingButtons->addWidget(browse_);
+    recordingButtons->addWidget(takeOutOf(recordings_, "takeOutRecording"));
+    recordingButtons->addStretch(1);
+    grid->addLayout(recordingButtons, 5, 0);
     auto* nameRow = new QHBoxLayout;
     nameRow->setSpacing(2 * style::unit);
     nameRow->addWidget(heading(tr("Name of the model"), name_));
@@ -239,11 +245,24 @@ bool GeneratePage::eventFilter(QObject* watched, QEvent* event) {
         return true;
     }
     if (watched != known_ && (key == Qt::Key_Delete || key == Qt::Key_Backspace)) {
-        delete static_cast<QListWidget*>(watched)->currentItem();
-        update();
+        takeOut(static_cast<QListWidget*>(watched));
         return true;
     }
     return false;
+}
+
+void GeneratePage::takeOut(QListWidget* list) {
+    delete list->currentItem();
+    update();
+}
+
+QPushButton* GeneratePage::takeOutOf(QListWidget* list, const char* name) {
+    auto* button = new QPushButton(tr("Take out"), this);
+    button->setObjectName(name);
+    button->setEnabled(false);
+    connect(list, &QListWidget::currentRowChanged, button, [button](int row) { button->setEnabled(row >= 0); });
+    connect(button, &QPushButton::clicked, this, [this, list] { takeOut(list); });
+    return button;
 }
 
 }  // namespace analogon::ui

@@ -26,6 +26,7 @@ public:
     void addRecording(const QString& path);
     QListWidget* knownDomains() const { return known_; }
     QListWidget* chain() const { return chain_; }
+    QListWidget* recordings() const { return recordings_; }
     QPushButton* generateButton() const { return generate_; }
     QString fault() const;
 
@@ -38,6 +39,8 @@ protected:
 
 private:
     void askForRecording();
+    void takeOut(QListWidget* list);
+    QPushButton* takeOutOf(QListWidget* list, const char* name);
     void generate();
     void update();
     void say(const QString& text, bool isFault);
