@@ -513,8 +513,8 @@ TEST_F(Panels, ShowsWhatAnEffectWouldBringWhileThePointerIsOnIt) {
     EXPECT_FALSE(scene->pointedOut().empty());
     ASSERT_TRUE(QTest::qWaitFor([&] { return document().preview() != nullptr; }, 20000));
     EXPECT_TRUE(legend().startsWith("with this effect")) << legend().toStdString();
-    TimePlot* values = panel<PlotPanel>()->plots().front()->values();
-    EXPECT_EQ(values->note(), list->topLevelItem(0)->text(0)) << "the whole name, however long";
+    TimePlot* residual = panel<PlotPanel>()->plots().front()->residual();
+    EXPECT_EQ(residual->note(), list->topLevelItem(0)->text(0)) << "the name beside the caption, over no curve";
     QTest::qWait(20);
     const QWidget* plot = panel<PlotPanel>()->plots().front();
     EXPECT_LE(plot->width(), plot->parentWidget()->parentWidget()->width()) << "however long the name, nothing is cut";
@@ -524,7 +524,7 @@ TEST_F(Panels, ShowsWhatAnEffectWouldBringWhileThePointerIsOnIt) {
     leave();
     EXPECT_EQ(document().preview(), nullptr);
     EXPECT_EQ(legend(), result);
-    EXPECT_TRUE(values->note().isEmpty());
+    EXPECT_TRUE(residual->note().isEmpty());
     EXPECT_TRUE(scene->pointedOut().empty());
     enter(0);
     EXPECT_NE(document().preview(), nullptr) << "known by now";

@@ -132,7 +132,7 @@ void OutputPlot::show(Content content) {
     };
     add(TraceRole::Before, content_.before);
     add(TraceRole::After, content_.after);
-    values_->setNote({});
+    residual_->setNote({});
     values_->setTraces(content_.time, std::move(values));
     residual_->setTraces(content_.time, std::move(residuals));
 }
@@ -142,7 +142,7 @@ void OutputPlot::showAfter(const Series& values, const QString& label, const QSt
     content_.after = values;
     content_.afterLabel = label;
     setLegend(TraceRole::After, label);
-    values_->setNote(note);
+    residual_->setNote(note);
     values_->setTrace({TraceRole::After, values});
     residual_->setTrace({TraceRole::After, residualOf(content_.measured, values)});
 }

@@ -252,16 +252,14 @@ void TimePlot::paintGround(QPainter& painter) const {
     paintNote(painter);
 }
 
-/// Over the traces, so that they keep their place while one looks from effect to effect; names may be long.
+/// Beside the caption, where no trace is and nothing moves while one looks from effect to effect.
 void TimePlot::paintNote(QPainter& painter) const {
     if (note_.isEmpty()) return;
-    const QRectF room = area().adjusted(labelGap, labelGap / 2, -labelGap, 0);
-    const QRectF text = painter.boundingRect(room, Qt::AlignRight | Qt::AlignTop | Qt::TextWordWrap, note_);
-    QColor ground = palette().color(QPalette::Base);
-    ground.setAlphaF(0.8f);
-    painter.fillRect(text.adjusted(-labelGap / 2, 0, labelGap / 2, 0), ground);
+    const QFontMetricsF metrics(painter.font());
+    const double from = leftMargin + metrics.horizontalAdvance(caption_) + 4 * labelGap;
+    const QRectF room(from, 1, width() - rightMargin - from, metrics.height());
     painter.setPen(traceColour(TraceRole::After, palette()));
-    painter.drawText(text, Qt::AlignRight | Qt::AlignTop | Qt::TextWordWrap, note_);
+    painter.drawText(room, Qt::AlignRight | Qt::AlignTop, metrics.elidedText(note_, Qt::ElideRight, room.width()));
 }
 
 void TimePlot::paintGrid(QPainter& painter) const {

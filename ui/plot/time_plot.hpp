@@ -45,7 +45,7 @@ public:
     void setSymmetric(bool isSymmetric);
     /// Name at the upper left corner of the area.
     void setCaption(const QString& caption);
-    /// A name that is too long for a legend, over the traces in a corner.
+    /// A name that is too long for a legend, at the right of the caption.
     void setNote(const QString& note);
     const QString& note() const { return note_; }
     /// While trimming, a drag chooses the range to keep.
