@@ -3009,6 +3009,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <source>Nothing exported: see the messages.</source>
         <translation>Nichts exportiert: siehe Meldungen.</translation>
     </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassen</translation>
+    </message>
 </context>
 <context>
     <name>MainWindowFiles</name>
