@@ -51,7 +51,8 @@ void ProgressView::showBar(const Progress::Report& report) {
         for (int i = 0; i < width; ++i) bar += i < full ? "━" : "─";
         bar += fmt::format(" {:3.0f} %", 100 * std::clamp(report.fraction, 0.0, 1.0));
     }
-    std::string text = report.detail.empty() ? report.stage : report.stage + ": " + report.detail;
+    const std::string& detail = report.detail;
+    std::string text = detail.empty() ? report.stage : report.stage + ": " + detail;
     if (report.error >= 0) text += fmt::format("  (error {:.3g} %)", report.error);
     if (text.size() > textWidth) text = text.substr(0, textWidth - 2) + "..";
     stream_ << "\r\033[K" << bar << "  " << text << std::flush;
@@ -74,7 +75,7 @@ void ProgressView::note(const std::string& remark) {
 
 std::string progressJson(const Progress::Report& report) {
     nlohmann::ordered_json json{{"stage", report.stage}};
-    if (!report.detail.empty()) json["detail"] = report.detail;
+    if (!report.detail.empty()) json["detail"] = report.detail.english();
     if (report.fraction >= 0) json["fraction"] = report.fraction;
     if (report.error >= 0) json["error_percent"] = report.error;
     return line(json);

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/text.hpp"
+
 namespace analogon {
 
 /// Handed to long work: asks whether to stop, tells how far it is. Copies share the same stop state.
@@ -18,7 +20,7 @@ public:
     };
     struct Report {
         std::string stage;          // "fit", "screen", "trial" …
-        std::string detail;         // the candidate or experiment at hand
+        Text detail;                // the candidate or experiment at hand
         double fraction{};          // 0 … 1; negative: not known
         double error{-1};           // best error_percent so far; negative: not known
         std::vector<Value> best{};  // so far, of the fit that reports

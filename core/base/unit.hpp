@@ -30,6 +30,9 @@ bool isKnownUnit(std::string_view unit);
 /// Whether both measure the same quantity (convertible).
 bool areConvertible(std::string_view a, std::string_view b);
 
+/// What stands behind a number: " K"; nothing without a unit and where it is 1.
+inline std::string behindNumber(const std::string& unit) { return unit.empty() || unit == "1" ? "" : " " + unit; }
+
 /// Powers of m, kg, s, A, K, mol and cd in a unit; an angle counts as 1. Empty: a unit that is not known.
 using Dimension = std::array<double, 7>;
 std::optional<Dimension> dimensionOf(std::string_view unit);

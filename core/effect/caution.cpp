@@ -7,6 +7,7 @@
 
 #include "core/base/median.hpp"
 #include "core/base/range.hpp"
+#include "core/base/unit.hpp"
 #include "core/effect/faulty_sample.hpp"
 #include "core/residual/noise.hpp"
 
@@ -158,7 +159,7 @@ bool isMoreThanNoise(const Miss& miss, double noise, double correlated) {
 /// What the miss looks like: the simplest that leaves about as little as there is in the fitted recordings.
 Text lookOf(const Miss& miss, double noise, const std::string& unit) {
     const double enough = asGood * std::sqrt(noise * noise + miss.uncertain);
-    const std::string shown = unit.empty() || unit == "1" ? "" : " " + unit;
+    const std::string shown = behindNumber(unit);
     const double offset = miss.rmsBesideOffset(), gain = miss.rmsBesideGain();
     if (offset <= enough && offset <= gain)
         return phrase("it looks like an offset of {:+.3g}{} in this recording alone ({:.3g}{} remain without it)",

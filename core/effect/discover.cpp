@@ -46,19 +46,20 @@ void offer(std::vector<Remainder> proposed, std::vector<Remainder>& left) {
     left.insert(left.begin(), std::make_move_iterator(proposed.begin()), std::make_move_iterator(proposed.end()));
 }
 
-/// The same for a parameter that changes, where anything is left at all.
-void offerAlone(Remainder change, std::vector<Remainder>& left) {
-    if (!left.empty()) offer({std::move(change)}, left);
-}
-
-/// What is left on a channel, all the time.
-Remainder throughout(const ColouredNoise& noise, const ModelState& state) {
-    Remainder r;
-    r.output = noise.output;
-    r.experiment = noise.experiment;
-    for (const ExperimentState& e : state.experiments)
-        if (e.name == noise.experiment) r.from = e.time.front(), r.to = e.time.back();
-    return r;
+/// The same for a parameter that changes, where anything is left at all: what it accounts for may else pass for noise
+/// with a memory.
+void offerAlone(Remainder change, const std::vector<ColouredNoise>& noise, const ModelState& state,
+                std::vector<Remainder>& left) {
+    if (!left.empty()) {
+        offer({std::move(change)}, left);
+    } else if (!noise.empty()) {
+        change.output = noise.front().output;
+        change.experiment = noise.front().experiment;
+        for (const ExperimentState& e : state.experiments)
+            if (e.name == change.experiment && change.to <= change.from)
+                change.from = e.time.front(), change.to = e.time.back();
+        left.push_back(std::move(change));
+    }
 }
 
 /// A parameter that changes, as a proposal at its component.
@@ -395,13 +396,8 @@ Outcome<Finding> Search::run() {
     if (!finding.interrupted) {
         Leftovers left = leftovers(quiet ? *quiet : *null, options_.fit.simulation);
         finding.remainders = std::move(left.structure);
-        // what a parameter that changes accounts for is no noise with a memory
-        const bool isTakenForNoise = (change_ || dependence_) && finding.remainders.empty() && !left.noise.empty();
-        if (isTakenForNoise) {
-            finding.remainders.push_back(throughout(left.noise.front(), finding.final));
-            left.noise.clear();
-        }
-        for (const ColouredNoise& n : left.noise)
+        const bool isNoiseAlone = !change_ && !dependence_;  // else that accounts for it
+        for (const ColouredNoise& n : isNoiseAlone ? left.noise : std::vector<ColouredNoise>())
             finding.warnings.push_back(
                 phrase("what is left on output '{}' of '{}' is noise with a memory ({:.2g} s): it moves with nothing "
                        "that is recorded or simulated, and is taken for noise of the measurement",
@@ -423,16 +419,15 @@ Outcome<Finding> Search::run() {
         offer(std::move(proposed), finding.remainders);
         if (change_) {
             const double end = finding.final.experiments[static_cast<std::size_t>(change_->experiment)].time.back();
-            offerAlone(remainderOf(*change_, end), finding.remainders);
+            offerAlone(remainderOf(*change_, end), left.noise, finding.final, finding.remainders);
             finding.warnings.push_back(phrase("the condition seems to have changed in mid run: {} at about {:.4g} s",
                                               change_->parameter, change_->time));
         }
         if (dependence_) {
-            offerAlone(remainderOf(*dependence_), finding.remainders);
+            offerAlone(remainderOf(*dependence_), left.noise, finding.final, finding.remainders);
             finding.warnings.push_back(
                 phrase("{} seems to move with the recorded channel {}", dependence_->parameter, dependence_->channel));
         }
-        if (isTakenForNoise) finding.remainders.pop_back();
     }
     for (const auto& sentences : {recordingRemarks(*null), extrapolations(full_.task), driftBetweenRecordings(*null),
                                   boundHits(null->fit), delaysBelowSampling(full_.task, finding.effects)})

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "core/base/range.hpp"
+#include "core/base/unit.hpp"
 
 namespace analogon {
 namespace {
@@ -120,8 +121,7 @@ double leastMisfit(const Linearisation& onNew, const FitProblem& problem, const 
 }
 
 Text inWords(const Shape& shape, const InputRange& range, const std::string& unit) {
-    const bool isPure = unit.empty() || unit == "1";
-    const auto value = [&](double u) { return fmt::format("{:.3g}{}{}", u, isPure ? "" : " ", isPure ? "" : unit); };
+    const auto value = [&](double u) { return fmt::format("{:.3g}{}", u, behindNumber(unit)); };
     return shape.words({value(range.low), value(range.high), value(0.5 * (range.low + range.high))});
 }
 

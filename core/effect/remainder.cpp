@@ -115,16 +115,15 @@ double pWhitened(const ColumnScore& all, double total, int count) {
 /// autoregressive model hides slow structure, this does not.
 class PatientTest {
 public:
-    explicit PatientTest(const NullModel& null) : channels_(null.channels) {
+    explicit PatientTest(const NullModel& null) : colours_(null.whitener) {
         const Eigen::VectorXd& residuals = null.fit.optimum.residuals;
         scale_ = Eigen::VectorXd::Zero(residuals.size());
-        for (const ResidualChannel& c : channels_) {
+        for (const ResidualChannel& c : null.channels) {
             const int count = c.end - c.begin;
             const Eigen::VectorXd own = residuals.segment(c.begin, count);
             const double variance = own.squaredNorm() / count, memory = summarise(own).autocorrelationTime;
             if (variance > 0)
                 scale_.segment(c.begin, count).setConstant(1 / std::sqrt(variance * std::max(1.0, memory)));
-            models_.push_back(fitAutoregressive(own, orderOfNoise));
         }
         complement_.emplace(Eigen::MatrixXd(scale_.asDiagonal() * null.fit.optimum.jacobian));
         scaled_ = scaled(residuals);
@@ -145,7 +144,7 @@ public:
     }
 
 private:
-    static constexpr int orderOfNoise = 20, surrogates = 60;
+    static constexpr int surrogates = 60;
 
     /// What some directions explain of a channel, over what they would of noise of the memory that is left.
     struct Ratio {
@@ -171,20 +170,13 @@ private:
     double pAmongSurrogates(const ResidualChannel& channel, const Eigen::MatrixXd& directions, double f) const {
         std::mt19937_64 random(1);
         Eigen::VectorXd logs(surrogates);
-        for (double& log : logs) {
-            Eigen::VectorXd noise = Eigen::VectorXd::Zero(scale_.size());
-            for (std::size_t c = 0; c < channels_.size(); ++c)
-                noise.segment(channels_[c].begin, channels_[c].end - channels_[c].begin) =
-                    models_[c].simulate(channels_[c].end - channels_[c].begin, random);
-            log = std::log(ratio(channel, directions, scaled(noise)).f);
-        }
+        for (double& log : logs) log = std::log(ratio(channel, directions, scaled(colours_.noise(random))).f);
         const double mean = logs.mean(), deviation = std::sqrt((logs.array() - mean).square().sum() / (surrogates - 1));
         const double t = (std::log(f) - mean) / (deviation * std::sqrt(1 + 1.0 / surrogates));
         return boost::math::cdf(boost::math::complement(boost::math::students_t(surrogates - 1), t));
     }
 
-    const std::vector<ResidualChannel>& channels_;
-    std::vector<AutoregressiveModel> models_;
+    const Whitener& colours_;
     Eigen::VectorXd scale_, scaled_;
     std::optional<Complement> complement_;
 };

@@ -92,6 +92,15 @@ Eigen::MatrixXd Whitener::operator()(const Eigen::MatrixXd& rows) const {
     return white;
 }
 
+Eigen::VectorXd Whitener::noise(std::mt19937_64& random) const {
+    Eigen::VectorXd rows(channels_.empty() ? 0 : channels_.back().end);
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+        const int begin = channels_[c].begin, count = channels_[c].end - channels_[c].begin;
+        rows.segment(begin, count) = models_[c].simulate(count, random);
+    }
+    return rows;
+}
+
 Complement::Complement(const Eigen::MatrixXd& jacobian)
     : basis_(orthonormalBasis(jacobian, rankThreshold)), jacobian_(jacobian) {}
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <random>
 #include <vector>
 
 #include "core/fit/problem.hpp"
@@ -34,6 +35,8 @@ public:
 
     Eigen::VectorXd operator()(const Eigen::VectorXd& rows) const;
     Eigen::MatrixXd operator()(const Eigen::MatrixXd& rows) const;
+    /// Noise of every channel's colour and size, as rows that are not white.
+    Eigen::VectorXd noise(std::mt19937_64& random) const;
 
 private:
     std::vector<ResidualChannel> channels_;

@@ -166,7 +166,7 @@ private:
     bool dropUnmissed(const NullModel& last, NullModel& null);
     AddedEffect describe(const NullModel& last, const ModelState& state, const PlacedEffect& placed,
                          const Step& step) const;
-    void say(std::string stage, std::string detail, double fraction) const {
+    void say(std::string stage, Text detail, double fraction) const {
         progress_.report({std::move(stage), std::move(detail), fraction, bestError_});
     }
 

@@ -1,6 +1,4 @@
 /// Effects added one after the other: what is missed stays, what came second is tried again beside the others.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -356,8 +354,8 @@ bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted) {
     std::vector<Screened> screened(rivals.size());
     parallelFor(static_cast<int>(rivals.size()), options_.threads, [&](int i) {
         say("reconsider",
-            rivals[static_cast<std::size_t>(i)].effect.kind + " at " + rivals[static_cast<std::size_t>(i)].place.at +
-                " for " + old.effect.kind,
+            phrase("{} at {} for {}", rivals[static_cast<std::size_t>(i)].effect.kind,
+                   rivals[static_cast<std::size_t>(i)].place.at, old.effect.kind),
             -1);
         screened[static_cast<std::size_t>(i)] =
             screen(*rest, rivals[static_cast<std::size_t>(i)], search_.fit.simulation, progress_);
@@ -471,7 +469,7 @@ void Search::setVerdict(const std::string& kind, const std::string& at, Verdict 
 void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
     std::optional<BesideDisturbance> beside;  // of the model as it stands
     for (std::size_t i = 0; i < steps_.size() && steps_.size() > least && !progress_.stopRequested();) {
-        say("remove", null.variant.effects[i].effect.kind + " at " + null.variant.effects[i].place.at, -1);
+        say("remove", phrase("{} at {}", null.variant.effects[i].effect.kind, null.variant.effects[i].place.at), -1);
         std::optional<NullModel> refitted = without(null, i);
         if (!refitted) {
             ++i;
@@ -545,7 +543,7 @@ bool Search::dropUnmissed(const NullModel& last, NullModel& null) {
     std::optional<std::size_t> least;
     double leastEvidence = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < steps_.size() && !progress_.stopRequested(); ++i) {
-        say("remove", last.variant.effects[i].effect.kind + " at " + last.variant.effects[i].place.at, -1);
+        say("remove", phrase("{} at {}", last.variant.effects[i].effect.kind, last.variant.effects[i].place.at), -1);
         const std::optional<NullModel> rest = withoutOnAll(last, i);
         if (!rest) continue;
         const Acceptance missed = examine(*rest, last.fit, static_cast<int>(last.variant.effects[i].freed.size()), 0);
@@ -589,7 +587,7 @@ void Search::treatAlike(NullModel& null) {
         if (placed.effect.signalSide != "output" || !placed.effect.proposal.empty() || !placed.twins.empty()) continue;
         const std::vector<EffectPlace> like = likePlaces(null.variant, placed, catalogue_);
         if (like.empty()) continue;
-        say("reconsider", fmt::format("{} at every sensor like {}", placed.effect.kind, placed.place.at), -1);
+        say("reconsider", phrase("{} at every sensor like {}", placed.effect.kind, placed.place.at), -1);
         std::vector<PlacedEffect> effects = null.variant.effects;
         effects[i].twins = like;
         std::optional<NullModel> tied = refittedWith(null, effects);

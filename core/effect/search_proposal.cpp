@@ -28,7 +28,7 @@ bool hasRole(const ModelState& state, Role role) {
 
 /// Fits the likeliest laws of what the model lacks; their classes join the libraries.
 std::vector<Trial> Search::tryLaws(NullModel& null) {
-    say("propose", "a law for what is left", -1);
+    say("propose", phrase("a law for what is left"), -1);
     const std::vector<Law> laws = likelyLaws(null, static_cast<int>(laws_.size()), search_.fit.simulation, progress_);
     for (const Law& law : laws) {
         const std::string& name = law.candidate.effect.className;
@@ -150,7 +150,7 @@ void Search::setAsideBehindProposal(NullModel& null) {
 void Search::bringBackDisplaced(NullModel& null, double leftByProposals) {
     for (Displaced& each : displaced_) {
         if (progress_.stopRequested()) return;
-        say("reconsider", each.effect.effect.kind + " at " + each.effect.place.at, -1);
+        say("reconsider", phrase("{} at {}", each.effect.effect.kind, each.effect.place.at), -1);
         std::vector<PlacedEffect> effects = null.variant.effects;
         effects.push_back(each.effect);
         std::optional<NullModel> with = refittedWith(null, effects);
@@ -216,7 +216,7 @@ std::map<int, Text> Search::heldRemarks(const NullModel& null) {
     std::map<int, Text> remarks;
     for (std::size_t i = 0; i < steps_.size() && !progress_.stopRequested(); ++i) {
         const PlacedEffect& own = null.variant.effects[i];
-        say("reconsider", own.effect.kind + " at " + own.place.at, -1);
+        say("reconsider", phrase("{} at {}", own.effect.kind, own.place.at), -1);
         const std::optional<NullModel> rest = without(null, i);
         if (!rest) continue;
         const std::optional<HeldInstead> h = heldInstead(*rest, null, search_.fit, progress_);

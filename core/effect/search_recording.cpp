@@ -82,7 +82,7 @@ bool Search::allowForRecordings(NullModel& null, const Round& round) {
     Variant quiet = null.variant;
     const std::vector<NoisyInput> noisy = noisyInputs_.empty() ? quieten(quiet.task) : std::vector<NoisyInput>();
     if (!noisy.empty()) {
-        say("reconsider", "noise of the inputs", -1);
+        say("reconsider", phrase("noise of the inputs"), -1);
         if (explainsMore(quiet, static_cast<int>(noisy.size()))) return refitQuiet(null, std::move(quiet), noisy);
     }
     std::optional<Late> late = findClocks(null, round.threshold, most);
@@ -96,7 +96,7 @@ bool Search::allowForRecordings(NullModel& null, const Round& round) {
 std::optional<Search::Late> Search::findClocks(const NullModel& null, double threshold, double most) const {
     if (!edges_.empty() || clockChanges_ >= mostClockChanges || hasProposal(null)) return std::nullopt;
     const std::vector<Recording>& stamped = clocks_.empty() ? base_.task.recordings : stamped_;
-    say("reconsider", "clocks of the inputs", -1);
+    say("reconsider", phrase("clocks of the inputs"), -1);
     const double interval = samplingInterval(null.variant.task);
     // the parameters made up for the lateness: with them it moves on
     NullModel there = null;
@@ -185,7 +185,7 @@ bool Search::placeEdges(NullModel& null, double threshold, double most) {
             std::vector<InputEdge> likely =
                 likeliestEdges(there, found, areAlike, search_.fit.simulation, progress_, told);
             if (told == 0) break;
-            say("reconsider", "jumps of the inputs", -1);
+            say("reconsider", phrase("jumps of the inputs"), -1);
             Variant drawn = null.variant;
             drawn.values = there.variant.values;
             place(drawn.task, likely);

@@ -66,7 +66,7 @@ std::vector<Screened> Search::screenAll(const NullModel& null) {
     std::vector<Screened> screened(candidates->size());
     parallelFor(static_cast<int>(screened.size()), options_.threads, [&](int i) {
         const Candidate& c = (*candidates)[static_cast<std::size_t>(i)];
-        say("screen", c.effect.kind + " at " + c.place.at,
+        say("screen", phrase("{} at {}", c.effect.kind, c.place.at),
             static_cast<double>(i) / static_cast<double>(screened.size()));
         screened[static_cast<std::size_t>(i)] = screen(null, c, search_.fit.simulation, progress_);
     });
@@ -80,7 +80,7 @@ std::vector<Trial> Search::tryThese(const NullModel& null, const std::vector<con
     std::vector<std::unique_ptr<TrialStarts>> begun(chosen.size());
     parallelFor(static_cast<int>(chosen.size()), options_.threads, [&](int i) {
         const Screened& s = *chosen[static_cast<std::size_t>(i)];
-        say("trial", s.candidate.effect.kind + " at " + s.candidate.place.at,
+        say("trial", phrase("{} at {}", s.candidate.effect.kind, s.candidate.place.at),
             static_cast<double>(i) / static_cast<double>(chosen.size()));
         auto& own = begun[static_cast<std::size_t>(i)];
         own = std::make_unique<TrialStarts>(null, s, quick, starts, progress_);

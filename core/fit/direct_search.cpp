@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <cmath>
 #include <nlopt.hpp>
 
@@ -27,7 +25,7 @@ struct Search {
             return kFailed;
         }
         if ((search.misfit.simulations() & 31) == 0) {
-            search.misfit.report(fmt::format("simulation {}", search.misfit.simulations()),
+            search.misfit.report(phrase("simulation {}", search.misfit.simulations()),
                                  search.misfit.simulations() / static_cast<double>(search.options.maxSimulations));
         }
         const double value = search.misfit.cost(

@@ -1,5 +1,4 @@
 #include <ceres/ceres.h>
-#include <fmt/format.h>
 
 #include <cmath>
 #include <memory>
@@ -79,7 +78,7 @@ public:
 
     ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
         if (misfit_.isCancelled()) return ceres::SOLVER_ABORT;
-        misfit_.report(fmt::format("iteration {}", iterations_ + summary.iteration),
+        misfit_.report(phrase("iteration {}", iterations_ + summary.iteration),
                        (iterations_ + summary.iteration) / static_cast<double>(options_.maxIterations));
         radius_ = summary.trust_region_radius;
         if (summary.iteration > 0 && ((z_.array() < lower_.array()) || (z_.array() > upper_.array())).any()) {

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <Eigen/QR>
 #include <cmath>
 
@@ -52,8 +50,7 @@ private:
         if (misfit_.isCancelled())
             return end(FitStatus::Cancelled, phrase("cancelled; the best parameters so far are kept"));
         if (!here_.ok) return end(FitStatus::Failed, misfit_.failure());
-        misfit_.report(fmt::format("iteration {}", iterations_),
-                       iterations_ / static_cast<double>(options_.maxIterations));
+        misfit_.report(phrase("iteration {}", iterations_), iterations_ / static_cast<double>(options_.maxIterations));
         slopes_ = here_.jacobian * coordinates_.slopes(coordinates_.values(z_)).asDiagonal();
         gradient_ = slopes_.transpose() * here_.residuals;
         scale_ = scale_.cwiseMax(slopes_.colwise().norm().transpose());

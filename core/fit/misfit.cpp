@@ -128,7 +128,7 @@ void Misfit::forgetBest() {
     for (Point& point : memory_) point = {};
 }
 
-void Misfit::report(std::string detail, double fraction) const {
+void Misfit::report(Text detail, double fraction) const {
     std::vector<Progress::Value> best;
     for (std::size_t i = 0; hasBest() && i < problem_.parameters.size(); ++i) {
         const FitParameter& p = problem_.parameters[i];

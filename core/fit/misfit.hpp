@@ -58,7 +58,7 @@ public:
     double scatter() const { return scatter_; }  // against which priors weigh
     bool isCancelled() const { return progress_.stopRequested(); }
     /// How far a minimiser is, with the best values so far.
-    void report(std::string detail, double fraction) const;
+    void report(Text detail, double fraction) const;
 
 private:
     struct Point {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/unit.hpp"
 #include "core/report/number_text.hpp"
 #include "core/report/report.hpp"
 #include "core/report/style.hpp"
@@ -36,7 +37,7 @@ std::string html(std::string text) {
 
 std::string unbroken(std::string_view text) { return "<code>" + escapeHtml(text) + "</code>"; }
 
-std::string unitHtml(const std::string& unit) { return unit.empty() || unit == "1" ? "" : " " + escapeHtml(unit); }
+std::string unitHtml(const std::string& unit) { return escapeHtml(behindNumber(unit)); }
 
 /// Text in which a number stays with its percent sign.
 std::string prose(std::string_view text) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/unit.hpp"
 #include "core/measure/table.hpp"
 #include "core/report/number_text.hpp"
 #include "core/report/report.hpp"
@@ -70,7 +71,7 @@ std::string effectLines(const Finding& finding) {
         text += fmt::format("  + {}\n", effectWords(effect));
         for (const EffectValue& value : effect.parameters)
             text += fmt::format("      {} = {}{}\n", value.name, valueText(value.value, value.standardError),
-                                value.unit.empty() || value.unit == "1" ? "" : ' ' + value.unit);
+                                behindNumber(value.unit));
         for (const Alternative& other : effect.alternatives)
             if (other.equivalent)
                 text += fmt::format("      this data cannot tell it from {} at {}\n", other.kind, other.at);

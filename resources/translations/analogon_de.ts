@@ -3990,38 +3990,6 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Planung des nächsten Versuchs</translation>
     </message>
     <message>
-        <source>iteration %1</source>
-        <translation>Iteration %1</translation>
-    </message>
-    <message>
-        <source>noise of the inputs</source>
-        <translation>Rauschen der Eingänge</translation>
-    </message>
-    <message>
-        <source>clocks of the inputs</source>
-        <translation>Uhren der Eingänge</translation>
-    </message>
-    <message>
-        <source>jumps of the inputs</source>
-        <translation>Sprünge der Eingänge</translation>
-    </message>
-    <message>
-        <source>a law for what is left</source>
-        <translation>ein Gesetz für den Rest</translation>
-    </message>
-    <message>
-        <source>%1 at every sensor like %2</source>
-        <translation>%1 an jedem Sensor wie %2</translation>
-    </message>
-    <message>
-        <source>%1 at %2</source>
-        <translation>%1 bei %2</translation>
-    </message>
-    <message>
-        <source>%1 at %2 for %3</source>
-        <translation>%1 bei %2 statt %3</translation>
-    </message>
-    <message>
         <source>error %1 %</source>
         <translation>Fehler %1 %</translation>
     </message>
@@ -6276,6 +6244,42 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>{} at {} explains no more than another value of {}, which is held at {:.5g}: {:.5g} ± {:.2g}{}{} instead; hold it only if it is known for certain</source>
         <translation>{} an {} erklärt nicht mehr als ein anderer Wert von {}, gehalten bei {}: stattdessen {} ± {}{}{}; nur halten, wenn er sicher bekannt ist</translation>
+    </message>
+    <message>
+        <source>iteration {}</source>
+        <translation>Iteration {}</translation>
+    </message>
+    <message>
+        <source>noise of the inputs</source>
+        <translation>Rauschen der Eingänge</translation>
+    </message>
+    <message>
+        <source>clocks of the inputs</source>
+        <translation>Uhren der Eingänge</translation>
+    </message>
+    <message>
+        <source>jumps of the inputs</source>
+        <translation>Sprünge der Eingänge</translation>
+    </message>
+    <message>
+        <source>a law for what is left</source>
+        <translation>ein Gesetz für den Rest</translation>
+    </message>
+    <message>
+        <source>{} at every sensor like {}</source>
+        <translation>{} an jedem Sensor wie {}</translation>
+    </message>
+    <message>
+        <source>{} at {}</source>
+        <translation>{} bei {}</translation>
+    </message>
+    <message>
+        <source>{} at {} for {}</source>
+        <translation>{} bei {} statt {}</translation>
+    </message>
+    <message>
+        <source>simulation {}</source>
+        <translation>Simulation {}</translation>
     </message>
 </context>
 </TS>

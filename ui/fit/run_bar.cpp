@@ -3,11 +3,11 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
-#include <QRegularExpression>
 #include <QToolButton>
 
 #include "ui/fit/run_controller.hpp"
 #include "ui/style/style.hpp"
+#include "ui/words/words.hpp"
 
 namespace analogon::ui {
 
@@ -24,24 +24,6 @@ QString stageText(const QString& stage) {
     if (stage == "propose") return RunBar::tr("looking for an equation");
     if (stage == "next experiment") return RunBar::tr("planning the next experiment");
     return stage;
-}
-
-/// With what: kinds and places as the report has them.
-QString detailText(QString detail) {
-    static const QRegularExpression iteration("^iteration (\\d+)$");
-    if (const QRegularExpressionMatch found = iteration.match(detail); found.hasMatch())
-        return RunBar::tr("iteration %1").arg(found.captured(1));
-    if (detail == "noise of the inputs") return RunBar::tr("noise of the inputs");
-    if (detail == "clocks of the inputs") return RunBar::tr("clocks of the inputs");
-    if (detail == "jumps of the inputs") return RunBar::tr("jumps of the inputs");
-    if (detail == "a law for what is left") return RunBar::tr("a law for what is left");
-    static const QRegularExpression candidate("^(\\S+) at (every sensor like )?(.+?)(?: for (\\S+))?$");
-    const QRegularExpressionMatch found = candidate.match(detail);
-    if (!found.hasMatch()) return detail;
-    const QString kind = found.captured(1), place = found.captured(3), old = found.captured(4);
-    if (!found.captured(2).isEmpty()) return RunBar::tr("%1 at every sensor like %2").arg(kind, place);
-    return old.isEmpty() ? RunBar::tr("%1 at %2").arg(kind, place)
-                         : RunBar::tr("%1 at %2 for %3").arg(kind, place, old);
 }
 
 }  // namespace
@@ -92,7 +74,7 @@ RunBar::RunBar(RunController& controller, QWidget* parent)
         isSearching_ = isSearching_ || (report.stage != "fit" && report.stage != "simulate");
         if (isSearching_ && report.stage == "fit") return;
         QString text = stageText(QString::fromStdString(report.stage));
-        if (!report.detail.empty()) text += QStringLiteral(" · ") + detailText(QString::fromStdString(report.detail));
+        if (!report.detail.empty()) text += QStringLiteral(" · ") + inWords(report.detail);
         if (report.error >= 0) text += QStringLiteral(" · ") + tr("error %1 %").arg(report.error, 0, 'g', 3);
         text_->setText(text_->fontMetrics().elidedText(text, Qt::ElideMiddle, text_->width()));
         text_->setToolTip(text);
