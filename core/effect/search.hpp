@@ -112,7 +112,7 @@ private:
     bool addLaw(NullModel& null);
     std::vector<Trial> tryLaws(NullModel& null);
     void bringBackDisplaced(NullModel& null, double leftByProposals);
-    enum class Rivals { Known, NewAtItsPlace };
+    enum class Rivals { Known, New };  // of its round; what goes to its place or is the same fault of another signal
     bool replace(NullModel& null, std::size_t effect, Rivals wanted = Rivals::Known);
     void completeClasses(NullModel& null);
     void seekChange(const NullModel& base);

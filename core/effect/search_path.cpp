@@ -23,6 +23,12 @@ constexpr double leastGain = 1;             // in evidence, for which an effect 
 constexpr int mostSharpenings = 2;
 constexpr double leastSharpening = 8;  // fall in the sum of squares, in units of the noise
 
+/// Whether both are the same fault of a measured or a commanded signal: an offset and an offset, a lag and a lag.
+bool isSameFault(const EffectClass& a, const EffectClass& b) {
+    const auto fault = [](const EffectClass& e) { return e.kind.substr(e.kind.find('.') + 1); };
+    return !a.signalSide.empty() && !b.signalSide.empty() && a.proposal.empty() && fault(a) == fault(b);
+}
+
 std::vector<PlacedEffect> allBut(std::vector<PlacedEffect> effects, std::size_t one) {
     effects.erase(effects.begin() + static_cast<std::ptrdiff_t>(one));
     return effects;
@@ -341,9 +347,18 @@ bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted) {
             return a.kind == c.effect.kind && a.at == c.place.at && (a.equivalent || !c.effect.signalSide.empty());
         });
     };
+    // the same fault of another signal, which may have been far from it as long as what stands beside both was missing
+    const auto isAtAnotherSignal = [&](const Candidate& c) {
+        const std::vector<Alternative>& known = steps_[effect].alternatives;
+        return isSameFault(c.effect, old.effect) && !(c.place == old.place) &&
+               std::none_of(known.begin(), known.end(), [&](const Alternative& a) {
+                   return a.kind == c.effect.kind && a.at == c.place.at && a.equivalent;
+               });
+    };
     const auto isRival = [&](const Candidate& c) {
         const bool isOther = c.effect.className != old.effect.className && c.effect.proposal.empty();
-        if (wanted == Rivals::NewAtItsPlace) return isOther && c.place.connector == old.place.connector && !isKnown(c);
+        if (wanted == Rivals::New)
+            return isAtAnotherSignal(c) || (isOther && c.place.connector == old.place.connector && !isKnown(c));
         // at a signal's place, what goes there too is taken for it most easily; no round may have told so
         if (isOther && !old.effect.signalSide.empty() && c.place == old.place) return true;
         return std::any_of(steps_[effect].rivals.begin(), steps_[effect].rivals.end(), [&](const Candidate& rival) {
@@ -362,7 +377,7 @@ bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted) {
     });
     // at the end few are left to try: also those whose slope has the wrong sign, beside parameters that took their part
     const auto isWorthATrial = [&](const Screened& s) {
-        return s.failure.empty() && (s.score() > 0 || (wanted == Rivals::NewAtItsPlace && s.isWrongSign()));
+        return s.failure.empty() && (s.score() > 0 || (wanted == Rivals::New && s.isWrongSign()));
     };
     std::vector<const Screened*> chosen;
     for (const Screened& s : screened)
@@ -448,12 +463,12 @@ bool Search::reconsider(NullModel& null) {
     return changed;
 }
 
-/// What goes to the place of an effect may do as well beside the others, though no round has tried it: at the end each
-/// is held against what is new of that.
+/// What goes to the place of an effect may do as well beside the others, though no round has tried it, and so may the
+/// same fault of another signal: at the end each is held against what is new of that.
 void Search::completeClasses(NullModel& null) {
     std::size_t i = 0;
     for (std::size_t k = steps_.size(); k-- > 0 && !progress_.stopRequested() && work_ <= mostWork;)
-        if (!replace(null, i, Rivals::NewAtItsPlace)) ++i;  // what takes a place stands at the end
+        if (!replace(null, i, Rivals::New)) ++i;  // what takes a place stands at the end
 }
 
 void Search::setVerdict(const std::string& kind, const std::string& at, Verdict verdict) {

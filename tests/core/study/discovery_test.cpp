@@ -1039,8 +1039,18 @@ end Throttle;
         << finding.remainders.front().proposedEquation;
 }
 
-TEST_F(Discovery, FindsALagFarBelowTheSampleIntervalThatParametersHide) {
-    put("model.mo", R"(model WindowDrive
+/// A drive with a gear that has a spring in it, at a supply.
+class DiscoveryInAWindowDrive : public Discovery {
+protected:
+    struct Hidden {
+        double lag{};     // [s] of its driver
+        double offset{};  // [V] that it adds
+        double spring{};  // [N.m/rad] that turns the window back
+        double noise{1};  // of the sensors
+    };
+
+    Finding searchDrive(const Hidden& hidden) {
+        put("model.mo", R"(model WindowDrive
   Analogon.Interfaces.RealInput v(unit="V");
   Analogon.Interfaces.RealOutput i(unit="A");
   Analogon.Interfaces.RealOutput w(unit="rad/s");
@@ -1059,40 +1069,60 @@ equation
   connect(tacho.w, w);
 end WindowDrive;
 )");
-    put("study.json", R"({"format": "analogon-study-1", "class": "WindowDrive",
+        put("study.json", R"({"format": "analogon-study-1", "class": "WindowDrive",
   "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
                    "inputs": {"v": "v"}, "outputs": {"i": "i", "w": "w"}}],
   "parameters": {"motor.R": {"fit": true, "min": 0.05, "max": 50, "scale": "log"},
                  "motor.k": {"fit": true, "min": 0.002, "max": 0.5, "scale": "log"},
                  "gear.J1": {"fit": true, "min": 1e-7, "max": 1e-3, "scale": "log"},
                  "window.b": {"fit": true, "min": 0.001, "max": 50, "scale": "log"}}})");
-    std::mt19937 random(21);
-    std::normal_distribution<double> scatter;
-    std::ofstream csv = recording("t [s],v [V],i [A],w [rad/s]");
-    constexpr double interval = 0.02, R = 0.5, L = 0.0008, k = 0.027, r = 46, J1 = 2.1e-5, J2 = 0.0315, c = 170,
-                     d = 1.7, b = 0.49, lag = 0.003;
-    const auto supply = [](int sample) { return 13 * levelAt(3.3 * interval * sample); };
-    double driven = 0, i = 0, w1 = 0, w2 = 0, twist = 0;
-    for (int n = 0; n < samples; ++n) {
-        csv << n * interval << ',' << supply(n) << ',' << i + 0.054 * scatter(random) << ','
-            << w2 + 0.064 * scatter(random) << '\n';
-        constexpr int inner = 400;
-        for (int m = 0; m < inner; ++m) {
-            const double a = (m + 0.5) / inner, h = interval / inner;
-            driven += h * ((1 - a) * supply(n) + a * supply(n + 1) - driven) / lag;
-            i += h * (driven - R * i - k * w1) / L;
-            const double shaft = c * twist + d * (w1 / r - w2);
-            w1 += h * (k * i - shaft / r) / J1;
-            w2 += h * (shaft - b * w2) / J2;
-            twist += h * (w1 / r - w2);
+        std::mt19937 random(21);
+        std::normal_distribution<double> scatter;
+        std::ofstream csv = recording("t [s],v [V],i [A],w [rad/s]");
+        constexpr double interval = 0.02, R = 0.5, L = 0.0008, k = 0.027, r = 46, J1 = 2.1e-5, J2 = 0.0315, c = 170,
+                         d = 1.7, b = 0.49;
+        const auto supply = [](int sample) { return 13 * levelAt(3.3 * interval * sample); };
+        double driven = 0, i = 0, w1 = 0, w2 = 0, twist = 0, phi = 0;
+        for (int n = 0; n < samples; ++n) {
+            csv << n * interval << ',' << supply(n) << ',' << i + 0.054 * hidden.noise * scatter(random) << ','
+                << w2 + 0.064 * hidden.noise * scatter(random) << '\n';
+            constexpr int inner = 400;
+            for (int m = 0; m < inner; ++m) {
+                const double a = (m + 0.5) / inner, h = interval / inner;
+                const double given = (1 - a) * supply(n) + a * supply(n + 1);
+                driven = hidden.lag > 0 ? driven + h * (given - driven) / hidden.lag : given;
+                i += h * (driven + hidden.offset - R * i - k * w1) / L;
+                const double shaft = c * twist + d * (w1 / r - w2);
+                w1 += h * (k * i - shaft / r) / J1;
+                w2 += h * (shaft - b * w2 - hidden.spring * phi) / J2;
+                twist += h * (w1 / r - w2);
+                phi += h * w2;
+            }
         }
+        csv.close();
+        return discovered();
     }
-    csv.close();
-    const Finding finding = discovered();
+};
+
+TEST_F(DiscoveryInAWindowDrive, FindsALagFarBelowTheSampleIntervalThatParametersHide) {
+    const Finding finding = searchDrive({.lag = 0.003});
     ASSERT_EQ(finding.effects.size(), 1u);
     EXPECT_EQ(finding.effects.front().at, "input v") << finding.effects.front().kind;
-    EXPECT_NEAR(finding.effects.front().parameters.front().value, lag, 0.1 * lag);
+    EXPECT_NEAR(finding.effects.front().parameters.front().value, 0.003, 0.0003);
     EXPECT_EQ(finding.kind, FindingKind::Effect);
+}
+
+TEST_F(DiscoveryInAWindowDrive, TellsAnOffsetOfTheCommandFromThatOfASensorOnceASpringIsThere) {
+    // as long as the spring is missing, the offset of the sensor explains far more
+    const Finding finding = searchDrive({.offset = -0.37, .spring = 0.03, .noise = 3});
+    EXPECT_EQ(finding.kind, FindingKind::Effect);
+    ASSERT_EQ(finding.effects.size(), 2u);
+    for (const AddedEffect& e : finding.effects) {
+        const bool isAtInput = e.at == "input v";
+        EXPECT_EQ(e.kind, isAtInput ? "actuator.offset" : "spring.return") << e.at;
+        if (!isAtInput) continue;
+        EXPECT_NEAR(e.parameters.front().value, -0.37, 0.02);
+    }
 }
 
 TEST_F(Discovery, GivesNoNameToAPartOfWhatHasNone) {
