@@ -438,6 +438,10 @@ Outcome<Finding> Search::run() {
     const bool leavesStructure = !finding.remainders.empty() || (finding.interrupted && !isNoise(*null));
     finding.kind = !leavesStructure ? (finding.effects.empty() ? FindingKind::Adequate : FindingKind::Effect)
                                     : (finding.effects.empty() ? FindingKind::Unexplained : FindingKind::Partial);
+    if (finding.kind == FindingKind::Effect && steps_.size() == 1 && !steps_.front().equation.empty())
+        finding.warnings.push_back(
+            phrase("an equation without a name explains as much as {} at {}, and the data do not tell them apart: {}",
+                   finding.effects.front().kind, finding.effects.front().at, steps_.front().equation));
     for (Text& sentence : poorValidations(finding.final)) finding.warnings.push_back(std::move(sentence));
     if (leavesStructure)
         for (const auto& sentences : {wrongStarts(finding.final), stuckReadings(full_.task)})

@@ -23,6 +23,22 @@ double pValue(double explained, int dof, std::size_t tried) {
 
 bool isProposal(const Trial& trial) { return !trial.screened.candidate.effect.proposal.empty(); }
 
+std::string equationOf(const PlacedEffect& placed) {
+    std::string equation = placed.effect.proposal;
+    constexpr std::string_view channel = "channel";
+    if (const auto at = equation.find(channel); at != std::string::npos && !placed.place.spare.empty())
+        equation.replace(at, channel.size(), placed.place.spare);
+    return equation;
+}
+
+std::vector<EffectValue> estimatesOf(const PlacedEffect& placed, const FitResult& fit) {
+    std::vector<EffectValue> values;
+    for (const FitParameter& p : placed.freed)
+        if (const FitEstimate* e = fit.find(p.name))
+            values.push_back({p.name.substr(placed.instance.size() + 1), e->value, e->standardError, e->unit});
+    return values;
+}
+
 int plausibility(const EffectClass& effect) { return effect.signalSide == "input" ? 1 : 0; }
 
 bool isMissed(const Acceptance& a) { return a.isSignificant && a.isWorthwhile && a.heldOut > 0; }

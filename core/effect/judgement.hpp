@@ -17,6 +17,12 @@ double pValue(double explained, int dof, std::size_t tried);
 /// Whether what was tried is an equation without a name.
 bool isProposal(const Trial& trial);
 
+/// Such an equation; a channel in it by its name.
+std::string equationOf(const PlacedEffect& placed);
+
+/// What a fit has found for the parameters of an effect, by their names in it.
+std::vector<EffectValue> estimatesOf(const PlacedEffect& placed, const FitResult& fit);
+
 /// Between kinds that the data cannot tell apart while much is left: a command is followed at once more often than a
 /// sensor is fast.
 int plausibility(const EffectClass& effect);

@@ -87,19 +87,13 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
         Remainder r;
         r.node = placed.place.at;
         r.evidence = steps_[i].acceptance.evidence;
-        std::string equation = placed.effect.proposal;
-        if (const auto at = equation.find("channel"); at != std::string::npos && !placed.place.spare.empty())
-            equation.replace(at, std::string("channel").size(), placed.place.spare);
         r.proposedClass = placed.effect.className;
         if (const auto law = laws_.find(placed.effect.className); law != laws_.end()) r.proposedBlock = law->second;
-        std::vector<EffectValue> values;
-        for (const FitParameter& p : placed.freed)
-            if (const FitEstimate* e = null.fit.find(p.name))
-                values.push_back({p.name.substr(placed.instance.size() + 1), e->value, e->standardError, e->unit});
+        std::vector<EffectValue> values = estimatesOf(placed, null.fit);
         if (with)
             if (const Outcome<FlatModel> valued = flattened(null.variant.task, with->modelText))
                 addOtherParameters(*valued, placed, values);
-        r.proposedEquation = withValues(equation, values);
+        r.proposedEquation = withValues(equationOf(placed), values);
         if (with) {
             r.errorFitWith = errorPercentOf(*with, Role::Fit);
             if (hasRole(*with, Role::Validate)) r.errorValidateWith = errorPercentOf(*with, Role::Validate);

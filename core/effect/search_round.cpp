@@ -369,6 +369,11 @@ Search::Step Search::stepOf(const Round& round) {
         s.rivals.push_back(trials[m].screened.candidate);
     }
     const EffectPlace& place = trials[chosen].screened.candidate.place;
+    // best first: what comes before the chosen one explains more, though not by enough to refute a name
+    for (std::size_t i = 0; i < chosen && s.equation.empty(); ++i)
+        if (trials[i].ok && isProposal(trials[i]) && trials[i].screened.candidate.place.connector == place.connector)
+            s.equation = withValues(equationOf(trials[i].variant.effects.back()),
+                                    estimatesOf(trials[i].variant.effects.back(), trials[i].fit));
     for (std::size_t i = 0; i < trials.size(); ++i) {
         if (!trials[i].ok || isMember(i) || i == chosen) continue;
         // what goes to the same place is taken for it most easily, however many places did better

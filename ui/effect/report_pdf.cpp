@@ -9,6 +9,7 @@
 #include <QUrl>
 #include <cmath>
 
+#include "core/report/number_text.hpp"
 #include "core/report/words.hpp"
 #include "ui/effect/result_panel.hpp"
 
@@ -69,18 +70,17 @@ QString bodyOf(const QString& title, RunKind kind, const Finding& finding, std::
     for (std::size_t i = 0; i < pictures; ++i)
         html += QStringLiteral("<p><img src='picture:%1' width='640'></p>").arg(i);
     html += "<h2>" + tr("Parameters") + "</h2>";
-    HtmlTable parameters({tr("Parameter"), tr("Value"), QStringLiteral("±"), tr("Unit")});
+    HtmlTable parameters({tr("Parameter"), tr("Value"), tr("Unit")});
     for (const auto& [e, experiment] : estimatesOf(finding.final))
-        parameters.add({text(experiment.empty() ? e->name : e->name + " (" + experiment + ")"), number(e->value, 5),
-                        number(e->standardError, 2), text(e->unit)});
+        parameters.add({text(experiment.empty() ? e->name : e->name + " (" + experiment + ")"),
+                        QString::fromStdString(valueText(e->value, e->standardError)), text(e->unit)});
     html += parameters.html();
     for (const AddedEffect& e : finding.effects) {
         html += "<h2>" + effectTitle(e).toHtmlEscaped() + "</h2>";
         HtmlTable evidence({text(e.kind), QString()});
         for (const EffectValue& p : e.parameters)
-            evidence.add({text(p.name), number(p.value) +
-                                            (p.standardError > 0 ? " ± " + number(p.standardError, 2) : QString()) +
-                                            " " + text(p.unit)});
+            evidence.add(
+                {text(p.name), QString::fromStdString(valueText(p.value, p.standardError)) + " " + text(p.unit)});
         evidence.add({tr("Score"), number(e.evidence.score)});
         evidence.add({tr("ΔBIC"), number(e.evidence.deltaBic)});
         evidence.add({tr("Held out"), number(e.evidence.heldOut, 2)});

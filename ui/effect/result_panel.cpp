@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/report/number_text.hpp"
 #include "ui/document/document.hpp"
 #include "ui/document/mention.hpp"
 #include "ui/inspector/parameter_model.hpp"
@@ -365,8 +366,9 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
     };
     for (const EffectValue& p : effect.parameters) {
         const bool isEstimate = std::isfinite(p.standardError) && p.standardError > 0;
-        QString value = numberText(p.value, isEstimate ? 4 : 5);  // what is given is shown as it is given
-        if (isEstimate) value += " ± " + numberText(p.standardError, 2);
+        // what is given is shown as it is given
+        const QString value =
+            isEstimate ? QString::fromStdString(valueText(p.value, p.standardError)) : numberText(p.value, 5);
         add(text(p.name), value + " " + text(p.unit));
     }
     const Evidence& e = effect.evidence;

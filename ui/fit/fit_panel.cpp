@@ -12,6 +12,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/report/number_text.hpp"
 #include "ui/document/document.hpp"
 #include "ui/effect/result_panel.hpp"
 #include "ui/fit/error_curve.hpp"
@@ -55,10 +56,7 @@ const FitEstimate* estimateOf(const RunRecord& run, const std::string& name) {
 }
 
 QString estimateText(const FitEstimate* e) {
-    if (!e) return QStringLiteral("–");
-    QString text = QString::number(e->value, 'g', 4);
-    if (std::isfinite(e->standardError)) text += QStringLiteral(" ± ") + QString::number(e->standardError, 'g', 2);
-    return text;
+    return e ? QString::fromStdString(valueText(e->value, e->standardError)) : QStringLiteral("–");
 }
 
 }  // namespace

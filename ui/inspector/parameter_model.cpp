@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/fit/clock.hpp"
+#include "core/report/number_text.hpp"
 #include "ui/document/mention.hpp"
 #include "ui/inspector/prior_text.hpp"
 #include "ui/style/style.hpp"
@@ -241,13 +242,10 @@ QVariant ParameterModel::display(const Row& row, int column) const {
         }
         case Result: {
             if (!row.estimate) return {};
-            QString text = numberText(shown(row.estimate->value), 4);
-            if (row.estimate->atBound) return text + "  " + boundText(row);
-            if (std::isfinite(row.estimate->standardError))
-                text += QStringLiteral(" ± ") + numberText(std::abs(shown.factor) * row.estimate->standardError, 2);
-            else
-                text += tr("  not determined");
-            return text;
+            const double value = shown(row.estimate->value), error = row.estimate->standardError;
+            if (row.estimate->atBound) return numberText(value, 4) + "  " + boundText(row);
+            if (!std::isfinite(error)) return numberText(value, 4) + tr("  not determined");
+            return QString::fromStdString(valueText(value, std::abs(shown.factor) * error));
         }
         default:
             return {};

@@ -1174,6 +1174,17 @@ end Pump;
     EXPECT_EQ(finding.kind, FindingKind::Unexplained);
 }
 
+TEST_F(Discovery, SaysWhereAnEquationWithoutANameExplainsAsMuchAsOne) {
+    // of so little, nobody can tell a cube from a square
+    const Finding finding = search({0.02, [](double, double w, double) { return 0.03 * w + 1e-7 * w * w * w; }});
+    ASSERT_EQ(finding.effects.size(), 1u);
+    EXPECT_EQ(finding.effects.front().kind, "drag.quadratic");
+    EXPECT_TRUE(std::any_of(finding.warnings.begin(), finding.warnings.end(), [](const Text& w) {
+        return w.find("explains as much as drag.quadratic") != std::string::npos &&
+               w.find("flange.tau = a*w^3") != std::string::npos;
+    }));
+}
+
 TEST_F(Discovery, WritesALawWithWhatItMovesWith) {
     const Finding finding = search(
         {0.02, [](double t, double w, double) { return 0.03 * w + 0.15 * signOf(w) * std::abs(excitation(t)); }});
