@@ -35,8 +35,10 @@ public:
         if (at.size() != 3) return;
         const QPalette& p = option.palette;
         const bool isSelected = option.state & QStyle::State_Selected;
+        const bool isAtBound = index.data(ParameterModel::AtBoundRole).toBool();
+        const QColor ground = p.color(isSelected ? QPalette::Highlight : QPalette::Base);
         const QColor ink = isSelected                                          ? p.color(QPalette::HighlightedText)
-                           : index.data(ParameterModel::AtBoundRole).toBool()  ? style::caution(p)
+                           : isAtBound                                         ? style::caution(p)
                            : index.data(ParameterModel::IsFittedRole).toBool() ? style::accent(p)
                                                                                : style::mutedText(p);
         const QRectF track = QRectF(option.rect).adjusted(2 * style::unit, 0, -2 * style::unit, 0);
@@ -44,10 +46,12 @@ public:
         const auto x = [&](int i) { return track.left() + at[i].toDouble() * track.width(); };
         painter->save();
         painter->setRenderHint(QPainter::Antialiasing);
-        painter->setPen(QPen(style::mix(p.color(QPalette::Base), ink, 0.35), 2, Qt::SolidLine, Qt::RoundCap));
+        painter->setPen(QPen(style::mix(ground, ink, 0.35), 2, Qt::SolidLine, Qt::RoundCap));
         painter->drawLine(QPointF(track.left(), middle), QPointF(track.right(), middle));
-        painter->setPen(QPen(style::mix(p.color(QPalette::Base), ink, 0.6), 5, Qt::SolidLine, Qt::FlatCap));
-        if (at[2].toDouble() > at[1].toDouble()) painter->drawLine(QPointF(x(1), middle), QPointF(x(2), middle));
+        painter->setPen(QPen(style::mix(ground, ink, 0.6), 5, Qt::SolidLine, Qt::FlatCap));
+        // at a bound the error says nothing
+        if (!isAtBound && at[2].toDouble() > at[1].toDouble())
+            painter->drawLine(QPointF(x(1), middle), QPointF(x(2), middle));
         painter->setPen(Qt::NoPen);
         painter->setBrush(ink);
         painter->drawEllipse(QPointF(x(0), middle), 3.5, 3.5);

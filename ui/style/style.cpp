@@ -354,12 +354,14 @@ public:
         QFile file(":/icons/" + name_ + ".svg");
         if (!file.open(QIODevice::ReadOnly)) return;
         const QPalette palette = QGuiApplication::palette();
-        const QColor colour = mode == QIcon::Disabled
-                                  ? palette.color(QPalette::Disabled, QPalette::ButtonText)
+        const QColor colour = mode == QIcon::Disabled ? palette.color(QPalette::Disabled, QPalette::ButtonText)
+                              : mode == QIcon::Selected
+                                  ? palette.color(QPalette::Active, QPalette::HighlightedText)
                                   : mix(palette.color(QPalette::ButtonText), palette.color(QPalette::Window), 0.15);
+        const bool isOneColoured = mode == QIcon::Disabled || mode == QIcon::Selected;
         QByteArray svg = file.readAll();
         svg.replace("currentColor", colour.name().toLatin1());
-        svg.replace("accentColor", (mode == QIcon::Disabled ? colour : accent(palette)).name().toLatin1());
+        svg.replace("accentColor", (isOneColoured ? colour : accent(palette)).name().toLatin1());
         QSvgRenderer(svg).render(painter, rect);
     }
     QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
