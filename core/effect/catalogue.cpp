@@ -144,7 +144,8 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
                 for (const std::string& t : read.texts(*m.value, m.name.text())) e.fixed[m.name.text()] = t;
     if (const Modification* states = child(annotation, "states"); states && states->value)
         e.states = static_cast<int>(read.number(*states->value, "states"));
-    for (const auto& [name, factors] : {std::pair{"sharper", &e.sharper}, std::pair{"reach", &e.reach}})
+    for (const auto& [name, factors] :
+         {std::pair{"sharper", &e.sharper}, std::pair{"reach", &e.reach}, std::pair{"part", &e.part}})
         if (const Modification* given = child(annotation, name))
             for (const Modification& m : given->arguments)
                 if (m.value) (*factors)[m.name.text()] = read.number(*m.value, m.name.text());

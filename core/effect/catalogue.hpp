@@ -26,6 +26,8 @@
 ///     reach(phi_h = 3),                 // factor by which a shape, or a strength below its secants, may leave the
 ///                                       // values it is tried with; at the low end of it the effect is not what it is
 ///                                       // called, and is none
+///     part(tau_c = 0.05),               // of the strength, that a further parameter is at least as a rule; below it,
+///                                       // two other effects may be meant
 ///     sharper(w_eps = 0.25),            // factor by which a numerical width falls where the data ask for it
 ///     shape(w_s = {"0.05*maxabs(w)", "0.3*maxabs(w)"}),  // tried in turn, freed in the refit
 ///     whole = {"n"},                    // shapes that are whole numbers as a rule: first held at what is tried
@@ -59,6 +61,7 @@ struct EffectClass {
     std::map<std::string, std::string> fixed;  // parameter -> expression
     int states{};                              // that it must add, or its place is none
     std::map<std::string, double> sharper;     // numerical parameter -> factor
+    std::map<std::string, double> part;        // further parameter -> share of the strength that it has as a rule
     std::map<std::string, double> reach;       // shape -> factor by which it may leave the values it is tried with
     std::map<std::string, std::vector<std::string>> shape;
     std::vector<std::string> whole;  // shapes that are whole numbers as a rule

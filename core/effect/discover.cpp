@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/base/unit.hpp"
 #include "core/effect/caution.hpp"
 #include "core/effect/dependence.hpp"
 #include "core/effect/model_state.hpp"
@@ -62,7 +63,7 @@ void offerAlone(Remainder change, const std::vector<ColouredNoise>& noise, const
     }
 }
 
-/// A parameter that changes, as a proposal at its component.
+/// A parameter of another value, or one that changes, as a proposal at its component.
 Remainder changing(const std::string& parameter, double evidence, std::string equation) {
     Remainder r;
     r.node = parameter.substr(0, parameter.rfind('.'));
@@ -78,6 +79,10 @@ Remainder remainderOf(const Change& c, double end) {
     r.from = c.time;
     r.to = end;
     return r;
+}
+
+Remainder remainderOf(const HeldInstead& h) {
+    return changing(h.parameter, h.gain, fmt::format("{} = {:.5g}", h.parameter, h.value));
 }
 
 Remainder remainderOf(const Dependence& d) {
@@ -325,6 +330,8 @@ Outcome<Finding> Search::run() {
     }
     holdUnneededStarts(*null);
     holdUnneededClocks(*null);
+    const std::optional<HeldInstead> heldWrongly = wasCut ? std::nullopt : takeOutForHeld(*null);
+    if (heldWrongly) finding.final = finding.baseline;
     finding.nextExperiment = proposeExperiments(*null);
     const std::map<int, Text> held = heldRemarks(*null);
     const bool isOpen = proposed.empty() && !change_ && !dependence_ && !isNoise(*null);
@@ -396,7 +403,7 @@ Outcome<Finding> Search::run() {
     if (!finding.interrupted) {
         Leftovers left = leftovers(quiet ? *quiet : *null, options_.fit.simulation);
         finding.remainders = std::move(left.structure);
-        const bool isNoiseAlone = !change_ && !dependence_;  // else that accounts for it
+        const bool isNoiseAlone = !change_ && !dependence_ && !heldWrongly;  // else that accounts for it
         for (const ColouredNoise& n : isNoiseAlone ? left.noise : std::vector<ColouredNoise>())
             finding.warnings.push_back(
                 phrase("what is left on output '{}' of '{}' is noise with a memory ({:.2g} s): it moves with nothing "
@@ -422,6 +429,14 @@ Outcome<Finding> Search::run() {
             offerAlone(remainderOf(*change_, end), left.noise, finding.final, finding.remainders);
             finding.warnings.push_back(phrase("the condition seems to have changed in mid run: {} at about {:.4g} s",
                                               change_->parameter, change_->time));
+        }
+        if (heldWrongly) {
+            offerAlone(remainderOf(*heldWrongly), left.noise, finding.final, finding.remainders);
+            finding.warnings.push_back(
+                phrase("another value of {} explains more than any effect: it is held at {:.5g}, and {:.5g} ± {:.2g}{} "
+                       "fits; correct it, or let it be fitted",
+                       heldWrongly->parameter, heldWrongly->held, heldWrongly->value, heldWrongly->standardError,
+                       behindNumber(heldWrongly->unit)));
         }
         if (dependence_) {
             offerAlone(remainderOf(*dependence_), left.noise, finding.final, finding.remainders);

@@ -11,7 +11,9 @@ namespace {
 
 constexpr double likelyShare = 0.5;  // of what the effect explains, in first order, for a fit to be tried
 constexpr std::size_t mostFitted = 2;
+constexpr double reach = 5;               // factor by which a held value may be wrong
 constexpr double plausibleChange = 0.34;  // of the value at which a parameter is held
+constexpr double clearlyMore = 30;        // than an effect explains, where it may lie farther from there
 
 /// Where the recordings hold a parameter: as the study says, else as the model does; nothing where they differ.
 std::optional<double> heldAt(const EstimationTask& task, const std::string& name, std::optional<double> inModel) {
@@ -56,7 +58,8 @@ std::vector<FitParameter> heldParameters(const Variant& variant) {
             continue;
         const std::optional<double> value = heldAt(variant.task, v.name, flat->parameterValue(flat->find(v.name)));
         if (!value || *value == 0 || !std::isfinite(*value)) continue;
-        held.push_back({v.name, v.unit, *value, std::min(*value / 3, *value * 3), std::max(*value / 3, *value * 3)});
+        held.push_back({v.name, v.unit, *value, std::min(*value / reach, *value * reach),
+                        std::max(*value / reach, *value * reach)});
     }
     return held;
 }
@@ -100,10 +103,16 @@ std::optional<HeldInstead> heldInstead(const NullModel& without, const NullModel
         if (order[i].explained < likelyShare * fall) break;
         const FitParameter& p = *order[i].parameter;
         const std::optional<FitResult> fit = fitBeside(without, withFreed(without.variant, {p}), options, progress);
-        if (!fit || fit->optimum.residuals.squaredNorm() > left + equivalenceMargin * variance) continue;
-        for (const FitEstimate& e : fit->estimates)
-            if (e.name == p.name && std::abs(e.value - p.start) < plausibleChange * std::abs(p.start))
-                return HeldInstead{p.name, p.unit, p.start, e.value, e.standardError};
+        if (!fit) continue;
+        const double squares = fit->optimum.residuals.squaredNorm();
+        if (squares > left + equivalenceMargin * variance) continue;
+        const double gain = (left - squares) / (squares / rows);
+        for (const FitEstimate& e : fit->estimates) {
+            const bool isPlausible = std::abs(e.value - p.start) < plausibleChange * std::abs(p.start);
+            if (e.name == p.name && (isPlausible || gain > clearlyMore))
+                return HeldInstead{p.name, p.unit, p.start, e.value, e.standardError, isNoise(with.channels, *fit),
+                                   gain};
+        }
     }
     return std::nullopt;
 }

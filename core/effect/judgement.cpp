@@ -77,6 +77,16 @@ bool isAtBound(const PlacedEffect& placed, const FitResult& fit) {
 
 bool isAtBound(const Trial& trial) { return isAtBound(trial.variant.effects.back(), trial.fit); }
 
+bool lacksAPart(const PlacedEffect& placed, const FitResult& fit) {
+    const auto valueOf = [&](const std::string& name) {
+        const FitEstimate* e = fit.find(placed.instance + "." + name);
+        return e == nullptr ? std::nan("") : std::abs(e->value);
+    };
+    return std::any_of(placed.effect.part.begin(), placed.effect.part.end(), [&](const auto& part) {
+        return valueOf(part.first) < part.second * valueOf(placed.effect.strength);
+    });
+}
+
 bool drivesToBound(const FitResult& without, const FitResult& with) {
     return std::any_of(without.estimates.begin(), without.estimates.end(), [&](const FitEstimate& before) {
         const FitEstimate* after = with.find(before.name, before.experiment);

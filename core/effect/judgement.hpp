@@ -59,6 +59,10 @@ constexpr double leastBesideOffered = 0.2;  // the same, where an equation is of
 bool isAtBound(const PlacedEffect& placed, const FitResult& fit);
 bool isAtBound(const Trial& trial);
 
+/// Whether a part that the effect has as a rule is next to nothing (a breakaway without friction at speed): it may
+/// stand for two others.
+bool lacksAPart(const PlacedEffect& placed, const FitResult& fit);
+
 /// Whether a parameter of the model that has a value of its own without an effect rests at a bound with it: the effect
 /// does the work of what is known to be there.
 bool drivesToBound(const FitResult& without, const FitResult& with);

@@ -78,6 +78,20 @@ double levelOf(const FitResult& fit) {
     return std::sqrt(fit.optimum.residuals.squaredNorm() / static_cast<double>(fit.optimum.residuals.size()));
 }
 
+namespace {
+
+/// A speed counted by an encoder is the difference of two rounded angles: its error has sqrt(2) times the size of a
+/// rounding error, and what one sample has too much the next has too little.
+bool isOfCounts(const Eigen::VectorXd& residual, double step) {
+    constexpr double mostOfIt = 1.1, least = -0.65, most = -0.35;  // of a difference of two: -1/2
+    const Eigen::Index count = residual.size() - 1;
+    const double squares = residual.squaredNorm(), rms = std::sqrt(squares / static_cast<double>(count + 1));
+    const double neighbours = residual.head(count).dot(residual.tail(count)) / squares;
+    return rms < mostOfIt * step / std::sqrt(6.0) && neighbours > least && neighbours < most;
+}
+
+}  // namespace
+
 bool isNoise(const ResidualChannel& channel, const Eigen::VectorXd& residuals) {
     const auto isWhite = [](const Eigen::VectorXd& r) { return summarise(r).whiteProbability > whiteSignificance; };
     const Eigen::VectorXd own = residuals.segment(channel.begin, channel.end - channel.begin);
@@ -85,7 +99,8 @@ bool isNoise(const ResidualChannel& channel, const Eigen::VectorXd& residuals) {
     const double step = quantisationStep(channel.measured);
     if (!(step > 0) || rangeOf(channel.measured).width() < fewestSteps * step) return false;
     const double rms = own.norm() / std::sqrt(static_cast<double>(own.size()));
-    return rms < allRounding * step / std::sqrt(12.0) || isWhite(besideRounding(channel, residuals, step));
+    return rms < allRounding * step / std::sqrt(12.0) || isOfCounts(own, step) ||
+           isWhite(besideRounding(channel, residuals, step));
 }
 
 bool isNoise(const std::vector<ResidualChannel>& channels, const FitResult& fit) {

@@ -8,6 +8,7 @@
 #include "core/effect/dependence.hpp"
 #include "core/effect/discover.hpp"
 #include "core/effect/faulty_sample.hpp"
+#include "core/effect/held_parameter.hpp"
 #include "core/effect/input_clock.hpp"
 #include "core/effect/input_edge.hpp"
 #include "core/effect/input_noise.hpp"
@@ -151,10 +152,12 @@ private:
     void holdUnneededStarts(NullModel& null);
     void reportAsRecorded(const NullModel& null, ModelState& state);
     std::vector<Text> recordingRemarks(const NullModel& null) const;
+    void tellErrorWithout(Step& step, const NullModel& without) const;
     void treatAlike(NullModel& null);
     void sharpen(NullModel& null);
     Text proposeExperiments(const NullModel& null);
     std::map<int, Text> heldRemarks(const NullModel& null);
+    std::optional<HeldInstead> takeOutForHeld(NullModel& null);
     void setVerdict(const std::string& kind, const std::string& at, Verdict verdict);
     void note(const Screened& s, Verdict verdict, std::optional<double> deltaBic, const Text& failure);
     void retryNames(const NullModel& null, std::vector<Trial>& trials);

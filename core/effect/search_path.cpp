@@ -209,7 +209,9 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
     goOn(best, first);
     if (beginsAnew_ || progress_.stopRequested()) return best;
     const bool hasMore = best.steps.size() > 1 || hasProposal(best.null);
-    if (!hasMore && (isNoise(best.null) || isColouredNoise(best.null))) return best;
+    const bool isOdd = std::any_of(best.null.variant.effects.begin(), best.null.variant.effects.end(),
+                                   [&](const PlacedEffect& e) { return lacksAPart(e, best.null.fit); });
+    if (!hasMore && !isOdd && (isNoise(best.null) || isColouredNoise(best.null))) return best;
     if (!isNoise(best.null) && isChangeAll(base, best.null)) return best;
 
     addUnprovenPaths(best, base, first);
@@ -218,7 +220,8 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
     if (beginsAnew_ || (isLawful && termsIn(best.null) < 2)) return best;
     for (const std::size_t other : others) {
         const bool isEnough = other != others.front() && work_ > mostWork;
-        if (progress_.stopRequested() || levelOf(best.null.fit) < structuredResidual || isEnough) break;
+        const bool isDone = !isOdd && levelOf(best.null.fit) < structuredResidual;
+        if (progress_.stopRequested() || isDone || isEnough) break;
         Path path = pathFrom(base, first, other);
         if (beginsAnew_) return best;
         keepBetter(best, std::move(path));
@@ -479,6 +482,13 @@ void Search::setVerdict(const std::string& kind, const std::string& at, Verdict 
         }
 }
 
+/// The error that is left without the effect of a step, by the model refitted without it.
+void Search::tellErrorWithout(Step& step, const NullModel& without) const {
+    if (Outcome<ModelState> state =
+            stateOf(without.variant, without.fit, search_.fit.simulation, progress_, Detail::Errors))
+        step.errorWithout = errorPercentOf(*state, Role::Fit);
+}
+
 /// Takes each effect out again and keeps only those that are missed. At the last, where something is left that nothing
 /// explains, they must be more than what a disturbance takes over; where noise is left, a weak one must be likelier.
 void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
@@ -509,9 +519,7 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
             holds && (!isDoubtful || isMore())) {
             steps_[i].acceptance = missed;
             steps_[i].fall = refitted->sumOfSquares() - null.sumOfSquares();
-            if (Outcome<ModelState> state =
-                    stateOf(refitted->variant, refitted->fit, search_.fit.simulation, progress_, Detail::Errors))
-                steps_[i].errorWithout = errorPercentOf(*state, Role::Fit);
+            tellErrorWithout(steps_[i], *refitted);
             ++i;
             continue;
         }
@@ -564,6 +572,7 @@ bool Search::dropUnmissed(const NullModel& last, NullModel& null) {
         const Acceptance missed = examine(*rest, last.fit, static_cast<int>(last.variant.effects[i].freed.size()), 0);
         if (isMissed(missed)) {
             steps_[i].acceptance = missed;
+            tellErrorWithout(steps_[i], *rest);
         } else if (missed.evidence < leastEvidence) {
             least = i;
             leastEvidence = missed.evidence;

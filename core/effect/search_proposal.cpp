@@ -86,7 +86,8 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
         if (placed.effect.proposal.empty()) continue;
         Remainder r;
         r.node = placed.place.at;
-        r.evidence = steps_[i].acceptance.evidence;
+        const Acceptance& gain = steps_[i].acceptance;
+        r.evidence = std::max({gain.evidence, gain.effective, 0.0});
         r.proposedClass = placed.effect.className;
         if (const auto law = laws_.find(placed.effect.className); law != laws_.end()) r.proposedBlock = law->second;
         std::vector<EffectValue> values = estimatesOf(placed, null.fit);
@@ -202,6 +203,23 @@ Text Search::proposeExperiments(const NullModel& null) {
                          next->programme, names, next->separation);
     }
     return text;
+}
+
+/// Another value of a held parameter, where it explains clearly more than the one effect that was found, which only
+/// imitates that and is taken out; or all that is left, where none was found.
+std::optional<HeldInstead> Search::takeOutForHeld(NullModel& null) {
+    if (steps_.size() > 1 || change_ || dependence_ || progress_.stopRequested()) return std::nullopt;
+    if (steps_.empty()) {
+        if (isNoise(null)) return std::nullopt;
+        std::optional<HeldInstead> held = heldInstead(null, null, search_.fit, progress_);
+        return held && held->leavesNoise && held->gain > 3 * equivalenceMargin ? held : std::nullopt;
+    }
+    const std::optional<NullModel> rest = without(null, 0);
+    if (!rest) return std::nullopt;
+    std::optional<HeldInstead> held = heldInstead(*rest, null, search_.fit, progress_);
+    const double share = independentShare(null, null.fit);
+    if (!held || !(share * held->gain > 3 * equivalenceMargin) || !takeOut(null, 0)) return std::nullopt;
+    return held;
 }
 
 /// Where another value of a held parameter would explain as much as an effect: what to say of it, by the effect's

@@ -1,6 +1,7 @@
 /// One round of the search: screen every candidate, refit those that promise most, decide.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/base/parallel.hpp"
 #include "core/effect/caution.hpp"
@@ -58,17 +59,37 @@ std::vector<TrialStarts*> contenders(const NullModel& null, const std::vector<st
     return all;
 }
 
+/// Traces that the screening of a candidate takes.
+std::size_t tracesOf(const EffectClass& effect) {
+    std::size_t count = std::max<std::size_t>(1, effect.secant.size());
+    for (const auto& [name, values] : effect.shape) count *= values.size();
+    return count;
+}
+
+/// Indices, the largest cost first: no thread is left alone with a long task at the end.
+std::vector<int> longestFirst(const std::vector<std::size_t>& costs) {
+    std::vector<int> order(costs.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+        return costs[static_cast<std::size_t>(a)] > costs[static_cast<std::size_t>(b)];
+    });
+    return order;
+}
+
 }  // namespace
 
 std::vector<Screened> Search::screenAll(const NullModel& null) {
     Outcome<std::vector<Candidate>> candidates = candidatesFor(null.variant, catalogue_);
     if (!candidates) return {};
     std::vector<Screened> screened(candidates->size());
-    parallelFor(static_cast<int>(screened.size()), options_.threads, [&](int i) {
-        const Candidate& c = (*candidates)[static_cast<std::size_t>(i)];
-        say("screen", phrase("{} at {}", c.effect.kind, c.place.at),
-            static_cast<double>(i) / static_cast<double>(screened.size()));
-        screened[static_cast<std::size_t>(i)] = screen(null, c, search_.fit.simulation, progress_);
+    std::vector<std::size_t> costs;
+    for (const Candidate& c : *candidates) costs.push_back(tracesOf(c.effect));
+    const std::vector<int> order = longestFirst(costs);
+    parallelFor(static_cast<int>(screened.size()), options_.threads, [&](int k) {
+        const auto i = static_cast<std::size_t>(order[static_cast<std::size_t>(k)]);
+        const Candidate& c = (*candidates)[i];
+        say("screen", phrase("{} at {}", c.effect.kind, c.place.at), k / static_cast<double>(screened.size()));
+        screened[i] = screen(null, c, search_.fit.simulation, progress_);
     });
     return screened;
 }
@@ -78,11 +99,15 @@ std::vector<Trial> Search::tryThese(const NullModel& null, const std::vector<con
     FitOptions quick = trialOptions(search_.fit, iterations);
     quick.simulation = limited(null, quick.simulation);
     std::vector<std::unique_ptr<TrialStarts>> begun(chosen.size());
-    parallelFor(static_cast<int>(chosen.size()), options_.threads, [&](int i) {
-        const Screened& s = *chosen[static_cast<std::size_t>(i)];
+    std::vector<std::size_t> costs;
+    for (const Screened* s : chosen) costs.push_back(s->probes.size());
+    const std::vector<int> order = longestFirst(costs);
+    parallelFor(static_cast<int>(chosen.size()), options_.threads, [&](int k) {
+        const auto i = static_cast<std::size_t>(order[static_cast<std::size_t>(k)]);
+        const Screened& s = *chosen[i];
         say("trial", phrase("{} at {}", s.candidate.effect.kind, s.candidate.place.at),
-            static_cast<double>(i) / static_cast<double>(chosen.size()));
-        auto& own = begun[static_cast<std::size_t>(i)];
+            k / static_cast<double>(chosen.size()));
+        auto& own = begun[i];
         own = std::make_unique<TrialStarts>(null, s, quick, starts, progress_);
         if (own->hasNext()) own->takeNext();
     });

@@ -6226,6 +6226,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>„{}“ beginnt nicht dort, wo es dem Modell gesagt wurde: {} ist dort {} ± {}{}{}, nicht {}; der Wert wird für diese Aufzeichnung angepasst (&quot;initial&quot;: &quot;fit&quot;)</translation>
     </message>
     <message>
+        <source>another value of {} explains more than any effect: it is held at {:.5g}, and {:.5g} ± {:.2g}{} fits; correct it, or let it be fitted</source>
+        <translation>ein anderer Wert von {} erklärt mehr als jeder Effekt: Er ist auf {} festgehalten, und {} ± {}{} passt; berichtigen oder anpassen lassen</translation>
+    </message>
+    <message>
         <source>an equation without a name explains as much as {} at {}, and the data do not tell them apart: {}</source>
         <translation>eine Gleichung ohne Namen erklärt so viel wie {} an {}, und die Daten unterscheiden beide nicht: {}</translation>
     </message>

@@ -46,6 +46,23 @@ TEST(IsAtBound, IsAnEffectThatEndsWhereItIsNoLongerWhatItIsCalled) {
     EXPECT_FALSE(isAtBound(cogging(), ended(9, false, false, true))) << "a phase may be any";
 }
 
+TEST(LacksAPart, IsABreakawayWithoutFrictionAtSpeed) {
+    PlacedEffect placed;
+    placed.instance = "stribeck";
+    placed.effect.strength = "tau_s";
+    placed.effect.part["tau_c"] = 0.05;
+    FitResult fit;
+    for (const char* name : {"stribeck.tau_s", "stribeck.tau_c"}) {
+        FitEstimate estimate;
+        estimate.name = name;
+        estimate.value = 0.2;
+        fit.estimates.push_back(estimate);
+    }
+    EXPECT_FALSE(lacksAPart(placed, fit));
+    fit.estimates.back().value = 0.001;
+    EXPECT_TRUE(lacksAPart(placed, fit));
+}
+
 TEST(IsScaleOpen, IsAModelOfWhichAParameterIsNotDeterminedEither) {
     FitResult fit = ended(9, false);
     FitEstimate resistance;

@@ -79,6 +79,35 @@ TEST(ResidualChannels, AreNoNoiseWhereMoreIsMissing) {
     EXPECT_FALSE(isNoise(wrong.channel(), wrong.residual));
 }
 
+/// A speed counted by an encoder, of 1 step a sample; the model knows the speed but for `missed` of it.
+FitProblem counted(double missed, Eigen::VectorXd& residual) {
+    constexpr int n = 3000;
+    const Eigen::VectorXd speed = 12 * wave(n, 3) + 0.37 * wave(n, 41);
+    Eigen::VectorXd counts(n);
+    double angle = 0.2;
+    for (int k = 0; k < n; ++k) {
+        const double before = std::floor(angle);
+        angle += speed[k];
+        counts[k] = std::floor(angle) - before;
+    }
+    FitExperiment e;
+    e.measured = counts.transpose();
+    e.weights = Eigen::VectorXd::Ones(1);
+    residual = speed - missed * wave(n, 7) - counts;
+    FitProblem problem;
+    problem.experiments.push_back(e);
+    return problem;
+}
+
+TEST(ResidualChannels, AreNoiseBesideWhatAnEncoderCounts) {
+    Eigen::VectorXd residual;
+    const FitProblem right = counted(0, residual);
+    EXPECT_LT(summarise(residual).whiteProbability, whiteSignificance) << "too much now is too little next";
+    EXPECT_TRUE(isNoise(residualChannels(right).front(), residual));
+    const FitProblem wrong = counted(0.4, residual);
+    EXPECT_FALSE(isNoise(residualChannels(wrong).front(), residual));
+}
+
 TEST(Complement, TakesOutWhatTheParametersCanImitate) {
     const int n = 500;
     Eigen::MatrixXd jacobian(n, 2);

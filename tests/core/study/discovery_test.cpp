@@ -441,6 +441,19 @@ TEST_F(DiscoveryInADraught, SaysThatAHeldParameterWouldExplainAsMuch) {
     EXPECT_NEAR(std::stod(said.substr(at + before.size())), 0.3, 0.001);
 }
 
+TEST_F(DiscoveryInADraught, SaysThatAnotherValueOfAHeldParameterExplainsMoreThanAnyEffect) {
+    // no effect takes heat capacity away
+    const std::string held =
+        R"({"plate.C": {"fit": false, "value": 60}, "toRoom.G": {"fit": true, "value": 0.2, "min": 0.01, "max": 5}})";
+    const Finding finding = search(6, 0, 300, 0, held);
+    EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
+    EXPECT_EQ(finding.kind, FindingKind::Unexplained);
+    ASSERT_FALSE(finding.remainders.empty());
+    const std::string& equation = finding.remainders.front().proposedEquation;
+    ASSERT_EQ(equation.find("plate.C = "), 0u) << equation;
+    EXPECT_NEAR(std::stod(equation.substr(10)), 15, 0.1);
+}
+
 /// A motor whose current settles within two samples; its long record is searched on means of five. Nothing is missing,
 /// but on means a delay of the speed would mend what they blur.
 TEST_F(Discovery, TakesForNoEffectWhatOnlyMeansOfSamplesShow) {
