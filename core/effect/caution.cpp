@@ -197,8 +197,12 @@ std::vector<Text> poorValidations(const ModelState& state) {
 
 std::vector<Text> wrongStarts(const ModelState& state) {
     std::vector<Text> said;
+    int fitted = -1;  // number of the experiment among those that are fitted
     for (const ExperimentState& e : state.experiments) {
+        if (e.role == Role::Fit) ++fitted;
         if (e.role != Role::Fit || e.failure.failed) continue;
+        const bool hasOwn = std::any_of(state.parameters.begin(), state.parameters.end(),
+                                        [&](const FitEstimate& p) { return p.experiment == fitted; });
         for (const OutputState& output : e.outputs) {
             const auto left = state.residual.find(output.name);
             if (left == state.residual.end() || output.measured.size() < fewestSamples) continue;
@@ -208,10 +212,12 @@ std::vector<Text> wrongStarts(const ModelState& state) {
             // a start value is wrong from the first sample on, not at the first sample alone
             if (!(first.minCoeff() > clear) && !(first.maxCoeff() < -clear)) continue;
             const std::string unit = output.unit.empty() ? "" : " " + output.unit;
-            said.push_back(phrase(
-                "'{}' begins with {} at {:.4g}{} where the model begins at {:.4g}{}: tell its start value, or fit "
-                "it (\"initial\")",
-                e.name, output.name, output.measured[0], unit, output.simulated[0], unit));
+            const Text begins = phrase("'{}' begins with {} at {:.4g}{} where the model begins at {:.4g}{}", e.name,
+                                       output.name, output.measured[0], unit, output.simulated[0], unit);
+            said.push_back(hasOwn ? phrase("{}, though a start value is fitted there: another one may be wrong, that "
+                                           "of a part which an effect has added, too",
+                                           begins)
+                                  : phrase("{}: tell its start value, or fit it (\"initial\")", begins));
         }
     }
     return said;

@@ -4194,8 +4194,16 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Die angepassten Aufzeichnungen halten {} bei {}, „{}“ hat dort {} bis {}: Was das Modell dazu sagt, ist extrapoliert</translation>
     </message>
     <message>
-        <source>'{}' begins with {} at {:.4g}{} where the model begins at {:.4g}{}: tell its start value, or fit it (&quot;initial&quot;)</source>
-        <translation>„{}“ beginnt bei {} mit {}{}, das Modell mit {}{}: den Startwert angeben oder anpassen („initial“)</translation>
+        <source>'{}' begins with {} at {:.4g}{} where the model begins at {:.4g}{}</source>
+        <translation>„{}“ beginnt bei {} mit {}{}, das Modell mit {}{}</translation>
+    </message>
+    <message>
+        <source>{}: tell its start value, or fit it (&quot;initial&quot;)</source>
+        <translation>{}: den Startwert angeben oder anpassen („initial“)</translation>
+    </message>
+    <message>
+        <source>{}, though a start value is fitted there: another one may be wrong, that of a part which an effect has added, too</source>
+        <translation>{}, obwohl dort ein Startwert angepasst wird: Ein anderer kann falsch sein, auch der eines Teils, den ein Effekt hinzugefügt hat</translation>
     </message>
     <message>
         <source>output '{}' of '{}': single samples far from their neighbours and from the model are taken for faults of the measurement and left out ({} of them: {})</source>

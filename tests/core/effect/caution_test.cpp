@@ -62,7 +62,14 @@ TEST(Caution, SaysThatARecordingBeginsElsewhereThanTheModel) {
     state.experiments.front().outputs = {n};
     state.residual["n"] = summarise(n.simulated - n.measured);
     EXPECT_THAT(wrongStarts(state),
-                ElementsAre(HasSubstr("'run' begins with n at 250 rad/s where the model begins at 0")));
+                ElementsAre(HasSubstr("'run' begins with n at 250 rad/s where the model begins at 0 rad/s: tell")));
+    FitEstimate start;
+    start.name = "rotor.phi_start";
+    start.experiment = 0;
+    state.parameters.push_back(start);
+    EXPECT_THAT(wrongStarts(state), ElementsAre(HasSubstr("though a start value is fitted there")));
+    state.parameters.back().experiment = 1;
+    EXPECT_THAT(wrongStarts(state), ElementsAre(HasSubstr("tell its start value"))) << "of another recording";
     state.experiments.front().outputs.front().simulated[0] = 250;
     EXPECT_THAT(wrongStarts(state), IsEmpty()) << "a start that is right";
 }
