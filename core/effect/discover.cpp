@@ -392,9 +392,14 @@ Outcome<Finding> Search::run() {
             effect.instance = placed.twinInstances[t];
             effect.alternatives.clear();
             finding.effects.push_back(effect);
-            finding.warnings.push_back(phrase(
-                "{} stands at {} and {} with one set of parameters: equal sensors, and the data do not tell them apart",
-                effect.kind, placed.place.at, effect.at));
+            finding.warnings.push_back(
+                placed.effect.signalSide == "output"
+                    ? phrase("{} stands at {} and {} with one set of parameters: equal sensors, and the data do not "
+                             "tell them apart",
+                             effect.kind, placed.place.at, effect.at)
+                    : phrase("{} stands at {} and {} with one set of parameters: they feed equal blocks, and the data "
+                             "do not tell them apart",
+                             effect.kind, placed.place.at, effect.at));
         }
     }
     settleVerdicts(finding.effects);

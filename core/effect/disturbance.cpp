@@ -41,19 +41,97 @@ Disturbance::Disturbance(const NullModel& model, const SimulationOptions& simula
                   piecesOfADisturbance) {}
 
 Disturbance::Disturbance(std::vector<ResidualChannel> channels, std::vector<FlowResponse> responses, int pieces)
-    : channels_(std::move(channels)), responses_(std::move(responses)) {
-    const Eigen::Index count = pieces + 1;
+    : channels_(std::move(channels)), responses_(std::move(responses)), pieces_(pieces) {
+    findSources();
+}
+
+void Disturbance::findSources() {
+    sources_.clear();
+    const Eigen::Index count = pieces_ + 1;
     for (std::size_t i = 0; i < responses_.size(); ++i) {
-        const Eigen::MatrixXd squares = responses_[i].columns.transpose() * responses_[i].columns;
-        for (const double correlation : correlations) {
-            const Eigen::MatrixXd root = correlationRoot(count, correlation);
+        if (std::any_of(settled_.begin(), settled_.end(), [&](const Flow& f) { return f.response == i; })) continue;
+        const Eigen::MatrixXd& columns = responses_[i].columns;
+        const Eigen::MatrixXd squares = columns.transpose() * besideSettled(columns);
+        for (std::size_t c = 0; c < std::size(correlations); ++c) {
+            const Eigen::MatrixXd root = correlationRoot(count, correlations[c]);
             Eigen::MatrixXd roots = Eigen::MatrixXd::Zero(squares.rows(), squares.rows());  // of each recording
             for (Eigen::Index k = 0; k + count <= roots.cols(); k += count) roots.block(k, k, count, count) = root;
             const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(roots.transpose() * squares * roots);
             if (!(eigen.eigenvalues().maxCoeff() > 0)) continue;
-            sources_.push_back({i, roots * eigen.eigenvectors(), eigen.eigenvalues().cwiseMax(0)});
+            sources_.push_back({i, c, roots * eigen.eigenvectors(), eigen.eigenvalues().cwiseMax(0)});
         }
     }
+}
+
+Eigen::MatrixXd Disturbance::besideSettled(const Eigen::MatrixXd& columns) const {
+    if (settled_.empty()) return columns;
+    return columns - settledRoot_ * (settledRoot_.transpose() * columns);
+}
+
+Disturbance::Flow Disturbance::flowOf(const Metric& metric) const {
+    return {sourceOf(metric).response, sourceOf(metric).correlation, metric.variance};
+}
+
+/// One flow more, of those that can still be sought.
+void Disturbance::settle(const Flow& flow) {
+    const auto source = std::find_if(sources_.begin(), sources_.end(), [&](const Source& s) {
+        return s.response == flow.response && s.correlation == flow.correlation;
+    });
+    if (source == sources_.end()) return;
+    // (B + q A C A')^-1 = B^-1 - B^-1 A T q/(1 + q s) T' A' B^-1 where T turns A' B^-1 A into its diagonal s
+    const Eigen::MatrixXd more = besideSettled(responses_[flow.response].columns) * source->turn *
+                                 source->part(flow.variance).cwiseSqrt().asDiagonal();
+    Eigen::MatrixXd root(more.rows(), settledRoot_.cols() + more.cols());
+    root << settledRoot_, more;
+    settledRoot_ = std::move(root);
+    settledSpread_ += source->spread(flow.variance);
+    settled_.push_back(flow);
+    findSources();
+}
+
+void Disturbance::settle(const std::vector<Flow>& flows) {
+    settled_.clear();
+    settledRoot_.resize(channels_.empty() ? 0 : responses_.front().columns.rows(), 0);
+    settledSpread_ = 0;
+    findSources();
+    for (const Flow& f : flows) settle(f);
+}
+
+void Disturbance::settle(const Eigen::VectorXd& residuals, std::size_t most) {
+    most = std::min(most, responses_.size());
+    if (most < 2) return;
+    settle(std::vector<Flow>());
+    std::vector<Flow> flows;
+    Metric best = likeliest(residuals);
+    while (best.source >= 0 && flows.size() + 1 < most) {
+        const std::vector<Flow> before = flows;
+        flows.push_back(flowOf(best));
+        settle(flows);
+        Metric next = likeliest(residuals);
+        if (next.source < 0 || !(next.misfit < best.misfit - leastOfAPlace)) {
+            settle(before);
+            return;
+        }
+        // each was found beside fewer than there are now
+        for (std::size_t i = 0; i < flows.size(); ++i) {
+            std::vector<Flow> others = flows;
+            others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+            others.push_back(flowOf(next));
+            settle(others);
+            const Metric again = likeliest(residuals);
+            if (again.source < 0) break;
+            flows = others;
+            next = again;
+        }
+        settle(flows);
+        best = next;
+    }
+}
+
+std::set<std::string> Disturbance::settledPlaces() const {
+    std::set<std::string> places;
+    for (const Flow& f : settled_) places.insert(responses_[f.response].place);
+    return places;
 }
 
 namespace {
@@ -98,13 +176,14 @@ double misfitOf(double sumOfSquares, double rows) {
 
 template <class Visit>
 void Disturbance::visit(const Eigen::MatrixXd& both, const Visit& each) const {
-    const Eigen::MatrixXd plain = both.transpose() * both;
+    const Eigen::MatrixXd weighed = besideSettled(both);
+    const Eigen::MatrixXd plain = both.transpose() * weighed;
     each(Metric{}, plain);
     Eigen::MatrixXd pieces;
     for (std::size_t s = 0; s < sources_.size(); ++s) {
         const Source& source = sources_[s];
         if (s == 0 || source.response != sources_[s - 1].response)
-            pieces = responses_[source.response].columns.transpose() * both;
+            pieces = responses_[source.response].columns.transpose() * weighed;
         const Eigen::MatrixXd onto = source.turn.transpose() * pieces;
         Metric metric{static_cast<int>(s), leastVariance / source.squares.maxCoeff()};
         for (int k = 0; k < varianceSteps; ++k, metric.variance *= varianceFactor)
@@ -114,10 +193,11 @@ void Disturbance::visit(const Eigen::MatrixXd& both, const Visit& each) const {
 }
 
 Eigen::MatrixXd Disturbance::products(const Eigen::MatrixXd& both, const Metric& metric) const {
-    Eigen::MatrixXd result = both.transpose() * both;
+    const Eigen::MatrixXd weighed = besideSettled(both);
+    Eigen::MatrixXd result = both.transpose() * weighed;
     if (metric.source < 0) return result;
     const Source& source = sourceOf(metric);
-    const Eigen::MatrixXd onto = source.turn.transpose() * (responses_[source.response].columns.transpose() * both);
+    const Eigen::MatrixXd onto = source.turn.transpose() * (responses_[source.response].columns.transpose() * weighed);
     result -= onto.transpose() * source.part(metric.variance).asDiagonal() * onto;
     return result;
 }
@@ -125,7 +205,8 @@ Eigen::MatrixXd Disturbance::products(const Eigen::MatrixXd& both, const Metric&
 double Disturbance::misfit(const Eigen::MatrixXd& products, const Metric& metric, double rows) const {
     double sumOfSquares = products(0, 0);
     if (products.cols() > 1) sumOfSquares += products.col(0).tail(products.cols() - 1).dot(follow(products, 0));
-    return misfitOf(sumOfSquares, rows) + (metric.source < 0 ? 0 : sourceOf(metric).spread(metric.variance));
+    const double spread = metric.source < 0 ? 0 : sourceOf(metric).spread(metric.variance);
+    return misfitOf(sumOfSquares, rows) + settledSpread_ + spread;
 }
 
 Disturbance::Metric Disturbance::leastMisfit(const Eigen::MatrixXd& both) const {
@@ -197,12 +278,12 @@ Eigen::VectorXd Disturbance::gradient(const Linearisation& model, const Metric& 
 }
 
 double Disturbance::independentShare(const Eigen::VectorXd& residuals, const Metric& metric) const {
-    Eigen::VectorXd rest = residuals;
+    Eigen::VectorXd rest = besideSettled(residuals);
     if (metric.source >= 0) {
         const Source& source = sourceOf(metric);
         const Eigen::MatrixXd& columns = responses_[source.response].columns;
-        const Eigen::VectorXd onto = source.turn.transpose() * (columns.transpose() * residuals);
-        rest -= columns * (source.turn * source.part(metric.variance).cwiseProduct(onto));
+        const Eigen::VectorXd onto = source.turn.transpose() * (columns.transpose() * rest);
+        rest -= besideSettled(columns * (source.turn * source.part(metric.variance).cwiseProduct(onto)));
     }
     return effectiveCount(channels_, rest) / static_cast<double>(rest.size());
 }
@@ -213,9 +294,10 @@ namespace {
 /// are simulated anew after some steps.
 class Descent {
 public:
-    Descent(const NullModel& model, const SimulationOptions& simulation, const Progress& progress)
+    Descent(const NullModel& model, const SimulationOptions& simulation, const Progress& progress, std::size_t most)
         : simulation_(simulation),
           progress_(progress),
+          most_(most),
           here_(model),
           prepared_(prepareAt(model.variant, model.noise)) {}
 
@@ -224,12 +306,16 @@ public:
         int idle = 0;
         for (int round = 0; round < mostRounds && idle < 2; ++round) {
             disturbance_.emplace(here_, simulation_, progress_, places);
+            disturbance_->settle(here_.fit.optimum.residuals, most_);
             metric_ = disturbance_->likeliest(here_.fit.optimum.residuals);
             idle = metric_.misfit < least_.misfit - leastFall ? 0 : idle + 1;
             if (metric_.misfit < least_.misfit)
                 least_ = {metric_.misfit, disturbance_->independentShare(here_.fit.optimum.residuals, metric_)};
             if (!prepared_ || progress_.stopRequested()) break;
-            if (round == 0) places = disturbance_->likelyPlaces(here_.fit.optimum, likelyShare);
+            if (round == 0) {
+                places = disturbance_->likelyPlaces(here_.fit.optimum, likelyShare);
+                places.merge(disturbance_->settledPlaces());
+            }
             if (places.empty() || !descend()) break;
         }
         return least_;
@@ -298,6 +384,7 @@ private:
 
     const SimulationOptions& simulation_;
     const Progress& progress_;
+    std::size_t most_;
     NullModel here_;
     Outcome<PreparedTask> prepared_;
     std::optional<Disturbance> disturbance_;
@@ -312,8 +399,8 @@ std::string likeliestPlace(const NullModel& model, const SimulationOptions& simu
 }
 
 BesideDisturbance besideDisturbance(const NullModel& model, const SimulationOptions& simulation,
-                                    const Progress& progress) {
-    return Descent(model, simulation, progress).run();
+                                    const Progress& progress, std::size_t most) {
+    return Descent(model, simulation, progress, most).run();
 }
 
 double evidenceBeside(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int more) {

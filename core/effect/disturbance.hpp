@@ -9,9 +9,12 @@
 
 namespace analogon {
 
+inline constexpr std::size_t mostDisturbances = 3;  // flows at different places
+
 /// A flow that nobody measured and that no law governs (a draught, a load that varies) as part of a model's noise: a
 /// Gaussian process of its own variance and correlation time at one node, or the slow error of one sensor. The residual
-/// then has the covariance V = s^2 (I + q A C A'), A the responses to pieces of the flow and C their correlation.
+/// then has the covariance V = s^2 (I + q A C A'), A the responses to pieces of the flow and C their correlation;
+/// beside flows at other places, which are settled, V = s^2 (B + q A C A').
 class Disturbance {
 public:
     /// The responses of a model at its parameters; of these places alone (empty: of all).
@@ -42,19 +45,39 @@ public:
                          const std::vector<bool>& held = {}) const;
     /// Slope of the sum of squares in a metric along each parameter.
     Eigen::VectorXd gradient(const Linearisation& model, const Metric& metric) const;
+    /// Settles flows at other places, beside which the likeliest of a further one is sought from then on: as many as
+    /// these residuals clearly ask for, with the one that is sought no more than `most`.
+    void settle(const Eigen::VectorXd& residuals, std::size_t most = mostDisturbances);
+    /// Places of the settled flows.
+    std::set<std::string> settledPlaces() const;
+
     /// Share of the samples that are independent, in what the flow does not explain.
     double independentShare(const Eigen::VectorXd& residuals, const Metric& metric) const;
 
 private:
     struct Source {
         std::size_t response{};
+        std::size_t correlation{};
         Eigen::MatrixXd turn;     // from the pieces to amplitudes that are independent and whose traces are orthogonal
         Eigen::VectorXd squares;  // squared lengths of these traces
 
         Eigen::VectorXd part(double variance) const { return variance / (1 + variance * squares.array()); }
         double spread(double variance) const { return (variance * squares.array()).log1p().sum(); }
     };
+    /// A flow that is settled.
+    struct Flow {
+        std::size_t response{};
+        std::size_t correlation{};
+        double variance{};
+    };
     const Source& sourceOf(const Metric& metric) const { return sources_[static_cast<std::size_t>(metric.source)]; }
+    Flow flowOf(const Metric& metric) const;
+    /// B^-1 of columns.
+    Eigen::MatrixXd besideSettled(const Eigen::MatrixXd& columns) const;
+    /// The sources beside these flows.
+    void settle(const std::vector<Flow>& flows);
+    void settle(const Flow& flow);
+    void findSources();
     /// Visits every metric: f(metric, products of the columns of `both` in it).
     template <class Visit>
     void visit(const Eigen::MatrixXd& both, const Visit& each) const;
@@ -66,7 +89,11 @@ private:
 
     std::vector<ResidualChannel> channels_;
     std::vector<FlowResponse> responses_;
+    int pieces_{};
     std::vector<Source> sources_;  // in the order of the responses
+    std::vector<Flow> settled_;
+    Eigen::MatrixXd settledRoot_;  // W of B^-1 = I - W W'; no columns: I
+    double settledSpread_{};       // ln of the determinant of B
 };
 
 /// The place whose disturbance is likeliest to have left the residual, where the parameters follow to first order: a
@@ -80,9 +107,10 @@ struct BesideDisturbance {
 };
 
 /// At the parameters that are likeliest with both, which plain least squares may miss by far: there they have given way
-/// to the flow, and so have the responses. By Levenberg and Marquardt's method.
+/// to the flow, and so have the responses. By Levenberg and Marquardt's method. Of as many flows as the residual asks
+/// for, but no more than `most`: where noise is left, one is the memory that it may have.
 BesideDisturbance besideDisturbance(const NullModel& model, const SimulationOptions& simulation,
-                                    const Progress& progress);
+                                    const Progress& progress, std::size_t most = mostDisturbances);
 
 /// Fall in BIC from one model to another that has `more` parameters, each beside its disturbance; of `rows` samples.
 double evidenceBeside(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int more);

@@ -505,12 +505,13 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
         const bool leavesNoise = isNoise(null);
         const bool isDoubtful = isLast && (!leavesNoise || missed.evidence < beyondDoubt);
         const auto isMore = [&] {
-            if (!beside) beside = besideDisturbance(null, search_.fit.simulation, progress_);
-            const BesideDisturbance without = besideDisturbance(*refitted, search_.fit.simulation, progress_);
-            const Eigen::Index rows = null.fit.optimum.residuals.size();
             // what is constant hardly differs from a flow that varies slowly, and noise with a memory is noise as well
-            return leavesNoise || isColouredNoise(null) ? isLikelier(without, *beside, rows, freed)
-                                                        : isBorneOut(without, *beside, rows, freed);
+            const bool isNoiseLeft = leavesNoise || isColouredNoise(null);
+            const std::size_t most = isNoiseLeft ? 1 : mostDisturbances;
+            if (!beside) beside = besideDisturbance(null, search_.fit.simulation, progress_, most);
+            const BesideDisturbance without = besideDisturbance(*refitted, search_.fit.simulation, progress_, most);
+            const Eigen::Index rows = null.fit.optimum.residuals.size();
+            return isNoiseLeft ? isLikelier(without, *beside, rows, freed) : isBorneOut(without, *beside, rows, freed);
         };
         const bool isItself = !isAtBound(null.variant.effects[i], null.fit) &&
                               (!isLast || leavesNoise || !drivesToBound(refitted->fit, null.fit));
@@ -603,15 +604,15 @@ void Search::sharpen(NullModel& null) {
 
 /// Where much is left that nothing explains, a channel that shows an effect of its sensor clearly and one of the same
 /// kind that does not are more likely two equal sensors than two different ones: the effect is put in front of both,
-/// with the same parameters, unless the data speak against it.
+/// with the same parameters, unless the data speak against it. So are two inputs that feed the same kind of block.
 void Search::treatAlike(NullModel& null) {
     for (std::size_t i = 0; i < null.variant.effects.size() && !progress_.stopRequested(); ++i) {
         if (!(levelOf(null.fit) > largeResidual)) return;
         const PlacedEffect& placed = null.variant.effects[i];
-        if (placed.effect.signalSide != "output" || !placed.effect.proposal.empty() || !placed.twins.empty()) continue;
+        if (placed.effect.signalSide.empty() || !placed.effect.proposal.empty() || !placed.twins.empty()) continue;
         const std::vector<EffectPlace> like = likePlaces(null.variant, placed, catalogue_);
         if (like.empty()) continue;
-        say("reconsider", phrase("{} at every sensor like {}", placed.effect.kind, placed.place.at), -1);
+        say("reconsider", phrase("{} at every channel like {}", placed.effect.kind, placed.place.at), -1);
         std::vector<PlacedEffect> effects = null.variant.effects;
         effects[i].twins = like;
         std::optional<NullModel> tied = refittedWith(null, effects);

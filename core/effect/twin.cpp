@@ -5,9 +5,9 @@
 namespace analogon {
 namespace {
 
-/// Class of the block that a top-level output shows; effects in between are passed. Empty: none.
-std::string sourceOf(const Diagram& diagram, const std::string& output) {
-    std::string connector = output, cameFrom;
+/// Class of the block that a top-level output shows or an input feeds; effects in between are passed. Empty: none.
+std::string blockBehind(const Diagram& diagram, const std::string& signal) {
+    std::string connector = signal, cameFrom;
     for (std::size_t steps = 0; steps < diagram.blocks.size(); ++steps) {
         const Block* next = nullptr;
         for (const Wire& w : diagram.wires) {
@@ -18,7 +18,7 @@ std::string sourceOf(const Diagram& diagram, const std::string& output) {
         }
         if (next == nullptr) return {};
         if (!next->isEffect) return next->className;
-        // through the effect to what it takes its signal from
+        // through the effect to its other side
         std::string onward;
         for (const Wire& w : diagram.wires)
             for (const std::string& end : {w.from, w.to})
@@ -37,14 +37,16 @@ std::string sourceOf(const Diagram& diagram, const std::string& output) {
 std::vector<EffectPlace> likePlaces(const Variant& variant, const PlacedEffect& placed,
                                     const std::vector<EffectClass>& catalogue) {
     std::vector<EffectPlace> like;
-    if (placed.effect.signalSide != "output") return like;
-    Outcome<Diagram> diagram = readDiagram(variant.task.library, variant.task.className);
-    Outcome<std::vector<Candidate>> candidates = candidatesFor(variant, catalogue);
-    if (!diagram || !candidates) return like;
-    const std::string source = sourceOf(*diagram, placed.place.connector);
-    if (source.empty()) return like;
+    if (placed.effect.signalSide.empty()) return like;
+    Diagram diagram;
+    const Outcome<ModelNodes> nodes = nodesOf(variant, diagram);
+    const Outcome<std::vector<Candidate>> candidates = candidatesFor(variant, catalogue);
+    if (!nodes || !candidates) return like;
+    const std::string behind = blockBehind(diagram, placed.place.connector);
+    if (behind.empty()) return like;
     for (const Candidate& c : *candidates)
-        if (c.effect.className == placed.effect.className && sourceOf(*diagram, c.place.connector) == source)
+        if (c.effect.className == placed.effect.className && blockBehind(diagram, c.place.connector) == behind &&
+            nodes->unitAt(c.place) == nodes->unitAt(placed.place))
             like.push_back(c.place);
     return like;
 }

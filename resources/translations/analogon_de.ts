@@ -4270,6 +4270,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>{} steht an {} und {} mit einem gemeinsamen Satz Parameter: Die Sensoren sind gleich, und die Daten unterscheiden sie nicht</translation>
     </message>
     <message>
+        <source>{} stands at {} and {} with one set of parameters: they feed equal blocks, and the data do not tell them apart</source>
+        <translation>{} steht an {} und {} mit einem gemeinsamen Satz Parameter: Dahinter liegen gleiche Blöcke, und die Daten unterscheiden sie nicht</translation>
+    </message>
+    <message>
         <source>the condition seems to have changed in mid run: {} at about {:.4g} s</source>
         <translation>der Zustand scheint sich während des Laufs geändert zu haben: {} bei etwa {} s</translation>
     </message>
@@ -6282,8 +6286,8 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>ein Gesetz für den Rest</translation>
     </message>
     <message>
-        <source>{} at every sensor like {}</source>
-        <translation>{} an jedem Sensor wie {}</translation>
+        <source>{} at every channel like {}</source>
+        <translation>{} an jedem Kanal wie {}</translation>
     </message>
     <message>
         <source>{} at {}</source>

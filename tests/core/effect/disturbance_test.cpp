@@ -162,6 +162,30 @@ TEST_F(TwoSensors, AreNotToBlameWhileTheOtherIsUnexplained) {
     EXPECT_EQ(placeOf(50 * levels(170), 10 * levels(5)), "body.port");
 }
 
+TEST_F(TwoSensors, AreDisturbedAtEveryPlaceThatShowsIt) {
+    const auto random = [&] {  // a flow as it may be, each piece straight
+        const Eigen::VectorXd white = noise();
+        Eigen::VectorXd pieceByPiece(pieces + 1);
+        double x = 0;
+        for (int j = 0; j <= pieces; ++j) pieceByPiece[j] = x = 0.8 * x + 0.6 * white[j];
+        return pieceByPiece;
+    };
+    const Eigen::VectorXd flow = responses() * (20 * random()), error = responses() * (10 * random());
+    Disturbance one = disturbance();
+    one.settle(stacked(flow + noise(), through(flow) + noise()));
+    EXPECT_TRUE(one.settledPlaces().empty()) << "one flow accounts for all";
+
+    const Eigen::VectorXd both = stacked(flow + noise(), through(flow) + error + noise());
+    Disturbance two = disturbance();
+    const Disturbance::Metric alone = two.likeliest(both);
+    EXPECT_LT(two.independentShare(both, alone), 0.5);
+    two.settle(both);
+    const Disturbance::Metric beside = two.likeliest(both);
+    EXPECT_EQ(two.settledPlaces().size(), 1u);
+    EXPECT_LT(beside.misfit, alone.misfit - 100);
+    EXPECT_GT(two.independentShare(both, beside), 0.8);
+}
+
 /// A body that is heated in steps and cools to 300 K, in a draught.
 class BodyInADraught : public testing::Test {
 protected:

@@ -60,6 +60,52 @@ TEST(Twin, StandsAtTheOutputsOfEqualSensorsAlone) {
     EXPECT_EQ(like[1].at, "output T2");
 }
 
+TEST(Twin, StandsAtTheInputsOfOneUnitThatFeedEqualBlocks) {
+    const Variant variant{taskOf(R"(model Board
+  Analogon.Interfaces.RealInput duty1(unit="1");
+  Analogon.Interfaces.RealInput duty2(unit="1");
+  Analogon.Interfaces.RealInput T_room(unit="K");
+  Analogon.Interfaces.RealInput P(unit="W");
+  Analogon.Interfaces.RealOutput T(unit="K");
+  Analogon.Signals.Gain power1(k=2);
+  Analogon.Signals.Gain power2(k=3);
+  Analogon.Signals.Gain scaled(k=1);
+  Analogon.Sources.PrescribedHeatFlow heater1;
+  Analogon.Sources.PrescribedHeatFlow heater2;
+  Analogon.Sources.PrescribedHeatFlow heater3;
+  Analogon.Sources.PrescribedTemperature room;
+  Analogon.Thermal.HeatCapacitor body(C=4);
+  Analogon.Thermal.ThermalConductor loss(G=0.1);
+  Analogon.Sensors.TemperatureSensor sensor;
+equation
+  connect(duty1, power1.u);
+  connect(duty2, power2.u);
+  connect(T_room, scaled.u);
+  connect(power1.y, heater1.Q_flow);
+  connect(power2.y, heater2.Q_flow);
+  connect(P, heater3.Q_flow);
+  connect(scaled.y, room.T);
+  connect(heater1.port, body.port);
+  connect(heater2.port, body.port);
+  connect(heater3.port, body.port);
+  connect(body.port, loss.port_a);
+  connect(loss.port_b, room.port);
+  connect(body.port, sensor.port);
+  connect(sensor.T, T);
+end Board;
+)"),
+                          {},
+                          {}};
+    const Outcome<std::vector<EffectClass>> catalogue = effectCatalogue(variant.task.library);
+    ASSERT_TRUE(catalogue);
+    PlacedEffect lag;
+    for (const EffectClass& e : *catalogue)
+        if (e.kind == "actuator.lag") lag = {e, {"input duty1", "duty1", "", ""}, "lag", "", {}, {}};
+    std::vector<std::string> at;
+    for (const EffectPlace& p : likePlaces(variant, lag, *catalogue)) at.push_back(p.at);
+    EXPECT_EQ(at, (std::vector<std::string>{"input duty1", "input duty2"}));
+}
+
 TEST(Twin, HasTheParametersOfTheFirst) {
     const Variant base{taskOf(board), {}, {}};
     const Outcome<std::vector<EffectClass>> catalogue = effectCatalogue(base.task.library);
