@@ -673,6 +673,17 @@ TEST_F(Compose, SaysWhyConnectorsDoNotFit) {
     QTest::mouseMove(view, (from + to) / 2);
     QTest::mouseMove(view, to);
     grab("refused");
+    const QImage picture = view->grab().toImage();
+    int reddish = 0, dark = 0;  // where the wire leaves the port: red is the colour of heat
+    const QRect way(from - QPoint(30, 4), from + QPoint(-8, 30));
+    for (int y = way.top(); y <= way.bottom(); ++y)
+        for (int x = way.left(); x <= way.right(); ++x) {
+            const QColor c = picture.pixelColor(x, y);
+            reddish += c.red() > c.green() + 60 ? 1 : 0;
+            dark += c.lightness() < 160 ? 1 : 0;
+        }
+    EXPECT_EQ(reddish, 0);
+    EXPECT_GT(dark, 20) << "it is drawn";
     QTest::mouseRelease(view, Qt::LeftButton, {}, to);
     EXPECT_TRUE(document().diagram().wires.empty());
 }

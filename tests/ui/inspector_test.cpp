@@ -15,6 +15,7 @@
 #include "ui/inspector/parameter_panel.hpp"
 #include "ui/inspector/prior_text.hpp"
 #include "ui/measurement/measurement_panel.hpp"
+#include "ui/style/style.hpp"
 #include "ui/window/compose_actions.hpp"
 #include "ui/window/main_window.hpp"
 
@@ -121,6 +122,26 @@ TEST_F(Inspector, KeepsEveryDigitOfABoundWhoseEditorWasOnlyOpened) {
     EXPECT_FALSE(model()->setData(min, min.data(Qt::EditRole), Qt::EditRole));
     EXPECT_EQ(document().study().parameters.at("heater.R").min, 0.123456789);
     EXPECT_EQ(document().undoStack().count(), steps);
+}
+
+TEST_F(Inspector, ShowsAValueAtItsBoundFromAfar) {
+    StudyParameter setting = document().study().parameters.at("heater.R");
+    setting.min = 2.9;
+    document().setStudyParameter("heater.R", setting, "bound");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().before() != nullptr; }, 20000));
+    window.controller().start(RunKind::Fit);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.controller().isRunning(); }, 60000));
+    QTableView* table = window.findChild<ParameterPanel*>()->table();
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return at("heater.R", ParameterModel::Bounds).data(ParameterModel::AtBoundRole).toBool(); }, 5000));
+    table->clearSelection();
+    const QRect cell = table->visualRect(at("heater.R", ParameterModel::Bounds));
+    const QImage picture = table->viewport()->grab(cell).toImage();
+    const QColor wanted = style::caution(table->palette());
+    int seen = 0;  // [px]
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x) seen += picture.pixelColor(x, y) == wanted ? 1 : 0;
+    EXPECT_GE(seen, 60);
 }
 
 TEST_F(Inspector, TakesTheClockOfALoggerAndListsWhatTheFitFinds) {

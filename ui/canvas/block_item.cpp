@@ -6,6 +6,7 @@
 #include <QPaintEngine>
 #include <QPainter>
 #include <QStyleOptionGraphicsItem>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/canvas/icon_painter.hpp"
@@ -21,8 +22,15 @@ QRectF coordinatesRect(const Extent& e) {
     return QRectF(QPointF(e.p1.x, e.p1.y), QPointF(e.p2.x, e.p2.y)).normalized();
 }
 
-constexpr double nameScale = 0.9;  // of the view's font
-constexpr double sideGap = 3;      // [diagram units] between the middle of a block and a text beside it
+/// Names are a little smaller than the view's font, and smaller still in a diagram that is seen from afar.
+QFont nameFont(QFont font, double zoom) {
+    font.setPointSizeF(font.pointSizeF() * 0.9 * std::clamp(zoom / 0.9, 0.8, 1.0));
+    return font;
+}
+
+double zoomOf(const QTransform& toView) { return std::sqrt(std::abs(toView.determinant())); }
+
+constexpr double sideGap = 3;  // [diagram units] between the middle of a block and a text beside it
 
 /// The values a block was given, rounded for reading; the first few.
 QStringList valueLines(const Block& block) {
@@ -183,7 +191,7 @@ QRectF BlockItem::nameLine(const QTransform& toView, const QFont& font) const {
 }
 
 QRectF BlockItem::nameRect(const QTransform& toView, QFont font) const {
-    font.setPointSizeF(font.pointSizeF() * nameScale);
+    font = nameFont(font, zoomOf(toView));
     return QFontMetricsF(font).boundingRect(nameLine(toView, font), labelAlignment(),
                                             QString::fromStdString(block_.name));
 }
@@ -196,12 +204,11 @@ int BlockItem::labelAlignment() const {
 
 void BlockItem::paintName(QPainter& painter, const QPalette& palette) const {
     const QTransform world = painter.worldTransform();
-    const double zoom = std::sqrt(std::abs(world.determinant()));
+    const double zoom = zoomOf(world);
     if (zoom < leastZoomWithNames) return;
     painter.save();
     painter.resetTransform();
-    QFont font = painter.font();
-    font.setPointSizeF(font.pointSizeF() * nameScale);
+    const QFont font = nameFont(painter.font(), zoom);
     painter.setFont(font);
     const QRectF box = nameLine(world, font);
     const QColor ink = block_.isResolved ? style::mix(palette.color(QPalette::Text), style::canvas(palette), 0.2)

@@ -12,7 +12,7 @@ namespace analogon::ui {
 class BlockItem : public QGraphicsItem {
 public:
     enum { Type = UserType + 1 };
-    static constexpr double leastZoomWithNames = 0.9;  // [px per diagram unit] else too many in too little room
+    static constexpr double leastZoomWithNames = 0.7;  // [px per diagram unit] else too many in too little room
     explicit BlockItem(const Block& block);
 
     const Block& block() const { return block_; }

@@ -63,14 +63,21 @@ public:
             painter.drawEllipse(end.at, 8 * pixel, 8 * pixel);
         }
         const bool isRefused = target_ && !target_->refusal.isEmpty();
-        painter.setPen(QPen(isRefused ? fault : accent, 2 * pixel, isRefused ? Qt::DashLine : Qt::SolidLine,
-                            Qt::RoundCap, Qt::RoundJoin));
+        // a refused wire is grey: red is the colour of heat
+        painter.setPen(QPen(isRefused ? style::mutedText(palette) : accent, 2 * pixel,
+                            isRefused ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
         painter.setBrush(Qt::NoBrush);
         QPolygonF line;
         for (const Point p : way_) line << toScene(p);
         painter.drawPolyline(line);
         if (!target_) return;
-        painter.drawEllipse(target_->at, 11 * pixel, 11 * pixel);
+        const double radius = 11 * pixel;
+        if (isRefused) {
+            painter.setPen(QPen(fault, 2.5 * pixel));
+            const QPointF slant = QPointF(radius, radius) * std::sqrt(0.5);
+            painter.drawLine(target_->at - slant, target_->at + slant);
+        }
+        painter.drawEllipse(target_->at, radius, radius);
         if (isRefused) view_.paintNote(painter, target_->at, target_->refusal, fault);
     }
 

@@ -46,15 +46,20 @@ public:
         const auto x = [&](int i) { return track.left() + at[i].toDouble() * track.width(); };
         painter->save();
         painter->setRenderHint(QPainter::Antialiasing);
-        painter->setPen(QPen(style::mix(ground, ink, 0.35), 2, Qt::SolidLine, Qt::RoundCap));
+        painter->setPen(QPen(style::mix(ground, ink, 0.5), 2, Qt::SolidLine, Qt::RoundCap));
         painter->drawLine(QPointF(track.left(), middle), QPointF(track.right(), middle));
         painter->setPen(QPen(style::mix(ground, ink, 0.6), 5, Qt::SolidLine, Qt::FlatCap));
         // at a bound the error says nothing
         if (!isAtBound && at[2].toDouble() > at[1].toDouble())
             painter->drawLine(QPointF(x(1), middle), QPointF(x(2), middle));
+        if (isAtBound) {  // a stop that the value leans on
+            painter->setPen(QPen(ink, 2.5, Qt::SolidLine, Qt::FlatCap));
+            painter->drawLine(QPointF(x(0), track.top() + style::unit), QPointF(x(0), track.bottom() - style::unit));
+        }
         painter->setPen(Qt::NoPen);
         painter->setBrush(ink);
-        painter->drawEllipse(QPointF(x(0), middle), 3.5, 3.5);
+        const double radius = isAtBound ? 4.5 : 3.5;
+        painter->drawEllipse(QPointF(x(0), middle), radius, radius);
         painter->restore();
     }
 

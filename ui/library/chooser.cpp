@@ -43,9 +43,9 @@ Chooser::Chooser(QWidget* parent)
 
 void Chooser::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    painter.fillRect(rect(), palette().color(QPalette::Window));
-    painter.setPen(style::mix(palette().color(QPalette::Window), style::accent(palette()), 0.6));
-    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    // filled, not drawn: between whole scales a line at the edge is cut
+    painter.fillRect(rect(), style::mix(palette().color(QPalette::Window), style::accent(palette()), 0.6));
+    painter.fillRect(rect().adjusted(1, 1, -1, -1), palette().color(QPalette::Window));
 }
 
 void Chooser::place() {

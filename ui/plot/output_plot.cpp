@@ -100,6 +100,15 @@ OutputPlot::OutputPlot(QWidget* parent)
     }
 }
 
+void OutputPlot::fitInto(int height) {
+    const int whole =
+        layout()->itemAt(0)->minimumSize().height() + values_->minimumHeight() + residual_->minimumHeight();
+    const bool isWhole = height >= whole;
+    if (isWhole != residual_->QWidget::isHidden()) return;
+    residual_->setHidden(!isWhole);
+    values_->setTimeLabels(!isWhole);
+}
+
 void OutputPlot::setLegend(TraceRole role, const QString& text) {
     for (LegendEntry* entry : legend_) {
         if (entry->role() != role) continue;

@@ -66,6 +66,7 @@ PlotPanel::PlotPanel(Document& document, QWidget* parent)
     area_->setWidget(body);
     area_->setWidgetResizable(true);
     area_->setFrameShape(QFrame::NoFrame);
+    area_->viewport()->installEventFilter(this);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -122,6 +123,12 @@ QSize PlotPanel::minimumSizeHint() const {
 void PlotPanel::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     arrangeBar();
+}
+
+bool PlotPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == area_->viewport() && event->type() == QEvent::Resize)
+        for (OutputPlot* plot : plots_) plot->fitInto(area_->viewport()->height());
+    return QWidget::eventFilter(watched, event);
 }
 
 /// Where tabs and buttons have no room side by side, the buttons stand below.
@@ -201,6 +208,7 @@ void PlotPanel::rebuild() {
         connect(plot, &OutputPlot::pointedAt, this, &PlotPanel::pointAt);
         connect(plot, &OutputPlot::pointerLeft, this, &PlotPanel::leave);
         column_->addWidget(plot, 1);
+        plot->fitInto(area_->viewport()->height());
         plot->setVisible(!isResidualView_);
         plots_.push_back(plot);
     }

@@ -51,6 +51,7 @@ Q_SIGNALS:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void refresh();
@@ -112,6 +113,8 @@ public:
     void pointAt(std::optional<double> time);
     void setMarks(const std::vector<double>& times);
     const Content& content() const { return content_; }
+    /// Where there is no room for both, the residual gives way; the values then carry the time axis.
+    void fitInto(int height);
 
     TimePlot* values() const { return values_; }
     TimePlot* residual() const { return residual_; }

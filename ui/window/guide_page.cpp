@@ -55,6 +55,10 @@ protected:
         room.fill(Qt::transparent);
         return shown(room);
     }
+    void changeEvent(QEvent* event) override {
+        QTextBrowser::changeEvent(event);
+        if (event->type() == QEvent::PaletteChange && shown_) resized_.start(0);
+    }
     void resizeEvent(QResizeEvent* event) override {
         QTextBrowser::resizeEvent(event);
         constexpr int worthIt = 24;  // [px]
@@ -67,7 +71,12 @@ private:
         const int column = std::max(40, std::min(760, viewport()->width() - 16 * style::unit));
         return static_cast<int>(column * devicePixelRatioF());
     }
-    static QString fileOf(const QUrl& name) { return QFileInfo(guideFile()).dir().filePath(name.path()); }
+    /// The picture in the look of the window, where there is one.
+    QString fileOf(const QUrl& name) const {
+        const QString file = QFileInfo(guideFile()).dir().filePath(name.path());
+        const QString dark = QString(file).replace(QStringLiteral(".png"), QStringLiteral("-dark.png"));
+        return style::isDark(palette()) && QFileInfo::exists(dark) ? dark : file;
+    }
     QImage shown(QImage picture) const {
         picture.setDevicePixelRatio(devicePixelRatioF());
         return picture;
