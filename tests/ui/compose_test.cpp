@@ -431,6 +431,30 @@ TEST_F(Compose, MovesTurnsCopiesAndDeletesInStepsThatUndo) {
     EXPECT_EQ(document().modelText(), end);
 }
 
+TEST_F(Compose, AlignsASelectionInOneStep) {
+    startNew();
+    drag("Analogon.Thermal.HeatCapacitor", {-40, 20});
+    drag("Analogon.Thermal.ThermalConductor", {20, 0});
+    drag("Analogon.Thermal.HeatCapacitor", {50, -40});
+    const QString start = document().modelText();
+    dragOnDiagram(pixel({-90, 70}), pixel({90, -80}));  // rubber band over all
+    ASSERT_EQ(panel<DiagramScene>()->selection().blocks.size(), 3u);
+    QAction* align = nullptr;
+    for (QAction* action : window.findChildren<QAction*>())
+        if (action->text() == "Align left") align = action;
+    ASSERT_TRUE(align);
+    align->trigger();
+    std::vector<double> left;
+    for (const Block& block : document().diagram().blocks) {
+        const Extent& e = block.placement.extent;
+        left.push_back(block.placement.origin.x + std::min(e.p1.x, e.p2.x));
+    }
+    EXPECT_EQ(left, std::vector<double>(3, left.front()));
+    EXPECT_NE(document().modelText(), start);
+    document().undoStack().undo();
+    EXPECT_EQ(document().modelText(), start) << "one step";
+}
+
 /// The lambda sensor with its heater and element as one block: the same equations, so the same traces.
 TEST_F(Compose, GroupsASelectionIntoAModelThatSimulatesTheSame) {
     window.open(ANALOGON_ROOT "/examples/lambda-sensor-heating");

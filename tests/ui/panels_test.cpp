@@ -309,6 +309,14 @@ TEST_F(Panels, ReachesAndReadsThePlotsWithTheKeyboardAlone) {
     QTest::keyClick(values, Qt::Key_Return);
     ASSERT_EQ(marks.size(), 2u);
     EXPECT_NEAR(marks[1] - marks[0], 0.01 * 0.8 * 180, 1e-6);
+    QEvent away(QEvent::Leave);
+    QCoreApplication::sendEvent(values, &away);
+    QStringList told;  // the differences between the two marks
+    for (const QLabel* label : plots->plots().front()->findChildren<QLabel*>())
+        if (label->text().startsWith(QStringLiteral("Δ "))) told << label->text();
+    ASSERT_EQ(told.size(), 1);
+    EXPECT_TRUE(told.front().startsWith(QStringLiteral("Δ 1.4")) && told.front().count(QStringLiteral("Δ")) == 3)
+        << told.front().toStdString();
     QTest::keyClick(&window, Qt::Key_0, Qt::ControlModifier);
     EXPECT_EQ(QApplication::focusWidget(), window.findChild<DiagramView*>());
 }
