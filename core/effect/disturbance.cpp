@@ -42,14 +42,16 @@ Disturbance::Disturbance(const NullModel& model, const SimulationOptions& simula
 
 Disturbance::Disturbance(std::vector<ResidualChannel> channels, std::vector<FlowResponse> responses, int pieces)
     : channels_(std::move(channels)), responses_(std::move(responses)), pieces_(pieces) {
-    findSources();
+    if (!responses_.empty()) settled_.root.resize(responses_.front().columns.rows(), 0);
+    settled_.sources = sourcesBeside();
 }
 
-void Disturbance::findSources() {
-    sources_.clear();
+std::vector<Disturbance::Source> Disturbance::sourcesBeside() const {
+    std::vector<Source> sources;
     const Eigen::Index count = pieces_ + 1;
     for (std::size_t i = 0; i < responses_.size(); ++i) {
-        if (std::any_of(settled_.begin(), settled_.end(), [&](const Flow& f) { return f.response == i; })) continue;
+        const auto isHere = [&](const Flow& f) { return f.response == i; };
+        if (std::any_of(settled_.flows.begin(), settled_.flows.end(), isHere)) continue;
         const Eigen::MatrixXd& columns = responses_[i].columns;
         const Eigen::MatrixXd squares = columns.transpose() * besideSettled(columns);
         for (std::size_t c = 0; c < std::size(correlations); ++c) {
@@ -58,79 +60,70 @@ void Disturbance::findSources() {
             for (Eigen::Index k = 0; k + count <= roots.cols(); k += count) roots.block(k, k, count, count) = root;
             const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(roots.transpose() * squares * roots);
             if (!(eigen.eigenvalues().maxCoeff() > 0)) continue;
-            sources_.push_back({i, c, roots * eigen.eigenvectors(), eigen.eigenvalues().cwiseMax(0)});
+            sources.push_back({i, c, roots * eigen.eigenvectors(), eigen.eigenvalues().cwiseMax(0)});
         }
     }
+    return sources;
 }
 
 Eigen::MatrixXd Disturbance::besideSettled(const Eigen::MatrixXd& columns) const {
-    if (settled_.empty()) return columns;
-    return columns - settledRoot_ * (settledRoot_.transpose() * columns);
+    if (settled_.flows.empty()) return columns;
+    return columns - settled_.root * (settled_.root.transpose() * columns);
 }
 
 Disturbance::Flow Disturbance::flowOf(const Metric& metric) const {
     return {sourceOf(metric).response, sourceOf(metric).correlation, metric.variance};
 }
 
-/// One flow more, of those that can still be sought.
-void Disturbance::settle(const Flow& flow) {
-    const auto source = std::find_if(sources_.begin(), sources_.end(), [&](const Source& s) {
+/// Settles one flow more, of those that can still be sought.
+void Disturbance::add(const Flow& flow) {
+    const auto source = std::find_if(settled_.sources.begin(), settled_.sources.end(), [&](const Source& s) {
         return s.response == flow.response && s.correlation == flow.correlation;
     });
-    if (source == sources_.end()) return;
+    if (source == settled_.sources.end()) return;
     // (B + q A C A')^-1 = B^-1 - B^-1 A T q/(1 + q s) T' A' B^-1 where T turns A' B^-1 A into its diagonal s
     const Eigen::MatrixXd more = besideSettled(responses_[flow.response].columns) * source->turn *
                                  source->part(flow.variance).cwiseSqrt().asDiagonal();
-    Eigen::MatrixXd root(more.rows(), settledRoot_.cols() + more.cols());
-    root << settledRoot_, more;
-    settledRoot_ = std::move(root);
-    settledSpread_ += source->spread(flow.variance);
-    settled_.push_back(flow);
-    findSources();
-}
-
-void Disturbance::settle(const std::vector<Flow>& flows) {
-    settled_.clear();
-    settledRoot_.resize(channels_.empty() ? 0 : responses_.front().columns.rows(), 0);
-    settledSpread_ = 0;
-    findSources();
-    for (const Flow& f : flows) settle(f);
+    Eigen::MatrixXd root(more.rows(), settled_.root.cols() + more.cols());
+    root << settled_.root, more;
+    settled_.root = std::move(root);
+    settled_.spread += source->spread(flow.variance);
+    settled_.flows.push_back(flow);
+    settled_.sources = sourcesBeside();
 }
 
 void Disturbance::settle(const Eigen::VectorXd& residuals, std::size_t most) {
-    most = std::min(most, responses_.size());
-    if (most < 2) return;
-    settle(std::vector<Flow>());
-    std::vector<Flow> flows;
+    const Settled none = settled_;
     Metric best = likeliest(residuals);
-    while (best.source >= 0 && flows.size() + 1 < most) {
-        const std::vector<Flow> before = flows;
-        flows.push_back(flowOf(best));
-        settle(flows);
+    while (best.source >= 0 && settled_.flows.size() + 1 < std::min(most, responses_.size())) {
+        Settled before = settled_;
+        add(flowOf(best));
         Metric next = likeliest(residuals);
         if (next.source < 0 || !(next.misfit < best.misfit - leastOfAPlace)) {
-            settle(before);
+            settled_ = std::move(before);
             return;
         }
         // each was found beside fewer than there are now
-        for (std::size_t i = 0; i < flows.size(); ++i) {
-            std::vector<Flow> others = flows;
-            others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-            others.push_back(flowOf(next));
-            settle(others);
+        for (std::size_t count = settled_.flows.size(), i = 0; i < count; ++i) {
+            std::vector<Flow> flows(settled_.flows.begin() + 1, settled_.flows.end());
+            flows.push_back(flowOf(next));
+            Settled now = std::move(settled_);
+            settled_ = none;
+            for (const Flow& f : flows) add(f);
             const Metric again = likeliest(residuals);
-            if (again.source < 0) break;
-            flows = others;
+            if (again.source < 0) {
+                settled_ = std::move(now);
+                break;
+            }
             next = again;
         }
-        settle(flows);
         best = next;
     }
 }
 
 std::set<std::string> Disturbance::settledPlaces() const {
     std::set<std::string> places;
-    for (const Flow& f : settled_) places.insert(responses_[f.response].place);
+    for (const Flow& f : settled_.flows) places.insert(responses_[f.response].place);
     return places;
 }
 
@@ -180,9 +173,9 @@ void Disturbance::visit(const Eigen::MatrixXd& both, const Visit& each) const {
     const Eigen::MatrixXd plain = both.transpose() * weighed;
     each(Metric{}, plain);
     Eigen::MatrixXd pieces;
-    for (std::size_t s = 0; s < sources_.size(); ++s) {
-        const Source& source = sources_[s];
-        if (s == 0 || source.response != sources_[s - 1].response)
+    for (std::size_t s = 0; s < settled_.sources.size(); ++s) {
+        const Source& source = settled_.sources[s];
+        if (s == 0 || source.response != settled_.sources[s - 1].response)
             pieces = responses_[source.response].columns.transpose() * weighed;
         const Eigen::MatrixXd onto = source.turn.transpose() * pieces;
         Metric metric{static_cast<int>(s), leastVariance / source.squares.maxCoeff()};
@@ -206,7 +199,7 @@ double Disturbance::misfit(const Eigen::MatrixXd& products, const Metric& metric
     double sumOfSquares = products(0, 0);
     if (products.cols() > 1) sumOfSquares += products.col(0).tail(products.cols() - 1).dot(follow(products, 0));
     const double spread = metric.source < 0 ? 0 : sourceOf(metric).spread(metric.variance);
-    return misfitOf(sumOfSquares, rows) + settledSpread_ + spread;
+    return misfitOf(sumOfSquares, rows) + settled_.spread + spread;
 }
 
 Disturbance::Metric Disturbance::leastMisfit(const Eigen::MatrixXd& both) const {

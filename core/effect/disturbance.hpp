@@ -70,14 +70,21 @@ private:
         std::size_t correlation{};
         double variance{};
     };
-    const Source& sourceOf(const Metric& metric) const { return sources_[static_cast<std::size_t>(metric.source)]; }
+    const Source& sourceOf(const Metric& metric) const {
+        return settled_.sources[static_cast<std::size_t>(metric.source)];
+    }
     Flow flowOf(const Metric& metric) const;
+    /// The flows that are settled, and what a further one is sought among.
+    struct Settled {
+        std::vector<Flow> flows;
+        Eigen::MatrixXd root;         // W of B^-1 = I - W W'; no columns: I
+        double spread{};              // ln of the determinant of B
+        std::vector<Source> sources;  // in the order of the responses, without those of the flows
+    };
     /// B^-1 of columns.
     Eigen::MatrixXd besideSettled(const Eigen::MatrixXd& columns) const;
-    /// The sources beside these flows.
-    void settle(const std::vector<Flow>& flows);
-    void settle(const Flow& flow);
-    void findSources();
+    std::vector<Source> sourcesBeside() const;
+    void add(const Flow& flow);
     /// Visits every metric: f(metric, products of the columns of `both` in it).
     template <class Visit>
     void visit(const Eigen::MatrixXd& both, const Visit& each) const;
@@ -90,10 +97,7 @@ private:
     std::vector<ResidualChannel> channels_;
     std::vector<FlowResponse> responses_;
     int pieces_{};
-    std::vector<Source> sources_;  // in the order of the responses
-    std::vector<Flow> settled_;
-    Eigen::MatrixXd settledRoot_;  // W of B^-1 = I - W W'; no columns: I
-    double settledSpread_{};       // ln of the determinant of B
+    Settled settled_;
 };
 
 /// The place whose disturbance is likeliest to have left the residual, where the parameters follow to first order: a
