@@ -414,6 +414,11 @@ Outcome<Finding> Search::run() {
                 phrase("what is left on output '{}' of '{}' is noise with a memory ({:.2g} s): it moves with nothing "
                        "that is recorded or simulated, and is taken for noise of the measurement",
                        n.output, n.experiment, n.memory));
+        for (const UnevenNoise& n : isNoiseAlone ? left.uneven : std::vector<UnevenNoise>())
+            finding.warnings.push_back(
+                phrase("the noise on output '{}' of '{}' comes and goes, by a factor of {:.2g}: in units of what it is "
+                       "near each sample, what is left there is noise",
+                       n.output, n.experiment, n.ratio));
         const bool isSmall = std::all_of(finding.remainders.begin(), finding.remainders.end(),
                                          [&](const Remainder& r) { return isWithinForms(r.evidence); });
         if (isSmall && proposed.empty() && !finding.remainders.empty()) {

@@ -214,13 +214,10 @@ struct Examined {
     bool isWhite{}, isNoise{};
 };
 
-}  // namespace
-
-Leftovers leftovers(const NullModel& null, const SimulationOptions& simulation) {
+/// `scale`: the units in which the residual of the model stands, one a row; empty: those of the noise throughout.
+Leftovers leftoversIn(const NullModel& null, const Eigen::VectorXd& scale, const PreparedTask& prepared,
+                      const std::vector<Regressor>& candidates) {
     Leftovers found;
-    Outcome<PreparedTask> prepared = prepareHeld(null.variant, {}, null.noise);
-    if (!prepared) return found;
-    const std::vector<Regressor> candidates = regressors(null, *prepared, simulation);
     const Complement complement(null.whitener(null.fit.optimum.jacobian));
     const Eigen::VectorXd white = complement(null.whitener(null.fit.optimum.residuals));
     const PatientTest patient(null);
@@ -240,6 +237,7 @@ Leftovers leftovers(const NullModel& null, const SimulationOptions& simulation) 
                 columns(row, static_cast<Eigen::Index>(j)) =
                     series[channel.samples[static_cast<std::size_t>(row - channel.begin)]] - mean;
         }
+        if (scale.size() > 0) columns = scale.asDiagonal() * columns;
         Examined e;
         e.channel = &channel;
         e.rest = complement(null.whitener(columns));
@@ -262,8 +260,8 @@ Leftovers leftovers(const NullModel& null, const SimulationOptions& simulation) 
     for (const Examined& e : examined) {
         if (e.isWhite && e.isNoise) continue;
         const ResidualChannel& channel = *e.channel;
-        const FitExperiment& experiment = prepared->problem.experiments[static_cast<std::size_t>(channel.experiment)];
-        const std::string& output = prepared->system->outputs()[static_cast<std::size_t>(channel.output)].name;
+        const FitExperiment& experiment = prepared.problem.experiments[static_cast<std::size_t>(channel.experiment)];
+        const std::string& output = prepared.system->outputs()[static_cast<std::size_t>(channel.output)].name;
         const int count = channel.end - channel.begin;
         if (isAllNoise) {
             const double span = experiment.inputs.time[static_cast<std::size_t>(channel.samples.back())] -
@@ -278,7 +276,7 @@ Leftovers leftovers(const NullModel& null, const SimulationOptions& simulation) 
         r.experiment = experiment.name;
         r.evidence =
             std::max(e.all.explained - dof * std::log(static_cast<double>(count)), -std::log(std::max(p, 1e-300)));
-        locate(null, *prepared, channel, r);
+        locate(null, prepared, channel, r);
         for (std::size_t j = 0; j < candidates.size(); ++j) {
             const Eigen::VectorXd c = e.rest.col(static_cast<Eigen::Index>(j));
             const double n = c.norm();
@@ -297,6 +295,41 @@ Leftovers leftovers(const NullModel& null, const SimulationOptions& simulation) 
     std::stable_sort(found.structure.begin(), found.structure.end(),
                      [](const Remainder& a, const Remainder& b) { return a.evidence > b.evidence; });
     return found;
+}
+
+/// One over the noise near each sample; empty where it is even on all channels.
+Eigen::VectorXd localScale(const NullModel& null, const PreparedTask& prepared, std::vector<UnevenNoise>& uneven) {
+    Eigen::VectorXd scale = Eigen::VectorXd::Ones(null.fit.optimum.residuals.size());
+    for (const ResidualChannel& c : null.channels) {
+        const Eigen::VectorXd local = localNoise(null.fit.optimum.residuals.segment(c.begin, c.end - c.begin));
+        if (local.size() == 0) continue;
+        scale.segment(c.begin, c.end - c.begin) = local.cwiseInverse();
+        uneven.push_back({prepared.system->outputs()[static_cast<std::size_t>(c.output)].name,
+                          prepared.problem.experiments[static_cast<std::size_t>(c.experiment)].name,
+                          local.maxCoeff() / local.minCoeff()});
+    }
+    return uneven.empty() ? Eigen::VectorXd() : scale;
+}
+
+}  // namespace
+
+Leftovers leftovers(const NullModel& null, const SimulationOptions& simulation) {
+    const Outcome<PreparedTask> prepared = prepareHeld(null.variant, {}, null.noise);
+    if (!prepared) return {};
+    const std::vector<Regressor> candidates = regressors(null, *prepared, simulation);
+    Leftovers found = leftoversIn(null, {}, *prepared, candidates);
+    if (found.structure.empty()) return found;
+    std::vector<UnevenNoise> uneven;
+    const Eigen::VectorXd scale = localScale(null, *prepared, uneven);
+    if (scale.size() == 0) return found;
+    NullModel even = null;
+    even.fit.optimum.residuals = scale.cwiseProduct(null.fit.optimum.residuals);
+    even.fit.optimum.jacobian = scale.asDiagonal() * null.fit.optimum.jacobian;
+    even.whitener = Whitener(even.channels, even.fit.optimum.residuals);
+    Leftovers within = leftoversIn(even, scale, *prepared, candidates);
+    if (!within.structure.empty()) return found;
+    within.uneven = std::move(uneven);
+    return within;
 }
 
 }  // namespace analogon

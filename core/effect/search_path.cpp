@@ -170,8 +170,7 @@ Search::Round Search::firstRound(NullModel& base) {
 /// Whether what is left is noise, of which a part has a memory; where a record is too short to tell, it is not.
 bool Search::isColouredNoise(const NullModel& null) const {
     if (isNoise(null)) return false;
-    const Leftovers left = leftovers(null, search_.fit.simulation);
-    return left.structure.empty() && !left.noise.empty();
+    return leftovers(null, search_.fit.simulation).isNoiseAlone();
 }
 
 /// Whether nothing is left to find: noise alone behind no more than so many named effects.

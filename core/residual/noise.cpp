@@ -131,6 +131,31 @@ double noiseFromDifferences(const Eigen::Ref<const Eigen::VectorXd>& signal) {
     return 0.0;
 }
 
+Eigen::VectorXd localNoise(const Eigen::Ref<const Eigen::VectorXd>& signal) {
+    constexpr Eigen::Index reach = 20, order = 3;  // samples to each side
+    constexpr double gain = 20, least = 0.05, mostEven = 2;
+    const Eigen::Index count = signal.size() - order;
+    if (count < 10 * reach || !signal.allFinite()) return {};
+    Eigen::VectorXd sums(count + 1);  // of the squares before each difference
+    sums[0] = 0;
+    for (Eigen::Index k = 0; k < count; ++k) {
+        const double moved = signal[k + 3] - 3 * signal[k + 2] + 3 * signal[k + 1] - signal[k];
+        sums[k + 1] = sums[k] + moved * moved;
+    }
+    const double smallest = least * std::sqrt(sums[count] / static_cast<double>(count) / gain);
+    if (!(smallest > 0)) return {};
+    Eigen::VectorXd local(signal.size());
+    for (Eigen::Index k = 0; k < signal.size(); ++k) {
+        const Eigen::Index from = std::clamp<Eigen::Index>(k - 1 - reach, 0, count - 1),
+                           to = std::clamp<Eigen::Index>(k - 1 + reach, 1, count);
+        local[k] = std::max(smallest, std::sqrt((sums[to] - sums[from]) / static_cast<double>(to - from) / gain));
+    }
+    Eigen::VectorXd sorted = local;
+    std::sort(sorted.begin(), sorted.end());
+    if (sorted[9 * sorted.size() / 10] < mostEven * sorted[sorted.size() / 10]) return {};
+    return local;
+}
+
 Eigen::VectorXd AutoregressiveModel::whiten(const Eigen::Ref<const Eigen::VectorXd>& signal) const {
     Eigen::VectorXd result = signal;
     const auto order = static_cast<Eigen::Index>(coefficients.size());
@@ -443,7 +468,12 @@ double coherenceProbability(const Eigen::Ref<const Eigen::VectorXd>& a, const Ei
 
 double channelNoise(const Eigen::Ref<const Eigen::VectorXd>& residual,
                     const Eigen::Ref<const Eigen::VectorXd>& measured) {
-    return std::max({noiseFromDifferences(residual), quantisationNoise(measured), 1e-6 * rangeOf(measured).width()});
+    // the bulk of noise that comes and goes is less than what it weighs; what is rounded off comes and goes, too
+    const double rounding = quantisationNoise(measured);
+    const Eigen::VectorXd local = rounding > 0 ? Eigen::VectorXd() : localNoise(residual);
+    const double white = local.size() > 0 ? std::sqrt(local.squaredNorm() / static_cast<double>(local.size()))
+                                          : noiseFromDifferences(residual);
+    return std::max({white, rounding, 1e-6 * rangeOf(measured).width()});
 }
 
 }  // namespace analogon

@@ -11,11 +11,16 @@ namespace analogon {
 /// nearly so; NaN samples are left out. Steps of the signal are outliers to the median.
 double noiseFromDifferences(const Eigen::Ref<const Eigen::VectorXd>& signal);
 
-/// Standard deviation of a channel's noise from what a model leaves of it and from the rounding of its values; at least
-/// a millionth of its range, since a recording that was simulated has none to speak of. `residual` and `measured`: the
-/// same samples.
+/// Standard deviation of a channel's noise from what a model leaves of it and from the rounding of its values, as a
+/// root mean square where it comes and goes; at least a millionth of its range, since a recording that was simulated
+/// has none to speak of. `residual` and `measured`: the same samples.
 double channelNoise(const Eigen::Ref<const Eigen::VectorXd>& residual,
                     const Eigen::Ref<const Eigen::VectorXd>& measured);
+
+/// The same near each sample, where noise comes and goes (a disturbed supply, stamps that jitter beside a signal that
+/// moves fast): root mean square of the third differences about it. Empty where the noise is as strong throughout as
+/// such short stretches can tell, and in short signals.
+Eigen::VectorXd localNoise(const Eigen::Ref<const Eigen::VectorXd>& signal);
 
 /// An autoregressive model e_k = sum a_i e_{k-i} + w_k, order by BIC (Burg's method).
 struct AutoregressiveModel {

@@ -6226,6 +6226,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>die Totzeit von {} s an {} beträgt das {}-Fache eines Abtastschritts ({} s): {}</translation>
     </message>
     <message>
+        <source>the noise on output '{}' of '{}' comes and goes, by a factor of {:.2g}: in units of what it is near each sample, what is left there is noise</source>
+        <translation>das Rauschen am Ausgang „{}“ von „{}“ kommt und geht, um das {}-Fache: Gemessen daran, wie stark es bei jedem Abtastwert ist, bleibt dort nur Rauschen übrig</translation>
+    </message>
+    <message>
         <source>what is left on output '{}' of '{}' is noise with a memory ({:.2g} s): it moves with nothing that is recorded or simulated, and is taken for noise of the measurement</source>
         <translation>was am Ausgang „{}“ von „{}“ übrig bleibt, ist Rauschen mit Gedächtnis ({} s): Es geht mit nichts einher, was aufgezeichnet oder simuliert ist, und wird für Rauschen der Messung genommen</translation>
     </message>

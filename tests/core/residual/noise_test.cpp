@@ -75,6 +75,35 @@ TEST(NoiseFromDifferences, AddsNoiseAndQuantisationOfTheSameSize) {
     EXPECT_NEAR(noiseFromDifferences(signal), expected, 0.05 * expected);
 }
 
+/// Four times as strong in every third stretch.
+Eigen::VectorXd burstyNoise(int count, unsigned seed) {
+    Eigen::VectorXd noise = gaussian(count, 1, seed);
+    for (int k = 0; k < count; ++k) noise[k] *= k / 300 % 3 == 1 ? 4 : 1;
+    return noise;
+}
+
+TEST(LocalNoise, FollowsNoiseThatComesAndGoesOverASlowSignal) {
+    const Eigen::VectorXd local = localNoise(slow(6000) + burstyNoise(6000, 3));
+    ASSERT_EQ(local.size(), 6000);
+    double quiet = 0, loud = 0;
+    for (int k = 0; k < 6000; ++k)
+        if (k % 300 > 50 && k % 300 < 250)
+            (k / 300 % 3 == 1 ? loud : quiet) += local[k] / (k / 300 % 3 == 1 ? 1393 : 2587);
+    EXPECT_NEAR(loud / quiet, 4, 0.3);
+}
+
+TEST(LocalNoise, IsEmptyWhereNoiseIsEven) {
+    for (unsigned seed = 1; seed <= 20; ++seed)
+        EXPECT_EQ(localNoise(slow(6000) + gaussian(6000, 0.2, seed)).size(), 0) << seed;
+    EXPECT_EQ(localNoise(Eigen::VectorXd::Zero(6000)).size(), 0);
+}
+
+TEST(ChannelNoise, IsTheRootMeanSquareOfWhatComesAndGoes) {
+    const Eigen::VectorXd noise = burstyNoise(6000, 5);
+    EXPECT_NEAR(channelNoise(noise, noise), noise.norm() / std::sqrt(6000.0), 0.1);
+    EXPECT_LT(noiseFromDifferences(noise), 0.7 * channelNoise(noise, noise));
+}
+
 TEST(Autoregressive, FindsOrderAndCoefficientsOfAKnownProcess) {
     const Eigen::VectorXd w = gaussian(20000, 0.5, 11);
     Eigen::VectorXd e = w;
