@@ -132,6 +132,10 @@ def judge(truth, report):
     elif truth["class"] == "outside":
         worse = row["before"] is not None and row["after"] is not None and row["after"] > 1.02 * row["before"]
         halved = row["before"] is not None and row["after"] is not None and row["after"] <= 0.5 * row["before"]
+        places = [at for h in truth["hidden"] for at in h.get("at", [])]
+        node = (report.get("remainder") or {}).get("node", "")
+        if places:  # a component stands for its connectors
+            row["node"] = bool(node) and any(at == node or at.startswith(node + ".") for at in places)
         row["right"] = halved or (row["finding"] in ("partial", "unexplained") and not worse)
     else:
         row["right"] = row["found"] == len(pairs) and row["extra"] == 0
@@ -196,11 +200,15 @@ def show(rows):
             print("  %-33s " % name + rate(hits, total))
     print("\nnothing in the library is missing: false alarms")
     for variant in ("", "coloured", "disturbed"):
-        some = [r for r in rows if r["class"] == "none" and r["variant"] == variant]
-        print("  %-25s" % (variant or "white noise") + rate(sum(r["alarm"] for r in some), len(some)))
-    outside = [r for r in rows if r["class"] == "outside"]
+        # a search that failed gave no alarm because it gave nothing
+        some = [r for r in rows if r["class"] == "none" and r["variant"] == variant and not r["failed"]]
+        print("  %-25s" % (variant or "white noise") + rate(sum(r["alarm"] for r in some), len(some)) +
+              ", of them right " + rate(sum(r["right"] for r in some), len(some)))
+    outside = [r for r in rows if r["class"] == "outside" and not r["failed"]]
     print("\noutside the library: judged honestly " + rate(sum(r["right"] for r in outside), len(outside)))
     print("  given a library name     " + rate(sum(bool(r.get("chosen")) for r in outside), len(outside)))
+    placed = [r for r in outside if "node" in r]
+    print("  its place is told        " + rate(sum(r["node"] for r in placed), len(placed)))
     print("\nvalidation error after / floor")
     print("  cases with an effect: " + spread([r.get("ratio") for r in effect]))
     print("  all found:            " + spread([r.get("ratio") for r in effect if r["right"]]))
