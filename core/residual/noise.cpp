@@ -468,12 +468,7 @@ double coherenceProbability(const Eigen::Ref<const Eigen::VectorXd>& a, const Ei
 
 double channelNoise(const Eigen::Ref<const Eigen::VectorXd>& residual,
                     const Eigen::Ref<const Eigen::VectorXd>& measured) {
-    // the bulk of noise that comes and goes is less than what it weighs; what is rounded off comes and goes, too
-    const double rounding = quantisationNoise(measured);
-    const Eigen::VectorXd local = rounding > 0 ? Eigen::VectorXd() : localNoise(residual);
-    const double white = local.size() > 0 ? std::sqrt(local.squaredNorm() / static_cast<double>(local.size()))
-                                          : noiseFromDifferences(residual);
-    return std::max({white, rounding, 1e-6 * rangeOf(measured).width()});
+    return std::max({noiseFromDifferences(residual), quantisationNoise(measured), 1e-6 * rangeOf(measured).width()});
 }
 
 }  // namespace analogon

@@ -11,9 +11,9 @@ namespace analogon {
 /// nearly so; NaN samples are left out. Steps of the signal are outliers to the median.
 double noiseFromDifferences(const Eigen::Ref<const Eigen::VectorXd>& signal);
 
-/// Standard deviation of a channel's noise from what a model leaves of it and from the rounding of its values, as a
-/// root mean square where it comes and goes; at least a millionth of its range, since a recording that was simulated
-/// has none to speak of. `residual` and `measured`: the same samples.
+/// Standard deviation of a channel's noise from what a model leaves of it and from the rounding of its values; at least
+/// a millionth of its range, since a recording that was simulated has none to speak of. `residual` and `measured`: the
+/// same samples.
 double channelNoise(const Eigen::Ref<const Eigen::VectorXd>& residual,
                     const Eigen::Ref<const Eigen::VectorXd>& measured);
 

@@ -98,12 +98,6 @@ TEST(LocalNoise, IsEmptyWhereNoiseIsEven) {
     EXPECT_EQ(localNoise(Eigen::VectorXd::Zero(6000)).size(), 0);
 }
 
-TEST(ChannelNoise, IsTheRootMeanSquareOfWhatComesAndGoes) {
-    const Eigen::VectorXd noise = burstyNoise(6000, 5);
-    EXPECT_NEAR(channelNoise(noise, noise), noise.norm() / std::sqrt(6000.0), 0.1);
-    EXPECT_LT(noiseFromDifferences(noise), 0.7 * channelNoise(noise, noise));
-}
-
 TEST(Autoregressive, FindsOrderAndCoefficientsOfAKnownProcess) {
     const Eigen::VectorXd w = gaussian(20000, 0.5, 11);
     Eigen::VectorXd e = w;
