@@ -902,20 +902,26 @@ TEST_F(Panels, TakesALongRecordingWithoutAStall) {
             o.simulated = o.measured.array() + 0.01;
         }
     }
-    // The work of this thread, and the fresh memory it asks for; what the kernel takes to find that memory differs
-    // tenfold between machines and says nothing of the window.
     const auto spent = [] {
         rusage usage{};
         getrusage(RUSAGE_THREAD, &usage);
         return usage;
     };
     const auto work = [](const rusage& from, const rusage& to) {  // [ms]
-        return 1e3 * static_cast<double>(to.ru_utime.tv_sec - from.ru_utime.tv_sec) +
-               1e-3 * static_cast<double>(to.ru_utime.tv_usec - from.ru_utime.tv_usec);
+        const auto each = [](const timeval& t) {
+            return 1e3 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_usec);
+        };
+        return each(to.ru_utime) - each(from.ru_utime) + each(to.ru_stime) - each(from.ru_stime);
     };
     const auto memory = [](const rusage& from, const rusage& to) {  // [MB]
         return static_cast<double>(to.ru_minflt - from.ru_minflt) * static_cast<double>(sysconf(_SC_PAGESIZE)) * 1e-6;
     };
+    // What fresh memory for the traces costs differs tenfold between machines and says nothing of the window.
+    const rusage before = spent();
+    std::vector<std::vector<double>> copies;
+    for (int i = 0; i < 8; ++i) copies.emplace_back(state.experiments.front().time);
+    const double price = work(before, spent());
+    copies.clear();
     rusage begin = spent();
     document().setSimulated(std::move(state));
     QCoreApplication::processEvents();
@@ -930,11 +936,11 @@ TEST_F(Panels, TakesALongRecordingWithoutAStall) {
     end = spent();
     const double changed = work(begin, end), freshAgain = memory(begin, end);
     std::cout << "traces of 1e6 samples arrive in " << arrived << " ms, another recording is shown in " << changed
-              << " ms; fresh memory " << fresh << " and " << freshAgain << " MB\n";
+              << " ms; fresh memory " << fresh << " and " << freshAgain << " MB, 64 MB cost " << price << " ms\n";
 #ifdef __SANITIZE_ADDRESS__
-    constexpr double limit = 200;  // [ms] every access is checked
+    const double limit = 200 + price;  // [ms] every access is checked
 #else
-    constexpr double limit = 50;
+    const double limit = 50 + price;
 #endif
     EXPECT_LT(arrived, limit) << "[ms]";
     EXPECT_LT(changed, limit) << "[ms]";
