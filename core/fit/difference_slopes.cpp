@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/memory.hpp"
+
 namespace analogon {
 namespace {
 
@@ -56,7 +58,7 @@ Linearisation lineariseByDifferences(const FitProblem& problem, const Eigen::Vec
     };
     const double signal = signalOf(problem);
     Eigen::VectorXd steps = visibleSteps(problem, values);
-    here.jacobian.resize(here.residuals.size(), values.size());
+    resizeLarge(here.jacobian, here.residuals.size(), values.size());
     for (Eigen::Index k = 0; k < values.size(); ++k) {
         const FitParameter& p = problem.parameters[static_cast<std::size_t>(k)];
         if (steps[k] == 0) {  // its bounds leave it no room

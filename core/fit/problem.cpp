@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 
+#include "core/base/memory.hpp"
 #include "core/base/parallel.hpp"
 #include "core/fit/clock.hpp"
 #include "core/fit/normal_equations.hpp"
@@ -144,8 +145,8 @@ public:
         for (const ClockAt& clock : clocks_)
             slopes_[static_cast<std::size_t>(clock.output)].resize(withJacobian ? columns.size() : 0,
                                                                    experiment.measured.cols());
-        outputs.setConstant(experiment.measured.rows(), experiment.measured.cols(),
-                            std::numeric_limits<double>::quiet_NaN());
+        resizeLarge(outputs, experiment.measured.rows(), experiment.measured.cols());
+        outputs.setConstant(std::numeric_limits<double>::quiet_NaN());
         for (Eigen::Index o = 0; o < experiment.measured.rows(); ++o) {
             if (!experiment.isFitted(o)) continue;
             Output output;
@@ -304,10 +305,11 @@ Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values
                         const Progress& progress) {
     Linearisation result;
     const Eigen::Index rows = problem.residualCount();
-    result.residuals.setConstant(rows, std::numeric_limits<double>::quiet_NaN());
+    resizeLarge(result.residuals, rows, 1);
+    result.residuals.setConstant(std::numeric_limits<double>::quiet_NaN());
     if (withJacobian) {
         const auto K = static_cast<Eigen::Index>(problem.parameters.size());
-        result.jacobian.resize(rows, K);
+        resizeLarge(result.jacobian, rows, K);
         // What acts in every experiment fills its column; a parameter of one leaves gaps.
         for (Eigen::Index k = 0; k < K; ++k)
             if (problem.parameters[static_cast<std::size_t>(k)].experiment >= 0 || !actsEverywhere(problem, k))

@@ -17,9 +17,9 @@ double noiseFromDifferences(const Eigen::Ref<const Eigen::VectorXd>& signal);
 double channelNoise(const Eigen::Ref<const Eigen::VectorXd>& residual,
                     const Eigen::Ref<const Eigen::VectorXd>& measured);
 
-/// The same near each sample, where noise comes and goes (a disturbed supply, stamps that jitter beside a signal that
-/// moves fast): root mean square of the third differences about it. Empty where the noise is as strong throughout as
-/// such short stretches can tell, and in short signals.
+/// Standard deviation of the noise near each sample, where it comes and goes (bursts of a disturbed supply, noise that
+/// grows with the reading): root mean square of the third differences about it. Empty where the noise is as strong
+/// throughout as such short stretches can tell, and in short signals.
 Eigen::VectorXd localNoise(const Eigen::Ref<const Eigen::VectorXd>& signal);
 
 /// An autoregressive model e_k = sum a_i e_{k-i} + w_k, order by BIC (Burg's method).

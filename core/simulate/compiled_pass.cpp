@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/memory.hpp"
 #include "core/simulate/grid.hpp"
 #include "core/simulate/step_method.hpp"
 
@@ -53,12 +54,12 @@ private:
         x_.resize(static_cast<std::size_t>(n_));
         dx_.resize(x_.size() * static_cast<std::size_t>(K_));
         for (std::vector<double>& u : u_) u.resize(static_cast<std::size_t>(shape.slots));
-        if (run_.keepStates) result_.states.resize(n_, count);
-        if (dynamics_.observedCount() > 0) result_.observed.resize(dynamics_.observedCount(), count);
+        if (run_.keepStates) resizeLarge(result_.states, n_, count);
+        if (dynamics_.observedCount() > 0) resizeLarge(result_.observed, dynamics_.observedCount(), count);
         if (run_.sink) return run_.sink->restart();
-        result_.outputs.resize(shape.outputs, count);
+        resizeLarge(result_.outputs, shape.outputs, count);
         result_.tangents.resize(K_ > 0 ? y_.size() : 0);
-        for (Eigen::MatrixXd& tangents : result_.tangents) tangents.resize(count, K_);
+        for (Eigen::MatrixXd& tangents : result_.tangents) resizeLarge(tangents, count, K_);
     }
 
     bool begin() {
@@ -136,7 +137,7 @@ private:
 
     /// Ended from outside after sample k.
     bool stop(int k, const char* reason) {
-        result_.leaveOpen(last_ - k);
+        if (!run_.isTrial || !progress_.stopRequested()) result_.leaveOpen(last_ - k);
         result_.failure = {true, time(k), {}, reason};
         return true;
     }

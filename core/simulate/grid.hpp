@@ -16,6 +16,7 @@ struct GridRun {
     const double* startState{};  // null: the model's consistent start
     bool keepStates{};
     SampleSink* sink{};  // null: all goes into the trajectory
+    bool isTrial{};      // nobody looks at it when cancelled: samples not reached are not even marked
 };
 
 /// One pass of the grid engine. Columns of the result are the samples first … last.

@@ -172,6 +172,7 @@ private:
         grid.last = window.last;
         grid.startState = window.state.empty() ? nullptr : window.state.data();
         grid.keepStates = keepStates;
+        grid.isTrial = true;
         return runGrid(dynamics_, inputs_, grid, limited_, progress_);
     }
 

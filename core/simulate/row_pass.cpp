@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/memory.hpp"
 #include "core/simulate/all_finite.hpp"
 #include "core/simulate/grid.hpp"
 #include "core/simulate/step_method.hpp"
@@ -199,11 +200,11 @@ private:
         dy_.resize(static_cast<std::size_t>(shape.outputs) * K);
         results_.resize(static_cast<std::size_t>(kMostRows + 1) * static_cast<std::size_t>(layout_.resultSize()));
         delivered_ = run_.first;
-        if (run_.keepStates) result_.states.resize(shape.states, count);
+        if (run_.keepStates) resizeLarge(result_.states, shape.states, count);
         if (run_.sink) return run_.sink->restart();
-        result_.outputs.resize(shape.outputs, count);
+        resizeLarge(result_.outputs, shape.outputs, count);
         result_.tangents.resize(K_ > 0 ? static_cast<std::size_t>(shape.outputs) : 0);
-        for (Eigen::MatrixXd& tangents : result_.tangents) tangents.resize(count, K_);
+        for (Eigen::MatrixXd& tangents : result_.tangents) resizeLarge(tangents, count, K_);
     }
 
     bool begin() {
@@ -330,7 +331,7 @@ private:
     /// Ended from outside before sample k.
     bool stop(int k, const char* reason) {
         deliver();
-        result_.leaveOpen(last_ - k + 1);
+        if (!run_.isTrial || !progress_.stopRequested()) result_.leaveOpen(last_ - k + 1);
         result_.failure = {true, time(k), {}, reason};
         return true;
     }

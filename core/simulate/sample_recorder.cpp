@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/memory.hpp"
+
 namespace analogon {
 
 SampleRecorder::SampleRecorder(Dynamics& dynamics, InputSlots& slots, const SampledInputs& inputs, int first, int last,
@@ -20,10 +22,11 @@ SampleRecorder::SampleRecorder(Dynamics& dynamics, InputSlots& slots, const Samp
     K_ = shape.directions;
     const int count = last - first + 1;
     const auto K = static_cast<std::size_t>(K_);
-    trajectory.outputs.resize(shape.outputs, count);
-    trajectory.tangents.assign(K_ > 0 ? static_cast<std::size_t>(shape.outputs) : 0, Eigen::MatrixXd(count, K_));
-    if (keepStates) trajectory.states.resize(n_, count);
-    if (dynamics.observedCount() > 0) trajectory.observed.resize(dynamics.observedCount(), count);
+    resizeLarge(trajectory.outputs, shape.outputs, count);
+    trajectory.tangents.resize(K_ > 0 ? static_cast<std::size_t>(shape.outputs) : 0);
+    for (Eigen::MatrixXd& tangents : trajectory.tangents) resizeLarge(tangents, count, K_);
+    if (keepStates) resizeLarge(trajectory.states, n_, count);
+    if (dynamics.observedCount() > 0) resizeLarge(trajectory.observed, dynamics.observedCount(), count);
     observed_.resize(static_cast<std::size_t>(dynamics.observedCount()));
 
     u_.resize(static_cast<std::size_t>(shape.slots));

@@ -1,0 +1,48 @@
+#include "core/base/memory.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace analogon {
+namespace {
+
+TEST(LargeMemory, IsThereForAnySizeAndAnyBeginning) {
+    constexpr std::size_t MB = 1 << 20;
+    std::vector<char> bytes(9 * MB, 'a');
+    for (const std::size_t first : {std::size_t{0}, std::size_t{1}, std::size_t{4097}})
+        for (const std::size_t count : {std::size_t{0}, std::size_t{1}, 4 * MB, 8 * MB})
+            useHugePages(bytes.data() + first, count);
+    EXPECT_EQ(std::count(bytes.begin(), bytes.end(), 'a'), 9 * MB) << "what stands there stays";
+}
+
+/// Of a matrix, only what resizeLarge() asks of it.
+struct Columns {
+    using Scalar = double;
+    std::ptrdiff_t rows() const { return rows_; }
+    std::ptrdiff_t cols() const { return columns_; }
+    std::ptrdiff_t size() const { return rows_ * columns_; }
+    double* data() { return values_.data(); }
+    void resize(std::ptrdiff_t rows, std::ptrdiff_t columns) {
+        rows_ = rows, columns_ = columns;
+        values_.assign(static_cast<std::size_t>(rows * columns), 0.0);
+    }
+    std::ptrdiff_t rows_{}, columns_{};
+    std::vector<double> values_;
+};
+
+TEST(LargeMemory, OfAMatrixIsMadeOnlyForAnotherSize) {
+    Columns matrix;
+    resizeLarge(matrix, 700'000, 2);
+    EXPECT_EQ(matrix.values_.size(), 1'400'000u);
+    matrix.values_[5] = 7.0;
+    resizeLarge(matrix, 700'000, 2);
+    EXPECT_EQ(matrix.values_[5], 7.0);
+    resizeLarge(matrix, 2, 700'000);
+    EXPECT_EQ(matrix.rows(), 2);
+    EXPECT_EQ(matrix.values_[5], 0.0);
+}
+
+}  // namespace
+}  // namespace analogon
