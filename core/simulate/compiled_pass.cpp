@@ -137,7 +137,7 @@ private:
 
     /// Ended from outside after sample k.
     bool stop(int k, const char* reason) {
-        if (!run_.isTrial || !progress_.stopRequested()) result_.leaveOpen(last_ - k);
+        if (run_.marksUnreached(progress_)) result_.leaveOpen(last_ - k);
         result_.failure = {true, time(k), {}, reason};
         return true;
     }

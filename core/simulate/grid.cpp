@@ -170,7 +170,7 @@ private:
     }
 
     void fail(int sample, double at, const char* reason) {
-        recorder_.abandon(std::min(sample, last_));
+        if (run_.marksUnreached(progress_)) recorder_.abandon(std::min(sample, last_));
         result_.failure = {true, at, dynamics_.failure(), reason};
         if (result_.failure.reason == "cancelled" || result_.failure.reason == "time limit") {
             result_.failure.variable.clear();

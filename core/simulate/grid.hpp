@@ -16,7 +16,10 @@ struct GridRun {
     const double* startState{};  // null: the model's consistent start
     bool keepStates{};
     SampleSink* sink{};  // null: all goes into the trajectory
-    bool isTrial{};      // nobody looks at it when cancelled: samples not reached are not even marked
+    bool isTrial{};      // nobody looks at it when it is cancelled
+
+    /// Whether samples that were not reached are marked: in a long record that costs more than what was simulated.
+    bool marksUnreached(const Progress& progress) const { return !isTrial || !progress.stopRequested(); }
 };
 
 /// One pass of the grid engine. Columns of the result are the samples first … last.

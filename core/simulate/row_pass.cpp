@@ -331,7 +331,7 @@ private:
     /// Ended from outside before sample k.
     bool stop(int k, const char* reason) {
         deliver();
-        if (!run_.isTrial || !progress_.stopRequested()) result_.leaveOpen(last_ - k + 1);
+        if (run_.marksUnreached(progress_)) result_.leaveOpen(last_ - k + 1);
         result_.failure = {true, time(k), {}, reason};
         return true;
     }

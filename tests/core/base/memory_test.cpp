@@ -3,6 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace analogon {
@@ -15,6 +22,31 @@ TEST(LargeMemory, IsThereForAnySizeAndAnyBeginning) {
         for (const std::size_t count : {std::size_t{0}, std::size_t{1}, 4 * MB, 8 * MB})
             useHugePages(bytes.data() + first, count);
     EXPECT_EQ(std::count(bytes.begin(), bytes.end(), 'a'), 9 * MB) << "what stands there stays";
+}
+
+/// Whether the mapping that holds this address asks for huge pages (proc(5), VmFlags); none where nobody can tell.
+std::optional<bool> asksForHugePages(const void* address) {
+    std::ifstream maps("/proc/self/smaps");
+    const auto at = reinterpret_cast<std::uintptr_t>(address);
+    bool isIn = false;
+    for (std::string line; std::getline(maps, line);) {
+        std::uintptr_t first{}, last{};
+        if (std::sscanf(line.c_str(), "%lx-%lx ", &first, &last) == 2) isIn = first <= at && at < last;
+        if (isIn && line.starts_with("VmFlags:")) return line.find(" hg") != std::string::npos;
+    }
+    return std::nullopt;
+}
+
+TEST(LargeMemory, AsksForHugePages) {
+    if (!std::ifstream("/sys/kernel/mm/transparent_hugepage/enabled")) GTEST_SKIP() << "the system has no huge pages";
+    constexpr std::size_t bytes = 64 << 20;
+    const std::unique_ptr<void, decltype(&std::free)> memory(std::malloc(bytes), &std::free);
+    const void* middle = static_cast<char*>(memory.get()) + bytes / 2;
+    const std::optional<bool> before = asksForHugePages(middle);
+    if (!before) GTEST_SKIP() << "the system does not tell how memory is mapped";
+    EXPECT_FALSE(*before);
+    useHugePages(memory.get(), bytes);
+    EXPECT_TRUE(*asksForHugePages(middle));
 }
 
 /// Of a matrix, only what resizeLarge() asks of it.

@@ -131,7 +131,7 @@ TEST(Fit, StopsAtOnceWhenCancelledWhileItChoosesItsSteps) {
     problem.experiments.front().inputs.time.back() += 1e-4;  // not equidistant: no exact steps
     const auto [result, seconds] = cancelledFit(problem, 0, 20);
     EXPECT_EQ(result.status, FitStatus::Cancelled) << result.message;
-    EXPECT_LT(seconds, 0.1);
+    EXPECT_LT(seconds, 0.05);  // [s] marking what was not reached would take longer
 }
 
 }  // namespace
