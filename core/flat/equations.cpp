@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "core/flat/connections.hpp"
 #include "core/flat/instantiator.hpp"
 #include "core/flat/translator.hpp"
@@ -19,7 +22,7 @@ void Equations::translateAll() {
                 isInitial_ = section.isInitial;
                 translate(section.equations, {&instance, part.lexical});
                 auto& target = isInitial_ ? work_.model.initialEquations : work_.model.equations;
-                target.insert(target.end(), found_.begin(), found_.end());
+                std::ranges::move(found_, std::back_inserter(target));
                 if (!isInitial_) instance.equations += static_cast<int>(found_.size());
             }
     }
@@ -72,8 +75,9 @@ void Equations::equality(const syntax::Equation& equation, const Scope& scope) {
             equation.span);
         return;
     }
-    if (work_.model.equations.size() + found_.size() + left->elements.size() > 2 * Instantiator::mostScalars)
-        return work_.messages.fatal(phrase("the model has more than {} equations", 2 * Instantiator::mostScalars),
+    // More equations than there can be unknowns have no solution.
+    if (work_.model.equations.size() + found_.size() + left->elements.size() > Instantiator::mostScalars)
+        return work_.messages.fatal(phrase("the model has more than {} equations", Instantiator::mostScalars),
                                     equation.span);
     for (std::size_t k = 0; k < left->elements.size(); ++k)
         found_.push_back({left->elements[k], right->elements[k], equation.span, scope.instance->name, false});

@@ -195,7 +195,8 @@ std::optional<Value> Translator::array(const Expression& expression, const Scope
     result.dimensions = {0};
     for (const auto& operand : expression.operands) {
         const auto part = translate(operand, scope);
-        if (!part || !append(result, *part, operand.span)) return std::nullopt;
+        if (!part || !spend(part->size() + 1, operand.span) || !append(result, *part, operand.span))
+            return std::nullopt;
     }
     return result;
 }
@@ -214,18 +215,22 @@ std::optional<Value> Translator::comprehension(const Expression& expression, con
     if (!values) return std::nullopt;
     Value result;
     result.dimensions = {0};
-    for (int k = 1; k <= values->dimensions[0]; ++k) {
+    const int count = values->dimensions[0];
+    for (int k = 1; k <= count; ++k) {
         pushIterator(name, values->part(k));
         const auto part = comprehension(expression, scope, outermost - 1);
         popIterator();
-        if (!part || !append(result, *part, expression.span)) return std::nullopt;
+        if (!part) return std::nullopt;
+        // All parts are as large as the first one: what is too large is refused before it is made.
+        if (k == 1 && !spend(static_cast<std::size_t>(count) * (part->size() + 1), expression.span))
+            return std::nullopt;
+        if (!append(result, *part, expression.span)) return std::nullopt;
     }
     return result;
 }
 
 /// One more part of an array that is written down part by part; the first one says what the others are.
 bool Translator::append(Value& array, const Value& part, const Span& span) {
-    if (!spend(part.size() + 1, span)) return false;
     if (array.dimensions[0] == 0) {
         array.type = part.type;
         array.enumeration = part.enumeration;
