@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/memory.hpp"
 #include "core/simulate/grid.hpp"
+#include "core/simulate/sample_recorder.hpp"
 #include "core/simulate/step_method.hpp"
 
 namespace analogon {
@@ -48,18 +48,13 @@ private:
 
     void allocate() {
         const Dynamics::Shape& shape = dynamics_.shape();
-        const int count = last_ - run_.first + 1;
         y_.resize(static_cast<std::size_t>(shape.outputs));
         dy_.resize(y_.size() * static_cast<std::size_t>(K_));
         x_.resize(static_cast<std::size_t>(n_));
         dx_.resize(x_.size() * static_cast<std::size_t>(K_));
         for (std::vector<double>& u : u_) u.resize(static_cast<std::size_t>(shape.slots));
-        if (run_.keepStates) resizeLarge(result_.states, n_, count);
-        if (dynamics_.observedCount() > 0) resizeLarge(result_.observed, dynamics_.observedCount(), count);
-        if (run_.sink) return run_.sink->restart();
-        resizeLarge(result_.outputs, shape.outputs, count);
-        result_.tangents.resize(K_ > 0 ? y_.size() : 0);
-        for (Eigen::MatrixXd& tangents : result_.tangents) resizeLarge(tangents, count, K_);
+        makeRoom(result_, dynamics_, last_ - run_.first + 1, run_.keepStates, run_.sink != nullptr);
+        if (run_.sink) run_.sink->restart();
     }
 
     bool begin() {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/memory.hpp"
 #include "core/simulate/all_finite.hpp"
 #include "core/simulate/grid.hpp"
+#include "core/simulate/sample_recorder.hpp"
 #include "core/simulate/step_method.hpp"
 
 namespace analogon {
@@ -192,7 +192,6 @@ private:
 
     void allocate() {
         const Dynamics::Shape& shape = dynamics_.shape();
-        const int count = last_ - run_.first + 1;
         const auto n = static_cast<std::size_t>(shape.states), K = static_cast<std::size_t>(K_);
         x_.resize(n);
         dx_.resize(n * K);
@@ -200,11 +199,8 @@ private:
         dy_.resize(static_cast<std::size_t>(shape.outputs) * K);
         results_.resize(static_cast<std::size_t>(kMostRows + 1) * static_cast<std::size_t>(layout_.resultSize()));
         delivered_ = run_.first;
-        if (run_.keepStates) resizeLarge(result_.states, shape.states, count);
-        if (run_.sink) return run_.sink->restart();
-        resizeLarge(result_.outputs, shape.outputs, count);
-        result_.tangents.resize(K_ > 0 ? static_cast<std::size_t>(shape.outputs) : 0);
-        for (Eigen::MatrixXd& tangents : result_.tangents) resizeLarge(tangents, count, K_);
+        makeRoom(result_, dynamics_, last_ - run_.first + 1, run_.keepStates, run_.sink != nullptr);
+        if (run_.sink) run_.sink->restart();
     }
 
     bool begin() {

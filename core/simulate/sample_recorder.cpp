@@ -8,6 +8,16 @@
 
 namespace analogon {
 
+void makeRoom(Trajectory& trajectory, const Dynamics& dynamics, int samples, bool keepStates, bool isPoured) {
+    const Dynamics::Shape& shape = dynamics.shape();
+    if (keepStates) resizeLarge(trajectory.states, shape.states, samples);
+    if (dynamics.observedCount() > 0) resizeLarge(trajectory.observed, dynamics.observedCount(), samples);
+    if (isPoured) return;
+    resizeLarge(trajectory.outputs, shape.outputs, samples);
+    trajectory.tangents.resize(shape.directions > 0 ? static_cast<std::size_t>(shape.outputs) : 0);
+    for (Eigen::MatrixXd& tangents : trajectory.tangents) resizeLarge(tangents, samples, shape.directions);
+}
+
 SampleRecorder::SampleRecorder(Dynamics& dynamics, InputSlots& slots, const SampledInputs& inputs, int first, int last,
                                bool keepStates, Trajectory& trajectory)
     : dynamics_(dynamics),
@@ -20,13 +30,9 @@ SampleRecorder::SampleRecorder(Dynamics& dynamics, InputSlots& slots, const Samp
     const Dynamics::Shape& shape = dynamics.shape();
     n_ = shape.states;
     K_ = shape.directions;
-    const int count = last - first + 1;
     const auto K = static_cast<std::size_t>(K_);
-    resizeLarge(trajectory.outputs, shape.outputs, count);
-    trajectory.tangents.resize(K_ > 0 ? static_cast<std::size_t>(shape.outputs) : 0);
-    for (Eigen::MatrixXd& tangents : trajectory.tangents) resizeLarge(tangents, count, K_);
-    if (keepStates) resizeLarge(trajectory.states, n_, count);
-    if (dynamics.observedCount() > 0) resizeLarge(trajectory.observed, dynamics.observedCount(), count);
+    const int count = last - first + 1;
+    makeRoom(trajectory, dynamics, count, keepStates, false);
     observed_.resize(static_cast<std::size_t>(dynamics.observedCount()));
 
     u_.resize(static_cast<std::size_t>(shape.slots));

@@ -15,6 +15,10 @@ public:
     virtual bool at(double t, double* x, double* dx, double* xdot) = 0;
 };
 
+/// Sizes what a run over so many samples keeps: states when asked, variables that are observed, and outputs with
+/// their tangents unless they are poured into a sink one by one.
+void makeRoom(Trajectory& trajectory, const Dynamics& dynamics, int samples, bool keepStates, bool isPoured);
+
 /// Turns states at the samples into outputs with tangents, and looks up what the model delays: a signal z at
 /// t_k - T is evaluated as soon as the integration has passed that time, from the integrator's own interpolant,
 /// so that no history is kept. Before the first sample z has its first value.
