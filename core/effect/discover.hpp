@@ -5,12 +5,20 @@
 
 namespace analogon {
 
+/// An effect of a library at a place, as the table of a finding names it.
+struct EffectChoice {
+    std::string className, at;
+
+    bool operator==(const EffectChoice&) const = default;
+};
+
 struct DiscoverOptions {
     FitOptions fit;
     int maxRounds{4};
-    int refitted{6};                 // candidates of a round that are refitted
-    int threads{0};                  // 0: as many as the machine has
-    std::vector<std::string> kinds;  // empty: all
+    int refitted{6};                    // candidates of a round that are refitted
+    int threads{0};                     // 0: as many as the machine has
+    std::vector<std::string> kinds;     // empty: all
+    std::vector<EffectChoice> choices;  // of all places of these kinds; empty: all
 };
 
 /// Fits the model as it stands.

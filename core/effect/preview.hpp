@@ -4,13 +4,6 @@
 
 namespace analogon {
 
-/// An effect of a library at a place, as the table of a finding names it.
-struct EffectChoice {
-    std::string className, at;
-
-    bool operator==(const EffectChoice&) const = default;
-};
-
 /// The model with this one effect, both refitted for a first look: a few iterations from its best start, and nothing is
 /// asked of evidence. Fails where the effect has no such place, or changes nothing there.
 Outcome<ModelState> stateWith(const EstimationTask& task, const EffectChoice& choice, const DiscoverOptions& options,

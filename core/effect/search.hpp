@@ -40,6 +40,8 @@ private:
         double errorWithout{-1};  // [%] of the fitted data when this effect alone is left out; -1: not known
     };
 
+    /// Every effect at every place, of what the options ask for.
+    Outcome<std::vector<Candidate>> candidatesIn(const Variant& variant) const;
     std::vector<Screened> screenAll(const NullModel& null);
     std::vector<Trial> tryBest(const NullModel& null, std::vector<Screened>& screened);
     std::vector<Trial> tryThese(const NullModel& null, const std::vector<const Screened*>& chosen, int iterations,

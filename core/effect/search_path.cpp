@@ -339,7 +339,7 @@ bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted) {
     const PlacedEffect old = null.variant.effects[effect];
     std::optional<NullModel> rest = without(null, effect);
     if (!rest) return false;
-    Outcome<std::vector<Candidate>> places = candidatesFor(rest->variant, catalogue_);
+    Outcome<std::vector<Candidate>> places = candidatesIn(rest->variant);
     if (!places) return false;
     std::vector<Candidate> rivals;
     // of a kind that is known to do worse, another class (surroundings of unknown temperature) may do as well

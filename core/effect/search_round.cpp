@@ -78,8 +78,18 @@ std::vector<int> longestFirst(const std::vector<std::size_t>& costs) {
 
 }  // namespace
 
+Outcome<std::vector<Candidate>> Search::candidatesIn(const Variant& variant) const {
+    Outcome<std::vector<Candidate>> candidates = candidatesFor(variant, catalogue_);
+    if (candidates && !options_.choices.empty())
+        std::erase_if(*candidates, [this](const Candidate& c) {
+            const EffectChoice choice{c.effect.className, c.place.at};
+            return std::find(options_.choices.begin(), options_.choices.end(), choice) == options_.choices.end();
+        });
+    return candidates;
+}
+
 std::vector<Screened> Search::screenAll(const NullModel& null) {
-    Outcome<std::vector<Candidate>> candidates = candidatesFor(null.variant, catalogue_);
+    Outcome<std::vector<Candidate>> candidates = candidatesIn(null.variant);
     if (!candidates) return {};
     std::vector<Screened> screened(candidates->size());
     std::vector<std::size_t> costs;

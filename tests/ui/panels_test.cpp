@@ -1,4 +1,5 @@
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -13,6 +14,7 @@
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QElapsedTimer>
+#include <QFileDialog>
 #include <QImage>
 #include <QLabel>
 #include <QListWidget>
@@ -30,6 +32,7 @@
 #include <QTest>
 #include <QTextBrowser>
 #include <QTextStream>
+#include <QToolBar>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <cmath>
@@ -38,6 +41,7 @@
 #include <random>
 
 #include "core/archive/archive.hpp"
+#include "tests/ui/panels_fixture.hpp"
 #include "tests/ui/sample_finding.hpp"
 #include "ui/canvas/block_item.hpp"
 #include "ui/canvas/diagram_scene.hpp"
@@ -66,50 +70,12 @@
 #include "ui/window/generate_page.hpp"
 #include "ui/window/guide_page.hpp"
 #include "ui/window/main_window.hpp"
+#include "ui/window/recovered_line.hpp"
 #include "ui/window/settings.hpp"
 #include "ui/window/start_page.hpp"
 
 namespace analogon::ui {
 namespace {
-
-namespace fs = std::filesystem;
-
-class Panels : public testing::Test {
-protected:
-    void SetUp() override {
-        qputenv("XDG_DATA_HOME", directory.path().toUtf8());  // copies of other programs are none of our business
-        window.resize(1440, 900);
-        window.show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
-    }
-    ~Panels() override { QTest::qWait(1); }
-
-    Document& document() { return window.document(); }
-    template <class T>
-    T* panel() const {
-        return window.findChild<T*>();
-    }
-    /// A copy of an example as one file.
-    QString lambdaFile(const QString& name = "lambda") {
-        const QString file = directory.filePath(name + ".analogon");
-        const Outcome<Study> study = readStudy(ANALOGON_ROOT "/examples/lambda-sensor-heating");
-        EXPECT_TRUE(study);
-        EXPECT_TRUE(saveStudy(*study, file.toStdString()));
-        return file;
-    }
-    void openLambda() {
-        window.open(lambdaFile());
-        ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen() && document().before(); }, 20000));
-    }
-    void run(RunKind kind) {
-        window.controller().start(kind);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !window.controller().isRunning(); }, 120000));
-        QTest::qWait(20);
-    }
-
-    QTemporaryDir directory;
-    MainWindow window;
-};
 
 TEST_F(Panels, TypingInTheTextIsSeenInTheDiagramAndUndone) {
     openLambda();
@@ -133,10 +99,47 @@ TEST_F(Panels, TypingInTheTextIsSeenInTheDiagramAndUndone) {
 
 TEST_F(Panels, ABrokenTextLeavesTheRestUsable) {
     openLambda();
+    auto* view = panel<DiagramView>();
+    const auto blocks = view->scene()->diagram().blocks.size();
+    const QImage sound = view->grab().toImage();
     document().typeText(QString(document().modelText()).replace("equation", "equatoin"));
     EXPECT_FALSE(document().messages().empty());
+    EXPECT_EQ(view->scene()->diagram().blocks.size(), blocks) << "the diagram of the last sound text stays";
+    EXPECT_TRUE(view->isStale());
+    EXPECT_NE(view->grab().toImage(), sound) << "and is seen to be of an earlier text";
+    EXPECT_TRUE(document().before()) << "so do its traces";
+    const QString broken = document().modelText();
+    EXPECT_TRUE(window.compose().composer().addBlock("Analogon.Mechanics.Inertia", {0, 0}).empty());
+    EXPECT_FALSE(window.compose().composer().fault().isEmpty()) << "a change is refused with a reason";
+    EXPECT_EQ(document().modelText(), broken);
+    QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, view->viewport()->rect().center());
+    EXPECT_EQ(window.findChild<QTabWidget*>("centre")->currentWidget(), panel<TextView>()) << "a click shows the fault";
+    const int line = static_cast<int>(broken.left(broken.indexOf("equatoin")).count('\n'));
+    EXPECT_NEAR(panel<TextView>()->textCursor().blockNumber(), line, 1);
     document().undoStack().undo();
     EXPECT_TRUE(document().diagram().find("heater"));
+    EXPECT_FALSE(view->isStale());
+}
+
+TEST_F(Panels, ShowsWhatWasMeasuredWhileTheModelCannotBeSimulated) {
+    const QString file = lambdaFile();
+    Outcome<OpenedStudy> study = openStudy(file.toStdString());
+    ASSERT_TRUE(study);
+    std::string& text = study->study.models.at("model.mo");
+    text.replace(text.find("equation"), 8, "equatoin");
+    ASSERT_TRUE(saveStudy(study->study, file.toStdString()));
+    window.open(file);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen() && !panel<PlotPanel>()->plots().empty(); }, 20000));
+    EXPECT_FALSE(document().before());
+    const OutputPlot::Content& shown = panel<PlotPanel>()->plots().front()->content();
+    EXPECT_GT(shown.measured.size(), 100u);
+    EXPECT_EQ(shown.time->size(), shown.measured.size());
+    EXPECT_TRUE(shown.before.empty());
+    EXPECT_TRUE(shown.after.empty());
+    EXPECT_FALSE(shown.unit.isEmpty());
+    document().typeText(document().modelText().replace("equatoin", "equation"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().before() != nullptr; }, 20000)) << "until it can";
+    EXPECT_FALSE(panel<PlotPanel>()->plots().front()->content().before.empty());
 }
 
 TEST_F(Panels, AnErrorInTheModelHoldsRunsBackAndSaysWhy) {
@@ -249,6 +252,77 @@ TEST_F(Panels, KeepsEveryRunForComparison) {
     EXPECT_NE(document().modelText(), before) << "the values of the fit are in the model";
     document().undoStack().undo();
     EXPECT_EQ(document().modelText(), before);
+}
+
+TEST_F(Panels, ListsTheRunsThatAreKeptWhenOldOnesAreDropped) {
+    openLambda();
+    run(RunKind::Fit);
+    const RunResult result = *document().result();
+    const Study ranOn = document().study();
+    auto* list = panel<FitPanel>()->history();
+    for (int i = 0; i < 45; ++i) {
+        RunResult next = result;
+        next.finding.final.experiments.front().errorPercent = 10 + i;
+        document().setResult(RunKind::Fit, std::move(next), ranOn, i);
+        ASSERT_EQ(list->topLevelItemCount(), static_cast<int>(document().history().size()));
+        const RunRecord& last = document().history().back();
+        const QTreeWidgetItem* row = list->topLevelItem(list->topLevelItemCount() - 1);
+        EXPECT_EQ(row->toolTip(0), QStringLiteral("took %1 s").arg(last.seconds, 0, 'g', 3)) << i;
+    }
+    const RunRecord& first = document().history().front();
+    EXPECT_EQ(list->topLevelItem(0)->toolTip(0), QStringLiteral("took %1 s").arg(first.seconds, 0, 'g', 3));
+}
+
+TEST_F(Panels, KeepsARunAsItWasWhateverIsDoneAfterIt) {
+    openLambda();
+    run(RunKind::Fit);
+    ASSERT_EQ(document().history().size(), 1u);
+    const auto print = [](const RunRecord& record) {
+        std::string text = studyJson(record.ranOn) + studyJson(record.result->completed);
+        for (const auto& [name, model] : record.ranOn.models) text += model;
+        for (const FitEstimate& e : record.result->finding.final.parameters)
+            text += fmt::format("{} {}\n", e.name, e.value);
+        return text;
+    };
+    const std::string before = print(document().history().front());
+    document().adoptCompleted("take over");
+    document().setParameterValue("heater.alpha", 0.0042);
+    document().typeText(document().modelText() + "// an edit\n");
+    run(RunKind::Fit);
+    document().undoStack().setIndex(0);
+    ASSERT_EQ(document().history().size(), 2u);
+    EXPECT_EQ(print(document().history().front()), before);
+}
+
+TEST_F(Panels, KeepsClosedPanelsClosed) {
+    openLambda();
+    auto* library = window.findChild<QDockWidget*>("library");
+    auto* messages = window.findChild<QDockWidget*>("messages");
+    library->close();
+    EXPECT_FALSE(library->isVisible());
+    window.open(lambdaFile("other"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().title() == "other"; }, 20000));
+    EXPECT_FALSE(library->isVisible()) << "another study";
+    QMetaObject::invokeMethod(panel<StartPage>(), "generateWanted");
+    EXPECT_FALSE(messages->isVisible());
+    QMetaObject::invokeMethod(panel<GeneratePage>(), "cancelled");
+    EXPECT_FALSE(library->isVisible()) << "a page over the whole window";
+    EXPECT_FALSE(messages->isHidden());
+    auto* traces = window.findChild<QDockWidget*>("traces");
+    window.addDockWidget(Qt::LeftDockWidgetArea, traces);
+    window.close();
+
+    MainWindow next;
+    next.show();
+    next.open(lambdaFile("next"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return next.document().isOpen(); }, 20000));
+    EXPECT_TRUE(next.findChild<QDockWidget*>("library")->isHidden()) << "the next start";
+    EXPECT_FALSE(next.findChild<QDockWidget*>("messages")->isHidden());
+    EXPECT_EQ(next.dockWidgetArea(next.findChild<QDockWidget*>("traces")), Qt::LeftDockWidgetArea);
+    for (QAction* action : next.findChildren<QAction*>())
+        if (action->text() == "Reset layout") action->trigger();
+    EXPECT_FALSE(next.findChild<QDockWidget*>("library")->isHidden());
+    EXPECT_EQ(next.dockWidgetArea(next.findChild<QDockWidget*>("traces")), Qt::BottomDockWidgetArea);
 }
 
 TEST_F(Panels, ShowsTheResidualFromThreeSidesAndExports) {
@@ -478,6 +552,29 @@ TEST_F(Panels, LeadsFromAFaultOfTheDataToItsLine) {
     EXPECT_EQ(table->model()->headerData(table->currentIndex().row(), Qt::Vertical).toInt(), 500);
 }
 
+TEST_F(Panels, ShowsTheParametersOfABlockOnItWhereThereIsRoom) {
+    openLambda();
+    auto* view = panel<DiagramView>();
+    const auto pictureAt = [&](double zoom, double value) {
+        document().setParameterValue("heater.R", value);
+        view->setTransform(QTransform::fromScale(zoom, zoom));
+        view->centerOn(view->scene()->block("heater"));
+        return view->grab().toImage();
+    };
+    EXPECT_NE(pictureAt(3, 2.5), pictureAt(3, 7.5));
+    EXPECT_EQ(pictureAt(3, 2.5), pictureAt(3, 2.5));
+    EXPECT_EQ(pictureAt(1.2, 2.5), pictureAt(1.2, 7.5)) << "the name alone has room there";
+}
+
+TEST_F(Panels, AsksWhereToSaveAnExample) {
+    window.open(QStringLiteral(ANALOGON_ROOT "/examples/lambda-sensor-heating"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen(); }, 20000));
+    document().typeText(document().modelText() + "// changed\n");
+    window.findChild<QAction*>("save")->trigger();
+    EXPECT_TRUE(window.findChild<QFileDialog*>("save-dialog")) << "the one that ships stays as it is";
+    EXPECT_TRUE(document().isModified());
+}
+
 TEST_F(Panels, TriesAnEffectOfTheList) {
     openLambda();
     run(RunKind::Discover);
@@ -490,12 +587,14 @@ TEST_F(Panels, TriesAnEffectOfTheList) {
             line = results->candidates()->topLevelItem(i);
     ASSERT_TRUE(line);
     results->candidates()->setCurrentItem(line);
+    const std::string place = line->data(3, Qt::UserRole).toString().toStdString();
     QTest::mouseClick(results->tryButton(), Qt::LeftButton);
     ASSERT_TRUE(window.controller().isRunning());
     ASSERT_TRUE(QTest::qWaitFor([&] { return !window.controller().isRunning(); }, 120000));
     ASSERT_EQ(document().history().size(), 2u);
     for (const CandidateResult& c : document().finding()->candidates)
-        EXPECT_TRUE(c.kind == "thermal.resistance" || c.kind.starts_with("proposal.")) << c.kind;
+        EXPECT_TRUE((c.kind == "thermal.resistance" && c.at == place) || c.kind.starts_with("proposal."))
+            << c.kind << " at " << c.at;
 }
 
 TEST_F(Panels, ShowsWhatAnEffectWouldBringWhileThePointerIsOnIt) {
@@ -634,31 +733,42 @@ TEST_F(Panels, WritesTheReportOnPaper) {
     openLambda();
     run(RunKind::Fit);
     ASSERT_TRUE(document().result());
+    Finding finding = document().result()->finding;
+    const std::vector<QImage> pictures = panel<PlotPanel>()->pictures();
+    EXPECT_EQ(pictures.size(), document().study().experiments.size()) << "one output of each";
+    for (const QImage& picture : pictures) EXPECT_FALSE(picture.isNull());
     const QString file = directory.filePath("report.pdf");
-    const QString fault = writeReportPdf(file, "lambda", RunKind::Fit, document().result()->finding,
-                                         {panel<PlotPanel>()->plots().front()->grab().toImage()});
+    const QString fault = writeReportPdf(file, "lambda", RunKind::Fit, finding, pictures);
     EXPECT_TRUE(fault.isEmpty()) << fault.toStdString();
     EXPECT_GT(QFileInfo(file).size(), 5000);
+
+    // all that the panel would say of a search
+    finding.kind = FindingKind::Partial;
+    finding.warnings = {Text("mind the range")};
+    AddedEffect effect;
+    effect.kind = "thermal.loss";
+    effect.at = "element.solid";
+    effect.description = "Heat loss";
+    effect.alternatives = {{"thermal.radiation", "element.solid", -3, true}};
+    finding.effects = {effect};
+    Remainder remainder;
+    remainder.output = "i_mod";
+    remainder.from = 3;
+    remainder.to = 7;
+    remainder.node = "element.solid";
+    remainder.proposedEquation = Text("Q_flow = a*v^2");
+    finding.remainders = {remainder};
+    finding.nextExperiment = Text("hold the voltage");
+    const QString body = reportBody("lambda", RunKind::Discover, finding, pictures.size());
+    for (const char* wanted :
+         {"Heat loss at element.solid", "some structure remains", "warm-up", "drive cycle", "mind the range",
+          "cannot tell it from: thermal.radiation at element.solid", "What remains on i_mod", "acting at element.solid",
+          "Q_flow = a*v^2", "hold the voltage", "heater.R", "picture:1"})
+        EXPECT_TRUE(body.contains(wanted)) << wanted;
 }
 
 TEST_F(Panels, OffersWorkThatAnEndedProgramLeft) {
-    const pid_t gone = fork();
-    if (gone == 0) _exit(0);
-    waitpid(gone, nullptr, 0);
-    // tests side by side must not take over each other's copies
-    const QTemporaryDir own;
-    qputenv("XDG_DATA_HOME", own.path().toUtf8());
-    const QDir place(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery");
-    place.mkpath(".");
-    const QString copy = place.filePath(QString::number(gone) + ".analogon");
-    Outcome<Study> study = readStudy(ANALOGON_ROOT "/examples/lambda-sensor-heating");
-    ASSERT_TRUE(study);
-    ASSERT_TRUE(saveStudy(*study, copy.toStdString()));
-    QFile note(copy + ".origin");
-    ASSERT_TRUE(note.open(QIODevice::WriteOnly));
-    note.write(directory.filePath("mine.analogon").toUtf8());
-    note.close();
-
+    abandonedCopy("mine.analogon");
     MainWindow fresh;
     fresh.show();
     QPushButton* open = nullptr;
@@ -672,7 +782,35 @@ TEST_F(Panels, OffersWorkThatAnEndedProgramLeft) {
     fresh.saveTo(fresh.document().path());
     ASSERT_TRUE(QTest::qWaitFor([&] { return !fresh.document().isModified(); }, 10000));
     EXPECT_TRUE(QFile::exists(directory.filePath("mine.analogon")));
-    for (const Recovered& r : Recovery::abandoned()) Recovery::discard(r);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return Recovery::abandoned().empty(); }, 10000)) << "it is not offered again";
+}
+
+TEST_F(Panels, OffersLeftWorkOverAStudyThatIsOpenedAtTheStart) {
+    const QString copy = abandonedCopy("mine.analogon");
+    window.open(lambdaFile());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen(); }, 20000));
+    auto* line = panel<QToolBar>("recovered")->findChild<RecoveredLine*>();
+    ASSERT_TRUE(line && line->isVisible());
+    Q_EMIT line->chosen({copy, directory.filePath("mine.analogon"), {}});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().title() == "mine"; }, 20000));
+    EXPECT_FALSE(panel<QToolBar>("recovered")->isVisible()) << "it is open";
+    EXPECT_EQ(Recovery::abandoned().size(), 1u) << "until it has a copy of its own";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return Recovery::abandoned().empty(); }, 10000));
+    EXPECT_FALSE(QFile::exists(copy));
+    EXPECT_TRUE(document().isModified());
+}
+
+TEST_F(Panels, KeepsACopyOfTheWorkOfWhoNeverPauses) {
+    openLambda();
+    const QDir place(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery");
+    const QString copy = place.filePath(QString::number(getpid()) + ".analogon");
+    QElapsedTimer clock;
+    clock.start();
+    while (!QFile::exists(copy) && clock.elapsed() < 15000) {
+        document().typeText(document().modelText() + "// more\n");
+        QTest::qWait(500);
+    }
+    EXPECT_TRUE(QFile::exists(copy));
 }
 
 TEST_F(Panels, KeepsACopyOfUnsavedChangesAndTakesItAway) {
@@ -751,20 +889,65 @@ TEST_F(Panels, RemembersFromOneStartToTheNext) {
 }
 
 TEST_F(Panels, TakesDroppedRecordingsAsTheBeginningOfAStudy) {
-    QMimeData files;
-    files.setUrls({QUrl::fromLocalFile(ANALOGON_ROOT "/examples/lambda-sensor-heating/train.csv"),
-                   QUrl::fromLocalFile(ANALOGON_ROOT "/examples/lambda-sensor-heating/validation.csv")});
-    QDragEnterEvent enter(QPoint(200, 200), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(&window, &enter);
-    ASSERT_TRUE(enter.isAccepted());
-    QDropEvent drop(QPointF(200, 200), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(&window, &drop);
+    ASSERT_TRUE(drop(panel<StartPage>(), {example("train.csv"), example("validation.csv")}));
     auto* page = panel<GeneratePage>();
     ASSERT_TRUE(page->isVisible());
     for (const char* domain : {"electric-thermal", "thermal-fluid"}) page->addDomain(domain);
     QTest::mouseClick(page->generateButton(), Qt::LeftButton);
     ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen(); }, 20000)) << page->fault().toStdString();
     EXPECT_EQ(document().study().experiments.size(), 2u);
+}
+
+TEST_F(Panels, TakesFilesDroppedOnAnyPanel) {
+    openLambda();
+    auto* centre = window.findChild<QTabWidget*>("centre");
+    auto* import = panel<ImportPanel>();
+    for (QWidget* target :
+         std::initializer_list<QWidget*>{panel<DiagramView>(), panel<TextView>(), panel<PlotPanel>()}) {
+        if (centre->indexOf(target) >= 0) centre->setCurrentWidget(target);
+        const QString text = document().modelText();
+        ASSERT_TRUE(drop(target, {example("train.csv")})) << target->metaObject()->className();
+        EXPECT_TRUE(import->isVisible()) << target->metaObject()->className();
+        EXPECT_EQ(document().modelText(), text);
+        EXPECT_EQ(panel<TextView>()->toPlainText(), text);
+        Q_EMIT import->cancelled();
+        EXPECT_FALSE(import->isVisible());
+    }
+    const std::size_t before = document().study().experiments.size();
+    ASSERT_TRUE(drop(panel<DiagramView>(), {example("train.csv"), example("validation.csv")}));
+    for (std::size_t count = before + 1; count <= before + 2; ++count) {  // one after the other
+        ASSERT_TRUE(QTest::qWaitFor([&] { return import->isVisible() && import->acceptButton()->isEnabled(); }, 10000));
+        QTest::mouseClick(import->acceptButton(), Qt::LeftButton);
+        EXPECT_EQ(document().study().experiments.size(), count);
+    }
+    EXPECT_FALSE(import->isVisible());
+    document().undoStack().setIndex(0);
+    ASSERT_TRUE(drop(panel<DiagramView>(), {lambdaFile("dropped")}));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().title() == "dropped"; }, 20000));
+    ASSERT_TRUE(drop(panel<DiagramView>(), {QStringLiteral(ANALOGON_ROOT "/examples/lambda-sensor-heating")}));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().title() == "lambda-sensor-heating"; }, 20000));
+}
+
+TEST_F(Panels, CountsWhatIsStillBeingTyped) {
+    openLambda();
+    auto* text = panel<TextView>();
+    window.findChild<QTabWidget*>("centre")->setCurrentWidget(text);
+    window.activateWindow();
+    text->setFocus();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return text->hasFocus(); }, 5000));
+    text->moveCursor(QTextCursor::End);
+    QTest::keyClicks(text, "// a");
+    QTest::keyClick(&window, Qt::Key_S, Qt::ControlModifier);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !document().isSaving() && !document().isModified(); }, 10000));
+    const Outcome<OpenedStudy> saved = openStudy(document().path().toStdString());
+    ASSERT_TRUE(saved);
+    EXPECT_TRUE(saved->study.models.at("model.mo").ends_with("// a")) << "saved";
+    EXPECT_TRUE(text->hasFocus()) << "and one types on";
+    QTest::keyClicks(text, "b");
+    window.close();
+    EXPECT_TRUE(window.isVisible()) << "not closed without a question";
+    for (QDialog* question : window.findChildren<QDialog*>()) question->reject();
+    EXPECT_TRUE(document().modelText().endsWith("// ab"));
 }
 
 TEST_F(Panels, GivesTheGuideTheWholeHeightWhileItIsRead) {

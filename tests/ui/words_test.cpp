@@ -2,11 +2,21 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
+#include <QAction>
 #include <QCoreApplication>
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
+#include <QFileDialog>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPlainTextEdit>
 #include <QRegularExpression>
+#include <QTextBrowser>
 
 #include "core/flat/flat_model.hpp"
 #include "core/measure/table.hpp"
@@ -40,6 +50,58 @@ TEST_F(GermanWords, SayPatternArgumentsAndWhatFollows) {
     Text two = phrase("The model is singular.");
     two += phrase(" No equation determines {}.", "x");
     EXPECT_EQ(inWords(two), "Das Modell ist singulär. Keine Gleichung bestimmt x.");
+}
+
+/// What a widget and all in it show, mnemonics left out.
+QStringList textsOf(const QWidget& widget) {
+    QStringList texts;
+    const auto add = [&](QString text) {
+        text.remove('&');
+        if (text.contains(QRegularExpression("[a-z]{2}"))) texts << text;
+    };
+    for (const auto* label : widget.findChildren<QLabel*>()) add(label->text());
+    for (const auto* button : widget.findChildren<QAbstractButton*>()) add(button->text()), add(button->toolTip());
+    for (const auto* action : widget.findChildren<QAction*>()) add(action->text());
+    for (const auto* view : widget.findChildren<QHeaderView*>())
+        for (int i = 0; view->model() && i < view->model()->columnCount(); ++i)
+            add(view->model()->headerData(i, Qt::Horizontal).toString());
+    return texts;
+}
+
+TEST_F(GermanWords, SpeakInTheDialogsOfTheToolkitToo) {
+    const auto dialogs = [] {
+        QStringList texts;
+        QFileDialog file(nullptr, QString(), "/nowhere/at/all");
+        file.setOption(QFileDialog::DontUseNativeDialog);
+        texts += textsOf(file);
+        file.setAcceptMode(QFileDialog::AcceptSave);
+        texts += textsOf(file);
+        file.setFileMode(QFileDialog::Directory);
+        texts += textsOf(file);
+        QMessageBox question;
+        question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel | QMessageBox::Yes |
+                                    QMessageBox::No | QMessageBox::Close);
+        texts += textsOf(question);
+        QLineEdit line;
+        QPlainTextEdit text;
+        QTextBrowser browser;
+        for (QMenu* menu : {line.createStandardContextMenu(), text.createStandardContextMenu(),
+                            browser.createStandardContextMenu()}) {
+            for (const QAction* action : menu->actions()) texts << action->text().section('\t', 0, 0).remove('&');
+            delete menu;
+        }
+        texts.removeAll(QString());
+        return texts;
+    };
+    const QStringList inGerman = dialogs();
+    QCoreApplication::removeTranslator(&german);
+    const QStringList inEnglish = dialogs();
+    QCoreApplication::installTranslator(&german);
+    ASSERT_GT(inEnglish.size(), 30);
+    for (const QString& text : inGerman) {
+        if (text == "Name" || text == "Computer") continue;  // the same word in both
+        EXPECT_FALSE(inEnglish.contains(text)) << text.toStdString();
+    }
 }
 
 TEST_F(GermanWords, DocumentBlocksAndLeaveTheirFormulas) {

@@ -177,6 +177,7 @@ void DiagramView::mousePressEvent(QMouseEvent* event) {
         gesture_ = makeOverviewGesture(*this, event);
         return;
     }
+    if (isStale()) return Q_EMIT staleClicked();
     const double reach = std::max(2.5, 6 / zoom());
     const std::string connector = scene_.connectorAt(mapToScene(event->pos()), reach);
     if (!connector.empty()) {
@@ -218,6 +219,12 @@ void DiagramView::contextMenuEvent(QContextMenuEvent* event) {
 
 void DiagramView::setGhost(std::optional<GhostBlock> ghost) {
     ghost_ = std::move(ghost);
+    viewport()->update();
+}
+
+void DiagramView::setStale(const QString& note) {
+    if (staleNote_ == note) return;
+    staleNote_ = note;
     viewport()->update();
 }
 
@@ -341,7 +348,16 @@ void DiagramView::drawForeground(QPainter* painter, const QRectF&) {
         else if (const auto at = scene_.diagram().anchor(place))
             painter->drawEllipse(toScene(*at), 13 * pixel, 13 * pixel);
     }
-    if (scene_.isEmpty() && !ghost_) {
+    if (isStale()) {
+        painter->save();
+        painter->resetTransform();
+        QColor veil = style::canvas(palette());
+        veil.setAlphaF(0.65f);
+        painter->fillRect(viewport()->rect(), veil);
+        painter->restore();
+        paintNote(*painter, mapToScene(QPoint(0, 0)), staleNote_, style::fault(palette()));
+    }
+    if (scene_.isEmpty() && !ghost_ && !isStale()) {
         painter->save();
         painter->resetTransform();
         painter->setPen(style::mutedText(palette()));

@@ -56,6 +56,10 @@ public:
     /// The wires that the selection, moved by (dx, dy) and dropped there, would part. Set by the owner.
     std::function<std::vector<WireEnds>(double dx, double dy)> partedByMove{
         [](double, double) { return std::vector<WireEnds>(); }};
+    /// The diagram is of an earlier text: `note` says so, and nothing can be changed in it. Empty: it is the present
+    /// one.
+    void setStale(const QString& note);
+    bool isStale() const { return !staleNote_.isEmpty(); }
     void setGhost(std::optional<GhostBlock> ghost);
     /// Wires to be shown as those that a drop would part.
     void setParted(std::vector<WireEnds> wires);
@@ -70,6 +74,7 @@ Q_SIGNALS:
     void dropWanted(double dx, double dy);  // the same by the mouse, which may mean a wire
     void wireWanted(const QString& from, const QString& to);
     void refused(const QString& reason);
+    void staleClicked();
     void blockActivated(const QString& name);
     void renameWanted(const QString& name);
     void typed(const QString& text);  // a name begun on the empty diagram
@@ -104,6 +109,7 @@ private:
     std::unique_ptr<Gesture> gesture_;
     std::optional<GhostBlock> ghost_;
     std::vector<WireEnds> parted_;
+    QString staleNote_;
     bool isFitted_{true};  // until the user zooms or pans, the view follows the window's size
 };
 

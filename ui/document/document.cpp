@@ -50,7 +50,7 @@ bool isSameModel(const Study& a, const Study& b) {
 struct Document::Opened {
     Outcome<OpenedStudy> study;
     QString path;
-    bool isRecovered{};
+    QString recoveredFrom;
 };
 
 Document::Document(QObject* parent) : QObject(parent) {
@@ -101,9 +101,9 @@ void Document::openRecovered(const QString& recovery, const QString& path) {
     const std::filesystem::path file = recovery.toStdString();
     reader_.start<Opened>(
         tr("Reading what was recovered"), [file](const Progress&) { return readFrom<Opened>(file); },
-        [this, path](Opened read) {
+        [this, recovery, path](Opened read) {
             read.path = path;
-            read.isRecovered = true;
+            read.recoveredFrom = recovery;
             show(std::move(read));
         });
 }
@@ -111,9 +111,9 @@ void Document::openRecovered(const QString& recovery, const QString& path) {
 void Document::show(Opened read) {
     setMessages(Message::Origin::Study, read.study.diagnostics());
     if (!read.study) return;  // a study that is open stays
-    if (read.isRecovered && !read.path.isEmpty())
+    if (!read.recoveredFrom.isEmpty() && !read.path.isEmpty())
         read.study->study.name = std::filesystem::path(read.path.toStdString()).stem().string();
-    isRecovered_ = read.isRecovered;
+    recoveredFrom_ = read.recoveredFrom;
     adoptStudy(std::move(read.study->study), read.study->files, read.path);
 }
 
@@ -128,7 +128,7 @@ void Document::startNew(const QString& suggested) {
 
 void Document::startWith(Study study) {
     reader_.drop();
-    isRecovered_ = false;
+    recoveredFrom_.clear();
     setMessages(Message::Origin::Study, {});
     adoptStudy(std::move(study), nullptr, {});
 }
@@ -140,6 +140,7 @@ void Document::adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory>
     levels_.clear();
     undo_.clear();
     simulated_.reset();
+    measured_.clear();
     live_.reset();
     preview_.reset();
     result_.reset();
@@ -170,7 +171,7 @@ void Document::save(const QString& path) {
             setRunMessages(done.diagnostics());
             if (done) {
                 path_ = path;
-                isRecovered_ = false;
+                recoveredFrom_.clear();
                 study_->name = std::filesystem::path(path.toStdString()).stem().string();
                 if (undo_.index() == index) undo_.setClean();
                 Q_EMIT modifiedChanged();
@@ -357,6 +358,14 @@ std::optional<double> Document::parameterValue(const std::string& name) const {
 
 void Document::setSimulated(ModelState state) {
     simulated_ = std::move(state);
+    measured_.clear();
+    ++tracesVersion_;
+    Q_EMIT resultChanged();
+}
+
+void Document::setMeasured(std::vector<ExperimentState> measured) {
+    simulated_.reset();
+    measured_ = std::move(measured);
     ++tracesVersion_;
     Q_EMIT resultChanged();
 }
@@ -395,7 +404,7 @@ void Document::setResult(RunKind kind, RunResult result, const Study& ranOn, dou
     result_ = std::make_shared<const RunResult>(std::move(result));
     constexpr std::size_t kept = 40;  // runs
     if (history_.size() >= kept) history_.erase(history_.begin());
-    history_.push_back({kind, QTime::currentTime().toString("HH:mm:ss"), seconds, ranOn, result_});
+    history_.push_back({++runs_, kind, QTime::currentTime().toString("HH:mm:ss"), seconds, ranOn, result_});
     resultStudy_ = ranOn;
     resultKind_ = kind;
     ++tracesVersion_;

@@ -30,6 +30,7 @@ struct Message {
 
 /// A run as it was: the study it ran on and what it came to.
 struct RunRecord {
+    unsigned long number{};  // counts all runs since the program began
     RunKind kind{RunKind::Fit};
     QString when;
     double seconds{};
@@ -65,7 +66,8 @@ public:
     bool isSaving() const { return saver_.isBusy(); }
     /// Recovered work belongs to this path and is not saved there yet.
     void openRecovered(const QString& recovery, const QString& path);
-    bool isModified() const { return isOpen() && (isRecovered_ || !undo_.isClean()); }
+    const QString& recoveredFrom() const { return recoveredFrom_; }
+    bool isModified() const { return isOpen() && (!recoveredFrom_.isEmpty() || !undo_.isClean()); }
     bool isReading() const { return reader_.isBusy(); }
 
     const Study& study() const { return *study_; }
@@ -109,11 +111,15 @@ public:
 
     // Results. They are kept while the study moves on; isResultStale() tells.
     void setSimulated(ModelState state);  // the model as it stands
+    /// The model cannot be simulated: what was measured is all there is to show.
+    void setMeasured(std::vector<ExperimentState> measured);
+    const std::vector<ExperimentState>& measured() const { return measured_; }
     void setResult(RunKind kind, RunResult result, const Study& ranOn, double seconds = 0);
     /// The study as a run left it, as an edit.
     void restoreRun(const RunRecord& record);
     const Finding* finding() const { return result_ ? &result_->finding : nullptr; }
     const RunResult* result() const { return result_.get(); }
+    std::shared_ptr<const RunResult> sharedResult() const { return result_; }  // outlives what happens to the study
     RunKind resultKind() const { return resultKind_; }
     bool isResultStale() const;
     /// The completed study is the current one.
@@ -178,6 +184,7 @@ private:
     Diagnostics modelFaults_;  // found while reading the diagram
     std::optional<Diagnostic> modelError_;
     std::optional<ModelState> simulated_;
+    std::vector<ExperimentState> measured_;  // as long as nothing can be simulated
     std::optional<SimulatedTraces> live_;
     std::optional<Preview> preview_;
     std::shared_ptr<const RunResult> result_;
@@ -189,7 +196,8 @@ private:
     unsigned long revision_{}, tracesVersion_{};
     QUndoStack undo_;
     QString path_;
-    bool isRecovered_{};
+    QString recoveredFrom_;  // the copy that was opened, until its work is saved
+    unsigned long runs_{};
     std::shared_ptr<const TemporaryDirectory> files_;  // of an unpacked archive, as long as the study is open
     QTimer analysisDelay_;
     JobRunner reader_;

@@ -31,7 +31,10 @@ Recovery::Recovery(Document& document, QObject* parent) : QObject(parent), docum
     for (auto signal : {&Document::modelChanged, &Document::parametersChanged, &Document::experimentsChanged})
         connect(&document, signal, this, &Recovery::changed);
     connect(&document, &Document::modifiedChanged, this, &Recovery::changed);
-    connect(&document, &Document::opened, this, &Recovery::clear);
+    connect(&document, &Document::opened, this, [this] {
+        clear();
+        inherited_ = document_.recoveredFrom();
+    });
 }
 
 Recovery::~Recovery() = default;
@@ -39,10 +42,8 @@ Recovery::~Recovery() = default;
 QString Recovery::file() const { return place().filePath(QStringLiteral("%1.analogon").arg(getpid())); }
 
 void Recovery::changed() {
-    if (document_.isModified())
-        delay_.start();
-    else
-        clear();
+    if (!document_.isModified()) return clear();
+    if (!delay_.isActive()) delay_.start();  // who never pauses has a copy too
 }
 
 void Recovery::write() {
@@ -56,8 +57,9 @@ void Recovery::write() {
             if (note.open(QIODevice::WriteOnly)) note.write(origin.toUtf8());
             return saveStudy(study, target.toStdString());
         },
-        [this](const Outcome<Done>&) {
-            if (!document_.isModified()) clear();
+        [this](const Outcome<Done>& written) {
+            if (!document_.isModified()) return clear();
+            if (written) dropInherited();
         });
 }
 
@@ -65,6 +67,12 @@ void Recovery::clear() {
     delay_.stop();
     QFile::remove(file());
     QFile::remove(noteOf(file()));
+    dropInherited();
+}
+
+void Recovery::dropInherited() {
+    if (!inherited_.isEmpty()) discard({inherited_, {}, {}});
+    inherited_.clear();
 }
 
 std::vector<Recovered> Recovery::abandoned() {

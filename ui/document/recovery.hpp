@@ -36,9 +36,11 @@ public:
 private:
     void changed();
     void write();
+    void dropInherited();
     QString file() const;
 
     Document& document_;
+    QString inherited_;  // the copy this work was recovered from, until it has one of its own or is saved
     QTimer delay_;
     JobRunner writer_;
 };

@@ -11,7 +11,9 @@
 
 #include "core/report/number_text.hpp"
 #include "core/report/words.hpp"
+#include "ui/effect/finding_words.hpp"
 #include "ui/effect/result_panel.hpp"
+#include "ui/words/words.hpp"
 
 namespace analogon::ui {
 
@@ -46,18 +48,16 @@ private:
     QString html_;
 };
 
-QString bodyOf(const QString& title, RunKind kind, const Finding& finding, std::size_t pictures) {
+}  // namespace
+
+QString reportBody(const QString& title, RunKind kind, const Finding& finding, std::size_t pictures) {
     QString html = QStringLiteral("<h1>%1</h1><p>%2</p>")
                        .arg(title.toHtmlEscaped(), QLocale().toString(QDate::currentDate(), QLocale::LongFormat));
-    if (kind == RunKind::Discover) {
-        html += "<h2>" + tr("Result") + "</h2><p>";
+    const FindingWords verdict = findingWords(finding, kind);
+    html += "<h2>" + verdict.title.toHtmlEscaped() + "</h2><p>";
+    if (finding.effects.size() > 1)
         for (const AddedEffect& e : finding.effects) html += effectTitle(e).toHtmlEscaped() + "<br>";
-        if (finding.effects.empty())
-            html += finding.kind == FindingKind::Adequate
-                        ? tr("What is left between model and measurement is noise. Nothing was added.")
-                        : tr("The residual is not noise, and no effect of the library explains it.");
-        html += "</p>";
-    }
+    html += verdict.sentence.toHtmlEscaped() + "</p>";
     HtmlTable errors({tr("Error"), tr("Role"), tr("Before"), tr("After")});
     for (const ExperimentState& after : finding.final.experiments) {
         double was = std::nan("");
@@ -67,6 +67,9 @@ QString bodyOf(const QString& title, RunKind kind, const Finding& finding, std::
                     number(after.errorPercent, 3) + " %"});
     }
     html += errors.html();
+    if (!finding.warnings.empty()) html += "<h2>" + tr("Caution") + "</h2><ul>";
+    for (const Text& warning : finding.warnings) html += "<li>" + inWords(warning).toHtmlEscaped() + "</li>";
+    if (!finding.warnings.empty()) html += "</ul>";
     for (std::size_t i = 0; i < pictures; ++i)
         html += QStringLiteral("<p><img src='picture:%1' width='640'></p>").arg(i);
     html += "<h2>" + tr("Parameters") + "</h2>";
@@ -85,7 +88,17 @@ QString bodyOf(const QString& title, RunKind kind, const Finding& finding, std::
         evidence.add({tr("ΔBIC"), number(e.evidence.deltaBic)});
         evidence.add({tr("Held out"), number(e.evidence.heldOut, 2)});
         html += evidence.html();
+        html += "<p>" + equivalentWords(e).toHtmlEscaped() + "</p>";
     }
+    for (const Remainder& r : finding.remainders) {
+        const RemainderWords words =
+            remainderWords(r, [](const std::string& name) { return placeOf(QString::fromStdString(name)); });
+        html += "<h2>" + words.heading.toHtmlEscaped() + "</h2>";
+        for (const QString& sentence : {words.where, words.movesWith, words.proposal, words.proposalFacts})
+            if (!sentence.isEmpty()) html += "<p>" + sentence.toHtmlEscaped() + "</p>";
+    }
+    if (!finding.nextExperiment.empty())
+        html += "<h2>" + tr("Next experiment") + "</h2><p>" + inWords(finding.nextExperiment).toHtmlEscaped() + "</p>";
     if (!finding.candidates.empty()) {
         html += "<h2>" + tr("What was tried") + "</h2>";
         HtmlTable tried({tr("Effect"), tr("At"), tr("Screening"), tr("ΔBIC"), tr("Verdict")});
@@ -96,8 +109,6 @@ QString bodyOf(const QString& title, RunKind kind, const Finding& finding, std::
     }
     return html;
 }
-
-}  // namespace
 
 QString writeReportPdf(const QString& file, const QString& title, RunKind kind, const Finding& finding,
                        const std::vector<QImage>& pictures) {
@@ -111,7 +122,7 @@ QString writeReportPdf(const QString& file, const QString& title, RunKind kind, 
         document.addResource(QTextDocument::ImageResource, QUrl(QStringLiteral("picture:%1").arg(i)), pictures[i]);
     document.setDefaultStyleSheet(
         "h1 {font-size: 18pt} h2 {font-size: 12pt} body, td, th {font-size: 9pt; color: black}");
-    document.setHtml("<body>" + bodyOf(title, kind, finding, pictures.size()) + "</body>");
+    document.setHtml("<body>" + reportBody(title, kind, finding, pictures.size()) + "</body>");
     document.setPageSize(QSizeF(writer.width(), writer.height()));
     document.print(&writer);
     QFile written(file);

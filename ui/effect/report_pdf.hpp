@@ -8,8 +8,11 @@
 
 namespace analogon::ui {
 
-/// The report on paper: what was found, before and after, parameters, evidence, what was tried, and the pictures
-/// given. Empty: done; else why not.
+/// The report on paper as HTML: what was found, before and after, what to mind, parameters, evidence, what remains,
+/// what was tried; with so many pictures.
+QString reportBody(const QString& title, RunKind kind, const Finding& finding, std::size_t pictures);
+
+/// The same as a file with the pictures given. Empty: done; else why not.
 QString writeReportPdf(const QString& file, const QString& title, RunKind kind, const Finding& finding,
                        const std::vector<QImage>& pictures);
 

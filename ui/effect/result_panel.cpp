@@ -16,6 +16,7 @@
 #include "core/report/number_text.hpp"
 #include "ui/document/document.hpp"
 #include "ui/document/mention.hpp"
+#include "ui/effect/finding_words.hpp"
 #include "ui/inspector/parameter_model.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
@@ -25,11 +26,6 @@ namespace analogon::ui {
 namespace {
 
 QString text(const std::string& s) { return QString::fromStdString(s); }
-
-QString percent(double value) {
-    if (!std::isfinite(value)) return QStringLiteral("–");
-    return QStringLiteral("%1 %").arg(value, 0, 'f', std::abs(value) < 9.995 ? 2 : 1);
-}
 
 /// Three digits at most: evidence spans many powers of ten, and nobody reads its fourth digit.
 QString evidenceText(double value) {
@@ -66,58 +62,6 @@ void alignRight(QTreeWidgetItem* item, std::initializer_list<int> columns) {
     for (const int c : columns) item->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
 }
 
-QString joined(const std::vector<std::string>& names) {
-    QStringList list;
-    for (const std::string& n : names) list << text(n);
-    return list.join(", ");
-}
-
-struct Headline {
-    QString title, sentence;
-    QColor colour;
-};
-
-Headline headlineOf(const Finding& finding, RunKind kind, const QPalette& palette) {
-    const auto tr = [](const char* s) { return ResultPanel::tr(s); };
-    if (kind == RunKind::Fit) {
-        const bool converged = finding.final.status == FitStatus::Converged;
-        const QString message = converged ? tr("The error cannot be made smaller by changing the fitted parameters.")
-                                          : inWords(finding.final.message);
-        if (finding.interrupted || finding.final.status == FitStatus::Cancelled)
-            return {tr("Fit stopped"), tr("The best parameters so far are shown."), style::caution(palette)};
-        std::vector<std::string> atBounds;
-        for (const FitEstimate& e : finding.final.parameters)
-            if (e.atBound) atBounds.push_back(e.name);
-        if (converged && !atBounds.empty())
-            return {tr("Fitted, with %1 at a bound").arg(joined(atBounds)),
-                    tr("Within the bounds the error cannot be made smaller; beyond them it could be."),
-                    style::caution(palette)};
-        return {converged ? tr("Parameters fitted") : tr("Fit did not converge"), message,
-                converged ? style::good(palette) : style::caution(palette)};
-    }
-    if (finding.interrupted)
-        return {tr("Search stopped"), tr("What was found until then is shown; the rest was not tried."),
-                style::caution(palette)};
-    const QString found = finding.effects.empty()       ? QString()
-                          : finding.effects.size() == 1 ? effectTitle(finding.effects.front())
-                                                        : tr("%1 effects").arg(finding.effects.size());
-    switch (finding.kind) {
-        case FindingKind::Adequate:
-            return {tr("The model is adequate"),
-                    tr("What is left between model and measurement is noise. Nothing was added."),
-                    style::good(palette)};
-        case FindingKind::Effect:
-            return {found, tr("With it, refitted, what is left is noise."), style::good(palette)};
-        case FindingKind::Partial:
-            return {found, tr("With it, refitted, some structure remains that no candidate explains."),
-                    style::caution(palette)};
-        case FindingKind::Unexplained:
-            break;
-    }
-    return {tr("Unexplained structure"), tr("The residual is not noise, and no effect of the library explains it."),
-            style::caution(palette)};
-}
-
 QString verdictTip(const CandidateResult& candidate) {
     switch (candidate.verdict) {
         case Verdict::Absorbed:
@@ -134,53 +78,6 @@ QString verdictTip(const CandidateResult& candidate) {
 }
 
 }  // namespace
-
-QString placeOf(const QString& at) {
-    return at.startsWith("output ") || at.startsWith("input ") ? at.section(' ', 1) : at;
-}
-
-QString shortDescription(const QString& description) {
-    const QString whole = QCoreApplication::translate("Library", description.toUtf8().constData());
-    // German has a comma before a relative clause where English has none; it tells one effect from another
-    static const QRegularExpression detail("[,;:.(]"), clause("[;:.(]");
-    return whole.section(description.contains(',') ? detail : clause, 0, 0).trimmed();
-}
-
-QString placeText(const QString& at) {
-    if (at.startsWith("output ")) return ResultPanel::tr("output %1").arg(placeOf(at));
-    if (at.startsWith("input ")) return ResultPanel::tr("input %1").arg(placeOf(at));
-    return at;
-}
-
-QString verdictText(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::Chosen:
-            return ResultPanel::tr("chosen");
-        case Verdict::Equivalent:
-            return ResultPanel::tr("equivalent");
-        case Verdict::Weaker:
-            return ResultPanel::tr("weaker");
-        case Verdict::NotSignificant:
-            return ResultPanel::tr("not significant");
-        case Verdict::Absorbed:
-            return ResultPanel::tr("absorbed");
-        case Verdict::WrongSign:
-            return ResultPanel::tr("wrong sign");
-        case Verdict::FailsHeldOut:
-            return ResultPanel::tr("fails on held-out data");
-        case Verdict::Failed:
-            break;
-    }
-    return ResultPanel::tr("failed");
-}
-
-QString effectName(const AddedEffect& effect) {
-    return shortDescription(text(effect.description.empty() ? effect.kind : effect.description));
-}
-
-QString effectTitle(const AddedEffect& effect) {
-    return ResultPanel::tr("%1 at %2").arg(effectName(effect), placeText(text(effect.at)));
-}
 
 ResultPanel::ResultPanel(Document& document, QWidget* parent) : QScrollArea(parent), document_(document) {
     setWidgetResizable(true);
@@ -277,12 +174,12 @@ void ResultPanel::addEmptyState() {
 }
 
 void ResultPanel::addHeadline(const Finding& finding) {
-    const Headline h = headlineOf(finding, document_.resultKind(), palette());
+    const FindingWords h = findingWords(finding, document_.resultKind());
     headline_ = new QLabel(h.title, body_);
     headline_->setWordWrap(true);
     style::makeHeading(headline_, 1.3);
     QPalette tinted = headline_->palette();
-    tinted.setColor(headline_->foregroundRole(), h.colour);
+    tinted.setColor(headline_->foregroundRole(), h.isGood ? style::good(palette()) : style::caution(palette()));
     headline_->setPalette(tinted);
     column_->addWidget(headline_);
     addText(h.sentence);
@@ -322,7 +219,7 @@ void ResultPanel::addComparison(const Finding& finding) {
                 if (b.name == after.name) was = b.errorPercent;
         auto* item =
             new QTreeWidgetItem(comparison_, {text(after.name), after.role == Role::Fit ? tr("fit") : tr("validate"),
-                                              percent(was), percent(after.errorPercent)});
+                                              percentWords(was), percentWords(after.errorPercent)});
         alignRight(item, {2, 3});
         QFont bold = item->font(3);
         bold.setWeight(QFont::DemiBold);
@@ -372,8 +269,8 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
         add(text(p.name), value + " " + text(p.unit));
     }
     const Evidence& e = effect.evidence;
-    add(tr("Error"), percent(e.errorPercentBefore) + " → " + percent(e.errorPercentAfter), tr("fitted experiments"),
-        tr("Over the fitted experiments"));
+    add(tr("Error"), percentWords(e.errorPercentBefore) + " → " + percentWords(e.errorPercentAfter),
+        tr("fitted experiments"), tr("Over the fitted experiments"));
     add(tr("Score"), evidenceText(e.score), tr("signal to noise, squared"),
         tr("Squared signal-to-noise ratio of what the finished model misses when it is refitted without the effect"));
     add(tr("ΔBIC"), evidenceText(e.deltaBic), tr("negative: gains more than it costs"),
@@ -384,10 +281,7 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
     column_->addLayout(grid);
     column_->addSpacing(style::unit);
 
-    QStringList equivalent;
-    for (const Alternative& a : effect.alternatives)
-        if (a.equivalent) equivalent << tr("%1 at %2").arg(text(a.kind), placeText(text(a.at)));
-    if (!equivalent.isEmpty()) addText(tr("This data cannot tell it from: %1.").arg(equivalent.join("; ")), true);
+    if (const QString others = equivalentWords(effect); !others.isEmpty()) addText(others, true);
     auto* show = new QPushButton(tr("Show in the diagram"), body_);
     connect(show, &QPushButton::clicked, this, [this, instance = text(effect.instance), at = text(effect.at)] {
         // Before it is added there is its place alone.
@@ -401,43 +295,23 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
 
 void ResultPanel::addRemainder(const Finding& finding) {
     for (const Remainder& r : finding.remainders) {
-        addHeading(tr("What remains on %1").arg(text(r.output)));
-        QString sentence = tr("Between %1 and %2 s").arg(numberText(r.from, 4), numberText(r.to, 4));
-        const auto link = [this](const std::string& name) {
+        const RemainderWords words = remainderWords(r, [this](const std::string& name) {
             return linkedWords(document_, Text(placeOf(text(name)).toStdString()));
-        };
-        if (!r.experiment.empty()) sentence += tr(" of %1").arg(link(r.experiment));
-        if (!r.node.empty()) sentence += tr(", acting at %1").arg(link(r.node));
-        makeLinks(addText({}), sentence + ".");
-        QStringList moves;
-        for (const Correlate& c : r.movesWith)
-            if (c.isWorthAWord())
-                moves << QStringLiteral("%1 (%2)").arg(text(c.variable), numberText(c.correlation, 2));
-        if (!moves.isEmpty()) addText(tr("It moves with %1.").arg(moves.join(", ")), true);
-        addProposal(r);
+        });
+        addHeading(words.heading);
+        makeLinks(addText({}), words.where);
+        if (!words.movesWith.isEmpty()) addText(words.movesWith, true);
+        if (words.proposal.isEmpty()) continue;
+        addText(words.proposal);
+        if (words.proposalFacts.isEmpty()) continue;
+        QLabel* label = addText(words.proposalFacts, true);
+        if (!r.proposedBlock.empty())  // written for this model alone: no library has it to look up
+            label->setToolTip("<pre>" + text(r.proposedBlock).toHtmlEscaped() + "</pre>");
     }
     if (!finding.nextExperiment.empty()) {
         addHeading(tr("Next experiment"));
         addText(inWords(finding.nextExperiment));
     }
-}
-
-/// An equation that would explain what remains: what it is, which block has it, and what it would bring.
-void ResultPanel::addProposal(const Remainder& remainder) {
-    if (remainder.proposedEquation.empty()) return;
-    addText(tr("Proposed, not added: %1").arg(inWords(remainder.proposedEquation)));
-    QStringList facts;
-    if (!remainder.proposedClass.empty()) facts << tr("Block %1").arg(text(remainder.proposedClass));
-    if (remainder.errorFitWith >= 0)
-        facts << tr("with it the error would be %1 on fitted data").arg(percent(remainder.errorFitWith));
-    if (remainder.errorValidateWith >= 0)
-        facts << tr("%1 on validation data").arg(percent(remainder.errorValidateWith));
-    if (remainder.worsensValidation())
-        facts << tr("worse than the %1 without it").arg(percent(remainder.errorValidateWithout));
-    if (facts.isEmpty()) return;
-    QLabel* label = addText(facts.join(", ") + ".", true);
-    if (!remainder.proposedBlock.empty())  // written for this model alone: no library has it to look up
-        label->setToolTip("<pre>" + text(remainder.proposedBlock).toHtmlEscaped() + "</pre>");
 }
 
 /// What to mind before trusting the figures above: runs beyond the fitted range, values that drift between runs.
@@ -528,8 +402,10 @@ void ResultPanel::addCandidates(const Finding& finding) {
         lookAt(item);
     });
     const auto tryIt = [this, kindOf] {
-        const QString kind = kindOf(candidates_->currentItem());
-        if (!kind.isEmpty() && !document_.isResultStale()) Q_EMIT trialWanted(kind);
+        const QTreeWidgetItem* item = candidates_->currentItem();
+        if (kindOf(item).isEmpty() || document_.isResultStale()) return;
+        Q_EMIT trialWanted({item->data(2, Qt::UserRole).toString().toStdString(),
+                            item->data(3, Qt::UserRole).toString().toStdString()});
     };
     connect(try_, &QPushButton::clicked, this, tryIt);
     connect(candidates_, &QTreeWidget::itemActivated, this, tryIt);

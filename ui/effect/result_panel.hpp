@@ -42,7 +42,7 @@ Q_SIGNALS:
     /// What the traces would be with this effect is to be shown, until effectLeft().
     void effectLookedAt(const analogon::EffectChoice& choice, const QString& name);
     void effectLeft();
-    void trialWanted(const QString& effectKind);
+    void trialWanted(const analogon::EffectChoice& choice);
     /// Something that a sentence speaks of.
     void mentionChosen(const analogon::ui::Mention& mention);
 
@@ -58,7 +58,6 @@ private:
     void addComparison(const Finding& finding);
     void addEffect(const AddedEffect& effect, bool isOneOfSeveral);
     void addRemainder(const Finding& finding);
-    void addProposal(const Remainder& remainder);
     void addCautions(const Finding& finding);
     void addCandidates(const Finding& finding);
     QLabel* addText(const QString& text, bool isCaption = false);
@@ -75,21 +74,5 @@ private:
     QTreeWidget* comparison_{};
     QPushButton* try_{};
 };
-
-/// "Dry friction at rotor.flange_b", for headings, labels on the diagram and the undo list.
-QString effectTitle(const AddedEffect& effect);
-
-/// The first clause of a class's description, in the language of the screen.
-QString shortDescription(const QString& description);
-
-/// "Dry friction": the effect without its place.
-QString effectName(const AddedEffect& effect);
-
-/// "output T" in the language of the screen.
-QString placeText(const QString& at);
-QString verdictText(Verdict verdict);
-
-/// "T" of "output T": what the diagram knows a place by.
-QString placeOf(const QString& at);
 
 }  // namespace analogon::ui

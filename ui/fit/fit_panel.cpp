@@ -14,6 +14,7 @@
 
 #include "core/report/number_text.hpp"
 #include "ui/document/document.hpp"
+#include "ui/effect/finding_words.hpp"
 #include "ui/effect/result_panel.hpp"
 #include "ui/fit/error_curve.hpp"
 #include "ui/fit/run_controller.hpp"
@@ -160,7 +161,12 @@ void FitPanel::applyOptions() {
 
 void FitPanel::refresh() {
     const auto& runs = document_.history();
-    if (static_cast<std::size_t>(history_->topLevelItemCount()) != runs.size() || runs.empty()) {
+    const auto isShown = [this, row = 0](const RunRecord& run) mutable {
+        const QTreeWidgetItem* item = history_->topLevelItem(row++);
+        return item && item->data(0, Qt::UserRole).toULongLong() == run.number;
+    };
+    if (static_cast<std::size_t>(history_->topLevelItemCount()) != runs.size() ||
+        !std::all_of(runs.begin(), runs.end(), isShown)) {
         const QSignalBlocker blocker(history_);
         history_->clear();
         for (const RunRecord& run : runs) {
@@ -168,6 +174,7 @@ void FitPanel::refresh() {
             if (!run.result->finding.effects.empty()) name += ": " + effectName(run.result->finding.effects.front());
             auto* item = new QTreeWidgetItem(history_, {name, run.when, percentOf(run.result->finding.final, Role::Fit),
                                                         percentOf(run.result->finding.final, Role::Validate)});
+            item->setData(0, Qt::UserRole, static_cast<qulonglong>(run.number));
             for (int c = 1; c < 4; ++c) item->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
             item->setToolTip(0, tr("took %1 s").arg(run.seconds, 0, 'g', 3));
         }
@@ -209,6 +216,13 @@ void FitPanel::compare() {
     for (const Role role : {Role::Fit, Role::Validate})
         add(role == Role::Fit ? tr("error, fit") : tr("error, validate"), percentOf(first.result->finding.final, role),
             percentOf(second.result->finding.final, role));
+    const auto effectsOf = [](const RunRecord& run) {
+        QStringList effects;
+        for (const AddedEffect& e : run.result->finding.effects) effects << effectTitle(e);
+        return effects.isEmpty() ? QStringLiteral("–") : effects.join("; ");
+    };
+    if (!first.result->finding.effects.empty() || !second.result->finding.effects.empty())
+        add(tr("effects"), effectsOf(first), effectsOf(second));
     for (const std::string& name : names)
         add(QString::fromStdString(name), estimateText(estimateOf(first, name)),
             estimateText(estimateOf(second, name)));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/study/measured.hpp"
+
 namespace analogon::ui {
 
 namespace {
@@ -112,9 +114,9 @@ RunController::RunController(Document& document, QObject* parent) : QObject(pare
     });
 }
 
-void RunController::tryKind(const std::string& effectKind) {
+void RunController::tryEffect(const EffectChoice& choice) {
     RunOptions options = options_;
-    options.discover.kinds = {effectKind};
+    options.discover.choices = {choice};
     options.discover.maxRounds = 1;
     start(RunKind::Discover, options);
 }
@@ -253,19 +255,27 @@ void RunController::conclude(RunKind kind, const Study& ranOn, unsigned long rev
 }
 
 void RunController::preview() {
-    if (!document_.isOpen() || document_.definition() == nullptr) return;
-    if (run_.isBusy() && document_.before()) return;
+    if (!document_.isOpen() || (run_.isBusy() && document_.before())) return;
+    if (!document_.definition() && document_.before()) return;  // a text being typed: the last traces stay
     if (!document_.canRun()) return preview_.drop();
     if (document_.result() && !document_.isResultStale()) return;  // its traces are what is shown
     const Study study = document_.study();
-    preview_.start<Outcome<RunResult>>(
+    struct Seen {
+        Outcome<RunResult> run;
+        std::vector<ExperimentState> measured;  // when nothing could be simulated
+    };
+    preview_.start<Seen>(
         tr("Simulation"),
-        [study, options = options_](const Progress& progress) { return runSimulate(study, options, progress); },
-        [this](Outcome<RunResult> outcome) {
-            if (outcome)
-                document_.setSimulated(std::move(outcome->finding.baseline));
-            else
-                document_.setRunMessages(outcome.diagnostics());
+        [study, options = options_](const Progress& progress) {
+            Seen seen{runSimulate(study, options, progress), {}};
+            if (!seen.run) seen.measured = measuredExperiments(study);
+            return seen;
+        },
+        [this](Seen seen) {
+            if (seen.run) return document_.setSimulated(std::move(seen.run->finding.baseline));
+            // What the analysis says of the model is told already.
+            if (!document_.modelError() && document_.definition()) document_.setRunMessages(seen.run.diagnostics());
+            document_.setMeasured(std::move(seen.measured));
         });
 }
 

@@ -19,8 +19,8 @@ public:
     RunController(Document& document, QObject* parent = nullptr);
 
     void start(RunKind kind) { start(kind, options_); }
-    /// A discovery that knows this kind of effect alone: what the model would be with it.
-    void tryKind(const std::string& effectKind);
+    /// A discovery that knows this effect at this place alone: what the model would be with it.
+    void tryEffect(const EffectChoice& choice);
     /// Works out what the traces would be with this effect and shows them until leaveEffect(); nothing is kept.
     void lookAtEffect(const EffectChoice& choice, const QString& name);
     void leaveEffect();

@@ -62,6 +62,7 @@ ImportPanel::ImportPanel(Document& document, QWidget* parent)
       cancel_(new QPushButton(tr("Cancel"), this)) {
     style::makeHeading(title_, 1.2);
     problems_->setWordWrap(true);
+    view_->horizontalHeader()->setResizeContentsPrecision(30);  // the first rows say how wide: all would be felt
     problems_->setTextInteractionFlags(Qt::TextBrowserInteraction);
     connect(problems_, &QLabel::linkActivated, this, [this](const QString& line) { pointAt(line.toInt()); });
     converted_->setToolTip(tr("The values as a model in SI units gets them; the file stays as it is"));

@@ -25,11 +25,14 @@ namespace {
 
 std::vector<double> toVector(const Eigen::VectorXd& values) { return {values.data(), values.data() + values.size()}; }
 
-const ExperimentState* experimentOf(const ModelState* state, const std::string& name) {
-    if (!state) return nullptr;
-    for (const ExperimentState& e : state->experiments)
+const ExperimentState* experimentOf(const std::vector<ExperimentState>& experiments, const std::string& name) {
+    for (const ExperimentState& e : experiments)
         if (e.name == name) return &e;
     return nullptr;
+}
+
+const ExperimentState* experimentOf(const ModelState* state, const std::string& name) {
+    return state ? experimentOf(state->experiments, name) : nullptr;
 }
 
 const OutputState* outputOf(const ExperimentState* experiment, const std::string& name) {
@@ -146,15 +149,15 @@ void PlotPanel::refresh() {
     const unsigned long version = document_.isOpen() ? document_.tracesVersion() : 0;
     if (version == version_ && version != 0) return;
     version_ = version;
-    const ModelState* shown = document_.after() ? document_.after() : document_.before();
+    const ModelState* state = document_.after() ? document_.after() : document_.before();
+    const std::vector<ExperimentState>& shown = state ? state->experiments : document_.measured();
     std::vector<std::string> names;
-    if (shown)
-        for (const ExperimentState& e : shown->experiments) names.push_back(e.name);
+    for (const ExperimentState& e : shown) names.push_back(e.name);
     if (names != names_) {
         const QSignalBlocker blocker(experiments_);
         while (experiments_->count() > 0) experiments_->removeTab(0);
         for (std::size_t i = 0; i < names.size(); ++i) {
-            const bool isFit = shown->experiments[i].role == Role::Fit;
+            const bool isFit = shown[i].role == Role::Fit;
             const int tab = experiments_->addTab(QString::fromStdString(names[i]));
             experiments_->setTabToolTip(tab, isFit ? tr("Used to fit and to choose effects")
                                                    : tr("Only reported; never used to fit or to choose"));
@@ -167,25 +170,71 @@ void PlotPanel::refresh() {
     arrangeBar();
 }
 
+const ExperimentState* PlotPanel::shownState(const std::string& experiment) const {
+    for (const ModelState* state : {document_.after(), document_.before()})
+        if (const ExperimentState* found = experimentOf(state, experiment)) return found;
+    return experimentOf(document_.measured(), experiment);
+}
+
+std::vector<OutputPlot::Content> PlotPanel::contentsOf(const std::string& experiment) const {
+    const ExperimentState* any = shownState(experiment);
+    if (!any) return {};
+    const ExperimentState* before = experimentOf(document_.before(), experiment);
+    const ExperimentState* after = experimentOf(document_.after(), experiment);
+    // A run one has gone back to may be one of the recording as it was trimmed then.
+    if (before && before->time != any->time) before = nullptr;
+    const auto time = std::make_shared<const std::vector<double>>(any->time);
+    const QString beforeWord = document_.after() ? tr("before") : tr("simulated");
+    std::vector<OutputPlot::Content> contents;
+    for (const OutputState& output : any->outputs) {
+        OutputPlot::Content content;
+        content.name = QString::fromStdString(output.name);
+        content.unit = QString::fromStdString(output.unit);
+        content.time = time;
+        content.measured = toVector(output.measured);
+        if (const OutputState* o = outputOf(before, output.name)) {
+            content.before = toVector(o->simulated);
+            content.beforeLabel = beforeWord + " " + percent(o->figures.errorPercent);
+        }
+        if (const OutputState* o = outputOf(after, output.name)) {
+            content.after = toVector(o->simulated);
+            content.afterLabel = tr("after") + " " + percent(o->figures.errorPercent);
+        }
+        contents.push_back(std::move(content));
+    }
+    return contents;
+}
+
+std::vector<QImage> PlotPanel::pictures() {
+    std::vector<QImage> pictures;
+    for (const std::string& name : names_)
+        for (OutputPlot::Content& content : contentsOf(name)) {
+            OutputPlot plot;
+            plot.resize(900, 340);
+            if (names_.size() > 1) content.name = QString::fromStdString(name) + ": " + content.name;
+            const auto time = content.time;
+            plot.show(std::move(content));
+            if (!time->empty()) plot.setTimeRange(time->front(), time->back());
+            pictures.push_back(plot.grab().toImage());
+        }
+    return pictures;
+}
+
 void PlotPanel::rebuild() {
     const int index = experiments_->currentIndex();
     if (names_.empty() || index < 0) {
         untrim_->hide();
-        empty_->setText(!document_.isOpen()  ? tr("Open a study to see its measurements here.")
-                        : document_.canRun() ? tr("Simulating the model as it stands …")
+        empty_->setText(!document_.isOpen()      ? tr("Open a study to see its measurements here.")
+                        : document_.modelError() ? tr("The model has an error, and no measurement can be read.")
+                        : document_.canRun()     ? tr("Simulating the model as it stands …")
                                              : tr("Import a measurement and map its columns: measured and simulated "
                                                   "traces then appear here."));
         pages_->setCurrentWidget(empty_);
         return;
     }
     const std::string& name = names_[static_cast<std::size_t>(index)];
-    const ExperimentState* before = experimentOf(document_.before(), name);
-    const ExperimentState* after = experimentOf(document_.after(), name);
-    const ExperimentState* any = after ? after : before;
+    const ExperimentState* any = shownState(name);
     if (!any) return;
-    // A run one has gone back to may be one of the recording as it was trimmed then.
-    if (before && before->time != any->time) before = nullptr;
-    const auto time = std::make_shared<const std::vector<double>>(any->time);
     while (residuals_.size() > any->outputs.size()) {
         delete residuals_.back();
         residuals_.pop_back();
@@ -212,30 +261,18 @@ void PlotPanel::rebuild() {
         plot->setVisible(!isResidualView_);
         plots_.push_back(plot);
     }
-    const QString beforeWord = document_.after() ? tr("before") : tr("simulated");
-    for (std::size_t i = 0; i < any->outputs.size(); ++i) {
-        const OutputState& output = any->outputs[i];
-        OutputPlot::Content content;
-        content.name = QString::fromStdString(output.name);
-        content.unit = QString::fromStdString(output.unit);
-        content.time = time;
-        content.measured = toVector(output.measured);
-        if (const OutputState* o = outputOf(before, output.name)) {
-            content.before = toVector(o->simulated);
-            content.beforeLabel = beforeWord + " " + percent(o->figures.errorPercent);
-        }
-        if (const OutputState* o = outputOf(after, output.name)) {
-            content.after = toVector(o->simulated);
-            content.afterLabel = tr("after") + " " + percent(o->figures.errorPercent);
-        }
+    std::vector<OutputPlot::Content> contents = contentsOf(name);
+    for (std::size_t i = 0; i < contents.size(); ++i) {
+        OutputPlot::Content& content = contents[i];
         const Series best = content.after.empty() ? content.before : content.after;
-        residuals_[i]->show(withUnit(content.name + " ", content.unit), content.unit,
-                            [study = document_.study(), name, time, measured = content.measured, best,
-                             simulated = withUnit(tr("simulated"), content.unit)] {
-                                std::vector<NamedSeries> against = variablesOf(study, name, *time);
-                                against.insert(against.begin(), {simulated, best.values()});
-                                return residualFacts(residualOf(measured, best), against);
-                            });
+        if (!best.empty())
+            residuals_[i]->show(withUnit(content.name + " ", content.unit), content.unit,
+                                [study = document_.study(), name, time = content.time, measured = content.measured,
+                                 best, simulated = withUnit(tr("simulated"), content.unit)] {
+                                    std::vector<NamedSeries> against = variablesOf(study, name, *time);
+                                    against.insert(against.begin(), {simulated, best.values()});
+                                    return residualFacts(residualOf(measured, best), against);
+                                });
         plots_[i]->show(std::move(content));
     }
     first_ = any->time.empty() ? 0 : any->time.front();

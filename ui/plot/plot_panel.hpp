@@ -25,71 +25,7 @@ struct StudyExperiment;
 namespace analogon::ui {
 
 class Document;
-class OutputPlot;
 class ResidualPlot;
-
-/// Measured against simulated, before and after, of one experiment at a time: for each output the values and the
-/// residual below. All time axes move together.
-class PlotPanel : public QWidget {
-    Q_OBJECT
-
-public:
-    explicit PlotPanel(Document& document, QWidget* parent = nullptr);
-
-    void showExperiment(const QString& name);
-    /// One per output of the experiment that is shown.
-    const std::vector<OutputPlot*>& plots() const { return plots_; }
-    const std::vector<ResidualPlot*>& residuals() const { return residuals_; }
-    QToolButton* residualButton() const { return residualView_; }
-    QToolButton* trimButton() const { return trim_; }
-    /// What is shown as a picture (png, svg) or as numbers (csv), by the ending of the file; tells how it went.
-    void exportTo(const QString& file);
-    QSize minimumSizeHint() const override;
-
-Q_SIGNALS:
-    void told(const QString& sentence);
-
-protected:
-    void resizeEvent(QResizeEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
-private:
-    void refresh();
-    void rebuild();
-    void arrangeBar();
-    /// The best so far of a fit that runs, a few times a second: only the trace that moves is drawn anew.
-    void showLive();
-    void setTimeRange(double from, double to);
-    void showAll();
-    void pointAt(double time);
-    void leave();
-    void mark(double time);
-    /// Keeps a part of the recording; the whole again when it is kept as a whole.
-    void trim(std::optional<std::pair<double, double>> range);
-    void setTrimming(bool isTrimming);
-    const StudyExperiment* shownExperiment() const;
-    void showView(bool isResidual);
-    void askWhereToExport();
-    Table numbers() const;
-
-    Document& document_;
-    QTabBar* experiments_;
-    QHBoxLayout *bar_, *buttons_;
-    QStackedLayout* pages_;
-    QLabel* empty_;
-    QScrollArea* area_;
-    QVBoxLayout* column_;
-    std::vector<OutputPlot*> plots_;
-    std::vector<std::string> names_;
-    double from_{0}, to_{0}, first_{0}, last_{0};
-    unsigned long version_{};    // of the traces shown
-    std::vector<double> marks_;  // [s] at most two
-    std::vector<ResidualPlot*> residuals_;
-    QToolButton *traceView_, *residualView_, *trim_, *untrim_, *export_;
-    bool isResidualView_{};
-    QString shown_;  // experiment the time range belongs to
-    JobRunner exporter_;
-};
 
 /// One output: a heading that is also the legend, values, residual.
 class OutputPlot : public QWidget {
@@ -139,6 +75,74 @@ private:
     std::vector<LegendEntry*> legend_;
     TimePlot* values_;
     TimePlot* residual_;
+};
+
+/// Measured against simulated, before and after, of one experiment at a time: for each output the values and the
+/// residual below. All time axes move together.
+class PlotPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PlotPanel(Document& document, QWidget* parent = nullptr);
+
+    void showExperiment(const QString& name);
+    /// Every output of every experiment, whole, for paper.
+    std::vector<QImage> pictures();
+    /// One per output of the experiment that is shown.
+    const std::vector<OutputPlot*>& plots() const { return plots_; }
+    const std::vector<ResidualPlot*>& residuals() const { return residuals_; }
+    QToolButton* residualButton() const { return residualView_; }
+    QToolButton* trimButton() const { return trim_; }
+    /// What is shown as a picture (png, svg) or as numbers (csv), by the ending of the file; tells how it went.
+    void exportTo(const QString& file);
+    QSize minimumSizeHint() const override;
+
+Q_SIGNALS:
+    void told(const QString& sentence);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void refresh();
+    void rebuild();
+    void arrangeBar();
+    /// The best so far of a fit that runs, a few times a second: only the trace that moves is drawn anew.
+    void showLive();
+    void setTimeRange(double from, double to);
+    void showAll();
+    void pointAt(double time);
+    void leave();
+    void mark(double time);
+    /// Keeps a part of the recording; the whole again when it is kept as a whole.
+    void trim(std::optional<std::pair<double, double>> range);
+    void setTrimming(bool isTrimming);
+    const StudyExperiment* shownExperiment() const;
+    /// What there is of an experiment: with the effect, else without, else measured alone; null: nothing.
+    const ExperimentState* shownState(const std::string& experiment) const;
+    std::vector<OutputPlot::Content> contentsOf(const std::string& experiment) const;
+    void showView(bool isResidual);
+    void askWhereToExport();
+    Table numbers() const;
+
+    Document& document_;
+    QTabBar* experiments_;
+    QHBoxLayout *bar_, *buttons_;
+    QStackedLayout* pages_;
+    QLabel* empty_;
+    QScrollArea* area_;
+    QVBoxLayout* column_;
+    std::vector<OutputPlot*> plots_;
+    std::vector<std::string> names_;
+    double from_{0}, to_{0}, first_{0}, last_{0};
+    unsigned long version_{};    // of the traces shown
+    std::vector<double> marks_;  // [s] at most two
+    std::vector<ResidualPlot*> residuals_;
+    QToolButton *traceView_, *residualView_, *trim_, *untrim_, *export_;
+    bool isResidualView_{};
+    QString shown_;  // experiment the time range belongs to
+    JobRunner exporter_;
 };
 
 }  // namespace analogon::ui

@@ -72,6 +72,12 @@ void TextView::showEvent(QShowEvent* event) {
     QPlainTextEdit::showEvent(event);
 }
 
+/// Whoever turns to something else does so with what was typed.
+void TextView::focusOutEvent(QFocusEvent* event) {
+    if (typing_.isActive()) commit();
+    QPlainTextEdit::focusOutEvent(event);
+}
+
 void TextView::recolour() {
     for (QObject* child : this->document()->children())
         if (auto* highlighter = dynamic_cast<Highlighter*>(child)) highlighter->setPalette(palette());

@@ -23,6 +23,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
 
 private:
     class LineNumbers;

@@ -4,6 +4,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QLocale>
 #include <QMenuBar>
 #include <QScreen>
 #include <QScrollArea>
@@ -20,6 +21,7 @@
 #include "ui/document/document.hpp"
 #include "ui/document/mention.hpp"
 #include "ui/document/recovery.hpp"
+#include "ui/effect/finding_words.hpp"
 #include "ui/effect/result_panel.hpp"
 #include "ui/fit/fit_panel.hpp"
 #include "ui/fit/run_bar.hpp"
@@ -38,6 +40,7 @@
 #include "ui/window/compose_actions.hpp"
 #include "ui/window/generate_page.hpp"
 #include "ui/window/guide_page.hpp"
+#include "ui/window/recovered_line.hpp"
 #include "ui/window/start_page.hpp"
 #include "ui/words/words.hpp"
 
@@ -95,6 +98,7 @@ MainWindow::MainWindow(QWidget* parent)
       exporter_(new JobRunner(this)),
       recovery_(new Recovery(*document_, this)) {
     setAcceptDrops(true);
+    qApp->installEventFilter(this);  // files may be dropped anywhere
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setDocumentMode(true);
@@ -246,8 +250,14 @@ void MainWindow::createActions() {
     connect(importAction_, &QAction::triggered, this, &MainWindow::askForMeasurement);
     connect(reportAction_, &QAction::triggered, this, &MainWindow::askWhereToReport);
     connect(quitAction_, &QAction::triggered, this, &QWidget::close);
-    connect(fitAction_, &QAction::triggered, this, [this] { controller_->start(RunKind::Fit); });
-    connect(discoverAction_, &QAction::triggered, this, [this] { controller_->start(RunKind::Discover); });
+    connect(fitAction_, &QAction::triggered, this, [this] {
+        settle();
+        controller_->start(RunKind::Fit);
+    });
+    connect(discoverAction_, &QAction::triggered, this, [this] {
+        settle();
+        controller_->start(RunKind::Discover);
+    });
     connect(fitViewAction_, &QAction::triggered, view_, &DiagramView::fitView);
 }
 
@@ -328,7 +338,7 @@ void MainWindow::addPanelKeys(QMenu* menu) {
 void MainWindow::addLanguages(QMenu* view) {
     QMenu* menu = view->addMenu(tr("Language"));
     auto* group = new QActionGroup(this);
-    const QString now = settings_.value("window/language", "en").toString();
+    const QString now = settings_.value("window/language", QLocale().name().left(2)).toString();
     const std::pair<QString, QString> names[] = {{"en", QStringLiteral("English")}, {"de", QStringLiteral("Deutsch")}};
     for (const auto& [code, name] : names) {
         QAction* action = menu->addAction(name, this, [this, code = code] {
@@ -371,6 +381,11 @@ void MainWindow::createToolBar() {
     bar->addAction(fitViewAction_);
     runBar_ = new RunBar(*controller_, bar);
     bar->addWidget(runBar_);
+    addToolBarBreak();
+    recoveredBar_ = addToolBar(tr("Recovered work"));
+    recoveredBar_->setObjectName("recovered");
+    recoveredBar_->setMovable(false);
+    recoveredBar_->toggleViewAction()->setVisible(false);
     statusBar()->setSizeGripEnabled(false);
     whyNoRun_ = new QToolButton(this);
     whyNoRun_->setObjectName("why-no-run");
@@ -466,6 +481,7 @@ void MainWindow::connectPanels() {
         if (!isReading && besideGuide_.contains(plotDock_)) plotDock_->raise();
     });
     connect(measurements_, &MeasurementPanel::experimentChosen, plots_, &PlotPanel::showExperiment);
+    connect(view_, &DiagramView::staleClicked, this, &MainWindow::showFault);
     connect(scene_, &DiagramScene::blockSelected, this,
             [this](const QString& block) { parameters_->showComponent(wholeName(block)); });
     connect(parameters_, &ParameterPanel::componentCleared, scene_, &QGraphicsScene::clearSelection);
@@ -474,8 +490,8 @@ void MainWindow::connectPanels() {
     });
     connect(results_, &ResultPanel::mentionChosen, this, &MainWindow::showMention);
     connect(parameters_, &ParameterPanel::mentionChosen, this, &MainWindow::showMention);
-    connect(results_, &ResultPanel::trialWanted, this, [this](const QString& kind) {
-        if (document_->canRun()) controller_->tryKind(kind.toStdString());
+    connect(results_, &ResultPanel::trialWanted, this, [this](const EffectChoice& choice) {
+        if (document_->canRun()) controller_->tryEffect(choice);
     });
     connect(results_, &ResultPanel::placePointedAt, this,
             [this](const QString& place) { scene_->pointOut(place.toStdString()); });
@@ -494,8 +510,8 @@ void MainWindow::connectPanels() {
     connect(measurements_, &MeasurementPanel::browseWanted, this, &MainWindow::askForMeasurement);
     connect(import_, &ImportPanel::cancelled, this, &MainWindow::leaveImport);
     connect(import_, &ImportPanel::accepted, this, [this](const QString& experiment) {
-        leaveImport();
         plots_->showExperiment(experiment);
+        leaveImport();
     });
     connect(start_, &StartPage::openWanted, openAction_, &QAction::trigger);
     connect(start_, &StartPage::exampleChosen, this, &MainWindow::open);
@@ -514,8 +530,7 @@ void MainWindow::connectPanels() {
         });
     });
     connect(start_, &StartPage::newWanted, this, &MainWindow::startNew);
-    connect(start_, &StartPage::recoveryChosen, this,
-            [this](const Recovered& recovered) { document_->openRecovered(recovered.file, recovered.path); });
+    connect(start_, &StartPage::recoveryChosen, this, &MainWindow::openRecovered);
 }
 
 /// A screen of 1280 x 720 pixels at 150 % leaves 853 x 480.
@@ -549,7 +564,21 @@ void MainWindow::arrangeDocks() {
 
 void MainWindow::resetLayout() {
     arrangeDocks();
+    closedDocks_.clear();
+    if (areDocksShown_)
+        for (QDockWidget* dock : docks()) dock->show();
     if (document_->isOpen()) showStudy();
+}
+
+/// Pages that need the whole window take the panels out of sight; those that the user had closed stay closed.
+void MainWindow::setDocksShown(bool areShown) {
+    if (areShown == areDocksShown_) return;
+    areDocksShown_ = areShown;
+    if (!areShown) closedDocks_.clear();
+    for (QDockWidget* dock : docks())
+        if (!areShown && !dock->toggleViewAction()->isChecked() && dock->testAttribute(Qt::WA_WState_ExplicitShowHide))
+            closedDocks_ << dock;
+    for (QDockWidget* dock : docks()) dock->setVisible(areShown && !closedDocks_.contains(dock));
 }
 
 /// Sizes only hold for docks that are shown, so they wait for the first study.
@@ -575,7 +604,8 @@ void MainWindow::restoreLayout() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (document_->isOpen()) {  // the start page hides the docks: nothing worth remembering
+    settle();
+    if (document_->isOpen() && areDocksShown_) {  // the start page hides the docks: nothing worth remembering
         settings_.setValue("window/geometry", saveGeometry());
         settings_.setValue(layoutKey(), saveState(layoutVersion));
     }
@@ -603,7 +633,7 @@ void MainWindow::setTheme(int theme) {
 
 void MainWindow::showGenerate() {
     generate_->clear();
-    for (QDockWidget* dock : docks()) dock->hide();
+    setDocksShown(false);
     pages_->setCurrentWidget(generate_);
 }
 
@@ -630,10 +660,13 @@ void MainWindow::showStudy() {
     const bool isOpen = document_->isOpen();
     pages_->setCurrentWidget(isOpen ? static_cast<QWidget*>(centre_) : start_);
     if (isOpen && isLayoutFresh_ && isSmall() != isCompact_) arrangeDocks();
-    for (QDockWidget* dock : docks()) dock->setVisible(isOpen);
+    setDocksShown(isOpen);
     if (isOpen) {
-        if (isLayoutFresh_) sizeDocks();
-        plotDock_->raise();
+        if (!document_->definition()) scene_->show({});  // nothing of the study before
+        if (isLayoutFresh_) {
+            sizeDocks();
+            plotDock_->raise();
+        }
         start_->showFault({});
         rememberRecent(document_->path());
         statusBar()->clearMessage();
@@ -642,6 +675,7 @@ void MainWindow::showStudy() {
     }
     updateTitle();
     updateActions();
+    offerRecovered();
     if (!isOpen) start_->showWork(settings_.value("window/recent").toStringList(), Recovery::abandoned());
     if (isOpen) {
         view_->setFocus();                                    // its keys work at once
@@ -649,7 +683,32 @@ void MainWindow::showStudy() {
     }
 }
 
+/// Over a study that is open; the start page offers what there is by itself.
+void MainWindow::offerRecovered() {
+    recoveredBar_->clear();
+    const std::vector<Recovered> left = document_->isOpen() ? Recovery::abandoned() : std::vector<Recovered>();
+    for (const Recovered& recovered : left) {
+        if (recovered.file == document_->recoveredFrom()) continue;
+        auto* line = new RecoveredLine(recovered, recoveredBar_);
+        connect(line, &RecoveredLine::chosen, this, &MainWindow::openRecovered);
+        connect(line, &RecoveredLine::discarded, this, &MainWindow::offerRecovered, Qt::QueuedConnection);
+        recoveredBar_->addWidget(line);
+        break;  // the latest; the next one once this is settled
+    }
+    recoveredBar_->setVisible(!recoveredBar_->actions().isEmpty());
+}
+
+void MainWindow::openRecovered(const Recovered& recovered) {
+    leaveThen([this, recovered] { document_->openRecovered(recovered.file, recovered.path); });
+}
+
+/// While the text has a fault, the diagram of the last sound one stays in sight.
 void MainWindow::showModel() {
+    const bool isSound = document_->definition();
+    view_->setStale(isSound || !document_->isOpen()
+                        ? QString()
+                        : tr("The text has a fault: this is the model as it was before. A click shows the fault."));
+    if (!isSound) return;
     scene_->show(document_->diagram());
     showEffects();
 }
@@ -711,6 +770,13 @@ void MainWindow::showMention(const Mention& mention) {
     document_->leaveTo(0);
     scene_->select(name);
     scene_->pointOut(scene_->block(name) ? std::string() : name);
+}
+
+/// The place in the text where it stops being a model.
+void MainWindow::showFault() {
+    for (const Message& message : document_->messages())
+        if (message.origin == Message::Origin::Model && message.diagnostic.severity == Severity::Error)
+            return showPlace(message.diagnostic.place);
 }
 
 /// What a run waits for; empty: for nothing.

@@ -10,6 +10,7 @@ class QFileDialog;
 class QMenu;
 class QStackedWidget;
 class QTabWidget;
+class QToolBar;
 class QToolButton;
 
 namespace analogon {
@@ -39,6 +40,7 @@ class RunController;
 class StartPage;
 class TextView;
 struct Mention;
+struct Recovered;
 
 /// Puts the panels together: the diagram in the middle, what was measured to the left, parameters and results to
 /// the right, traces below. It has no state of its own beyond its layout.
@@ -64,8 +66,7 @@ public:
     void exportTo(ExportFormat format, const QString& path);
 
 protected:
-    void dragEnterEvent(QDragEnterEvent* event) override;
-    void dropEvent(QDropEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void changeEvent(QEvent* event) override;
 
@@ -79,6 +80,7 @@ private:
     void connectPanels();
     void restoreLayout();
     void resetLayout();
+    void setDocksShown(bool areShown);
     bool isSmall() const;
     void arrangeDocks();
     void sizeDocks();
@@ -89,10 +91,13 @@ private:
     void explainNoRun();
     void updateTitle();
     void showStudy();
+    void offerRecovered();
+    void openRecovered(const Recovered& recovered);
     void showModel();
     void showEffects();
     QString wholeName(const QString& block) const;
     void showPlace(const Place& place);
+    void showFault();
     void showMention(const Mention& mention);
     void askForStudy(bool isDirectory);
     void save();
@@ -103,7 +108,9 @@ private:
     void addLanguages(QMenu* view);
     void addPanelKeys(QMenu* menu);
     void importMeasurement(const QString& path);
+    void takeFiles(const QStringList& paths);
     void leaveImport();
+    void settle();
     /// Does it at once, or once the user has said what becomes of unsaved changes.
     void leaveThen(std::function<void()> next);
     void rememberRecent(const QString& path);
@@ -141,7 +148,11 @@ private:
     MessagePanel* messages_{};
     RunBar* runBar_{};
     QList<QDockWidget*> besideGuide_;  // what comes back when it is left
+    QList<QDockWidget*> closedDocks_;  // by the user, while all are out of sight
+    bool areDocksShown_{true};
     bool isReadingGuide_{};
+    QStringList waitingImports_;  // dropped together: one after the other
+    QToolBar* recoveredBar_{};
     bool isCompact_{};  // as the docks were arranged
     bool isLayoutFresh_{true};
     QDockWidget *libraryDock_{}, *measurementDock_{}, *parameterDock_{}, *resultDock_{}, *runDock_{}, *plotDock_{},

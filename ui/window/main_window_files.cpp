@@ -1,15 +1,18 @@
+#include <QApplication>
 #include <QDir>
 #include <QDockWidget>
-#include <QDragEnterEvent>
+#include <QDropEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPointer>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QUrl>
+#include <algorithm>
 
 #include "core/export/export.hpp"
 #include "ui/canvas/diagram_view.hpp"
@@ -21,24 +24,49 @@
 #include "ui/plot/plot_panel.hpp"
 #include "ui/window/generate_page.hpp"
 #include "ui/window/main_window.hpp"
+#include "ui/window/start_page.hpp"
 
 /// The window's dealings with files: opening, saving, importing, reporting.
 namespace analogon::ui {
 
+namespace {
+
+QStringList filesOf(const QMimeData* data) {
+    QStringList files;
+    for (const QUrl& url : data ? data->urls() : QList<QUrl>())
+        if (url.isLocalFile()) files << url.toLocalFile();
+    return files;
+}
+
+bool isStudy(const QString& path) {
+    const QFileInfo file(path);
+    return file.isDir() || file.suffix() == "json" || isArchive(path.toStdString());
+}
+
+}  // namespace
+
 void MainWindow::open(const QString& path) {
     const QFileInfo file(path);
-    const bool isStudy = file.isDir() || file.suffix() == "json" || isArchive(path.toStdString());
     const bool isGenerating = pages_->currentWidget() == generate_;
     static const QStringList recordings{"csv", "txt", "tsv", "dat", "mf4", "mdf", "mat"};
     if (file.exists() && recordings.contains(file.suffix().toLower()) && (isGenerating || !document_->isOpen())) {
         if (!isGenerating) showGenerate();  // there is no model yet that it could be a recording of
         return generate_->addRecording(path);
     }
-    if (document_->isOpen() && !isStudy && file.exists()) return importMeasurement(path);
+    if (document_->isOpen() && !isStudy(path) && file.exists()) return importMeasurement(path);
     leaveThen([this, path] { document_->open(path); });
 }
 
+/// What is being typed counts: a field keeps it until the keys go elsewhere.
+void MainWindow::settle() {
+    const QPointer<QWidget> at = QApplication::focusWidget();
+    if (!at || at->window() != this) return;
+    at->clearFocus();
+    if (at) at->setFocus();
+}
+
 void MainWindow::leaveThen(std::function<void()> next) {
+    settle();
     if (!document_->isModified()) return next();
     auto* box = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
                                 tr("%1 has changes that are not saved.").arg(document_->title()),
@@ -54,11 +82,18 @@ void MainWindow::leaveThen(std::function<void()> next) {
 }
 
 void MainWindow::save() {
-    if (document_->path().isEmpty() || document_->path().endsWith("study.json")) return askWhereToSave();
+    settle();
+    const QFileInfo now(document_->path());
+    const bool isWritable = now.exists() ? now.isWritable() : QFileInfo(now.path()).isWritable();
+    const bool isPlace = !document_->path().isEmpty() && now.fileName() != "study.json" && isWritable;
+    if (!isPlace || isExample(document_->path())) return askWhereToSave();
     saveTo(document_->path());
 }
 
-void MainWindow::saveTo(const QString& path) { document_->save(path); }
+void MainWindow::saveTo(const QString& path) {
+    settle();
+    document_->save(path);
+}
 
 void MainWindow::rememberRecent(const QString& path) {
     if (path.isEmpty()) return;
@@ -99,6 +134,7 @@ void MainWindow::importMeasurement(const QString& path) {
 }
 
 void MainWindow::leaveImport() {
+    if (!waitingImports_.isEmpty()) return import_->show(waitingImports_.takeFirst());
     if (const int tab = centre_->indexOf(import_); tab >= 0) centre_->removeTab(tab);
     centre_->setCurrentWidget(view_);
     view_->setFocus();
@@ -141,16 +177,15 @@ void MainWindow::askWhereToReport() {
 
 void MainWindow::writeReport(const QString& path) {
     if (!document_->result()) return;
-    std::vector<QImage> pictures;
-    for (OutputPlot* plot : plots_->plots()) pictures.push_back(plot->grab().toImage());
+    std::vector<QImage> pictures = plots_->pictures();
     writer_->start<Outcome<Done>>(
         tr("Writing the report"),
-        [result = *document_->result(), kind = document_->resultKind(), title = document_->title(),
+        [result = document_->sharedResult(), kind = document_->resultKind(), title = document_->title(),
          pictures = std::move(pictures), path](const Progress&) -> Outcome<Done> {
-            Outcome<Done> done = writeResults(result, commandName(kind), path.toStdString());
+            Outcome<Done> done = writeResults(*result, commandName(kind), path.toStdString());
             if (!done) return done;
             const QString fault =
-                writeReportPdf(QDir(path).filePath("report.pdf"), title, kind, result.finding, pictures);
+                writeReportPdf(QDir(path).filePath("report.pdf"), title, kind, result->finding, pictures);
             if (!fault.isEmpty()) return error(fault.toStdString());
             return done;
         },
@@ -187,6 +222,7 @@ void MainWindow::askWhereToExport(ExportFormat format) {
 
 void MainWindow::exportTo(ExportFormat format, const QString& path) {
     if (!document_->isOpen()) return;
+    settle();
     statusBar()->showMessage(tr("Exporting …"));
     exporter_->start<Outcome<Exported>>(
         tr("Exporting"),
@@ -200,16 +236,28 @@ void MainWindow::exportTo(ExportFormat format, const QString& path) {
         });
 }
 
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile()) event->acceptProposedAction();
+/// A file is meant for the window, whatever panel or field it is dropped on: else a text would take its address.
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::DragEnter && event->type() != QEvent::DragMove && event->type() != QEvent::Drop)
+        return false;
+    const auto* widget = qobject_cast<QWidget*>(watched);
+    auto* drop = static_cast<QDropEvent*>(event);  // the base of all three
+    const QStringList files = filesOf(drop->mimeData());
+    if (files.isEmpty() || !widget || (widget->window() != this && !isAncestorOf(widget->window()))) return false;
+    drop->acceptProposedAction();
+    if (event->type() == QEvent::Drop) takeFiles(files);
+    return true;
 }
 
-void MainWindow::dropEvent(QDropEvent* event) {
-    if (!event->mimeData()->hasUrls()) return;
-    event->acceptProposedAction();
-    for (const QUrl& url : event->mimeData()->urls()) {
-        open(url.toLocalFile());
-        if (pages_->currentWidget() != generate_) break;  // one study, or one import at a time
+void MainWindow::takeFiles(const QStringList& paths) {
+    const auto study = std::find_if(paths.begin(), paths.end(), isStudy);
+    if (study != paths.end()) return open(*study);
+    for (const QString& path : paths) {
+        const bool isImporting = centre_->indexOf(import_) >= 0;
+        if (isImporting && document_->isOpen() && pages_->currentWidget() != generate_)
+            waitingImports_ << path;
+        else
+            open(path);
     }
 }
 

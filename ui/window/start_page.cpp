@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "ui/style/style.hpp"
+#include "ui/window/recovered_line.hpp"
 
 namespace analogon::ui {
 
@@ -126,6 +127,11 @@ std::vector<Example> findExamples() {
     return examples;
 }
 
+bool isExample(const QString& path) {
+    const QString whole = QFileInfo(path).canonicalFilePath(), place = examplesDirectory().canonicalPath();
+    return !place.isEmpty() && whole.startsWith(place + "/");
+}
+
 StartPage::StartPage(std::vector<Example> examples, QWidget* parent)
     : QWidget(parent), fault_(new QLabel(this)), work_(new QVBoxLayout) {
     auto* title = new QLabel(QStringLiteral("Analogon"), this);
@@ -206,21 +212,8 @@ void StartPage::showWork(const QStringList& recent, const std::vector<Recovered>
     };
     if (!recovered.empty()) addHeading(tr("Recovered work"));
     for (const Recovered& r : recovered) {
-        const QString name = r.path.isEmpty() ? tr("A study that was never saved") : QFileInfo(r.path).fileName();
-        auto* line = new QWidget(this);
-        auto* row = new QHBoxLayout(line);
-        row->setContentsMargins(0, 0, 0, 0);
-        auto* label = new QLabel(tr("%1, changes of %2").arg(name, r.saved), line);
-        auto* open = new QPushButton(tr("Open"), line);
-        auto* drop = new QPushButton(tr("Discard"), line);
-        connect(open, &QPushButton::clicked, this, [this, r] { Q_EMIT recoveryChosen(r); });
-        connect(drop, &QPushButton::clicked, line, [line, r] {
-            Recovery::discard(r);
-            line->hide();
-        });
-        row->addWidget(label, 1);
-        row->addWidget(open);
-        row->addWidget(drop);
+        auto* line = new RecoveredLine(r, this);
+        connect(line, &RecoveredLine::chosen, this, &StartPage::recoveryChosen);
         work_->addWidget(line);
     }
     bool isFirst = true;

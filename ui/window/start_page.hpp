@@ -17,6 +17,8 @@ struct Example {
 
 /// Examples of the installation, or of the source tree it was built from.
 std::vector<Example> findExamples();
+/// Whether a study is one of them: it is to stay as it is.
+bool isExample(const QString& path);
 
 /// What is seen while no study is open: how to open one, and the examples.
 class StartPage : public QWidget {

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "core/archive/zip_directory.hpp"
+#include "core/study/run.hpp"
 
 namespace analogon {
 namespace {
@@ -53,6 +54,46 @@ TEST_F(Archive, ReadsBackWhatItWrote) {
     for (const char* name : {"train.csv", "validation.csv"})
         EXPECT_EQ(bytesOf(read->study.directory / name), bytesOf(study.directory / name)) << name;
     EXPECT_EQ(read->study.tables.at("train.csv")->file, (file / "train.csv").string());
+}
+
+/// The file is one that the program of November 2026 wrote. It is never made anew.
+TEST_F(Archive, ReadsAFileOfTheFirstFormat) {
+    const Outcome<OpenedStudy> read = openStudy(ANALOGON_ROOT "/tests/core/archive/version-1.analogon");
+    ASSERT_TRUE(read) << format(read.diagnostics());
+    const Study& study = read->study;
+    EXPECT_EQ(study.className, "HeatedBody");
+    EXPECT_EQ(study.models.size(), 2u) << "a class file of its own beside the model";
+    ASSERT_EQ(study.experiments.size(), 2u);
+    const StudyExperiment &heating = study.experiments[0], &cycle = study.experiments[1];
+    EXPECT_EQ(heating.role, Role::Fit);
+    EXPECT_EQ(cycle.role, Role::Validate);
+    EXPECT_EQ(heating.range, std::pair(10.0, 500.0));
+    EXPECT_EQ(heating.inputs.at("power").scale, 0.99);
+    EXPECT_EQ(heating.inputs.at("power").offset, 0.1);
+    EXPECT_EQ(heating.outputs.at("T").weight, 2);
+    EXPECT_EQ(heating.outputs.at("T").clock, 0.5);
+    EXPECT_TRUE(std::holds_alternative<FittedStart>(heating.initial.at("body.T_start")));
+    EXPECT_EQ(std::get<ColumnStart>(cycle.initial.at("body.T_start")).column, "T_body");
+    EXPECT_EQ(cycle.outputs.at("T").unit, "degC");
+    const StudyParameter& capacity = study.parameters.at("body.C");
+    EXPECT_EQ(capacity.value, 29.5);
+    EXPECT_EQ(capacity.max, 500);
+    ASSERT_TRUE(capacity.prior);
+    EXPECT_EQ(capacity.prior->mean, 30);
+    EXPECT_EQ(capacity.prior->deviation, 2);
+    EXPECT_FALSE(study.parameters.at("radiation.k_r").fit);
+    EXPECT_NE(study.extraJson.find("nobody knows it"), std::string::npos) << "what is not known is kept";
+
+    const Outcome<RunResult> run = runSimulate(study, {});
+    ASSERT_TRUE(run) << format(run.diagnostics());
+    EXPECT_NEAR(run->finding.final.experiments[0].errorPercent, 0.77779, 1e-4);
+    EXPECT_NEAR(run->finding.final.experiments[1].errorPercent, 0.90434, 1e-4);
+
+    ASSERT_TRUE(saveStudy(study, root / "now.analogon"));
+    const Outcome<OpenedStudy> again = openStudy(root / "now.analogon");
+    ASSERT_TRUE(again) << format(again.diagnostics());
+    EXPECT_EQ(studyJson(again->study), studyJson(study));
+    EXPECT_EQ(again->study.models, study.models);
 }
 
 TEST_F(Archive, StartsWithItsTypeAtAFixedPlace) {

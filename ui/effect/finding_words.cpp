@@ -1,0 +1,146 @@
+#include "ui/effect/finding_words.hpp"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <cmath>
+
+#include "ui/effect/result_panel.hpp"
+#include "ui/inspector/parameter_model.hpp"
+#include "ui/words/words.hpp"
+
+namespace analogon::ui {
+
+namespace {
+
+QString text(const std::string& s) { return QString::fromStdString(s); }
+
+}  // namespace
+
+QString percentWords(double value) {
+    if (!std::isfinite(value)) return QStringLiteral("–");
+    return QStringLiteral("%1 %").arg(value, 0, 'f', std::abs(value) < 9.995 ? 2 : 1);
+}
+
+QString joined(const std::vector<std::string>& names) {
+    QStringList list;
+    for (const std::string& n : names) list << text(n);
+    return list.join(", ");
+}
+
+QString placeOf(const QString& at) {
+    return at.startsWith("output ") || at.startsWith("input ") ? at.section(' ', 1) : at;
+}
+
+QString shortDescription(const QString& description) {
+    const QString whole = QCoreApplication::translate("Library", description.toUtf8().constData());
+    // German has a comma before a relative clause where English has none; it tells one effect from another
+    static const QRegularExpression detail("[,;:.(]"), clause("[;:.(]");
+    return whole.section(description.contains(',') ? detail : clause, 0, 0).trimmed();
+}
+
+QString placeText(const QString& at) {
+    if (at.startsWith("output ")) return ResultPanel::tr("output %1").arg(placeOf(at));
+    if (at.startsWith("input ")) return ResultPanel::tr("input %1").arg(placeOf(at));
+    return at;
+}
+
+QString verdictText(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::Chosen:
+            return ResultPanel::tr("chosen");
+        case Verdict::Equivalent:
+            return ResultPanel::tr("equivalent");
+        case Verdict::Weaker:
+            return ResultPanel::tr("weaker");
+        case Verdict::NotSignificant:
+            return ResultPanel::tr("not significant");
+        case Verdict::Absorbed:
+            return ResultPanel::tr("absorbed");
+        case Verdict::WrongSign:
+            return ResultPanel::tr("wrong sign");
+        case Verdict::FailsHeldOut:
+            return ResultPanel::tr("fails on held-out data");
+        case Verdict::Failed:
+            break;
+    }
+    return ResultPanel::tr("failed");
+}
+
+QString effectName(const AddedEffect& effect) {
+    return shortDescription(text(effect.description.empty() ? effect.kind : effect.description));
+}
+
+QString effectTitle(const AddedEffect& effect) {
+    return ResultPanel::tr("%1 at %2").arg(effectName(effect), placeText(text(effect.at)));
+}
+
+FindingWords findingWords(const Finding& finding, RunKind kind) {
+    const auto tr = [](const char* s) { return ResultPanel::tr(s); };
+    if (kind == RunKind::Fit) {
+        const bool converged = finding.final.status == FitStatus::Converged;
+        const QString message = converged ? tr("The error cannot be made smaller by changing the fitted parameters.")
+                                          : inWords(finding.final.message);
+        if (finding.interrupted || finding.final.status == FitStatus::Cancelled)
+            return {tr("Fit stopped"), tr("The best parameters so far are shown."), false};
+        std::vector<std::string> atBounds;
+        for (const FitEstimate& e : finding.final.parameters)
+            if (e.atBound) atBounds.push_back(e.name);
+        if (converged && !atBounds.empty())
+            return {tr("Fitted, with %1 at a bound").arg(joined(atBounds)),
+                    tr("Within the bounds the error cannot be made smaller; beyond them it could be."), false};
+        return {converged ? tr("Parameters fitted") : tr("Fit did not converge"), message, converged};
+    }
+    if (finding.interrupted)
+        return {tr("Search stopped"), tr("What was found until then is shown; the rest was not tried."), false};
+    const QString found = finding.effects.empty()       ? QString()
+                          : finding.effects.size() == 1 ? effectTitle(finding.effects.front())
+                                                        : tr("%1 effects").arg(finding.effects.size());
+    switch (finding.kind) {
+        case FindingKind::Adequate:
+            return {tr("The model is adequate"),
+                    tr("What is left between model and measurement is noise. Nothing was added."), true};
+        case FindingKind::Effect:
+            return {found, tr("With it, refitted, what is left is noise."), true};
+        case FindingKind::Partial:
+            return {found, tr("With it, refitted, some structure remains that no candidate explains."), false};
+        case FindingKind::Unexplained:
+            break;
+    }
+    return {tr("Unexplained structure"), tr("The residual is not noise, and no effect of the library explains it."),
+            false};
+}
+
+QString equivalentWords(const AddedEffect& effect) {
+    QStringList equivalent;
+    for (const Alternative& a : effect.alternatives)
+        if (a.equivalent) equivalent << ResultPanel::tr("%1 at %2").arg(text(a.kind), placeText(text(a.at)));
+    return equivalent.isEmpty() ? QString()
+                                : ResultPanel::tr("This data cannot tell it from: %1.").arg(equivalent.join("; "));
+}
+
+RemainderWords remainderWords(const Remainder& r, const std::function<QString(const std::string&)>& named) {
+    RemainderWords words;
+    words.heading = ResultPanel::tr("What remains on %1").arg(text(r.output));
+    words.where = ResultPanel::tr("Between %1 and %2 s").arg(numberText(r.from, 4), numberText(r.to, 4));
+    if (!r.experiment.empty()) words.where += ResultPanel::tr(" of %1").arg(named(r.experiment));
+    if (!r.node.empty()) words.where += ResultPanel::tr(", acting at %1").arg(named(r.node));
+    words.where += ".";
+    QStringList moves;
+    for (const Correlate& c : r.movesWith)
+        if (c.isWorthAWord()) moves << QStringLiteral("%1 (%2)").arg(text(c.variable), numberText(c.correlation, 2));
+    if (!moves.isEmpty()) words.movesWith = ResultPanel::tr("It moves with %1.").arg(moves.join(", "));
+    if (r.proposedEquation.empty()) return words;
+    words.proposal = ResultPanel::tr("Proposed, not added: %1").arg(inWords(r.proposedEquation));
+    QStringList facts;
+    if (!r.proposedClass.empty()) facts << ResultPanel::tr("Block %1").arg(text(r.proposedClass));
+    if (r.errorFitWith >= 0)
+        facts << ResultPanel::tr("with it the error would be %1 on fitted data").arg(percentWords(r.errorFitWith));
+    if (r.errorValidateWith >= 0)
+        facts << ResultPanel::tr("%1 on validation data").arg(percentWords(r.errorValidateWith));
+    if (r.worsensValidation())
+        facts << ResultPanel::tr("worse than the %1 without it").arg(percentWords(r.errorValidateWithout));
+    if (!facts.isEmpty()) words.proposalFacts = facts.join(", ") + ".";
+    return words;
+}
+
+}  // namespace analogon::ui

@@ -1,0 +1,28 @@
+#include "ui/window/recovered_line.hpp"
+
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace analogon::ui {
+
+RecoveredLine::RecoveredLine(Recovered recovered, QWidget* parent) : QWidget(parent) {
+    const QString name =
+        recovered.path.isEmpty() ? tr("A study that was never saved") : QFileInfo(recovered.path).fileName();
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    auto* open = new QPushButton(tr("Open"), this);
+    auto* drop = new QPushButton(tr("Discard"), this);
+    connect(open, &QPushButton::clicked, this, [this, recovered] { Q_EMIT chosen(recovered); });
+    connect(drop, &QPushButton::clicked, this, [this, recovered] {
+        Recovery::discard(recovered);
+        hide();
+        Q_EMIT discarded();
+    });
+    row->addWidget(new QLabel(tr("%1, changes of %2").arg(name, recovered.saved), this), 1);
+    row->addWidget(open);
+    row->addWidget(drop);
+}
+
+}  // namespace analogon::ui
