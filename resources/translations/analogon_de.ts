@@ -4009,6 +4009,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Suche</translation>
     </message>
     <message>
+        <source>Fit</source>
+        <translation>Anpassung</translation>
+    </message>
+    <message>
         <source>%1 stopped.</source>
         <translation>%1 angehalten.</translation>
     </message>
