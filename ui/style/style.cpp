@@ -110,6 +110,12 @@ public:
 
     /// Air between the frame of a field and its text.
     QRect subElementRect(SubElement element, const QStyleOption* option, const QWidget* widget) const override {
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* more) const override {
+        if (hint == SH_Table_GridLineColor && option) return static_cast<int>(hairline(option->palette).rgba());
+        return QProxyStyle::styleHint(hint, option, widget, more);
+    }
+
         const QRect rect = QProxyStyle::subElementRect(element, option, widget);
         const auto* frame = qstyleoption_cast<const QStyleOptionFrame*>(option);
         if (element != SE_LineEditContents || !frame || frame->lineWidth <= 0) return rect;
@@ -166,6 +172,15 @@ public:
                 return drawSeparator(*option, *painter);
             case CE_TabBarTabShape:
                 return drawTab(*static_cast<const QStyleOptionTab*>(option), *painter);
+            case CE_MenuBarEmptyArea:
+                painter->fillRect(option->rect, p.window());
+                return underline(*painter, option->rect, hairline(p), 1);
+            case CE_MenuBarItem:
+                QProxyStyle::drawControl(element, option, painter, widget);
+                if (!(option->state & State_Sunken)) underline(*painter, option->rect, hairline(p), 1);
+                return;
+            case CE_ProgressBarGroove:
+                return drawGroove(*option, *painter);
             case CE_TabBarTabLabel: {
                 auto tab = *static_cast<const QStyleOptionTab*>(option);
                 if (!(tab.state & State_Selected)) tab.palette.setColor(QPalette::WindowText, mutedText(p));
@@ -198,6 +213,13 @@ public:
                 return drawSeparator(*option, *painter);
             default:
                 return QProxyStyle::drawPrimitive(element, option, painter, widget);
+            case PE_IndicatorToolBarSeparator: {
+                QStyleOption line = *option;
+                line.rect.adjust(0, 2 * unit, 0, -2 * unit);
+                return drawSeparator(line, *painter);
+            }
+            case PE_FrameFocusRect:
+                return drawFocus(*option, *painter);
         }
     }
 
@@ -273,6 +295,27 @@ private:
 
     static void drawTab(const QStyleOptionTab& tab, QPainter& painter) {
         const QPalette& p = tab.palette;
+    static void drawGroove(const QStyleOption& bar, QPainter& painter) {
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(hairline(bar.palette));
+        painter.drawRoundedRect(bar.rect, 3, 3);
+        painter.restore();
+    }
+
+    /// As the base style does, only where the keyboard leads.
+    static void drawFocus(const QStyleOption& focus, QPainter& painter) {
+        if (!(focus.state & State_KeyboardFocusChange)) return;
+        const QPalette& p = focus.palette;
+        painter.save();
+        painter.setPen(focus.state & State_Selected ? mix(accent(p), p.color(QPalette::HighlightedText), 0.3)
+                                                    : accent(p));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(QRectF(focus.rect).adjusted(0.5, 0.5, -0.5, -0.5));
+        painter.restore();
+    }
+
         const bool isChosen = tab.state & State_Selected;
         if (!isChosen && (tab.state & State_MouseOver) && (tab.state & State_Enabled))
             painter.fillRect(tab.rect, mix(p.color(QPalette::Window), p.color(QPalette::WindowText), 0.05));
