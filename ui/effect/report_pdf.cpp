@@ -12,6 +12,7 @@
 #include "core/report/number_text.hpp"
 #include "core/report/words.hpp"
 #include "ui/effect/result_panel.hpp"
+#include "ui/style/style.hpp"
 
 namespace analogon::ui {
 
@@ -19,9 +20,7 @@ namespace {
 
 QString text(const std::string& s) { return QString::fromStdString(s).toHtmlEscaped(); }
 QString tr(const char* s) { return ResultPanel::tr(s); }
-QString number(double v, int digits = 4) {
-    return std::isfinite(v) ? QString::number(v, 'g', digits) : QStringLiteral("–");
-}
+QString number(double v, int digits = 4) { return style::numberText(v, digits); }
 
 /// A table of cells; all but the first column are set to the right.
 class HtmlTable {

@@ -368,7 +368,7 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
         const bool isEstimate = std::isfinite(p.standardError) && p.standardError > 0;
         // what is given is shown as it is given
         const QString value =
-            isEstimate ? QString::fromStdString(valueText(p.value, p.standardError)) : numberText(p.value, 5);
+            isEstimate ? QString::fromStdString(valueText(p.value, p.standardError)) : style::numberText(p.value, 5);
         add(text(p.name), value + " " + text(p.unit));
     }
     const Evidence& e = effect.evidence;
@@ -379,7 +379,8 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
     add(tr("ΔBIC"), evidenceText(e.deltaBic), tr("negative: gains more than it costs"),
         tr("Of the finished model against the same refitted without the effect; negative: it gains more than its "
            "parameters cost"));
-    add(tr("Held out"), numberText(e.heldOut, 2), tr("+1: holds on data left out; −1: fails"),
+    add(tr("Held out"), (e.heldOut > 0 ? "+" : "") + style::numberText(e.heldOut, 2),
+        tr("+1: holds on data left out; −1: fails"),
         tr("+1: the gain holds on data left out of the fit; −1: it does not"));
     column_->addLayout(grid);
     column_->addSpacing(style::unit);
@@ -402,7 +403,7 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
 void ResultPanel::addRemainder(const Finding& finding) {
     for (const Remainder& r : finding.remainders) {
         addHeading(tr("What remains on %1").arg(text(r.output)));
-        QString sentence = tr("Between %1 and %2 s").arg(numberText(r.from, 4), numberText(r.to, 4));
+        QString sentence = tr("Between %1 and %2 s").arg(style::numberText(r.from, 4), style::numberText(r.to, 4));
         const auto link = [this](const std::string& name) {
             return linkedWords(document_, Text(placeOf(text(name)).toStdString()));
         };
@@ -412,7 +413,7 @@ void ResultPanel::addRemainder(const Finding& finding) {
         QStringList moves;
         for (const Correlate& c : r.movesWith)
             if (c.isWorthAWord())
-                moves << QStringLiteral("%1 (%2)").arg(text(c.variable), numberText(c.correlation, 2));
+                moves << QStringLiteral("%1 (%2)").arg(text(c.variable), style::numberText(c.correlation, 2));
         if (!moves.isEmpty()) addText(tr("It moves with %1.").arg(moves.join(", ")), true);
         addProposal(r);
     }

@@ -6,6 +6,7 @@
 #include <QHeaderView>
 #include <QIconEngine>
 #include <QLabel>
+#include <QLocale>
 #include <QPainter>
 #include <QPixmap>
 #include <QProxyStyle>
@@ -17,6 +18,7 @@
 #include <QVBoxLayout>
 #include <QWidget>
 #include <algorithm>
+#include <cmath>
 
 // Resources of a static library must be asked for; the macro wants the global namespace.
 static void loadIcons() { Q_INIT_RESOURCE(icons); }
@@ -108,14 +110,14 @@ public:
         }
     }
 
-    /// Air between the frame of a field and its text.
-    QRect subElementRect(SubElement element, const QStyleOption* option, const QWidget* widget) const override {
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                   QStyleHintReturn* more) const override {
         if (hint == SH_Table_GridLineColor && option) return static_cast<int>(hairline(option->palette).rgba());
         return QProxyStyle::styleHint(hint, option, widget, more);
     }
 
+    /// Air between the frame of a field and its text.
+    QRect subElementRect(SubElement element, const QStyleOption* option, const QWidget* widget) const override {
         const QRect rect = QProxyStyle::subElementRect(element, option, widget);
         const auto* frame = qstyleoption_cast<const QStyleOptionFrame*>(option);
         if (element != SE_LineEditContents || !frame || frame->lineWidth <= 0) return rect;
@@ -170,8 +172,6 @@ public:
             }
             case CE_Splitter:
                 return drawSeparator(*option, *painter);
-            case CE_TabBarTabShape:
-                return drawTab(*static_cast<const QStyleOptionTab*>(option), *painter);
             case CE_MenuBarEmptyArea:
                 painter->fillRect(option->rect, p.window());
                 return underline(*painter, option->rect, hairline(p), 1);
@@ -181,6 +181,8 @@ public:
                 return;
             case CE_ProgressBarGroove:
                 return drawGroove(*option, *painter);
+            case CE_TabBarTabShape:
+                return drawTab(*static_cast<const QStyleOptionTab*>(option), *painter);
             case CE_TabBarTabLabel: {
                 auto tab = *static_cast<const QStyleOptionTab*>(option);
                 if (!(tab.state & State_Selected)) tab.palette.setColor(QPalette::WindowText, mutedText(p));
@@ -211,8 +213,6 @@ public:
                 return;
             case PE_IndicatorDockWidgetResizeHandle:
                 return drawSeparator(*option, *painter);
-            default:
-                return QProxyStyle::drawPrimitive(element, option, painter, widget);
             case PE_IndicatorToolBarSeparator: {
                 QStyleOption line = *option;
                 line.rect.adjust(0, 2 * unit, 0, -2 * unit);
@@ -220,6 +220,8 @@ public:
             }
             case PE_FrameFocusRect:
                 return drawFocus(*option, *painter);
+            default:
+                return QProxyStyle::drawPrimitive(element, option, painter, widget);
         }
     }
 
@@ -293,8 +295,6 @@ private:
                          option.state & State_MouseOver ? accent(option.palette) : hairline(option.palette));
     }
 
-    static void drawTab(const QStyleOptionTab& tab, QPainter& painter) {
-        const QPalette& p = tab.palette;
     static void drawGroove(const QStyleOption& bar, QPainter& painter) {
         painter.save();
         painter.setRenderHint(QPainter::Antialiasing);
@@ -316,6 +316,8 @@ private:
         painter.restore();
     }
 
+    static void drawTab(const QStyleOptionTab& tab, QPainter& painter) {
+        const QPalette& p = tab.palette;
         const bool isChosen = tab.state & State_Selected;
         if (!isChosen && (tab.state & State_MouseOver) && (tab.state & State_Enabled))
             painter.fillRect(tab.rect, mix(p.color(QPalette::Window), p.color(QPalette::WindowText), 0.05));
@@ -487,6 +489,13 @@ QString countText(qulonglong count) {
     QString text = QString::number(count);
     for (qsizetype at = text.size() - 3; at > 0 && text.size() > 4; at -= 3) text.insert(at, QChar(0x202F));
     return text;
+}
+
+QString numberText(double value, int digits) {
+    if (!std::isfinite(value)) return QStringLiteral("–");
+    QLocale plain = QLocale::c();
+    plain.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::OmitLeadingZeroInExponent);
+    return plain.toString(value, 'g', digits).remove('+');
 }
 
 void showWhenEmpty(QAbstractItemView* list, const QString& advice) {
