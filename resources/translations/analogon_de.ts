@@ -436,6 +436,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Vergleich zweier Läufe</translation>
     </message>
     <message>
+        <source>How long it takes is not known yet.</source>
+        <translation>Die Dauer ist noch nicht bekannt.</translation>
+    </message>
+    <message>
         <source>about %1 s left</source>
         <translation>noch etwa %1 s</translation>
     </message>
@@ -444,8 +448,8 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>dauerte %1 s</translation>
     </message>
     <message>
-        <source>Every fit and discovery is kept here.</source>
-        <translation>Jede Anpassung und jede Suche bleibt hier erhalten.</translation>
+        <source>Every run of Fit (F5) and Discover (F6) is kept here.</source>
+        <translation>Jeder Lauf von „Anpassen“ (F5) und „Effekt suchen“ (F6) bleibt hier erhalten.</translation>
     </message>
     <message>
         <source>Choose two runs to compare them.</source>

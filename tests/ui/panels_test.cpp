@@ -465,6 +465,32 @@ TEST_F(Panels, KeepsTheLibraryInPlaceWhenTheStudyHasClassesOfItsOwn) {
     EXPECT_EQ(topLevel(), QStringList("Probe") + before);
 }
 
+TEST_F(Panels, SaysFromTheStartOfARunHowLongItMayTake) {
+    openLambda();
+    window.findChild<QDockWidget*>("runs")->raise();
+    window.controller().start(RunKind::Discover);
+    QTest::qWait(20);
+    for (const QLabel* label : panel<FitPanel>()->findChildren<QLabel*>())
+        EXPECT_FALSE(label->isVisible() && label->text().isEmpty());
+    window.controller().cancel();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !window.controller().isRunning(); }, 60000));
+}
+
+TEST(ErrorCurve, KeepsOffTheAxisBelowIt) {
+    ErrorCurve curve;
+    curve.resize(300, 120);
+    curve.add(0, 10);
+    curve.add(1, 1);
+    const QImage picture = curve.grab().toImage();
+    const QColor ink = style::accent(curve.palette());
+    int lowest = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        if (picture.pixelColor(picture.width() - style::margin - 1, y) == ink) lowest = y;
+    const int axis = curve.height() - style::unit - curve.fontMetrics().height();
+    EXPECT_GT(lowest, axis / 2);
+    EXPECT_LT(lowest, axis - 3);
+}
+
 TEST_F(Panels, LeadsFromAFaultOfTheDataToItsLine) {
     openLambda();
     Place place;
