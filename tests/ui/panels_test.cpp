@@ -465,6 +465,25 @@ TEST_F(Panels, KeepsTheLibraryInPlaceWhenTheStudyHasClassesOfItsOwn) {
     EXPECT_EQ(topLevel(), QStringList("Probe") + before);
 }
 
+/// The frame of a group reaches its border, where its connectors are.
+TEST_F(Panels, ShowsTheConnectorsOfAGroupInItsIcon) {
+    openLambda();
+    ASSERT_FALSE(window.compose().composer().group({"heater", "element"}, "Probe").empty());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().library().find("Probe") != nullptr; }, 5000));
+    constexpr int size = 24, ratio = 4;
+    const QImage icon = classPixmap(document().library(), "Probe", size, ratio).toImage();
+    const auto isSignal = [&](int x) {  // [px] from the left
+        for (int y = 0; y < icon.height(); ++y) {
+            const QColor at = icon.pixelColor(x * ratio + ratio / 2, y);
+            if (at.alpha() > 200 && at.blue() > at.red() + 60) return true;
+        }
+        return false;
+    };
+    EXPECT_TRUE(isSignal(0)) << "outside";
+    EXPECT_TRUE(isSignal(1)) << "and inside";
+    document().undoStack().setClean();
+}
+
 TEST_F(Panels, SaysFromTheStartOfARunHowLongItMayTake) {
     openLambda();
     window.findChild<QDockWidget*>("runs")->raise();
