@@ -467,6 +467,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
 <context>
     <name>GeneratePage</name>
     <message>
+        <source>Component</source>
+        <translation>Bauteil</translation>
+    </message>
+    <message>
         <source>Add to the chain</source>
         <translation>Zur Kette hinzufügen</translation>
     </message>
@@ -3412,8 +3416,12 @@ Relativer Standardfehler %1 %</translation>
         <translation>Kein Parameter passt. Suche oder Filter leeren.</translation>
     </message>
     <message>
-        <source>No parameters to show. See the messages if the model could not be read.</source>
-        <translation>Keine Parameter zu zeigen. Falls das Modell nicht gelesen werden konnte: siehe Meldungen.</translation>
+        <source>The model has an error: the messages say where.</source>
+        <translation>Das Modell hat einen Fehler: Die Meldungen sagen, wo.</translation>
+    </message>
+    <message>
+        <source>No block of this model has parameters.</source>
+        <translation>Kein Block dieses Modells hat Parameter.</translation>
     </message>
     <message>
         <source>mean ± std</source>
@@ -3488,7 +3496,7 @@ Relativer Standardfehler %1 %</translation>
     </message>
     <message>
         <source>Import a measurement and map its columns: measured and simulated traces then appear here.</source>
-        <translation>Eine Messung importieren und ihre Spalten zuordnen: Dann erscheinen hier gemessene und simulierte Kurven.</translation>
+        <translation>Messung importieren, Spalten zuordnen: Gemessene und simulierte Kurven erscheinen hier.</translation>
     </message>
     <message>
         <source>before</source>
@@ -4001,6 +4009,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
 <context>
     <name>RunController</name>
     <message>
+        <source>Fit</source>
+        <translation>Anpassung</translation>
+    </message>
+    <message>
         <source>the study was changed during the run; its result does not belong to what is shown and was dropped</source>
         <translation>Die Studie wurde während des Laufs geändert; sein Ergebnis gehört nicht zu dem, was gezeigt wird, und wurde verworfen</translation>
     </message>
@@ -4011,10 +4023,6 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>Discovery</source>
         <translation>Suche</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Anpassung</translation>
     </message>
     <message>
         <source>%1 stopped.</source>
