@@ -440,6 +440,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Vergleich zweier Läufe</translation>
     </message>
     <message>
+        <source>How long it takes is not known yet.</source>
+        <translation>Die Dauer ist noch nicht bekannt.</translation>
+    </message>
+    <message>
         <source>about %1 s left</source>
         <translation>noch etwa %1 s</translation>
     </message>
@@ -448,8 +452,8 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>dauerte %1 s</translation>
     </message>
     <message>
-        <source>Every fit and discovery is kept here.</source>
-        <translation>Jede Anpassung und jede Suche bleibt hier erhalten.</translation>
+        <source>Every run of Fit (F5) and Discover (F6) is kept here.</source>
+        <translation>Jeder Lauf von „Anpassen“ (F5) und „Effekt suchen“ (F6) bleibt hier erhalten.</translation>
     </message>
     <message>
         <source>Choose two runs to compare them.</source>
@@ -466,6 +470,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
 </context>
 <context>
     <name>GeneratePage</name>
+    <message>
+        <source>Component</source>
+        <translation>Bauteil</translation>
+    </message>
     <message>
         <source>Add to the chain</source>
         <translation>Zur Kette hinzufügen</translation>
@@ -3420,8 +3428,12 @@ Relativer Standardfehler %1 %</translation>
         <translation>Kein Parameter passt. Suche oder Filter leeren.</translation>
     </message>
     <message>
-        <source>No parameters to show. See the messages if the model could not be read.</source>
-        <translation>Keine Parameter zu zeigen. Falls das Modell nicht gelesen werden konnte: siehe Meldungen.</translation>
+        <source>The model has an error: the messages say where.</source>
+        <translation>Das Modell hat einen Fehler: Die Meldungen sagen, wo.</translation>
+    </message>
+    <message>
+        <source>No block of this model has parameters.</source>
+        <translation>Kein Block dieses Modells hat Parameter.</translation>
     </message>
     <message>
         <source>mean ± std</source>
@@ -3500,7 +3512,7 @@ Relativer Standardfehler %1 %</translation>
     </message>
     <message>
         <source>Import a measurement and map its columns: measured and simulated traces then appear here.</source>
-        <translation>Eine Messung importieren und ihre Spalten zuordnen: Dann erscheinen hier gemessene und simulierte Kurven.</translation>
+        <translation>Messung importieren, Spalten zuordnen: Gemessene und simulierte Kurven erscheinen hier.</translation>
     </message>
     <message>
         <source>before</source>
@@ -4031,6 +4043,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
 </context>
 <context>
     <name>RunController</name>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassung</translation>
+    </message>
     <message>
         <source>the study was changed during the run; its result does not belong to what is shown and was dropped</source>
         <translation>Die Studie wurde während des Laufs geändert; sein Ergebnis gehört nicht zu dem, was gezeigt wird, und wurde verworfen</translation>

@@ -882,6 +882,25 @@ TEST_F(Compose, StaysFluidWithFiveHundredBlocks) {
     grab("large");
 }
 
+TEST_F(Compose, TheGridIsSeenOnDenseScreensToo) {
+    startNew();
+    QTest::qWait(20);
+    auto* view = panel<DiagramView>();
+    const QColor paper = style::canvas(view->palette());
+    const auto inked = [&](double scale) {  // [pixels of a plain screen]
+        QImage picture(view->viewport()->size() * scale, QImage::Format_RGB32);
+        picture.setDevicePixelRatio(scale);
+        view->viewport()->render(&picture);
+        int count = 0;
+        for (int y = 0; y < picture.height() / 3; ++y)  // above the advice in the middle
+            for (int x = 0; x < picture.width(); ++x) count += picture.pixelColor(x, y) == paper ? 0 : 1;
+        return count / (scale * scale);
+    };
+    const double plain = inked(1);
+    ASSERT_GT(plain, 50);
+    for (const double scale : {1.5, 2.0}) EXPECT_NEAR(inked(scale) / plain, 1, 0.2) << scale;
+}
+
 /// Blocks keep the pictures of their icons: they must look as if they were drawn anew, wherever they have been.
 TEST_F(Compose, KeptPicturesOfBlocksLookAsIfDrawnAnew) {
     startNew();

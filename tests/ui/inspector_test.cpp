@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QDir>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QTableView>
@@ -142,6 +143,27 @@ TEST_F(Inspector, ShowsAValueAtItsBoundFromAfar) {
     for (int y = 0; y < picture.height(); ++y)
         for (int x = 0; x < picture.width(); ++x) seen += picture.pixelColor(x, y) == wanted ? 1 : 0;
     EXPECT_GE(seen, 60);
+}
+
+TEST_F(Inspector, SaysWhereToLookWhileTheModelHasAnError) {
+    auto* panel = window.findChild<ParameterPanel*>();
+    QString broken = document().modelText();
+    document().typeText(broken.replace("connect(heater.i", "connect(heater.current"));
+    const auto says = [&](const char* word) {
+        for (const QLabel* label : panel->findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains(word)) return true;
+        return false;
+    };
+    EXPECT_TRUE(QTest::qWaitFor([&] { return says("error"); }, 5000));
+    document().undoStack().setClean();
+}
+
+TEST_F(Inspector, AFieldOfASmallWindowSaysWholeWhatItIsFor) {
+    window.resize(853, 480);
+    QTest::qWait(20);
+    const auto* field = window.findChild<ParameterPanel*>()->findChild<QLineEdit*>();
+    ASSERT_TRUE(field);
+    EXPECT_GT(field->width(), field->fontMetrics().horizontalAdvance(field->placeholderText()) + 4 * style::unit);
 }
 
 TEST_F(Inspector, TakesTheClockOfALoggerAndListsWhatTheFitFinds) {

@@ -104,6 +104,15 @@ TEST_F(GermanWords, SpeakInTheDialogsOfTheToolkitToo) {
     }
 }
 
+/// One English word may be an order and a name; German has two for them.
+TEST_F(GermanWords, TellTheButtonFromTheRunItStarts) {
+    const auto said = [](const char* context) { return QCoreApplication::translate(context, "Fit"); };
+    EXPECT_EQ(said("analogon::ui::MainWindow"), "Anpassen");
+    EXPECT_EQ(said("analogon::ui::FitPanel"), "Anpassung");
+    EXPECT_EQ(said("analogon::ui::RunController"), "Anpassung");
+    EXPECT_EQ(QCoreApplication::translate("analogon::ui::Another", "Cancel"), "Abbrechen") << "said once for all";
+}
+
 TEST_F(GermanWords, DocumentBlocksAndLeaveTheirFormulas) {
     EXPECT_EQ(
         libraryDocumentation("\n<p>Reads the speed of a flange\nand takes no torque.</p>\n<pre>w = der(phi)</pre>"),

@@ -45,7 +45,7 @@ QStringList valueLines(const Block& block) {
         }
         QString value = QString::fromStdString(text);
         bool isNumber = false;
-        if (const double number = value.toDouble(&isNumber); isNumber) value = QString::number(number, 'g', 5);
+        if (const double number = value.toDouble(&isNumber); isNumber) value = style::numberText(number);
         constexpr qsizetype longest = 16;
         if (value.size() > longest) value = value.left(longest - 1) + QStringLiteral("…");
         lines << QString::fromStdString(name) + " = " + value;

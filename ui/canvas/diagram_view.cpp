@@ -255,12 +255,15 @@ void DiagramView::drawBackground(QPainter* painter, const QRectF& rect) {
     double step = gridStep;
     while (step * zoom() < 14) step *= 2;
     const QColor dot = style::mix(style::canvas(palette()), palette().color(QPalette::Text), 0.16);
-    QVector<QPointF> dots;
+    const double side = 1 / zoom();  // of a dot: a pixel, on a dense screen as many as make up one
+    QVector<QRectF> dots;
     for (double x = std::floor(rect.left() / step) * step; x <= rect.right(); x += step)
-        for (double y = std::floor(rect.top() / step) * step; y <= rect.bottom(); y += step) dots << QPointF(x, y);
+        for (double y = std::floor(rect.top() / step) * step; y <= rect.bottom(); y += step)
+            dots << QRectF(x, y, side, side);
     painter->setRenderHint(QPainter::Antialiasing, false);
-    painter->setPen(QPen(dot, 0));
-    painter->drawPoints(dots.constData(), static_cast<int>(dots.size()));
+    painter->setPen(Qt::NoPen);
+    painter->setBrush(dot);
+    painter->drawRects(dots);
 }
 
 void DiagramView::paintNote(QPainter& painter, QPointF at, const QString& text, const QColor& colour) const {

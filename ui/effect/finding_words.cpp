@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "ui/effect/result_panel.hpp"
-#include "ui/inspector/parameter_model.hpp"
+#include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
 
 namespace analogon::ui {
@@ -121,13 +121,14 @@ QString equivalentWords(const AddedEffect& effect) {
 RemainderWords remainderWords(const Remainder& r, const std::function<QString(const std::string&)>& named) {
     RemainderWords words;
     words.heading = ResultPanel::tr("What remains on %1").arg(text(r.output));
-    words.where = ResultPanel::tr("Between %1 and %2 s").arg(numberText(r.from, 4), numberText(r.to, 4));
+    words.where = ResultPanel::tr("Between %1 and %2 s").arg(style::numberText(r.from, 4), style::numberText(r.to, 4));
     if (!r.experiment.empty()) words.where += ResultPanel::tr(" of %1").arg(named(r.experiment));
     if (!r.node.empty()) words.where += ResultPanel::tr(", acting at %1").arg(named(r.node));
     words.where += ".";
     QStringList moves;
     for (const Correlate& c : r.movesWith)
-        if (c.isWorthAWord()) moves << QStringLiteral("%1 (%2)").arg(text(c.variable), numberText(c.correlation, 2));
+        if (c.isWorthAWord())
+            moves << QStringLiteral("%1 (%2)").arg(text(c.variable), style::numberText(c.correlation, 2));
     if (!moves.isEmpty()) words.movesWith = ResultPanel::tr("It moves with %1.").arg(moves.join(", "));
     if (r.proposedEquation.empty()) return words;
     words.proposal = ResultPanel::tr("Proposed, not added: %1").arg(inWords(r.proposedEquation));

@@ -13,6 +13,7 @@
 #include "core/report/words.hpp"
 #include "ui/effect/finding_words.hpp"
 #include "ui/effect/result_panel.hpp"
+#include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
 
 namespace analogon::ui {
@@ -21,9 +22,7 @@ namespace {
 
 QString text(const std::string& s) { return QString::fromStdString(s).toHtmlEscaped(); }
 QString tr(const char* s) { return ResultPanel::tr(s); }
-QString number(double v, int digits = 4) {
-    return std::isfinite(v) ? QString::number(v, 'g', digits) : QStringLiteral("–");
-}
+QString number(double v, int digits = 4) { return style::numberText(v, digits); }
 
 /// A table of cells; all but the first column are set to the right.
 class HtmlTable {

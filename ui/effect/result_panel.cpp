@@ -265,7 +265,7 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
         const bool isEstimate = std::isfinite(p.standardError) && p.standardError > 0;
         // what is given is shown as it is given
         const QString value =
-            isEstimate ? QString::fromStdString(valueText(p.value, p.standardError)) : numberText(p.value, 5);
+            isEstimate ? QString::fromStdString(valueText(p.value, p.standardError)) : style::numberText(p.value, 5);
         add(text(p.name), value + " " + text(p.unit));
     }
     const Evidence& e = effect.evidence;
@@ -276,7 +276,8 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
     add(tr("ΔBIC"), evidenceText(e.deltaBic), tr("negative: gains more than it costs"),
         tr("Of the finished model against the same refitted without the effect; negative: it gains more than its "
            "parameters cost"));
-    add(tr("Held out"), numberText(e.heldOut, 2), tr("+1: holds on data left out; −1: fails"),
+    add(tr("Held out"), (e.heldOut > 0 ? "+" : "") + style::numberText(e.heldOut, 2),
+        tr("+1: holds on data left out; −1: fails"),
         tr("+1: the gain holds on data left out of the fit; −1: it does not"));
     column_->addLayout(grid);
     column_->addSpacing(style::unit);

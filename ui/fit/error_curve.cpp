@@ -41,11 +41,9 @@ void ErrorCurve::paintEvent(QPaintEvent*) {
     }
     const double last = std::max(points_.back().x(), 1e-3);
     double low = std::log10(points_.back().y()), high = std::log10(points_.front().y());
-    if (high - low < 0.3) {
-        const double middle = (high + low) / 2;
-        low = middle - 0.15;
-        high = middle + 0.15;
-    }
+    const double air = std::max(0.15 - (high - low) / 2, (high - low) / 10);  // from the text above, the axis below
+    low -= air;
+    high += air;
     const auto at = [&](QPointF p) {
         return QPointF(area.left() + p.x() / last * area.width(),
                        area.bottom() - (std::log10(p.y()) - low) / (high - low) * area.height());

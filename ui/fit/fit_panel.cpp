@@ -137,7 +137,7 @@ FitPanel::FitPanel(Document& document, RunController& controller, QWidget* paren
             clock_.start();
         }
         left_->setVisible(controller_.isRunning());
-        left_->clear();
+        left_->setText(tr("How long it takes is not known yet."));
     });
     connect(&controller, &RunController::progressed, this, [this](const Progress::Report& report) {
         const double seconds = static_cast<double>(clock_.elapsed()) / 1000, fraction = report.fraction;
@@ -196,7 +196,7 @@ void FitPanel::compare() {
     std::erase_if(rows, [&](std::size_t r) { return r >= runs.size(); });
     restore_->setVisible(rows.size() == 1);
     comparison_->setVisible(rows.size() == 2);
-    hint_->setText(runs.empty()       ? tr("Every fit and discovery is kept here.")
+    hint_->setText(runs.empty()       ? tr("Every run of Fit (F5) and Discover (F6) is kept here.")
                    : rows.size() == 2 ? QString()
                                       : tr("Choose two runs to compare them."));
     hint_->setVisible(!hint_->text().isEmpty());

@@ -33,11 +33,6 @@ constexpr const char* commonUnits[] = {
 
 }  // namespace
 
-QString numberText(double value, int digits) {
-    if (!std::isfinite(value)) return QStringLiteral("–");
-    return QString::number(value, 'g', digits);
-}
-
 ParameterModel::ParameterModel(Document& document, QObject* parent) : QAbstractTableModel(parent), document_(document) {
     connect(&document, &Document::opened, this, &ParameterModel::refresh);
     connect(&document, &Document::factsChanged, this, &ParameterModel::refresh);
@@ -229,13 +224,13 @@ QVariant ParameterModel::display(const Row& row, int column) const {
         case Name:
             return QString::fromStdString(row.name);
         case Value:
-            return row.value ? numberText(shown(*row.value)) : QString();
+            return row.value ? style::numberText(shown(*row.value)) : QString();
         case Unit:
             return unitText(row);
         case Min:
-            return row.setting && row.setting->min ? numberText(shown(*row.setting->min)) : QString();
+            return row.setting && row.setting->min ? style::numberText(shown(*row.setting->min)) : QString();
         case Max:
-            return row.setting && row.setting->max ? numberText(shown(*row.setting->max)) : QString();
+            return row.setting && row.setting->max ? style::numberText(shown(*row.setting->max)) : QString();
         case Prior: {
             const std::optional<NormalPrior> prior = shownPrior(row);
             return prior ? priorText(*prior, 4) : QString();
@@ -243,8 +238,8 @@ QVariant ParameterModel::display(const Row& row, int column) const {
         case Result: {
             if (!row.estimate) return {};
             const double value = shown(row.estimate->value), error = row.estimate->standardError;
-            if (row.estimate->atBound) return numberText(value, 4) + "  " + boundText(row);
-            if (!std::isfinite(error)) return numberText(value, 4) + tr("  not determined");
+            if (row.estimate->atBound) return style::numberText(value, 4) + "  " + boundText(row);
+            if (!std::isfinite(error)) return style::numberText(value, 4) + tr("  not determined");
             return QString::fromStdString(valueText(value, std::abs(shown.factor) * error));
         }
         default:
@@ -257,7 +252,7 @@ QString ParameterModel::edited(const Row& row, int column) const {
     constexpr int digits = 12;
     const UnitConversion shown = shownAs(row);
     const auto text = [&](const std::optional<double>& value) {
-        return value ? QString::number(shown(*value), 'g', digits) : QString();
+        return value ? style::numberText(shown(*value), digits) : QString();
     };
     switch (column) {
         case Value:

@@ -78,6 +78,5 @@ private:
 };
 
 /// A number as an engineer writes it: 5 significant digits, no trailing zeros.
-QString numberText(double value, int digits = 5);
 
 }  // namespace analogon::ui

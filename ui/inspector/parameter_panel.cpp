@@ -131,6 +131,7 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
       note_(new QLabel(this)) {
     search_->setPlaceholderText(tr("Search parameters"));
     search_->setClearButtonEnabled(true);
+    search_->setMinimumWidth(fontMetrics().horizontalAdvance(search_->placeholderText()) + 6 * style::unit);
     chip_->setIcon(style::icon("close"));
     chip_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     chip_->setIconSize({12, 12});
@@ -176,7 +177,7 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
     note_->hide();
 
     auto* bar = new QHBoxLayout;
-    bar->setContentsMargins(2 * style::unit, 2 * style::unit, 2 * style::unit, 2 * style::unit);
+    bar->setContentsMargins(style::margin, 2 * style::unit, style::margin, 2 * style::unit);
     bar->setSpacing(2 * style::unit);
     bar->addWidget(search_, 1);
     bar->addWidget(chip_);
@@ -284,10 +285,12 @@ void ParameterPanel::updateState() {
         empty_->setText(tr("The parameters of the open study appear here."));
     else if (document_.definition() && document_.diagram().blocks.empty())
         empty_->setText(tr("Place a block: its parameters appear here."));
+    else if (document_.modelError())
+        empty_->setText(tr("The model has an error: the messages say where."));
     else if (!search_->text().isEmpty() || onlyFitted_->isChecked())
         empty_->setText(tr("No parameter matches. Clear the search or the filter."));
     else
-        empty_->setText(tr("No parameters to show. See the messages if the model could not be read."));
+        empty_->setText(tr("No block of this model has parameters."));
     pages_->setCurrentWidget(empty_);
 }
 

@@ -5,10 +5,13 @@
 #include <QStringList>
 #include <cmath>
 
+#include "ui/style/style.hpp"
+
 namespace analogon::ui {
 
 QString priorText(const NormalPrior& prior, int digits) {
-    return QStringLiteral("%1 ± %2").arg(prior.mean, 0, 'g', digits).arg(prior.deviation, 0, 'g', digits);
+    return QStringLiteral("%1 ± %2").arg(style::numberText(prior.mean, digits),
+                                         style::numberText(prior.deviation, digits));
 }
 
 std::optional<NormalPrior> readPrior(const QString& typed) {

@@ -36,19 +36,19 @@ QPixmap classPixmap(const Library& library, const std::string& className, int si
     std::erase_if(icon.primitives, [](const Primitive& p) { return p.kind == Primitive::Kind::Text; });
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
-    const double half = size / 2.0, unit = (size - 2) / 20.0;
+    const double half = size / 2.0, unit = size / 22.0;  // a connector stands out by half of itself
     painter.translate(half, half);
     painter.scale(unit, unit);
     Placement placement;
     const QPalette palette = QGuiApplication::palette();
     const auto macros = [](const QString&) { return QString(); };
+    paintPrimitives(painter, icon.primitives, toScene(placement, icon.coordinates), macros, palette);
     for (const Port& port : readPorts(library, className)) {
         const Point at = map(placement, icon.coordinates, map(port.placement, Extent{}, {0, 0}));
         painter.setPen(Qt::NoPen);
         painter.setBrush(style::onCanvas(toColour(domainColour(port.domain)), palette));
         painter.drawRect(QRectF(at.x - 1, -at.y - 1, 2, 2));
     }
-    paintPrimitives(painter, icon.primitives, toScene(placement, icon.coordinates), macros, palette);
     return pixmap;
 }
 

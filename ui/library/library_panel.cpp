@@ -44,6 +44,7 @@ LibraryPanel::LibraryPanel(Document& document, QWidget* parent)
     text_->setOpenLinks(false);
     text_->setAccessibleName(tr("Documentation"));
     text_->document()->setDocumentMargin(style::margin);
+    text_->setMinimumHeight(4 * fontMetrics().lineSpacing() + 2 * style::margin);  // a name and what it is for
 
     auto* splitter = new QSplitter(Qt::Vertical, this);
     splitter->addWidget(tree_);
@@ -52,7 +53,7 @@ LibraryPanel::LibraryPanel(Document& document, QWidget* parent)
     splitter->setStretchFactor(1, 1);
     splitter->setChildrenCollapsible(false);
     auto* bar = new QHBoxLayout;
-    bar->setContentsMargins(2 * style::unit, 2 * style::unit, 2 * style::unit, 2 * style::unit);
+    bar->setContentsMargins(style::margin, 2 * style::unit, style::margin, 2 * style::unit);
     bar->addWidget(search_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

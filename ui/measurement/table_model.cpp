@@ -104,7 +104,7 @@ QString TableModel::cell(int row, int column) const {
     const double value = table_->columns[c].values[rows_[r]];
     if (!std::isfinite(value)) return {};
     const Shown& to = converted_[c];
-    return QString::number(isConverted_ ? to.factor * value + to.offset : value, 'g', 9);
+    return style::numberText(isConverted_ ? to.factor * value + to.offset : value, 9);
 }
 
 QVariant TableModel::data(const QModelIndex& index, int role) const {

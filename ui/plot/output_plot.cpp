@@ -189,10 +189,10 @@ void OutputPlot::readOut(std::optional<double> time) {
                 std::min<std::ptrdiff_t>(at - stamps.begin(), static_cast<std::ptrdiff_t>(stamps.size()) - 1));
         };
         const std::size_t a = indexOf(marks_[0]), b = indexOf(marks_[1]);
-        QString text = tr("Δ %1 s").arg(stamps[b] - stamps[a], 0, 'g', 5);
+        QString text = tr("Δ %1 s").arg(style::numberText(stamps[b] - stamps[a]));
         const auto add = [&](const QString& name, const std::vector<double>& values) {
             if (a < values.size() && b < values.size() && std::isfinite(values[b] - values[a]))
-                text += QStringLiteral("   Δ %1 %2").arg(name).arg(values[b] - values[a], 0, 'g', 5);
+                text += QStringLiteral("   Δ %1 %2").arg(name, style::numberText(values[b] - values[a]));
         };
         add(tr("measured"), content_.measured);
         add(content_.beforeLabel.section(' ', 0, 0), content_.before);
@@ -204,10 +204,10 @@ void OutputPlot::readOut(std::optional<double> time) {
     const auto at = std::lower_bound(stamps.begin(), stamps.end(), *time);
     const auto i = static_cast<std::size_t>(
         std::min<std::ptrdiff_t>(at - stamps.begin(), static_cast<std::ptrdiff_t>(stamps.size()) - 1));
-    QString text = tr("%1 s").arg(stamps[i], 0, 'g', 6);
+    QString text = tr("%1 s").arg(style::numberText(stamps[i], 6));
     const auto add = [&](const QString& name, const std::vector<double>& values) {
         if (i < values.size() && std::isfinite(values[i]))
-            text += QStringLiteral("   %1 %2").arg(name).arg(values[i], 0, 'g', 5);
+            text += QStringLiteral("   %1 %2").arg(name, style::numberText(values[i]));
     };
     add(tr("measured"), content_.measured);
     add(content_.beforeLabel.section(' ', 0, 0), content_.before);

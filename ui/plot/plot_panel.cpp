@@ -59,6 +59,7 @@ PlotPanel::PlotPanel(Document& document, QWidget* parent)
     experiments_->setAccessibleName(tr("Experiments"));
     empty_->setAlignment(Qt::AlignCenter);
     empty_->setWordWrap(true);
+    empty_->setMargin(style::margin);
     style::makeCaption(empty_);
     auto* body = new QWidget;
     body->setBackgroundRole(QPalette::Base);

@@ -146,7 +146,7 @@ private:
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(area);
     }
-    static QString number(double v) { return QString::number(v, 'g', 3); }
+    static QString number(double v) { return style::numberText(v, 3); }
 
     void paintHistogram(QPainter& painter, const QRectF& area) const {
         const ResidualFacts& f = plot_.facts_;

@@ -20,7 +20,7 @@ QString tickText(double value, double step) {
     if (std::abs(value) < step * 1e-6) value = 0;
     const double magnitude = std::max(std::abs(value), step);
     const int digits = static_cast<int>(std::floor(std::log10(magnitude)) - std::floor(std::log10(step))) + 1;
-    return QString::number(value, 'g', std::clamp(digits, 6, 12));
+    return style::numberText(value, std::clamp(digits, 6, 12));
 }
 
 double middle(const ValueRange& range) { return (range.low + range.high) / 2; }

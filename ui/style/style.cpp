@@ -6,6 +6,7 @@
 #include <QHeaderView>
 #include <QIconEngine>
 #include <QLabel>
+#include <QLocale>
 #include <QPainter>
 #include <QPixmap>
 #include <QProxyStyle>
@@ -17,6 +18,7 @@
 #include <QVBoxLayout>
 #include <QWidget>
 #include <algorithm>
+#include <cmath>
 
 // Resources of a static library must be asked for; the macro wants the global namespace.
 static void loadIcons() { Q_INIT_RESOURCE(icons); }
@@ -108,6 +110,12 @@ public:
         }
     }
 
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* more) const override {
+        if (hint == SH_Table_GridLineColor && option) return static_cast<int>(hairline(option->palette).rgba());
+        return QProxyStyle::styleHint(hint, option, widget, more);
+    }
+
     /// Air between the frame of a field and its text.
     QRect subElementRect(SubElement element, const QStyleOption* option, const QWidget* widget) const override {
         const QRect rect = QProxyStyle::subElementRect(element, option, widget);
@@ -164,6 +172,15 @@ public:
             }
             case CE_Splitter:
                 return drawSeparator(*option, *painter);
+            case CE_MenuBarEmptyArea:
+                painter->fillRect(option->rect, p.window());
+                return underline(*painter, option->rect, hairline(p), 1);
+            case CE_MenuBarItem:
+                QProxyStyle::drawControl(element, option, painter, widget);
+                if (!(option->state & State_Sunken)) underline(*painter, option->rect, hairline(p), 1);
+                return;
+            case CE_ProgressBarGroove:
+                return drawGroove(*option, *painter);
             case CE_TabBarTabShape:
                 return drawTab(*static_cast<const QStyleOptionTab*>(option), *painter);
             case CE_TabBarTabLabel: {
@@ -196,6 +213,13 @@ public:
                 return;
             case PE_IndicatorDockWidgetResizeHandle:
                 return drawSeparator(*option, *painter);
+            case PE_IndicatorToolBarSeparator: {
+                QStyleOption line = *option;
+                line.rect.adjust(0, 2 * unit, 0, -2 * unit);
+                return drawSeparator(line, *painter);
+            }
+            case PE_FrameFocusRect:
+                return drawFocus(*option, *painter);
             default:
                 return QProxyStyle::drawPrimitive(element, option, painter, widget);
         }
@@ -269,6 +293,27 @@ private:
         painter.fillRect(isUpright ? QRect(middle.x(), option.rect.top(), 1, option.rect.height())
                                    : QRect(option.rect.left(), middle.y(), option.rect.width(), 1),
                          option.state & State_MouseOver ? accent(option.palette) : hairline(option.palette));
+    }
+
+    static void drawGroove(const QStyleOption& bar, QPainter& painter) {
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(hairline(bar.palette));
+        painter.drawRoundedRect(bar.rect, 3, 3);
+        painter.restore();
+    }
+
+    /// As the base style does, only where the keyboard leads.
+    static void drawFocus(const QStyleOption& focus, QPainter& painter) {
+        if (!(focus.state & State_KeyboardFocusChange)) return;
+        const QPalette& p = focus.palette;
+        painter.save();
+        painter.setPen(focus.state & State_Selected ? mix(accent(p), p.color(QPalette::HighlightedText), 0.3)
+                                                    : accent(p));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(QRectF(focus.rect).adjusted(0.5, 0.5, -0.5, -0.5));
+        painter.restore();
     }
 
     static void drawTab(const QStyleOptionTab& tab, QPainter& painter) {
@@ -444,6 +489,13 @@ QString countText(qulonglong count) {
     QString text = QString::number(count);
     for (qsizetype at = text.size() - 3; at > 0 && text.size() > 4; at -= 3) text.insert(at, QChar(0x202F));
     return text;
+}
+
+QString numberText(double value, int digits) {
+    if (!std::isfinite(value)) return QStringLiteral("–");
+    QLocale plain = QLocale::c();
+    plain.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::OmitLeadingZeroInExponent);
+    return plain.toString(value, 'g', digits).remove('+');
 }
 
 void showWhenEmpty(QAbstractItemView* list, const QString& advice) {

@@ -48,6 +48,9 @@ inline constexpr int margin = 3 * unit;
 /// Groups of three with a narrow space, which every language reads the same: "12 345".
 QString countText(qulonglong count);
 
+/// An exponent is as short as the reports write it: "5e-5".
+QString numberText(double value, int digits = 5);
+
 /// What to do next, in the middle of a list while nothing is in it.
 void showWhenEmpty(QAbstractItemView* list, const QString& advice);
 

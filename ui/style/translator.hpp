@@ -20,7 +20,8 @@ public:
     bool knows(const QString& source) const { return texts_.contains(source); }
 
 private:
-    QHash<QString, QString> texts_;
+    QHash<QString, QString> texts_;      // by the text alone: what means the same everywhere stands in the file once
+    QHash<QString, QString> ofContext_;  // by class and text: "Fit" is an order on a button, and the name of a run
 };
 
 /// The languages there are: "en", "de".

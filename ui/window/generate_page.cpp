@@ -39,7 +39,7 @@ GeneratePage::GeneratePage(QWidget* parent)
       known_(new QListWidget(this)),
       chain_(new QListWidget(this)),
       recordings_(new QListWidget(this)),
-      name_(new QLineEdit(QStringLiteral("Component"), this)),
+      name_(new QLineEdit(tr("Component"), this)),
       message_(new QLabel(this)),
       add_(new QPushButton(tr("Add to the chain"), this)),
       browse_(new QPushButton(tr("Add recording …"), this)),

@@ -575,9 +575,8 @@ void MainWindow::setDocksShown(bool areShown) {
     if (areShown == areDocksShown_) return;
     areDocksShown_ = areShown;
     if (!areShown) closedDocks_.clear();
-    for (QDockWidget* dock : docks())
-        if (!areShown && !dock->toggleViewAction()->isChecked() && dock->testAttribute(Qt::WA_WState_ExplicitShowHide))
-            closedDocks_ << dock;
+    for (QDockWidget* dock : docks())  // one that was never shown counts as hidden until it is
+        if (!areShown && dock->isHidden() && dock->testAttribute(Qt::WA_WState_ExplicitShowHide)) closedDocks_ << dock;
     for (QDockWidget* dock : docks()) dock->setVisible(areShown && !closedDocks_.contains(dock));
 }
 

@@ -1,0 +1,76 @@
+#include "ui/style/style.hpp"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QImage>
+#include <QPainter>
+#include <QStyle>
+#include <QStyleOption>
+#include <cstdlib>
+
+#include "core/report/number_text.hpp"
+
+namespace analogon::ui::style {
+namespace {
+
+/// How far the lightness of what is drawn is from that of the ground.
+int contrast(const QImage& picture, const QColor& ground) {
+    int most = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            most = std::max(most, std::abs(picture.pixelColor(x, y).lightness() - ground.lightness()));
+    return most;
+}
+
+TEST(Style, LinesAreSeenOnALightAndOnADarkGround) {
+    constexpr int enough = 15;  // of 255
+    for (const Theme theme : {Theme::Light, Theme::Dark}) {
+        apply(*qApp, theme);
+        const QStyle& style = *QApplication::style();
+        const QColor window = QApplication::palette().color(QPalette::Window);
+        const auto drawn = [&](auto option, const auto& draw) {
+            option.palette = QApplication::palette();
+            option.rect = QRect(0, 0, 40, 24);
+            QImage picture(option.rect.size(), QImage::Format_RGB32);
+            picture.fill(window);
+            QPainter painter(&picture);
+            draw(option, painter);
+            painter.end();
+            return contrast(picture, window);
+        };
+        EXPECT_GT(drawn(QStyleOption(),
+                        [&](const QStyleOption& o, QPainter& p) {
+                            style.drawPrimitive(QStyle::PE_IndicatorToolBarSeparator, &o, &p);
+                        }),
+                  enough)
+            << "between the buttons of a bar";
+        EXPECT_GT(
+            drawn(QStyleOptionMenuItem(), [&](const QStyleOptionMenuItem& o,
+                                              QPainter& p) { style.drawControl(QStyle::CE_MenuBarEmptyArea, &o, &p); }),
+            enough)
+            << "below the menus";
+        EXPECT_GT(drawn(QStyleOptionProgressBar(),
+                        [&](const QStyleOptionProgressBar& o, QPainter& p) {
+                            style.drawControl(QStyle::CE_ProgressBarGroove, &o, &p);
+                        }),
+                  enough)
+            << "how much is left";
+        QStyleOption cell;
+        cell.palette = QApplication::palette();
+        const QColor grid = QColor::fromRgba(static_cast<QRgb>(style.styleHint(QStyle::SH_Table_GridLineColor, &cell)));
+        EXPECT_GT(std::abs(grid.lightness() - cell.palette.color(QPalette::Base).lightness()), enough)
+            << "between the cells of a table";
+    }
+    apply(*qApp, Theme::Light);
+}
+
+TEST(Style, NumbersHaveTheExponentsOfTheReport) {
+    EXPECT_EQ(numberText(5e-5), "5e-5");
+    EXPECT_EQ(numberText(-1.4e-12, 3), "-1.4e-12");
+    for (const double value : {5e-5, 1.6918e-11, 2e7, 0.49, 293.15, 0.0})
+        EXPECT_EQ(numberText(value).toStdString(), analogon::numberText(value, 5)) << value;
+}
+
+}  // namespace
+}  // namespace analogon::ui::style
