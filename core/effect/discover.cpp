@@ -81,6 +81,17 @@ Remainder remainderOf(const Change& c, double end) {
     return r;
 }
 
+Text remarkOf(const HeldInstead& h, const std::string& effect, const std::string& at) {
+    return h.byBound ? phrase(
+                           "{} at {} explains no more than {} beyond its bound of {:.5g}: {:.5g} ± {:.2g}{} instead; "
+                           "keep the bound only if it is known for certain",
+                           effect, at, h.parameter, h.held, h.value, h.standardError, behindNumber(h.unit))
+                     : phrase(
+                           "{} at {} explains no more than another value of {}, which is held at {:.5g}: {:.5g} ± "
+                           "{:.2g}{} instead; hold it only if it is known for certain",
+                           effect, at, h.parameter, h.held, h.value, h.standardError, behindNumber(h.unit));
+}
+
 Remainder remainderOf(const HeldInstead& h) {
     return changing(h.parameter, h.gain, fmt::format("{} = {:.5g}", h.parameter, h.value));
 }
@@ -333,7 +344,7 @@ Outcome<Finding> Search::run() {
     const std::optional<HeldInstead> heldWrongly = wasCut ? std::nullopt : takeOutForHeld(*null);
     if (heldWrongly) finding.final = finding.baseline;
     finding.nextExperiment = proposeExperiments(*null);
-    const std::map<int, Text> held = heldRemarks(*null);
+    const std::map<int, std::vector<HeldInstead>> held = heldValues(*null);
     const bool isOpen = proposed.empty() && !change_ && !dependence_ && !isNoise(*null);
     const std::string place = isOpen ? likeliestPlace(*null, search_.fit.simulation, progress_) : std::string();
     const auto isAsGiven = [&] {
@@ -377,6 +388,7 @@ Outcome<Finding> Search::run() {
         if (Outcome<ModelState> found = stateOf(null->variant, null->fit, search_.fit.simulation, Progress()))
             finding.final = std::move(*found);
     const Outcome<FlatModel> valued = flattened(null->variant.task, finding.final.modelText);
+    std::vector<Text> heldRemarks;
     for (std::size_t i = 0; i < steps_.size() && i < null->variant.effects.size(); ++i) {
         AddedEffect effect = describe(*null, finding.final, null->variant.effects[i], steps_[i]);
         if (valued) addOtherParameters(*valued, null->variant.effects[i], effect.parameters);
@@ -385,8 +397,13 @@ Outcome<Finding> Search::run() {
             steps_[i].errorWithout >= 0 ? steps_[i].errorWithout : errorPercentOf(finding.baseline, Role::Fit);
         effect.evidence.errorPercentAfter =
             errorsOnTime_ ? errorsOnTime_->first : errorPercentOf(finding.final, Role::Fit);
-        finding.effects.push_back(effect);
         const PlacedEffect& placed = null->variant.effects[i];
+        if (const auto values = held.find(steps_[i].order); values != held.end())
+            for (const HeldInstead& h : values->second) {
+                effect.valuesInstead.push_back(h.text());
+                heldRemarks.push_back(remarkOf(h, effect.kind, effect.at));
+            }
+        finding.effects.push_back(effect);
         for (std::size_t t = 0; t < placed.twins.size(); ++t) {
             effect.at = placed.twins[t].at;
             effect.instance = placed.twinInstances[t];
@@ -442,11 +459,16 @@ Outcome<Finding> Search::run() {
         }
         if (heldWrongly) {
             offerAlone(remainderOf(*heldWrongly), left.noise, finding.final, finding.remainders);
+            const HeldInstead& h = *heldWrongly;
             finding.warnings.push_back(
-                phrase("another value of {} explains more than any effect: it is held at {:.5g}, and {:.5g} ± {:.2g}{} "
-                       "fits; correct it, or let it be fitted",
-                       heldWrongly->parameter, heldWrongly->held, heldWrongly->value, heldWrongly->standardError,
-                       behindNumber(heldWrongly->unit)));
+                h.byBound
+                    ? phrase(
+                          "{} beyond its bound of {:.5g} explains more than any effect: {:.5g} ± {:.2g}{} fits; widen "
+                          "the bound",
+                          h.parameter, h.held, h.value, h.standardError, behindNumber(h.unit))
+                    : phrase("another value of {} explains more than any effect: it is held at {:.5g}, and {:.5g} ± "
+                             "{:.2g}{} fits; correct it, or let it be fitted",
+                             h.parameter, h.held, h.value, h.standardError, behindNumber(h.unit)));
         }
         if (dependence_) {
             offerAlone(remainderOf(*dependence_), left.noise, finding.final, finding.remainders);
@@ -457,8 +479,7 @@ Outcome<Finding> Search::run() {
     for (const auto& sentences : {recordingRemarks(*null), extrapolations(full_.task), driftBetweenRecordings(*null),
                                   boundHits(null->fit), delaysBelowSampling(full_.task, finding.effects)})
         finding.warnings.insert(finding.warnings.end(), sentences.begin(), sentences.end());
-    for (const Step& step : steps_)
-        if (const auto remark = held.find(step.order); remark != held.end()) finding.warnings.push_back(remark->second);
+    finding.warnings.insert(finding.warnings.end(), heldRemarks.begin(), heldRemarks.end());
     // an interrupted search has not looked at what is left in detail, but must not call it noise
     const bool leavesStructure = !finding.remainders.empty() || (finding.interrupted && !isNoise(*null));
     finding.kind = !leavesStructure ? (finding.effects.empty() ? FindingKind::Adequate : FindingKind::Effect)

@@ -80,6 +80,8 @@ struct AddedEffect {
     std::vector<EffectValue> parameters;
     Evidence evidence;
     std::vector<Alternative> alternatives;
+    /// Values of parameters that the study holds or bounds and that would explain as much: "core.C = 302 J/K".
+    std::vector<std::string> valuesInstead{};
 };
 
 enum class Verdict { Chosen, Equivalent, Weaker, NotSignificant, Absorbed, WrongSign, FailsHeldOut, Failed };

@@ -1,8 +1,11 @@
 #include "core/effect/held_parameter.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/unit.hpp"
 #include "core/effect/start_value.hpp"
 #include "core/flat/flat_model.hpp"
 
@@ -10,10 +13,11 @@ namespace analogon {
 namespace {
 
 constexpr double likelyShare = 0.5;  // of what the effect explains, in first order, for a fit to be tried
-constexpr std::size_t mostFitted = 2;
-constexpr double reach = 5;               // factor by which a held value may be wrong
-constexpr double plausibleChange = 0.34;  // of the value at which a parameter is held
-constexpr double clearlyMore = 30;        // than an effect explains, where it may lie farther from there
+constexpr std::size_t mostFitted = 3;
+constexpr double reach = 5;            // factor by which a held value may be wrong
+constexpr double otherValue = 1e-3;    // share by which a value differs from another one
+constexpr double plausibleFactor = 2;  // between a value that is held and one that may be meant
+constexpr double clearlyMore = 30;     // than an effect explains, where it may lie farther from there
 
 /// Where the recordings hold a parameter: as the study says, else as the model does; nothing where they differ.
 std::optional<double> heldAt(const EstimationTask& task, const std::string& name, std::optional<double> inModel) {
@@ -28,9 +32,10 @@ std::optional<double> heldAt(const EstimationTask& task, const std::string& name
     return common;
 }
 
-/// The variant with these parameters fitted that were held.
+/// The variant with these parameters fitted that were held, or within wider bounds.
 Variant withFreed(Variant variant, const std::vector<FitParameter>& held) {
     for (const FitParameter& p : held) {
+        std::erase_if(variant.task.parameters, [&](const FitParameter& fitted) { return fitted.name == p.name; });
         variant.task.parameters.push_back(p);
         for (Recording& r : variant.task.recordings)
             std::erase_if(r.starts, [&](const RecordingStart& s) { return s.parameter == p.name; });
@@ -64,6 +69,23 @@ std::vector<FitParameter> heldParameters(const Variant& variant) {
     return held;
 }
 
+/// Fitted parameters that rest at a bound, with room beyond it: a bound that is too narrow holds them.
+std::vector<FitParameter> boundParameters(const NullModel& without) {
+    std::vector<FitParameter> bound;
+    for (const FitParameter& p : without.variant.task.parameters)
+        for (const FitEstimate& e : without.fit.estimates) {
+            if (e.name != p.name || !e.atBound || e.experiment >= 0 || !(e.value > 0)) continue;
+            FitParameter wider = p;
+            wider.start = e.value;
+            if (p.max - e.value < e.value - p.min)
+                wider.max = std::max(p.max, e.value * reach);
+            else
+                wider.min = std::min(p.min, e.value / reach);
+            bound.push_back(wider);
+        }
+    return bound;
+}
+
 struct Likely {
     const FitParameter* parameter;
     double explained;
@@ -92,29 +114,41 @@ std::vector<Likely> likely(const NullModel& without, const std::vector<FitParame
 
 }  // namespace
 
-std::optional<HeldInstead> heldInstead(const NullModel& without, const NullModel& with, const FitOptions& options,
-                                       const Progress& progress) {
+std::string HeldInstead::text() const { return fmt::format("{} = {:.5g}{}", parameter, value, behindNumber(unit)); }
+
+std::vector<HeldInstead> heldInstead(const NullModel& without, const NullModel& with, const FitOptions& options,
+                                     const Progress& progress) {
     const double rows = static_cast<double>(with.fit.optimum.residuals.size());
     const double left = sumInUnitsOf(without, with), fall = without.sumOfSquares() - left;
     const double variance = left / rows;
     const std::vector<FitParameter> held = heldParameters(without.variant);
-    const std::vector<Likely> order = likely(without, held, options, progress);
-    for (std::size_t i = 0; i < std::min(mostFitted, order.size()) && !progress.stopRequested(); ++i) {
-        if (order[i].explained < likelyShare * fall) break;
-        const FitParameter& p = *order[i].parameter;
+    std::vector<HeldInstead> found;
+    const std::vector<FitParameter> bound = boundParameters(without);
+    std::vector<const FitParameter*> tried;
+    for (const FitParameter& p : bound)
+        tried.push_back(&p);  // what they would explain beyond has no slope at the bound
+    for (const Likely& l : likely(without, held, options, progress))
+        if (tried.size() < bound.size() + mostFitted && l.explained >= likelyShare * fall) tried.push_back(l.parameter);
+    for (std::size_t i = 0; i < tried.size() && !progress.stopRequested(); ++i) {
+        const FitParameter& p = *tried[i];
         const std::optional<FitResult> fit = fitBeside(without, withFreed(without.variant, {p}), options, progress);
         if (!fit) continue;
         const double squares = fit->optimum.residuals.squaredNorm();
         if (squares > left + equivalenceMargin * variance) continue;
         const double gain = (left - squares) / (squares / rows);
         for (const FitEstimate& e : fit->estimates) {
-            const bool isPlausible = std::abs(e.value - p.start) < plausibleChange * std::abs(p.start);
-            if (e.name == p.name && (isPlausible || gain > clearlyMore))
-                return HeldInstead{p.name, p.unit, p.start, e.value, e.standardError, isNoise(with.channels, *fit),
-                                   gain};
+            if (e.name != p.name) continue;
+            const double factor = e.value / p.start;
+            if (std::abs(factor - 1) < otherValue) continue;
+            const bool isPlausible = factor > 1 / plausibleFactor && factor < plausibleFactor;
+            if (isPlausible || gain > clearlyMore)
+                found.push_back({p.name, p.unit, p.start, e.value, e.standardError, i < bound.size(),
+                                 isNoise(with.channels, *fit), gain});
         }
     }
-    return std::nullopt;
+    std::stable_sort(found.begin(), found.end(),
+                     [](const HeldInstead& a, const HeldInstead& b) { return a.gain > b.gain; });
+    return found;
 }
 
 }  // namespace analogon

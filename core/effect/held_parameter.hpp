@@ -1,7 +1,7 @@
 #pragma once
 
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/effect/null_model.hpp"
 
@@ -11,15 +11,19 @@ namespace analogon {
 struct HeldInstead {
     std::string parameter, unit;
     double held{}, value{}, standardError{};
+    bool byBound{};  // it is fitted, and rests at a bound of its own
     bool leavesNoise{};
     double gain{};  // fall in the sum of squares against the effect's, in units of the variance that this leaves
+
+    /// "core.C = 302 J/K"
+    std::string text() const;
 };
 
 /// A value that is known wrongly is answered by an effect that imitates its correction (a torque constant by a gain of
 /// the speed sensor). `with`: the model with an effect, `without`: the same refitted without it. Of the parameters that
-/// the model has for itself and that are not fitted: the one that, freed, leaves as little as the effect and stays
-/// within a third of where it is held, or leaves clearly less; nothing where there is none.
-std::optional<HeldInstead> heldInstead(const NullModel& without, const NullModel& with, const FitOptions& options,
-                                       const Progress& progress);
+/// the model has for itself and that are not fitted, or rest at a bound: those that, freed, leave as little as the
+/// effect and stay within a factor of two of where they are held, or leave clearly less; what leaves least first.
+std::vector<HeldInstead> heldInstead(const NullModel& without, const NullModel& with, const FitOptions& options,
+                                     const Progress& progress);
 
 }  // namespace analogon

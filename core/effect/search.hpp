@@ -158,7 +158,7 @@ private:
     void treatAlike(NullModel& null);
     void sharpen(NullModel& null);
     Text proposeExperiments(const NullModel& null);
-    std::map<int, Text> heldRemarks(const NullModel& null);
+    std::map<int, std::vector<HeldInstead>> heldValues(const NullModel& null);
     std::optional<HeldInstead> takeOutForHeld(NullModel& null);
     void setVerdict(const std::string& kind, const std::string& at, Verdict verdict);
     void note(const Screened& s, Verdict verdict, std::optional<double> deltaBic, const Text& failure);

@@ -211,35 +211,32 @@ std::optional<HeldInstead> Search::takeOutForHeld(NullModel& null) {
     if (steps_.size() > 1 || change_ || dependence_ || progress_.stopRequested()) return std::nullopt;
     if (steps_.empty()) {
         if (isNoise(null)) return std::nullopt;
-        std::optional<HeldInstead> held = heldInstead(null, null, search_.fit, progress_);
-        return held && held->leavesNoise && held->gain > 3 * equivalenceMargin ? held : std::nullopt;
+        const std::vector<HeldInstead> held = heldInstead(null, null, search_.fit, progress_);
+        const bool explains = !held.empty() && held[0].leavesNoise && held[0].gain > 3 * equivalenceMargin;
+        return explains ? std::optional(held[0]) : std::nullopt;
     }
     const std::optional<NullModel> rest = without(null, 0);
     if (!rest) return std::nullopt;
-    std::optional<HeldInstead> held = heldInstead(*rest, null, search_.fit, progress_);
-    const double share = independentShare(null, null.fit);
-    if (!held || !(share * held->gain > 3 * equivalenceMargin) || !takeOut(null, 0)) return std::nullopt;
+    const std::vector<HeldInstead> all = heldInstead(*rest, null, search_.fit, progress_);
+    if (all.empty()) return std::nullopt;
+    const HeldInstead& held = all.front();
+    // what the effect leaves may be correlated just because it is not the cause: noise beside the value speaks for
+    // itself
+    const double share = held.leavesNoise && !isNoise(null) ? 1 : independentShare(null, null.fit);
+    if (!(share * held.gain > 3 * equivalenceMargin) || !takeOut(null, 0)) return std::nullopt;
     return held;
 }
 
-/// Where another value of a held parameter would explain as much as an effect: what to say of it, by the effect's
-/// choice.
-std::map<int, Text> Search::heldRemarks(const NullModel& null) {
-    std::map<int, Text> remarks;
+/// Values of held parameters that would explain as much as an effect, by the effect's choice.
+std::map<int, std::vector<HeldInstead>> Search::heldValues(const NullModel& null) {
+    std::map<int, std::vector<HeldInstead>> values;
     for (std::size_t i = 0; i < steps_.size() && !progress_.stopRequested(); ++i) {
         const PlacedEffect& own = null.variant.effects[i];
         say("reconsider", phrase("{} at {}", own.effect.kind, own.place.at), -1);
-        const std::optional<NullModel> rest = without(null, i);
-        if (!rest) continue;
-        const std::optional<HeldInstead> h = heldInstead(*rest, null, search_.fit, progress_);
-        if (!h) continue;
-        remarks[steps_[i].order] = phrase(
-            "{} at {} explains no more than another value of {}, which is held at {:.5g}: {:.5g} ± {:.2g}{}{} instead; "
-            "hold it only if it is known for certain",
-            own.effect.kind, own.place.at, h->parameter, h->held, h->value, h->standardError,
-            h->unit.empty() ? "" : " ", h->unit);
+        if (const std::optional<NullModel> rest = without(null, i))
+            values[steps_[i].order] = heldInstead(*rest, null, search_.fit, progress_);
     }
-    return remarks;
+    return values;
 }
 
 }  // namespace analogon

@@ -114,7 +114,8 @@ Json effectJson(const AddedEffect& effect) {
               {"held_out", number(evidence.heldOut)},
               {"error_percent_before", number(evidence.errorPercentBefore)},
               {"error_percent_after", number(evidence.errorPercentAfter)}}},
-            {"alternatives", alternatives}};
+            {"alternatives", alternatives},
+            {"values_instead", effect.valuesInstead}};
 }
 
 Json candidateJson(const CandidateResult& candidate) {

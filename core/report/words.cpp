@@ -1,10 +1,12 @@
 #include "core/report/words.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <set>
 
 #include "core/report/number_text.hpp"
 
@@ -114,6 +116,12 @@ std::string summaryWords(const Finding& finding, const std::string& command) {
                 "What the model leaves over is not noise, and no known effect explains it. " + plainErrorWords(state);
             break;
     }
+    std::set<std::string> values;
+    for (const AddedEffect& effect : finding.effects)
+        values.insert(effect.valuesInstead.begin(), effect.valuesInstead.end());
+    if (!values.empty())
+        text += fmt::format(" Another value of what the study holds would explain as much as {}: {}.",
+                            finding.effects.size() == 1 ? "the effect" : "one of the effects", fmt::join(values, "; "));
     if (finding.interrupted) text += " The search was interrupted; this is the best so far.";
     return text;
 }

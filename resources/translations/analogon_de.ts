@@ -676,6 +676,34 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
 <context>
     <name>Library</name>
     <message>
+        <source>Electric machine with several effects, a warm winding and warm magnets among them</source>
+        <translation>Elektrische Maschine mit mehreren Effekten, darunter eine warme Wicklung und warme Magnete</translation>
+    </message>
+    <message>
+        <source>Heating of the magnets per loss, 1/C_m (0: off)</source>
+        <translation>Erwärmung der Magnete je Verlust, 1/C_m (0: aus)</translation>
+    </message>
+    <message>
+        <source>Time constant with which the magnets cool, C_m/G_m</source>
+        <translation>Zeitkonstante, mit der die Magnete abkühlen, C_m/G_m</translation>
+    </message>
+    <message>
+        <source>Heat capacity of the magnets (0 while off)</source>
+        <translation>Wärmekapazität der Magnete (0, solange aus)</translation>
+    </message>
+    <message>
+        <source>Conductance from the magnets to their surroundings (0 while off)</source>
+        <translation>Leitwert von den Magneten zur Umgebung (0, solange aus)</translation>
+    </message>
+    <message>
+        <source>Magnets over their temperature at the start</source>
+        <translation>Magnete über ihrer Temperatur am Anfang</translation>
+    </message>
+    <message>
+        <source>Resistance of leads, drop of brushes, saturation of the inductance, a winding that its loss warms and magnets that it warms too, each with a heat balance of its own, in one machine. What is not asked for is off.</source>
+        <translation>Widerstand der Leitungen, Abfall der Bürsten, Sättigung der Induktivität, eine Wicklung, die ihr Verlust erwärmt, und Magnete, die er ebenfalls erwärmt, jede mit eigener Wärmebilanz, in einer Maschine. Was nicht verlangt ist, ist aus.</translation>
+    </message>
+    <message>
         <source>Abscissa at which the value is wanted</source>
         <translation>Abszisse, an der der Wert gesucht ist</translation>
     </message>
@@ -2180,8 +2208,8 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>BasicElectricMechanical, dessen Magnet mit der Temperatur eines Wärmeanschlusses schwächer wird, den das Modell schon hat.</translation>
     </message>
     <message>
-        <source>BasicElectricMechanical with magnets that weaken as the loss of the winding warms them. Only beta/C_w shows, so beta keeps a typical value and e_w = 1/C_w is the strength.</source>
-        <translation>BasicElectricMechanical mit Magneten, die schwächer werden, wenn der Verlust der Wicklung sie erwärmt. Nur beta/C_w zeigt sich, also behält beta einen üblichen Wert, und e_w = 1/C_w ist die Stärke.</translation>
+        <source>BasicElectricMechanical with magnets that weaken as the loss of the winding warms them. Only beta/C_m shows, so beta keeps a typical value and e_m = 1/C_m is the strength.</source>
+        <translation>BasicElectricMechanical mit Magneten, die schwächer werden, wenn der Verlust der Wicklung sie erwärmt. Nur beta/C_m zeigt sich, also behält beta einen üblichen Wert, und e_m = 1/C_m ist die Stärke.</translation>
     </message>
     <message>
         <source>BasicElectricMechanical with an iron path that saturates.</source>
@@ -3725,6 +3753,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
 </context>
 <context>
     <name>ResultPanel</name>
+    <message>
+        <source>Another value would explain as much: %1.</source>
+        <translation>Ein anderer Wert würde ebenso viel erklären: %1.</translation>
+    </message>
     <message>
         <source>The error cannot be made smaller by changing the fitted parameters.</source>
         <translation>Durch Ändern der angepassten Parameter lässt sich der Fehler nicht weiter verkleinern.</translation>
@@ -6277,6 +6309,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>„{}“ beginnt nicht dort, wo es dem Modell gesagt wurde: {} ist dort {} ± {}{}{}, nicht {}; der Wert wird für diese Aufzeichnung angepasst (&quot;initial&quot;: &quot;fit&quot;)</translation>
     </message>
     <message>
+        <source>{} beyond its bound of {:.5g} explains more than any effect: {:.5g} ± {:.2g}{} fits; widen the bound</source>
+        <translation>{} jenseits seiner Grenze von {} erklärt mehr als jeder Effekt: {} ± {}{} passt; die Grenze erweitern</translation>
+    </message>
+    <message>
         <source>another value of {} explains more than any effect: it is held at {:.5g}, and {:.5g} ± {:.2g}{} fits; correct it, or let it be fitted</source>
         <translation>ein anderer Wert von {} erklärt mehr als jeder Effekt: Er ist auf {} festgehalten, und {} ± {}{} passt; berichtigen oder anpassen lassen</translation>
     </message>
@@ -6301,8 +6337,12 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Nur Zahlen können gelesen werden; die Zelle eines Ausgangs leer lassen, wo er nicht gemessen wurde.</translation>
     </message>
     <message>
-        <source>{} at {} explains no more than another value of {}, which is held at {:.5g}: {:.5g} ± {:.2g}{}{} instead; hold it only if it is known for certain</source>
-        <translation>{} an {} erklärt nicht mehr als ein anderer Wert von {}, gehalten bei {}: stattdessen {} ± {}{}{}; nur halten, wenn er sicher bekannt ist</translation>
+        <source>{} at {} explains no more than another value of {}, which is held at {:.5g}: {:.5g} ± {:.2g}{} instead; hold it only if it is known for certain</source>
+        <translation>{} an {} erklärt nicht mehr als ein anderer Wert von {}, gehalten bei {}: stattdessen {} ± {}{}; nur halten, wenn er sicher bekannt ist</translation>
+    </message>
+    <message>
+        <source>{} at {} explains no more than {} beyond its bound of {:.5g}: {:.5g} ± {:.2g}{} instead; keep the bound only if it is known for certain</source>
+        <translation>{} an {} erklärt nicht mehr als {} jenseits seiner Grenze von {}: stattdessen {} ± {}{}; die Grenze nur behalten, wenn sie sicher bekannt ist</translation>
     </message>
     <message>
         <source>iteration {}</source>

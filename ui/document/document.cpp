@@ -140,7 +140,7 @@ void Document::adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory>
     levels_.clear();
     undo_.clear();
     simulated_.reset();
-    measured_.clear();
+    measured_.reset();
     live_.reset();
     preview_.reset();
     result_.reset();
@@ -357,15 +357,17 @@ std::optional<double> Document::parameterValue(const std::string& name) const {
 }
 
 void Document::setSimulated(ModelState state) {
-    simulated_ = std::move(state);
-    measured_.clear();
+    simulated_ = std::make_shared<const ModelState>(std::move(state));
+    measured_.reset();
     ++tracesVersion_;
     Q_EMIT resultChanged();
 }
 
 void Document::setMeasured(std::vector<ExperimentState> measured) {
     simulated_.reset();
-    measured_ = std::move(measured);
+    ModelState state;
+    state.experiments = std::move(measured);
+    measured_ = std::make_shared<const ModelState>(std::move(state));
     ++tracesVersion_;
     Q_EMIT resultChanged();
 }
@@ -417,17 +419,15 @@ bool Document::isResultStale() const {
 
 bool Document::isResultAdopted() const { return result_ && isSameModel(*study_, result_->completed); }
 
-const ModelState* Document::before() const {
-    if (result_ && !isResultStale()) {
-        if (resultKind_ == RunKind::Discover) return &result_->finding.baseline;
-        return beforeFit_ ? &*beforeFit_ : nullptr;
-    }
-    return simulated_ ? &*simulated_ : nullptr;
+std::shared_ptr<const ModelState> Document::before() const {
+    if (!result_ || isResultStale()) return simulated_;
+    return resultKind_ == RunKind::Discover ? std::shared_ptr<const ModelState>(result_, &result_->finding.baseline)
+                                            : beforeFit_;
 }
 
-const ModelState* Document::after() const {
+std::shared_ptr<const ModelState> Document::after() const {
     if (!result_ || isResultStale()) return nullptr;
-    return &result_->finding.final;
+    return {result_, &result_->finding.final};
 }
 
 void Document::setRunMessages(Diagnostics messages) { setMessages(Message::Origin::Run, messages); }

@@ -113,7 +113,7 @@ public:
     void setSimulated(ModelState state);  // the model as it stands
     /// The model cannot be simulated: what was measured is all there is to show.
     void setMeasured(std::vector<ExperimentState> measured);
-    const std::vector<ExperimentState>& measured() const { return measured_; }
+    std::shared_ptr<const ModelState> measured() const { return measured_; }
     void setResult(RunKind kind, RunResult result, const Study& ranOn, double seconds = 0);
     /// The study as a run left it, as an edit.
     void restoreRun(const RunRecord& record);
@@ -125,8 +125,8 @@ public:
     /// The completed study is the current one.
     bool isResultAdopted() const;
     /// Traces to show: as it stood before, and with what was found (null: there is none).
-    const ModelState* before() const;
-    const ModelState* after() const;
+    std::shared_ptr<const ModelState> before() const;
+    std::shared_ptr<const ModelState> after() const;
     /// While a fit runs: the fitted experiments with the best values so far; null: none.
     void setLiveTraces(std::optional<SimulatedTraces> traces);
     const SimulatedTraces* liveTraces() const { return live_ ? &*live_ : nullptr; }
@@ -183,14 +183,14 @@ private:
     ModelFacts facts_;
     Diagnostics modelFaults_;  // found while reading the diagram
     std::optional<Diagnostic> modelError_;
-    std::optional<ModelState> simulated_;
-    std::vector<ExperimentState> measured_;  // as long as nothing can be simulated
+    std::shared_ptr<const ModelState> simulated_;
+    std::shared_ptr<const ModelState> measured_;  // recordings alone, as long as nothing can be simulated
     std::optional<SimulatedTraces> live_;
     std::optional<Preview> preview_;
     std::shared_ptr<const RunResult> result_;
     std::vector<RunRecord> history_;
     std::optional<Study> resultStudy_;  // the study the result was computed for
-    std::optional<ModelState> beforeFit_;
+    std::shared_ptr<const ModelState> beforeFit_;
     RunKind resultKind_{RunKind::Simulate};
     std::vector<Message> messages_;
     unsigned long revision_{}, tracesVersion_{};

@@ -114,8 +114,12 @@ QString equivalentWords(const AddedEffect& effect) {
     QStringList equivalent;
     for (const Alternative& a : effect.alternatives)
         if (a.equivalent) equivalent << ResultPanel::tr("%1 at %2").arg(text(a.kind), placeText(text(a.at)));
-    return equivalent.isEmpty() ? QString()
-                                : ResultPanel::tr("This data cannot tell it from: %1.").arg(equivalent.join("; "));
+    QStringList words;
+    if (!equivalent.isEmpty())
+        words << ResultPanel::tr("This data cannot tell it from: %1.").arg(equivalent.join("; "));
+    if (!effect.valuesInstead.empty())
+        words << ResultPanel::tr("Another value would explain as much: %1.").arg(joined(effect.valuesInstead));
+    return words.join(' ');
 }
 
 RemainderWords remainderWords(const Remainder& r, const std::function<QString(const std::string&)>& named) {

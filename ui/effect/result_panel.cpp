@@ -210,7 +210,8 @@ void ResultPanel::addAdoption() {
 
 void ResultPanel::addComparison(const Finding& finding) {
     const bool isDiscover = document_.resultKind() == RunKind::Discover;
-    const ModelState* before = isDiscover ? &finding.baseline : document_.before();
+    const std::shared_ptr<const ModelState> held = document_.before();
+    const ModelState* before = isDiscover ? &finding.baseline : held.get();
     comparison_ = makeTable({tr("Error"), tr("Role"), tr("Before"), tr("After")}, body_);
     for (const ExperimentState& after : finding.final.experiments) {
         double was = std::nan("");

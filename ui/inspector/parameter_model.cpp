@@ -82,7 +82,7 @@ void ParameterModel::refresh() {
         const auto isOwn = [&](const ParameterFact& f) { return f.name == own || f.name.starts_with(own + "."); };
         const auto& facts = document_.facts().parameters;
         isOfComponent_ = !own.empty() && std::any_of(facts.begin(), facts.end(), isOwn);
-        const ModelState* after = document_.after();
+        const auto after = document_.after();
         std::vector<Row> candidates;
         for (const ParameterFact& fact : facts)
             if (!isOfComponent_ || isOwn(fact))
@@ -189,7 +189,7 @@ QVariantList ParameterModel::bar(const Row& row) const {
 
 /// What the fit says about this parameter and others: that they cannot be told apart.
 const Text* ParameterModel::remarkOn(const Row& row) const {
-    const ModelState* after = document_.after();
+    const auto after = document_.after();
     if (!row.estimate || !after) return nullptr;
     for (const Text& remark : after->remarks)
         if (namesIn(remark).contains(QString::fromStdString(row.name))) return &remark;

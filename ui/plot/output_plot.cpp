@@ -190,7 +190,7 @@ void OutputPlot::readOut(std::optional<double> time) {
         };
         const std::size_t a = indexOf(marks_[0]), b = indexOf(marks_[1]);
         QString text = tr("Δ %1 s").arg(style::numberText(stamps[b] - stamps[a]));
-        const auto add = [&](const QString& name, const std::vector<double>& values) {
+        const auto add = [&](const QString& name, std::span<const double> values) {
             if (a < values.size() && b < values.size() && std::isfinite(values[b] - values[a]))
                 text += QStringLiteral("   Δ %1 %2").arg(name, style::numberText(values[b] - values[a]));
         };
@@ -205,7 +205,7 @@ void OutputPlot::readOut(std::optional<double> time) {
     const auto i = static_cast<std::size_t>(
         std::min<std::ptrdiff_t>(at - stamps.begin(), static_cast<std::ptrdiff_t>(stamps.size()) - 1));
     QString text = tr("%1 s").arg(style::numberText(stamps[i], 6));
-    const auto add = [&](const QString& name, const std::vector<double>& values) {
+    const auto add = [&](const QString& name, std::span<const double> values) {
         if (i < values.size() && std::isfinite(values[i]))
             text += QStringLiteral("   %1 %2").arg(name, style::numberText(values[i]));
     };

@@ -23,16 +23,11 @@ namespace analogon::ui {
 
 namespace {
 
-std::vector<double> toVector(const Eigen::VectorXd& values) { return {values.data(), values.data() + values.size()}; }
-
-const ExperimentState* experimentOf(const std::vector<ExperimentState>& experiments, const std::string& name) {
-    for (const ExperimentState& e : experiments)
+const ExperimentState* experimentOf(const std::shared_ptr<const ModelState>& state, const std::string& name) {
+    if (!state) return nullptr;
+    for (const ExperimentState& e : state->experiments)
         if (e.name == name) return &e;
     return nullptr;
-}
-
-const ExperimentState* experimentOf(const ModelState* state, const std::string& name) {
-    return state ? experimentOf(state->experiments, name) : nullptr;
 }
 
 const OutputState* outputOf(const ExperimentState* experiment, const std::string& name) {
@@ -43,6 +38,25 @@ const OutputState* outputOf(const ExperimentState* experiment, const std::string
 }
 
 QString percent(double value) { return QStringLiteral("%1 %").arg(value, 0, 'f', value < 9.995 ? 2 : 1); }
+
+/// The traces as columns.
+Table numbersOf(const std::vector<OutputPlot::Content>& contents) {
+    Table table;
+    const auto add = [&table](const QString& name, const QString& unit, std::span<const double> values) {
+        Column column;
+        column.name = name.toStdString();
+        column.unit = unit.toStdString();
+        column.values.assign(values.begin(), values.end());
+        if (!values.empty()) table.columns.push_back(std::move(column));
+    };
+    add("time", "s", *contents.front().time);
+    for (const OutputPlot::Content& c : contents) {
+        add(c.name + " measured", c.unit, c.measured);
+        add(c.name + " before", c.unit, c.before);
+        add(c.name + " after", c.unit, c.after);
+    }
+    return table;
+}
 
 }  // namespace
 
@@ -150,15 +164,15 @@ void PlotPanel::refresh() {
     const unsigned long version = document_.isOpen() ? document_.tracesVersion() : 0;
     if (version == version_ && version != 0) return;
     version_ = version;
-    const ModelState* state = document_.after() ? document_.after() : document_.before();
-    const std::vector<ExperimentState>& shown = state ? state->experiments : document_.measured();
+    const std::shared_ptr<const ModelState> shown = shownState();
     std::vector<std::string> names;
-    for (const ExperimentState& e : shown) names.push_back(e.name);
+    if (shown)
+        for (const ExperimentState& e : shown->experiments) names.push_back(e.name);
     if (names != names_) {
         const QSignalBlocker blocker(experiments_);
         while (experiments_->count() > 0) experiments_->removeTab(0);
         for (std::size_t i = 0; i < names.size(); ++i) {
-            const bool isFit = shown[i].role == Role::Fit;
+            const bool isFit = shown->experiments[i].role == Role::Fit;
             const int tab = experiments_->addTab(QString::fromStdString(names[i]));
             experiments_->setTabToolTip(tab, isFit ? tr("Used to fit and to choose effects")
                                                    : tr("Only reported; never used to fit or to choose"));
@@ -171,34 +185,39 @@ void PlotPanel::refresh() {
     arrangeBar();
 }
 
-const ExperimentState* PlotPanel::shownState(const std::string& experiment) const {
-    for (const ModelState* state : {document_.after(), document_.before()})
-        if (const ExperimentState* found = experimentOf(state, experiment)) return found;
-    return experimentOf(document_.measured(), experiment);
+std::shared_ptr<const ModelState> PlotPanel::shownState() const {
+    if (auto after = document_.after()) return after;
+    if (auto before = document_.before()) return before;
+    return document_.measured();
 }
 
 std::vector<OutputPlot::Content> PlotPanel::contentsOf(const std::string& experiment) const {
-    const ExperimentState* any = shownState(experiment);
+    const std::shared_ptr<const ModelState> shown = shownState(), stateBefore = document_.before(),
+                                            stateAfter = document_.after();
+    const ExperimentState* any = experimentOf(shown, experiment);
     if (!any) return {};
-    const ExperimentState* before = experimentOf(document_.before(), experiment);
-    const ExperimentState* after = experimentOf(document_.after(), experiment);
+    const ExperimentState* before = experimentOf(stateBefore, experiment);
+    const ExperimentState* after = experimentOf(stateAfter, experiment);
     // A run one has gone back to may be one of the recording as it was trimmed then.
     if (before && before->time != any->time) before = nullptr;
-    const auto time = std::make_shared<const std::vector<double>>(any->time);
-    const QString beforeWord = document_.after() ? tr("before") : tr("simulated");
+    // A long recording is drawn from where it is: a copy would be felt.
+    const auto part = [](const std::shared_ptr<const ModelState>& of, const Eigen::VectorXd& values) {
+        return Series(of, {values.data(), static_cast<std::size_t>(values.size())});
+    };
+    const QString beforeWord = stateAfter ? tr("before") : tr("simulated");
     std::vector<OutputPlot::Content> contents;
     for (const OutputState& output : any->outputs) {
         OutputPlot::Content content;
         content.name = QString::fromStdString(output.name);
         content.unit = QString::fromStdString(output.unit);
-        content.time = time;
-        content.measured = toVector(output.measured);
+        content.time = std::shared_ptr<const std::vector<double>>(shown, &any->time);
+        content.measured = part(shown, output.measured);
         if (const OutputState* o = outputOf(before, output.name)) {
-            content.before = toVector(o->simulated);
+            content.before = part(stateBefore, o->simulated);
             content.beforeLabel = beforeWord + " " + percent(o->figures.errorPercent);
         }
         if (const OutputState* o = outputOf(after, output.name)) {
-            content.after = toVector(o->simulated);
+            content.after = part(stateAfter, o->simulated);
             content.afterLabel = tr("after") + " " + percent(o->figures.errorPercent);
         }
         contents.push_back(std::move(content));
@@ -234,7 +253,8 @@ void PlotPanel::rebuild() {
         return;
     }
     const std::string& name = names_[static_cast<std::size_t>(index)];
-    const ExperimentState* any = shownState(name);
+    const std::shared_ptr<const ModelState> state = shownState();
+    const ExperimentState* any = experimentOf(state, name);
     if (!any) return;
     while (residuals_.size() > any->outputs.size()) {
         delete residuals_.back();
@@ -271,7 +291,7 @@ void PlotPanel::rebuild() {
                                 [study = document_.study(), name, time = content.time, measured = content.measured,
                                  best, simulated = withUnit(tr("simulated"), content.unit)] {
                                     std::vector<NamedSeries> against = variablesOf(study, name, *time);
-                                    against.insert(against.begin(), {simulated, best.values()});
+                                    against.insert(against.begin(), {simulated, best.copy()});
                                     return residualFacts(residualOf(measured, best), against);
                                 });
         plots_[i]->show(std::move(content));
@@ -383,23 +403,10 @@ void PlotPanel::askWhereToExport() {
     dialog->show();
 }
 
-Table PlotPanel::numbers() const {
-    Table table;
-    const auto add = [&table](const QString& name, const QString& unit, const std::vector<double>& values) {
-        Column column;
-        column.name = name.toStdString();
-        column.unit = unit.toStdString();
-        column.values = values;
-        if (!values.empty()) table.columns.push_back(std::move(column));
-    };
-    add("time", "s", *plots_.front()->content().time);
-    for (const OutputPlot* plot : plots_) {
-        const OutputPlot::Content& c = plot->content();
-        add(c.name + " measured", c.unit, c.measured);
-        add(c.name + " before", c.unit, c.before);
-        add(c.name + " after", c.unit, c.after);
-    }
-    return table;
+std::vector<OutputPlot::Content> PlotPanel::shownContents() const {
+    std::vector<OutputPlot::Content> contents;
+    for (const OutputPlot* plot : plots_) contents.push_back(plot->content());
+    return contents;
 }
 
 void PlotPanel::exportTo(const QString& file) {
@@ -413,10 +420,10 @@ void PlotPanel::exportTo(const QString& file) {
     };
     QWidget* body = area_->widget();
     if (file.endsWith(".csv", Qt::CaseInsensitive))
-        return write([table = numbers(), file] {
+        return write([contents = shownContents(), file] {
             QSaveFile out(file);
-            return out.open(QIODevice::WriteOnly) && out.write(QByteArray::fromStdString(writeCsv(table))) > 0 &&
-                   out.commit();
+            return out.open(QIODevice::WriteOnly) &&
+                   out.write(QByteArray::fromStdString(writeCsv(numbersOf(contents)))) > 0 && out.commit();
         });
     if (!file.endsWith(".svg", Qt::CaseInsensitive))
         return write([picture = body->grab().toImage(), file] { return picture.save(file); });

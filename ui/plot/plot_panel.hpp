@@ -119,12 +119,13 @@ private:
     void trim(std::optional<std::pair<double, double>> range);
     void setTrimming(bool isTrimming);
     const StudyExperiment* shownExperiment() const;
-    /// What there is of an experiment: with the effect, else without, else measured alone; null: nothing.
-    const ExperimentState* shownState(const std::string& experiment) const;
+    /// The model with the effect, else without, else what was measured alone; null: nothing.
+    std::shared_ptr<const ModelState> shownState() const;
     std::vector<OutputPlot::Content> contentsOf(const std::string& experiment) const;
     void showView(bool isResidual);
     void askWhereToExport();
-    Table numbers() const;
+    /// What the plots show now: of a fit that runs, the best so far.
+    std::vector<OutputPlot::Content> shownContents() const;
 
     Document& document_;
     QTabBar* experiments_;

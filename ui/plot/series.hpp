@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <vector>
@@ -7,25 +8,29 @@
 namespace analogon::ui {
 
 /// Values that are drawn and never changed: copies share them, so that a plot, its residual and what is worked out
-/// beside the window cost a long recording once.
+/// beside the window cost a long recording once. They may be part of something larger that it keeps alive.
 class Series {
 public:
     Series() = default;
-    Series(std::vector<double> values) : values_(std::make_shared<const std::vector<double>>(std::move(values))) {}
-
-    const std::vector<double>& values() const {
-        static const std::vector<double> none;
-        return values_ ? *values_ : none;
+    Series(std::vector<double> values) {
+        const auto held = std::make_shared<const std::vector<double>>(std::move(values));
+        values_ = *held;
+        owner_ = held;
     }
-    operator const std::vector<double>&() const { return values(); }
-    operator std::span<const double>() const { return values(); }
-    bool empty() const { return values().empty(); }
-    std::size_t size() const { return values().size(); }
-    double operator[](std::size_t i) const { return (*values_)[i]; }
-    friend bool operator==(const Series& a, const std::vector<double>& b) { return a.values() == b; }
+    Series(std::shared_ptr<const void> owner, std::span<const double> values)
+        : owner_(std::move(owner)), values_(values) {}
+
+    std::span<const double> values() const { return values_; }
+    operator std::span<const double>() const { return values_; }
+    std::vector<double> copy() const { return {values_.begin(), values_.end()}; }
+    bool empty() const { return values_.empty(); }
+    std::size_t size() const { return values_.size(); }
+    double operator[](std::size_t i) const { return values_[i]; }
+    friend bool operator==(const Series& a, const std::vector<double>& b) { return std::ranges::equal(a.values_, b); }
 
 private:
-    std::shared_ptr<const std::vector<double>> values_;
+    std::shared_ptr<const void> owner_;
+    std::span<const double> values_;
 };
 
 /// What was measured less what was simulated.

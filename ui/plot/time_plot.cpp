@@ -330,7 +330,7 @@ void TimePlot::paintTrace(QPainter& painter, std::size_t trace) const {
                  pen);
 }
 
-QPolygonF TimePlot::lineThroughSamples(const std::vector<double>& values) const {
+QPolygonF TimePlot::lineThroughSamples(std::span<const double> values) const {
     QPolygonF line;
     const auto [begin, end] = samplesWithin(*time_, from_, to_);
     for (std::size_t i = begin; i < std::min(end, values.size()); ++i)

@@ -84,7 +84,7 @@ private:
     void paintGrid(QPainter& painter) const;
     void paintNote(QPainter& painter) const;
     void paintTrace(QPainter& painter, std::size_t trace) const;
-    QPolygonF lineThroughSamples(const std::vector<double>& values) const;
+    QPolygonF lineThroughSamples(std::span<const double> values) const;
     void paintColumns(QPainter& painter, const std::vector<ValueRange>& columns, double width, const QPen& pen) const;
     QFont labelFont() const;
     QRectF area() const;

@@ -120,9 +120,16 @@ end Rotor;
         Outcome<RunResult> result = runDiscover(read(), options, progress);
         EXPECT_TRUE(result) << format(result.diagnostics());
         if (!result) return {};
+        const std::vector<FitEstimate>& fitted = result->finding.final.parameters;
+        const bool isBound =
+            std::any_of(fitted.begin(), fitted.end(), [](const FitEstimate& estimate) { return estimate.atBound; });
         for (const AddedEffect& e : result->finding.effects) {
-            // whatever is found, its strength is told from 0 and its chance belongs to its score
-            EXPECT_LT(e.parameters.at(0).standardError, std::abs(e.parameters.at(0).value)) << e.kind;
+            // whatever is found, its strength is told from 0 (or from what rests at a bound) and its chance belongs to
+            // its score
+            const EffectValue& strength = e.parameters.at(0);
+            EXPECT_TRUE(strength.standardError < std::abs(strength.value) ||
+                        (isBound && std::isnan(strength.standardError)))
+                << e.kind;
             EXPECT_TRUE(e.evidence.score < 200 || e.evidence.pValue < 1e-20) << e.kind;
         }
         return std::move(result->finding);
@@ -452,6 +459,23 @@ TEST_F(DiscoveryInADraught, SaysThatAnotherValueOfAHeldParameterExplainsMoreThan
     const std::string& equation = finding.remainders.front().proposedEquation;
     ASSERT_EQ(equation.find("plate.C = "), 0u) << equation;
     EXPECT_NEAR(std::stod(equation.substr(10)), 15, 0.1);
+}
+
+// A bound below the true conductance: another way for the heat looks like what lies beyond it.
+TEST_F(DiscoveryInADraught, SaysThatABoundIsTooNarrowWhereAnEffectImitatesWhatLiesBeyond) {
+    const std::string bound =
+        R"({"plate.C": {"fit": true, "min": 1, "max": 200}, "toRoom.G": {"fit": true, "value": 0.1, "min": 0.01, "max": 0.2}})";
+    const Finding finding = search(6, 0, 300, 0, bound);
+    std::string said;
+    for (const Text& warning : finding.warnings) said += warning;
+    for (const Remainder& r : finding.remainders) said += r.proposedEquation;
+    const std::string before = finding.effects.empty() ? "toRoom.G = " : "toRoom.G beyond its bound of 0.2: ";
+    const std::size_t at = said.find(before);
+    ASSERT_NE(at, std::string::npos) << said;
+    EXPECT_NEAR(std::stod(said.substr(at + before.size())), 0.3, 0.001) << said;
+    for (const AddedEffect& e : finding.effects)
+        for (const std::string& value : e.valuesInstead)
+            EXPECT_NEAR(std::stod(value.substr(value.find(" = ") + 3)), 0.3, 0.001) << value;
 }
 
 /// A motor whose current settles within two samples; its long record is searched on means of five. Nothing is missing,
