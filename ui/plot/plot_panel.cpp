@@ -292,7 +292,7 @@ void PlotPanel::rebuild() {
                                  best, simulated = withUnit(tr("simulated"), content.unit)] {
                                     std::vector<NamedSeries> against = variablesOf(study, name, *time);
                                     against.insert(against.begin(), {simulated, best.copy()});
-                                    return residualFacts(residualOf(measured, best), against);
+                                    return residualFacts(residualOf(measured, best).copy(), against);
                                 });
         plots_[i]->show(std::move(content));
     }

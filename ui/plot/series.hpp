@@ -1,9 +1,13 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
+
+#include "core/base/memory.hpp"
 
 namespace analogon::ui {
 
@@ -34,10 +38,13 @@ private:
 };
 
 /// What was measured less what was simulated.
-inline std::vector<double> residualOf(const Series& measured, const Series& simulated) {
-    std::vector<double> left(simulated.size());
-    for (std::size_t i = 0; i < left.size(); ++i) left[i] = measured[i] - simulated[i];
-    return left;
+inline Series residualOf(const Series& measured, const Series& simulated) {
+    const auto left = std::make_shared<Eigen::VectorXd>();
+    resizeLarge(*left, static_cast<std::ptrdiff_t>(simulated.size()), 1);
+    const std::span<double> values(left->data(), simulated.size());
+    std::transform(measured.values().begin(), measured.values().begin() + left->size(), simulated.values().begin(),
+                   values.begin(), std::minus<>());
+    return {left, values};
 }
 
 }  // namespace analogon::ui
