@@ -17,6 +17,8 @@ namespace {
 constexpr int neighbours = 6;        // looked at on either side
 constexpr int fewestNeighbours = 3;  // of them
 constexpr int longest = 3;           // samples in a row
+constexpr int longestStart = 4;      // until a model at rest has caught up
+constexpr double leastDecay = 0.5;   // of what it lacks, from one of them to the next
 constexpr double allClear = 8;       // deviations of the noise
 constexpr double levelAside = 0.25;  // of the spike, by which the two sides may differ
 constexpr double ownPart = 0.5;      // of what the model leaves, that the measurement shows by itself
@@ -129,6 +131,27 @@ Runs runsThatStandAlone(const Eigen::VectorXd& beyond, const Eigen::VectorXd& me
     return runs;
 }
 
+/// How many samples a model that begins at rest takes to catch up with a channel in motion; 0: it does not, or begins
+/// with it. A fast state without a start value of its own (the current of a machine) does so within a few samples, and
+/// all that follow show nothing of it.
+int samplesToCatchUp(const NullModel& model, const ResidualChannel& channel, const Recording& recording) {
+    const int rows = channel.end - channel.begin;
+    if (rows < fewestSamples || channel.samples.front() != 0 || behindJumps(recording).front()) return 0;
+    const Eigen::VectorXd beyond = -model.fit.optimum.residuals.segment(channel.begin, rows);
+    const double noise = noiseOf(beyond), first = std::abs(beyond[0]);
+    if (!(first > allClear * noise)) return 0;
+    int count = 1;
+    while (count <= longestStart && std::abs(beyond[count]) > halfClear * noise) {
+        if (beyond[count] * beyond[0] < 0 || std::abs(beyond[count]) > leastDecay * std::abs(beyond[count - 1]))
+            return 0;
+        ++count;
+    }
+    const bool isOver =
+        count <= longestStart && beyond.segment(count, neighbours).cwiseAbs().maxCoeff() < halfClear * noise;
+    const double own = rangeOf(channel.measured.head(count + 1)).width();
+    return isOver && own < ownPart * first ? count : 0;
+}
+
 /// Samples of a channel that stand alone.
 struct Spikes {
     const ResidualChannel* channel{};
@@ -209,6 +232,15 @@ std::vector<FaultySamples> faultySamples(const NullModel& model) {
                         faults.push_back({indexOf(s),
                                           held->system->outputs()[static_cast<std::size_t>(s.channel->output)].name,
                                           sample, sample + 1, false});
+    for (const ResidualChannel& channel : model.channels) {
+        const int index = recordings[static_cast<std::size_t>(channel.experiment)];
+        const Recording& recording = task.recordings[static_cast<std::size_t>(index)];
+        const int late = samplesToCatchUp(model, channel, recording);
+        if (late == 0) continue;
+        if (const Outcome<PreparedTask> held = prepareHeld(model.variant, {}, model.noise))
+            faults.push_back({index, held->system->outputs()[static_cast<std::size_t>(channel.output)].name, 0,
+                              channel.samples[static_cast<std::size_t>(late)], false, true});
+    }
     for (const int index : recordings) addStuck(task.recordings[static_cast<std::size_t>(index)], index, faults);
     return faults;
 }
@@ -229,6 +261,14 @@ std::vector<Text> faultRemarks(const EstimationTask& task, const std::vector<Fau
     for (auto begin = faults.begin(); begin != faults.end();) {
         const Recording& recording = task.recordings[static_cast<std::size_t>(begin->recording)];
         const auto timeOf = [&](int sample) { return recording.time[static_cast<std::size_t>(sample)]; };
+        if (begin->isMoving) {
+            remarks.push_back(
+                phrase("'{}' begins in motion: the model of output '{}' begins at rest and has caught up at {:.5g} s, "
+                       "what is before is left out",
+                       recording.name, begin->output, timeOf(begin->end)));
+            ++begin;
+            continue;
+        }
         if (begin->isStuck) {
             remarks.push_back(
                 phrase("output '{}' of '{}' reads exactly the same from {:.5g} s to {:.5g} s and jumps when it goes "
@@ -238,7 +278,7 @@ std::vector<Text> faultRemarks(const EstimationTask& task, const std::vector<Fau
             continue;
         }
         const auto end = std::find_if(begin, faults.end(), [&](const FaultySamples& f) {
-            return f.isStuck || f.recording != begin->recording || f.output != begin->output;
+            return f.isStuck || f.isMoving || f.recording != begin->recording || f.output != begin->output;
         });
         const auto count = static_cast<std::size_t>(end - begin);
         std::string when;

@@ -15,13 +15,15 @@ struct FaultySamples {
     int recording{};  // of the task
     std::string output;
     int begin{}, end{};
-    bool isStuck{};  // they read the same; else they stand alone
+    bool isStuck{};   // they read the same; else they stand alone
+    bool isMoving{};  // the recording begins in motion, the model of this output at rest
 };
 
 /// Those of the fitted recordings, channel by channel. A sample stands alone that is far from its neighbours and from
 /// what the model leaves beside it, while no input jumps and no other output does the same; none of a channel that has
 /// many or whose noise has long tails. A reading stuck that stays exactly the same for long, other than 0, hardly ever
-/// does so elsewhere, and jumps when it goes on.
+/// does so elsewhere, and jumps when it goes on. The first samples are left out where the model alone is far from them
+/// and has soon caught up: a current, say, has no start value of its own.
 std::vector<FaultySamples> faultySamples(const NullModel& model);
 
 /// Runs of samples, [begin, end), that read exactly the same, where a channel hardly ever does so elsewhere.

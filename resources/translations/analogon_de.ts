@@ -4273,6 +4273,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>{}, obwohl dort ein Startwert angepasst wird: Ein anderer kann falsch sein, auch der eines Teils, den ein Effekt hinzugefügt hat</translation>
     </message>
     <message>
+        <source>'{}' begins in motion: the model of output '{}' begins at rest and has caught up at {:.5g} s, what is before is left out</source>
+        <translation>„{}“ beginnt in Bewegung: das Modell des Ausgangs „{}“ beginnt in Ruhe und hat bei {} s aufgeholt, was davor liegt, ist ausgelassen</translation>
+    </message>
+    <message>
         <source>output '{}' of '{}': single samples far from their neighbours and from the model are taken for faults of the measurement and left out ({} of them: {})</source>
         <translation>Ausgang „{}“ von „{}“: Einzelne Abtastwerte weit weg von ihren Nachbarn und vom Modell gelten als Fehler der Messung und bleiben weg ({} Stück: {})</translation>
     </message>

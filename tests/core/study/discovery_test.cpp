@@ -726,6 +726,55 @@ TEST_F(DiscoveryInAHeater, ProposesAFilmInThePlug) {
         << finding.remainders.front().proposedEquation;
 }
 
+// A pump that runs already when the logger starts: its speed has a start value, its current has none.
+TEST_F(Discovery, TakesTheFirstSamplesOfARecordingInMotionForNoStructure) {
+    put("model.mo", R"(model Pump
+  Analogon.Interfaces.RealInput u(unit="V");
+  Analogon.Interfaces.RealOutput i(unit="A");
+  Analogon.Interfaces.RealOutput w(unit="rad/s");
+  parameter Real w0(unit="rad/s") = 0;
+  Analogon.ElectricMechanical.BasicElectricMechanical motor(R=0.18, L=4e-4, k=0.016);
+  Analogon.Mechanics.Inertia rotor(J=3e-4, w(start=w0, fixed=true));
+  Analogon.Mechanics.ViscousLoad load(b=1e-4);
+  Analogon.Sensors.SpeedSensor tacho;
+equation
+  connect(u, motor.v);
+  connect(motor.i, i);
+  connect(motor.flange, rotor.flange_a);
+  connect(rotor.flange_b, load.flange);
+  connect(rotor.flange_b, tacho.flange);
+  connect(tacho.w, w);
+end Pump;
+)");
+    put("study.json", R"({"format": "analogon-study-1", "class": "Pump",
+  "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t", "inputs": {"u": "u"},
+                   "outputs": {"i": "i", "w": "w"}, "initial": {"w0": "fit"}}],
+  "parameters": {"motor.R": {"fit": true, "min": 0.02, "max": 2}, "motor.k": {"fit": true, "min": 0.001, "max": 0.1},
+                 "rotor.J": {"fit": true, "min": 1e-5, "max": 1e-2}, "load.b": {"fit": true, "min": 1e-6, "max": 0.01}}})");
+    std::mt19937 random(4);
+    std::normal_distribution<double> scatter;
+    std::ofstream csv = recording("t [s],u [V],i [A],w [rad/s]");
+    constexpr double R = 0.15, L = 4e-4, k = 0.015, J = 2.5e-4, b = 2e-4, interval = 0.005;
+    const auto voltage = [](double t) { return 8 + 3 * std::sin(2.1 * t) + 2 * std::sin(0.7 * t + 1); };
+    double w = 400, i = (voltage(0) - k * w) / R;
+    for (int n = 0; n < 2000; ++n) {
+        const double t = n * interval, from = voltage(t), to = voltage(t + interval);
+        csv << t << ',' << from << ',' << i + 0.15 * scatter(random) << ',' << w + 0.3 * scatter(random) << '\n';
+        constexpr int steps = 200;
+        for (int s = 0; s < steps; ++s) {
+            const double u = from + (to - from) * (s + 0.5) / steps, di = (u - R * i - k * w) / L;
+            w += interval / steps * (k * i - b * w) / J;
+            i += interval / steps * di;
+        }
+    }
+    csv.close();
+    const Finding finding = discovered();
+    EXPECT_EQ(finding.kind, FindingKind::Adequate);
+    EXPECT_TRUE(std::any_of(finding.warnings.begin(), finding.warnings.end(), [](const std::string& warning) {
+        return warning.find("'run' begins in motion: the model of output 'i' begins at rest") != std::string::npos;
+    }));
+}
+
 /// A motor at a supply: a winding that warms and brushes.
 class DiscoveryInAMotor : public Discovery {
 protected:
