@@ -150,7 +150,10 @@ TEST_F(Places, OfAComponentThatIsSpecialisedAlreadyAreThoseThatOneClassCanHold) 
     withMotor("Effects.ElectricMechanical.CombinedWithWinding motor(V_b=0.3, e_w=0.1, ");
     EXPECT_EQ(placesOf("resistance.series"), std::vector<std::string>{"motor"});
     EXPECT_THAT(placesOf("voltage.drop"), IsEmpty()) << "it is there";
-    EXPECT_THAT(placesOf("flux.temperature"), IsEmpty()) << "no class holds it beside the winding";
+    EXPECT_EQ(placesOf("flux.temperature"), std::vector<std::string>{"motor"}) << "the magnets beside the winding";
+    EXPECT_THAT(wired("flux.temperature", {"motor", "motor", {}}, {{"tau_m", 30}}),
+                HasSubstr("CombinedWithWindingAndFlux motor("));
+    EXPECT_THAT(placesOf("resistance.temperature"), IsEmpty()) << "no class holds a second one";
 }
 
 TEST_F(Places, OfASpecialisedClassAreThoseWhoseConnectorsItHas) {
