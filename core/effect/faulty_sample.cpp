@@ -19,6 +19,7 @@ constexpr int fewestNeighbours = 3;  // of them
 constexpr int longest = 3;           // samples in a row
 constexpr int longestStart = 4;      // until a model at rest has caught up
 constexpr double leastDecay = 0.5;   // of what it lacks, from one of them to the next
+constexpr double mostAfterwards = 0.1;
 constexpr double allClear = 8;       // deviations of the noise
 constexpr double levelAside = 0.25;  // of the spike, by which the two sides may differ
 constexpr double ownPart = 0.5;      // of what the model leaves, that the measurement shows by itself
@@ -146,8 +147,9 @@ int samplesToCatchUp(const NullModel& model, const ResidualChannel& channel, con
             return 0;
         ++count;
     }
-    const bool isOver =
-        count <= longestStart && beyond.segment(count, neighbours).cwiseAbs().maxCoeff() < halfClear * noise;
+    // what is slower has been pushed a little meanwhile
+    const double least = std::max(halfClear * noise, mostAfterwards * first);
+    const bool isOver = count <= longestStart && beyond.segment(count, neighbours).cwiseAbs().maxCoeff() < least;
     const double own = rangeOf(channel.measured.head(count + 1)).width();
     return isOver && own < ownPart * first ? count : 0;
 }
