@@ -260,6 +260,11 @@ Outcome<Finding> Search::run() {
         std::erase_if(catalogue_, [&](const EffectClass& e) {
             return std::find(options_.kinds.begin(), options_.kinds.end(), e.kind) == options_.kinds.end();
         });
+    if (!options_.choices.empty())  // their places are chosen among those of these classes alone
+        std::erase_if(catalogue_, [&](const EffectClass& e) {
+            return std::none_of(options_.choices.begin(), options_.choices.end(),
+                                [&](const EffectChoice& c) { return c.className == e.className; });
+        });
 
     say("fit", base_.task.className, 0);
     Outcome<NullModel> null = fitNull(base_, {}, NoiseLevel::Estimate, options_.fit, progress_);
@@ -341,10 +346,10 @@ Outcome<Finding> Search::run() {
     }
     holdUnneededStarts(*null);
     holdUnneededClocks(*null);
-    const std::optional<HeldInstead> heldWrongly = wasCut ? std::nullopt : takeOutForHeld(*null);
+    const HeldValues held = heldValues(*null);
+    const std::optional<HeldInstead> heldWrongly = wasCut ? std::nullopt : takeOutForHeld(*null, held);
     if (heldWrongly) finding.final = finding.baseline;
     finding.nextExperiment = proposeExperiments(*null);
-    const std::map<int, std::vector<HeldInstead>> held = heldValues(*null);
     const bool isOpen = proposed.empty() && !change_ && !dependence_ && !isNoise(*null);
     const std::string place = isOpen ? likeliestPlace(*null, search_.fit.simulation, progress_) : std::string();
     const auto isAsGiven = [&] {

@@ -14,17 +14,17 @@
 namespace analogon {
 namespace {
 
-constexpr int neighbours = 6;        // looked at on either side
-constexpr int fewestNeighbours = 3;  // of them
-constexpr int longest = 3;           // samples in a row
-constexpr int longestStart = 4;      // until a model at rest has caught up
-constexpr double leastDecay = 0.5;   // of what it lacks, from one of them to the next
-constexpr double mostAfterwards = 0.1;
-constexpr double allClear = 8;       // deviations of the noise
-constexpr double levelAside = 0.25;  // of the spike, by which the two sides may differ
-constexpr double ownPart = 0.5;      // of what the model leaves, that the measurement shows by itself
-constexpr double leastSteps = 4;     // of a converter
-constexpr int reachOfAJump = 4;      // samples behind a jump of an input
+constexpr int neighbours = 6;           // looked at on either side
+constexpr int fewestNeighbours = 3;     // of them
+constexpr int longest = 3;              // samples in a row
+constexpr int longestStart = 4;         // until a model at rest has caught up
+constexpr double leastDecay = 0.5;      // of what it lacks, from one of them to the next
+constexpr double mostAfterwards = 0.1;  // of the first one
+constexpr double allClear = 8;          // deviations of the noise
+constexpr double levelAside = 0.25;     // of the spike, by which the two sides may differ
+constexpr double ownPart = 0.5;         // of what the model leaves, that the measurement shows by itself
+constexpr double leastSteps = 4;        // of a converter
+constexpr int reachOfAJump = 4;         // samples behind a jump of an input
 constexpr double jumpOfMedian = 5, jumpOfRange = 0.01;
 constexpr double mostOfSamples = 0.01;
 constexpr double halfClear = 4, mostHalfClear = 2;  // where that many more stand out, the noise has long tails
@@ -137,7 +137,7 @@ Runs runsThatStandAlone(const Eigen::VectorXd& beyond, const Eigen::VectorXd& me
 /// all that follow show nothing of it.
 int samplesToCatchUp(const NullModel& model, const ResidualChannel& channel, const Recording& recording) {
     const int rows = channel.end - channel.begin;
-    if (rows < fewestSamples || channel.samples.front() != 0 || behindJumps(recording).front()) return 0;
+    if (rows < fewestSamples || channel.samples.front() != 0) return 0;
     const Eigen::VectorXd beyond = -model.fit.optimum.residuals.segment(channel.begin, rows);
     const double noise = noiseOf(beyond), first = std::abs(beyond[0]);
     if (!(first > allClear * noise)) return 0;
@@ -151,7 +151,7 @@ int samplesToCatchUp(const NullModel& model, const ResidualChannel& channel, con
     const double least = std::max(halfClear * noise, mostAfterwards * first);
     const bool isOver = count <= longestStart && beyond.segment(count, neighbours).cwiseAbs().maxCoeff() < least;
     const double own = rangeOf(channel.measured.head(count + 1)).width();
-    return isOver && own < ownPart * first ? count : 0;
+    return isOver && own < ownPart * first && !behindJumps(recording).front() ? count : 0;
 }
 
 /// Samples of a channel that stand alone.
@@ -218,31 +218,26 @@ std::vector<FaultySamples> faultySamples(const NullModel& model) {
     const EstimationTask& task = model.variant.task;
     std::vector<FaultySamples> faults;
     const std::vector<int> recordings = recordingsOf(task, Role::Fit);
-    const auto indexOf = [&](const Spikes& s) { return recordings[static_cast<std::size_t>(s.channel->experiment)]; };
+    const auto indexOf = [&](const ResidualChannel& c) { return recordings[static_cast<std::size_t>(c.experiment)]; };
+    const auto recordingOf = [&](const ResidualChannel& c) -> const Recording& {
+        return task.recordings[static_cast<std::size_t>(indexOf(c))];
+    };
+    std::optional<Outcome<PreparedTask>> held;  // names the outputs; most recordings have no fault to name
+    const auto add = [&](const ResidualChannel& c, int begin, int end, bool isMoving) {
+        if (!held) held = prepareHeld(model.variant, {}, model.noise);
+        if (!*held) return;
+        const auto& outputs = (*held)->system->outputs();
+        faults.push_back({indexOf(c), outputs[static_cast<std::size_t>(c.output)].name, begin, end, false, isMoving});
+    };
     std::vector<Spikes> spikes;
     for (const ResidualChannel& channel : model.channels)
-        spikes.push_back(spikesOf(
-            model, channel,
-            task.recordings[static_cast<std::size_t>(recordings[static_cast<std::size_t>(channel.experiment)])]));
-    const bool hasSpikes =
-        std::any_of(spikes.begin(), spikes.end(), [](const Spikes& s) { return !s.samples.empty(); });
-    if (hasSpikes)
-        if (const Outcome<PreparedTask> held = prepareHeld(model.variant, {}, model.noise))
-            for (const Spikes& s : spikes)
-                for (const int sample : s.samples)
-                    if (!isShared(spikes, s, sample))
-                        faults.push_back({indexOf(s),
-                                          held->system->outputs()[static_cast<std::size_t>(s.channel->output)].name,
-                                          sample, sample + 1, false});
-    for (const ResidualChannel& channel : model.channels) {
-        const int index = recordings[static_cast<std::size_t>(channel.experiment)];
-        const Recording& recording = task.recordings[static_cast<std::size_t>(index)];
-        const int late = samplesToCatchUp(model, channel, recording);
-        if (late == 0) continue;
-        if (const Outcome<PreparedTask> held = prepareHeld(model.variant, {}, model.noise))
-            faults.push_back({index, held->system->outputs()[static_cast<std::size_t>(channel.output)].name, 0,
-                              channel.samples[static_cast<std::size_t>(late)], false, true});
-    }
+        spikes.push_back(spikesOf(model, channel, recordingOf(channel)));
+    for (const Spikes& s : spikes)
+        for (const int sample : s.samples)
+            if (!isShared(spikes, s, sample)) add(*s.channel, sample, sample + 1, false);
+    for (const ResidualChannel& channel : model.channels)
+        if (const int late = samplesToCatchUp(model, channel, recordingOf(channel)); late > 0)
+            add(channel, 0, channel.samples[static_cast<std::size_t>(late)], true);
     for (const int index : recordings) addStuck(task.recordings[static_cast<std::size_t>(index)], index, faults);
     return faults;
 }

@@ -158,8 +158,9 @@ private:
     void treatAlike(NullModel& null);
     void sharpen(NullModel& null);
     Text proposeExperiments(const NullModel& null);
-    std::map<int, std::vector<HeldInstead>> heldValues(const NullModel& null);
-    std::optional<HeldInstead> takeOutForHeld(NullModel& null);
+    using HeldValues = std::map<int, std::vector<HeldInstead>>;  // by the choice of the effect they imitate
+    HeldValues heldValues(const NullModel& null);
+    std::optional<HeldInstead> takeOutForHeld(NullModel& null, const HeldValues& held);
     void setVerdict(const std::string& kind, const std::string& at, Verdict verdict);
     void note(const Screened& s, Verdict verdict, std::optional<double> deltaBic, const Text& failure);
     void retryNames(const NullModel& null, std::vector<Trial>& trials);

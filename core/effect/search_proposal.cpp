@@ -205,31 +205,9 @@ Text Search::proposeExperiments(const NullModel& null) {
     return text;
 }
 
-/// Another value of a held parameter, where it explains clearly more than the one effect that was found, which only
-/// imitates that and is taken out; or all that is left, where none was found.
-std::optional<HeldInstead> Search::takeOutForHeld(NullModel& null) {
-    if (steps_.size() > 1 || change_ || dependence_ || progress_.stopRequested()) return std::nullopt;
-    if (steps_.empty()) {
-        if (isNoise(null)) return std::nullopt;
-        const std::vector<HeldInstead> held = heldInstead(null, null, search_.fit, progress_);
-        const bool explains = !held.empty() && held[0].leavesNoise && held[0].gain > 3 * equivalenceMargin;
-        return explains ? std::optional(held[0]) : std::nullopt;
-    }
-    const std::optional<NullModel> rest = without(null, 0);
-    if (!rest) return std::nullopt;
-    const std::vector<HeldInstead> all = heldInstead(*rest, null, search_.fit, progress_);
-    if (all.empty()) return std::nullopt;
-    const HeldInstead& held = all.front();
-    // what the effect leaves may be correlated just because it is not the cause: noise beside the value speaks for
-    // itself
-    const double share = held.leavesNoise && !isNoise(null) ? 1 : independentShare(null, null.fit);
-    if (!(share * held.gain > 3 * equivalenceMargin) || !takeOut(null, 0)) return std::nullopt;
-    return held;
-}
-
-/// Values of held parameters that would explain as much as an effect, by the effect's choice.
-std::map<int, std::vector<HeldInstead>> Search::heldValues(const NullModel& null) {
-    std::map<int, std::vector<HeldInstead>> values;
+/// Values of held parameters that would explain as much as an effect.
+Search::HeldValues Search::heldValues(const NullModel& null) {
+    HeldValues values;
     for (std::size_t i = 0; i < steps_.size() && !progress_.stopRequested(); ++i) {
         const PlacedEffect& own = null.variant.effects[i];
         say("reconsider", phrase("{} at {}", own.effect.kind, own.place.at), -1);
@@ -237,6 +215,26 @@ std::map<int, std::vector<HeldInstead>> Search::heldValues(const NullModel& null
             values[steps_[i].order] = heldInstead(*rest, null, search_.fit, progress_);
     }
     return values;
+}
+
+/// Another value of a held parameter, where it explains clearly more than the one effect that was found, which only
+/// imitates that and is taken out; or all that is left, where none was found.
+std::optional<HeldInstead> Search::takeOutForHeld(NullModel& null, const HeldValues& held) {
+    if (steps_.size() > 1 || change_ || dependence_ || progress_.stopRequested()) return std::nullopt;
+    if (steps_.empty()) {
+        if (isNoise(null)) return std::nullopt;
+        const std::vector<HeldInstead> alone = heldInstead(null, null, search_.fit, progress_);
+        const bool explains = !alone.empty() && alone[0].leavesNoise && alone[0].gain > 3 * equivalenceMargin;
+        return explains ? std::optional(alone[0]) : std::nullopt;
+    }
+    const auto known = held.find(steps_[0].order);
+    if (known == held.end() || known->second.empty()) return std::nullopt;
+    const HeldInstead& best = known->second.front();
+    // what the effect leaves may be correlated just because it is not the cause: noise beside the value speaks for
+    // itself
+    const double share = best.leavesNoise && !isNoise(null) ? 1 : independentShare(null, null.fit);
+    if (!(share * best.gain > 3 * equivalenceMargin) || !takeOut(null, 0)) return std::nullopt;
+    return best;
 }
 
 }  // namespace analogon
