@@ -1,28 +1,44 @@
 #include "core/study/measured.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace analogon {
+
+UnitConversion secondsOf(const Column& time) {
+    if (time.unit.empty()) return {};
+    const Outcome<UnitConversion> seconds = convertUnit(time.unit, "s");
+    return seconds ? *seconds : UnitConversion{};
+}
+
+std::pair<std::size_t, std::size_t> usedRows(const Table& table, const StudyExperiment& experiment) {
+    const Column& column = *table.find(experiment.timeColumn);
+    if (!experiment.range) return {0, column.values.size()};
+    const UnitConversion convert = secondsOf(column);
+    const auto isInside = [&](double value) {
+        const double t = convert(value);
+        return t >= experiment.range->first && t <= experiment.range->second;
+    };
+    const auto first = std::find_if(column.values.begin(), column.values.end(), isInside);
+    const auto last = std::find_if(column.values.rbegin(), column.values.rend(), isInside).base();
+    if (last < first) return {0, 0};
+    return {static_cast<std::size_t>(first - column.values.begin()),
+            static_cast<std::size_t>(last - column.values.begin())};
+}
 
 std::vector<ExperimentState> measuredExperiments(const Study& study) {
     std::vector<ExperimentState> experiments;
     for (const StudyExperiment& recorded : study.experiments) {
         const auto found = study.tables.find(recorded.file);
-        if (found == study.tables.end() || !found->second) continue;
-        const Table& table = *found->second;
+        if (found == study.tables.end() || !found->second || !found->second->find(recorded.timeColumn)) continue;
+        const auto [first, last] = usedRows(*found->second, recorded);
+        if (last - first < 2) continue;
+        const Table table = found->second->slice(first, last);
         const Outcome<std::vector<double>> time = readTime(table, recorded.timeColumn);
         if (!time) continue;
-        auto first = time->begin(), last = time->end();
-        if (recorded.range) {
-            first = std::lower_bound(first, last, recorded.range->first);
-            last = std::upper_bound(first, last, recorded.range->second);
-        }
-        if (last - first < 2) continue;
         ExperimentState experiment;
         experiment.name = recorded.name;
         experiment.role = recorded.role;
-        experiment.time.assign(first, last);
+        experiment.time = *time;
         for (const auto& [output, mapping] : recorded.outputs) {
             const Column* column = table.find(mapping.column);
             const Outcome<std::vector<double>> values = readChannel(table, mapping, {}, EmptyCells::NotMeasured);
@@ -30,7 +46,8 @@ std::vector<ExperimentState> measuredExperiments(const Study& study) {
             OutputState state;
             state.name = output;
             state.unit = mapping.unit.empty() ? column->unit : mapping.unit;
-            state.measured = Eigen::Map<const Eigen::VectorXd>(values->data() + (first - time->begin()), last - first);
+            state.measured =
+                Eigen::Map<const Eigen::VectorXd>(values->data(), static_cast<Eigen::Index>(values->size()));
             experiment.outputs.push_back(std::move(state));
         }
         if (!experiment.outputs.empty()) experiments.push_back(std::move(experiment));

@@ -1,11 +1,20 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
+#include "core/base/unit.hpp"
 #include "core/effect/finding.hpp"
 #include "core/study/study.hpp"
 
 namespace analogon {
+
+/// From the unit of a time column to seconds; as it stands where the unit is wrong: readTime says so.
+UnitConversion secondsOf(const Column& time);
+
+/// The rows of a recording that are used: [first, last), those within its range; the times of the others are not looked
+/// at. All where it has none. The table must have its time column.
+std::pair<std::size_t, std::size_t> usedRows(const Table& table, const StudyExperiment& experiment);
 
 /// What the recordings of a study hold of its outputs, as long as no model says anything of them: times within the
 /// range that is used [s], and measured values in the unit of the file (NaN: not measured); nothing is simulated.

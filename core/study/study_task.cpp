@@ -8,6 +8,7 @@
 #include "core/fit/clock.hpp"
 #include "core/flat/flat_model.hpp"
 #include "core/study/json_places.hpp"
+#include "core/study/measured.hpp"
 #include "core/study/study.hpp"
 
 namespace analogon {
@@ -296,19 +297,10 @@ private:
     std::optional<Table> cutToRange(const Table& table, const StudyExperiment& experiment, const std::string& pointer) {
         if (!hasColumn(table, experiment.timeColumn, experiment, pointer + "/time")) return std::nullopt;
         if (!experiment.range) return table;
+        const auto [first, last] = usedRows(table, experiment);
+        if (last - first >= 2) return table.slice(first, last);
         const Column& column = *table.find(experiment.timeColumn);
-        const Outcome<UnitConversion> seconds =
-            column.unit.empty() ? Outcome<UnitConversion>(UnitConversion{}) : convertUnit(column.unit, "s");
-        const UnitConversion convert = seconds ? *seconds : UnitConversion{};  // readTime names a wrong unit
-        const auto isInside = [&](double value) {
-            const double t = convert(value);
-            return t >= experiment.range->first && t <= experiment.range->second;
-        };
-        const auto first = std::find_if(column.values.begin(), column.values.end(), isInside);
-        const auto last = std::find_if(column.values.rbegin(), column.values.rend(), isInside).base();
-        if (last - first >= 2)
-            return table.slice(static_cast<std::size_t>(first - column.values.begin()),
-                               static_cast<std::size_t>(last - column.values.begin()));
+        const UnitConversion convert = secondsOf(column);
         fault(pointer + "/range",
               phrase("experiment '{}': fewer than two samples lie between {} s and {} s", experiment.name,
                      experiment.range->first, experiment.range->second),
