@@ -65,6 +65,27 @@ std::vector<double> speedOf(const Shaft& shaft) {
     return speed;
 }
 
+/// A machine on a rotor with a load, declared as given; its current and its speed are measured.
+std::string machineModel(const std::string& input, const std::string& motor, const std::string& rotor,
+                         const std::string& load, const std::string& more = "") {
+    return "model Drive\n  Analogon.Interfaces.RealInput " + input + R"((unit="V");
+  Analogon.Interfaces.RealOutput i(unit="A");
+  Analogon.Interfaces.RealOutput w(unit="rad/s");
+)" + more + "  Analogon.ElectricMechanical.BasicElectricMechanical motor(" +
+           motor + ");\n  Analogon.Mechanics.Inertia rotor(" + rotor + ");\n  Analogon.Mechanics." + load + R"(;
+  Analogon.Sensors.SpeedSensor tacho;
+equation
+  connect()" +
+           input + R"(, motor.v);
+  connect(motor.i, i);
+  connect(motor.flange, rotor.flange_a);
+  connect(rotor.flange_b, load.flange);
+  connect(rotor.flange_b, tacho.flange);
+  connect(tacho.w, w);
+end Drive;
+)";
+}
+
 class Discovery : public testing::StudyTest {
 protected:
     /// The recording of the study, to be filled.
@@ -481,23 +502,7 @@ TEST_F(DiscoveryInADraught, SaysThatABoundIsTooNarrowWhereAnEffectImitatesWhatLi
 /// A motor whose current settles within two samples; its long record is searched on means of five. Nothing is missing,
 /// but on means a delay of the speed would mend what they blur.
 TEST_F(Discovery, TakesForNoEffectWhatOnlyMeansOfSamplesShow) {
-    put("model.mo", R"(model Drive
-  Analogon.Interfaces.RealInput u(unit="V");
-  Analogon.Interfaces.RealOutput i(unit="A");
-  Analogon.Interfaces.RealOutput w(unit="rad/s");
-  Analogon.ElectricMechanical.BasicElectricMechanical motor(R=0.6, L=1e-3, k=0.025);
-  Analogon.Mechanics.Inertia rotor(J=4e-5);
-  Analogon.Mechanics.ViscousLoad load(b=2e-4);
-  Analogon.Sensors.SpeedSensor tacho;
-equation
-  connect(u, motor.v);
-  connect(motor.flange, rotor.flange_a);
-  connect(rotor.flange_b, load.flange);
-  connect(rotor.flange_b, tacho.flange);
-  connect(tacho.w, w);
-  connect(motor.i, i);
-end Drive;
-)");
+    put("model.mo", machineModel("u", "R=0.6, L=1e-3, k=0.025", "J=4e-5", "ViscousLoad load(b=2e-4)"));
     put("study.json", R"({"format": "analogon-study-1", "class": "Drive",
   "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
                    "inputs": {"u": "u"}, "outputs": {"i": "i", "w": "w"}}],
@@ -728,25 +733,9 @@ TEST_F(DiscoveryInAHeater, ProposesAFilmInThePlug) {
 
 // A pump that runs already when the logger starts: its speed has a start value, its current has none.
 TEST_F(Discovery, TakesTheFirstSamplesOfARecordingInMotionForNoStructure) {
-    put("model.mo", R"(model Pump
-  Analogon.Interfaces.RealInput u(unit="V");
-  Analogon.Interfaces.RealOutput i(unit="A");
-  Analogon.Interfaces.RealOutput w(unit="rad/s");
-  parameter Real w0(unit="rad/s") = 0;
-  Analogon.ElectricMechanical.BasicElectricMechanical motor(R=0.18, L=4e-4, k=0.016);
-  Analogon.Mechanics.Inertia rotor(J=3e-4, w(start=w0, fixed=true));
-  Analogon.Mechanics.ViscousLoad load(b=1e-4);
-  Analogon.Sensors.SpeedSensor tacho;
-equation
-  connect(u, motor.v);
-  connect(motor.i, i);
-  connect(motor.flange, rotor.flange_a);
-  connect(rotor.flange_b, load.flange);
-  connect(rotor.flange_b, tacho.flange);
-  connect(tacho.w, w);
-end Pump;
-)");
-    put("study.json", R"({"format": "analogon-study-1", "class": "Pump",
+    put("model.mo", machineModel("u", "R=0.18, L=4e-4, k=0.016", "J=3e-4, w(start=w0, fixed=true)",
+                                 "ViscousLoad load(b=1e-4)", "  parameter Real w0(unit=\"rad/s\") = 0;\n"));
+    put("study.json", R"({"format": "analogon-study-1", "class": "Drive",
   "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t", "inputs": {"u": "u"},
                    "outputs": {"i": "i", "w": "w"}, "initial": {"w0": "fit"}}],
   "parameters": {"motor.R": {"fit": true, "min": 0.02, "max": 2}, "motor.k": {"fit": true, "min": 0.001, "max": 0.1},
@@ -796,23 +785,7 @@ protected:
     enum class Beside { Nothing, Speed, Angle };
 
     Finding searchMotor(const Motor& motor, Beside beside = Beside::Speed, const Progress& progress = {}) {
-        std::string model = R"(model Drive
-  Analogon.Interfaces.RealInput v(unit="V");
-  Analogon.Interfaces.RealOutput i(unit="A");
-  Analogon.Interfaces.RealOutput w(unit="rad/s");
-  Analogon.ElectricMechanical.BasicElectricMechanical motor(R=0.5, L=0, k=0.04);
-  Analogon.Mechanics.Inertia rotor(J=2e-4);
-  Analogon.Mechanics.ViscousLoad load(b=1e-4);
-  Analogon.Sensors.SpeedSensor tacho;
-equation
-  connect(v, motor.v);
-  connect(motor.i, i);
-  connect(motor.flange, rotor.flange_a);
-  connect(rotor.flange_b, load.flange);
-  connect(rotor.flange_b, tacho.flange);
-  connect(tacho.w, w);
-end Drive;
-)";
+        std::string model = machineModel("v", "R=0.5, L=0, k=0.04", "J=2e-4", "ViscousLoad load(b=1e-4)");
         if (beside == Beside::Angle)
             for (const auto& [from, to] : {std::pair{"w(unit=\"rad/s\")", "w(unit=\"rad\")"},
                                            std::pair{"SpeedSensor tacho", "AngleSensor tacho"},
