@@ -973,8 +973,11 @@ TEST_F(Panels, TakesFilesDroppedOnAnyPanel) {
     }
     EXPECT_FALSE(import->isVisible());
     document().undoStack().setIndex(0);
+    ASSERT_TRUE(drop(panel<DiagramView>(), {example("train.csv"), example("validation.csv")}));
     ASSERT_TRUE(drop(panel<DiagramView>(), {lambdaFile("dropped")}));
     ASSERT_TRUE(QTest::qWaitFor([&] { return document().title() == "dropped"; }, 20000));
+    Q_EMIT import->cancelled();
+    EXPECT_FALSE(import->isVisible()) << "what waited belonged to the study before";
     ASSERT_TRUE(drop(panel<DiagramView>(), {QStringLiteral(ANALOGON_ROOT "/examples/lambda-sensor-heating")}));
     ASSERT_TRUE(QTest::qWaitFor([&] { return document().title() == "lambda-sensor-heating"; }, 20000));
 }

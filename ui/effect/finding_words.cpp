@@ -2,7 +2,6 @@
 
 #include <QCoreApplication>
 #include <QRegularExpression>
-#include <cmath>
 
 #include "ui/effect/result_panel.hpp"
 #include "ui/style/style.hpp"
@@ -15,11 +14,6 @@ namespace {
 QString text(const std::string& s) { return QString::fromStdString(s); }
 
 }  // namespace
-
-QString percentWords(double value) {
-    if (!std::isfinite(value)) return QStringLiteral("–");
-    return QStringLiteral("%1 %").arg(value, 0, 'f', std::abs(value) < 9.995 ? 2 : 1);
-}
 
 QString joined(const std::vector<std::string>& names) {
     QStringList list;
@@ -139,11 +133,12 @@ RemainderWords remainderWords(const Remainder& r, const std::function<QString(co
     QStringList facts;
     if (!r.proposedClass.empty()) facts << ResultPanel::tr("Block %1").arg(text(r.proposedClass));
     if (r.errorFitWith >= 0)
-        facts << ResultPanel::tr("with it the error would be %1 on fitted data").arg(percentWords(r.errorFitWith));
+        facts
+            << ResultPanel::tr("with it the error would be %1 on fitted data").arg(style::percentText(r.errorFitWith));
     if (r.errorValidateWith >= 0)
-        facts << ResultPanel::tr("%1 on validation data").arg(percentWords(r.errorValidateWith));
+        facts << ResultPanel::tr("%1 on validation data").arg(style::percentText(r.errorValidateWith));
     if (r.worsensValidation())
-        facts << ResultPanel::tr("worse than the %1 without it").arg(percentWords(r.errorValidateWithout));
+        facts << ResultPanel::tr("worse than the %1 without it").arg(style::percentText(r.errorValidateWithout));
     if (!facts.isEmpty()) words.proposalFacts = facts.join(", ") + ".";
     return words;
 }

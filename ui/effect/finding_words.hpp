@@ -28,8 +28,6 @@ QString placeOf(const QString& at);
 
 /// "a, b"
 QString joined(const std::vector<std::string>& names);
-/// "8.61 %"; a dash for what is no number.
-QString percentWords(double value);
 
 struct FindingWords {
     QString title, sentence;

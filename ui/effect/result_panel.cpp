@@ -1,13 +1,11 @@
 #include "ui/effect/result_panel.hpp"
 
-#include <QCoreApplication>
 #include <QEvent>
 #include <QFrame>
 #include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -17,7 +15,6 @@
 #include "ui/document/document.hpp"
 #include "ui/document/mention.hpp"
 #include "ui/effect/finding_words.hpp"
-#include "ui/inspector/parameter_model.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
 
@@ -220,7 +217,7 @@ void ResultPanel::addComparison(const Finding& finding) {
                 if (b.name == after.name) was = b.errorPercent;
         auto* item =
             new QTreeWidgetItem(comparison_, {text(after.name), after.role == Role::Fit ? tr("fit") : tr("validate"),
-                                              percentWords(was), percentWords(after.errorPercent)});
+                                              style::percentText(was), style::percentText(after.errorPercent)});
         alignRight(item, {2, 3});
         QFont bold = item->font(3);
         bold.setWeight(QFont::DemiBold);
@@ -270,7 +267,7 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
         add(text(p.name), value + " " + text(p.unit));
     }
     const Evidence& e = effect.evidence;
-    add(tr("Error"), percentWords(e.errorPercentBefore) + " → " + percentWords(e.errorPercentAfter),
+    add(tr("Error"), style::percentText(e.errorPercentBefore) + " → " + style::percentText(e.errorPercentAfter),
         tr("fitted experiments"), tr("Over the fitted experiments"));
     add(tr("Score"), evidenceText(e.score), tr("signal to noise, squared"),
         tr("Squared signal-to-noise ratio of what the finished model misses when it is refitted without the effect"));

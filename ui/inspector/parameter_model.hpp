@@ -77,6 +77,4 @@ private:
     bool isResultNew_{};  // since the rows were read
 };
 
-/// A number as an engineer writes it: 5 significant digits, no trailing zeros.
-
 }  // namespace analogon::ui

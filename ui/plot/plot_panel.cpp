@@ -37,8 +37,6 @@ const OutputState* outputOf(const ExperimentState* experiment, const std::string
     return nullptr;
 }
 
-QString percent(double value) { return QStringLiteral("%1 %").arg(value, 0, 'f', value < 9.995 ? 2 : 1); }
-
 /// The traces as columns.
 Table numbersOf(const std::vector<OutputPlot::Content>& contents) {
     Table table;
@@ -214,11 +212,11 @@ std::vector<OutputPlot::Content> PlotPanel::contentsOf(const std::string& experi
         content.measured = part(shown, output.measured);
         if (const OutputState* o = outputOf(before, output.name)) {
             content.before = part(stateBefore, o->simulated);
-            content.beforeLabel = beforeWord + " " + percent(o->figures.errorPercent);
+            content.beforeLabel = beforeWord + " " + style::percentText(o->figures.errorPercent);
         }
         if (const OutputState* o = outputOf(after, output.name)) {
             content.after = part(stateAfter, o->simulated);
-            content.afterLabel = tr("after") + " " + percent(o->figures.errorPercent);
+            content.afterLabel = tr("after") + " " + style::percentText(o->figures.errorPercent);
         }
         contents.push_back(std::move(content));
     }
@@ -326,7 +324,7 @@ void PlotPanel::showLive() {
         for (const SimulatedTrace& trace : experiment.outputs)
             for (OutputPlot* plot : plots_)
                 if (plot->content().name == QString::fromStdString(trace.output))
-                    plot->showAfter(trace.values, word + " " + percent(trace.errorPercent),
+                    plot->showAfter(trace.values, word + " " + style::percentText(trace.errorPercent),
                                     preview ? preview->name : QString());
     }
 }

@@ -498,6 +498,11 @@ QString numberText(double value, int digits) {
     return plain.toString(value, 'g', digits).remove('+');
 }
 
+QString percentText(double value) {
+    if (!std::isfinite(value)) return QStringLiteral("–");
+    return QStringLiteral("%1 %").arg(value, 0, 'f', std::abs(value) < 9.995 ? 2 : 1);
+}
+
 void showWhenEmpty(QAbstractItemView* list, const QString& advice) {
     auto* label = new QLabel(advice, list->viewport());
     label->setAlignment(Qt::AlignCenter);

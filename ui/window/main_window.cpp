@@ -400,7 +400,10 @@ void MainWindow::createToolBar() {
 }
 
 void MainWindow::connectPanels() {
-    connect(document_, &Document::opened, this, &MainWindow::showStudy);
+    connect(document_, &Document::opened, this, [this] {
+        waitingImports_.clear();  // they were dropped on another study
+        showStudy();
+    });
     connect(document_, &Document::modelChanged, this, &MainWindow::showModel);
     connect(document_, &Document::levelsChanged, this, [this] {
         scene_->clearSelection();

@@ -82,7 +82,6 @@ void MainWindow::leaveThen(std::function<void()> next) {
 }
 
 void MainWindow::save() {
-    settle();
     const QFileInfo now(document_->path());
     const bool isWritable = now.exists() ? now.isWritable() : QFileInfo(now.path()).isWritable();
     const bool isPlace = !document_->path().isEmpty() && now.fileName() != "study.json" && isWritable;
