@@ -92,8 +92,29 @@ Text remarkOf(const HeldInstead& h, const std::string& effect, const std::string
                            effect, at, h.parameter, h.held, h.value, h.standardError, behindNumber(h.unit));
 }
 
-Remainder remainderOf(const HeldInstead& h) {
-    return changing(h.parameter, h.gain, fmt::format("{} = {:.5g}", h.parameter, h.value));
+Text remarkOf(const HeldInstead& h) {
+    return h.byBound ? phrase(
+                           "{} beyond its bound of {:.5g} explains more than any effect: {:.5g} ± {:.2g}{} fits; widen "
+                           "the bound",
+                           h.parameter, h.held, h.value, h.standardError, behindNumber(h.unit))
+                     : phrase(
+                           "another value of {} explains more than any effect: it is held at {:.5g}, and {:.5g} ± "
+                           "{:.2g}{} fits; correct it, or let it be fitted",
+                           h.parameter, h.held, h.value, h.standardError, behindNumber(h.unit));
+}
+
+/// What explains as much as the value that is told first.
+Text remarkOfEqual(const HeldInstead& h) {
+    return phrase("{} of {:.5g} ± {:.2g}{} instead of {:.5g} explains as much: the data do not tell which is wrong",
+                  h.parameter, h.value, h.standardError, behindNumber(h.unit), h.held);
+}
+
+Remainder remainderOf(const HeldInstead& h, const ModelState& without) {
+    Remainder r = changing(h.parameter, h.explained, fmt::format("{} = {:.5g}", h.parameter, h.value));
+    r.errorFitWith = h.errorFitWith;
+    r.errorValidateWith = h.errorValidateWith;
+    if (r.errorValidateWith >= 0) r.errorValidateWithout = errorPercentOf(without, Role::Validate);
+    return r;
 }
 
 Remainder remainderOf(const Dependence& d) {
@@ -347,8 +368,12 @@ Outcome<Finding> Search::run() {
     holdUnneededStarts(*null);
     holdUnneededClocks(*null);
     const HeldValues held = heldValues(*null);
-    const std::optional<HeldInstead> heldWrongly = wasCut ? std::nullopt : takeOutForHeld(*null, held);
-    if (heldWrongly) finding.final = finding.baseline;
+    std::vector<HeldInstead> heldWrongly;
+    if (!wasCut) heldWrongly = takeOutForHeld(*null, base, held);
+    if (!heldWrongly.empty()) {
+        finding.final = finding.baseline;
+        proposed.clear();  // what bent for the same reason
+    }
     finding.nextExperiment = proposeExperiments(*null);
     const bool isOpen = proposed.empty() && !change_ && !dependence_ && !isNoise(*null);
     const std::string place = isOpen ? likeliestPlace(*null, search_.fit.simulation, progress_) : std::string();
@@ -430,7 +455,7 @@ Outcome<Finding> Search::run() {
     if (!finding.interrupted) {
         Leftovers left = leftovers(quiet ? *quiet : *null, options_.fit.simulation);
         finding.remainders = std::move(left.structure);
-        const bool isNoiseAlone = !change_ && !dependence_ && !heldWrongly;  // else that accounts for it
+        const bool isNoiseAlone = !change_ && !dependence_ && heldWrongly.empty();  // else that accounts for it
         for (const ColouredNoise& n : isNoiseAlone ? left.noise : std::vector<ColouredNoise>())
             finding.warnings.push_back(
                 phrase("what is left on output '{}' of '{}' is noise with a memory ({:.2g} s): it moves with nothing "
@@ -462,18 +487,10 @@ Outcome<Finding> Search::run() {
             finding.warnings.push_back(phrase("the condition seems to have changed in mid run: {} at about {:.4g} s",
                                               change_->parameter, change_->time));
         }
-        if (heldWrongly) {
-            offerAlone(remainderOf(*heldWrongly), left.noise, finding.final, finding.remainders);
-            const HeldInstead& h = *heldWrongly;
-            finding.warnings.push_back(
-                h.byBound
-                    ? phrase(
-                          "{} beyond its bound of {:.5g} explains more than any effect: {:.5g} ± {:.2g}{} fits; widen "
-                          "the bound",
-                          h.parameter, h.held, h.value, h.standardError, behindNumber(h.unit))
-                    : phrase("another value of {} explains more than any effect: it is held at {:.5g}, and {:.5g} ± "
-                             "{:.2g}{} fits; correct it, or let it be fitted",
-                             h.parameter, h.held, h.value, h.standardError, behindNumber(h.unit)));
+        for (std::size_t i = 0; i < heldWrongly.size(); ++i) {
+            if (i == 0)
+                offerAlone(remainderOf(heldWrongly[i], finding.final), left.noise, finding.final, finding.remainders);
+            finding.warnings.push_back(i == 0 ? remarkOf(heldWrongly[i]) : remarkOfEqual(heldWrongly[i]));
         }
         if (dependence_) {
             offerAlone(remainderOf(*dependence_), left.noise, finding.final, finding.remainders);

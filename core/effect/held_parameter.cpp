@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/unit.hpp"
+#include "core/effect/model_state.hpp"
 #include "core/effect/start_value.hpp"
 #include "core/flat/flat_model.hpp"
 
@@ -131,8 +132,10 @@ std::vector<HeldInstead> heldInstead(const NullModel& without, const NullModel& 
         if (tried.size() < bound.size() + mostFitted && l.explained >= likelyShare * fall) tried.push_back(l.parameter);
     for (std::size_t i = 0; i < tried.size() && !progress.stopRequested(); ++i) {
         const FitParameter& p = *tried[i];
-        const std::optional<FitResult> fit = fitBeside(without, withFreed(without.variant, {p}), options, progress);
+        Variant freed = withFreed(without.variant, {p});
+        const std::optional<FitResult> fit = fitBeside(without, freed, options, progress);
         if (!fit) continue;
+        freed.values = valuesOf(*fit);
         const double squares = fit->optimum.residuals.squaredNorm();
         if (squares > left + equivalenceMargin * variance) continue;
         const double gain = (left - squares) / (squares / rows);
@@ -141,9 +144,15 @@ std::vector<HeldInstead> heldInstead(const NullModel& without, const NullModel& 
             const double factor = e.value / p.start;
             if (std::abs(factor - 1) < otherValue) continue;
             const bool isPlausible = factor > 1 / plausibleFactor && factor < plausibleFactor;
-            if (isPlausible || gain > clearlyMore)
-                found.push_back({p.name, p.unit, p.start, e.value, e.standardError, i < bound.size(),
-                                 isNoise(with.channels, *fit), gain});
+            if (!isPlausible && !(gain > clearlyMore)) continue;
+            found.push_back({p.name, p.unit, p.start, e.value, e.standardError, i < bound.size(),
+                             isNoise(with.channels, *fit), gain,
+                             (without.sumOfSquares() - squares) / (squares / rows)});
+            if (const Outcome<ModelState> state = stateOf(freed, *fit, options.simulation, progress, Detail::Errors)) {
+                found.back().errorFitWith = errorPercentOf(*state, Role::Fit);
+                if (hasRole(*state, Role::Validate))
+                    found.back().errorValidateWith = errorPercentOf(*state, Role::Validate);
+            }
         }
     }
     std::stable_sort(found.begin(), found.end(),

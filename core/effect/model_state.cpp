@@ -293,6 +293,11 @@ void addOtherParameters(const FlatModel& model, const PlacedEffect& placed, std:
     }
 }
 
+bool hasRole(const ModelState& state, Role role) {
+    return std::any_of(state.experiments.begin(), state.experiments.end(),
+                       [&](const ExperimentState& e) { return e.role == role; });
+}
+
 double errorPercentOf(const ModelState& state, Role role) {
     std::vector<const ExperimentState*> experiments;
     for (const ExperimentState& e : state.experiments)

@@ -145,6 +145,7 @@ private:
     std::optional<Late> findClocks(const NullModel& null, double threshold, double most) const;
     bool refitLate(NullModel& null, Late late);
     void holdUnneededClocks(NullModel& null);
+    void takeClocksAsStamped();
     bool placeEdges(NullModel& null, double threshold, double most);
     bool canPlaceEdges(const NullModel& null) const;
     bool takesEdgesForDelays(const NullModel& null);
@@ -160,7 +161,8 @@ private:
     Text proposeExperiments(const NullModel& null);
     using HeldValues = std::map<int, std::vector<HeldInstead>>;  // by the choice of the effect they imitate
     HeldValues heldValues(const NullModel& null);
-    std::optional<HeldInstead> takeOutForHeld(NullModel& null, const HeldValues& held);
+    std::vector<HeldInstead> takeOutForHeld(NullModel& null, const NullModel& base, const HeldValues& held);
+    std::vector<HeldInstead> takeOutAllForHeld(NullModel& null, const NullModel& base);
     void setVerdict(const std::string& kind, const std::string& at, Verdict verdict);
     void note(const Screened& s, Verdict verdict, std::optional<double> deltaBic, const Text& failure);
     void retryNames(const NullModel& null, std::vector<Trial>& trials);

@@ -19,9 +19,12 @@ constexpr double clearSeparation = 20;  // squared, in standard deviations
 constexpr double leastAgainstRest = 5;  // times what is left above the noise
 constexpr double farLess = 0.1;         // of what is left above the noise
 
-bool hasRole(const ModelState& state, Role role) {
-    return std::any_of(state.experiments.begin(), state.experiments.end(),
-                       [&](const ExperimentState& e) { return e.role == role; });
+/// The best of them, and what the data do not tell from it.
+std::vector<HeldInstead> equalToFirst(std::vector<HeldInstead> values) {
+    std::erase_if(values, [best = values.empty() ? 0 : values.front().gain](const HeldInstead& h) {
+        return h.gain < best - equivalenceMargin;
+    });
+    return values;
 }
 
 }  // namespace
@@ -217,24 +220,39 @@ Search::HeldValues Search::heldValues(const NullModel& null) {
     return values;
 }
 
-/// Another value of a held parameter, where it explains clearly more than the one effect that was found, which only
-/// imitates that and is taken out; or all that is left, where none was found.
-std::optional<HeldInstead> Search::takeOutForHeld(NullModel& null, const HeldValues& held) {
-    if (steps_.size() > 1 || change_ || dependence_ || progress_.stopRequested()) return std::nullopt;
+/// Other values of held parameters, the best and what the data do not tell from it, where they explain clearly more
+/// than the one effect that was found, which only imitates them and is taken out; as much as several together, or as
+/// inputs that are late; or all that is left, where nothing was found.
+std::vector<HeldInstead> Search::takeOutForHeld(NullModel& null, const NullModel& base, const HeldValues& held) {
+    if (change_ || dependence_ || progress_.stopRequested()) return {};
+    if (steps_.size() > 1 || !clocks_.empty()) return takeOutAllForHeld(null, base);
     if (steps_.empty()) {
-        if (isNoise(null)) return std::nullopt;
-        const std::vector<HeldInstead> alone = heldInstead(null, null, search_.fit, progress_);
+        if (isNoise(null)) return {};
+        const std::vector<HeldInstead> alone = equalToFirst(heldInstead(null, null, search_.fit, progress_));
         const bool explains = !alone.empty() && alone[0].leavesNoise && alone[0].gain > 3 * equivalenceMargin;
-        return explains ? std::optional(alone[0]) : std::nullopt;
+        return explains ? alone : std::vector<HeldInstead>();
     }
     const auto known = held.find(steps_[0].order);
-    if (known == held.end() || known->second.empty()) return std::nullopt;
+    if (known == held.end() || known->second.empty()) return {};
     const HeldInstead& best = known->second.front();
     // what the effect leaves may be correlated just because it is not the cause: noise beside the value speaks for
     // itself
     const double share = best.leavesNoise && !isNoise(null) ? 1 : independentShare(null, null.fit);
-    if (!(share * best.gain > 3 * equivalenceMargin) || !takeOut(null, 0)) return std::nullopt;
-    return best;
+    if (!(share * best.gain > 3 * equivalenceMargin) || !takeOut(null, 0)) return {};
+    return equalToFirst(known->second);
+}
+
+/// One value that leaves no more than several effects, or than inputs that are late, is the simpler account of it.
+std::vector<HeldInstead> Search::takeOutAllForHeld(NullModel& null, const NullModel& base) {
+    Variant given = base.variant;
+    if (!clocks_.empty()) analogon::setClocks(given.task.recordings, stamped_, {});
+    Outcome<NullModel> without = fitNull(given, null.noise, NoiseLevel::Keep, search_.fit, progress_);
+    if (!without || progress_.stopRequested()) return {};
+    std::vector<HeldInstead> alone = equalToFirst(heldInstead(*without, null, search_.fit, progress_));
+    if (alone.empty() || !(alone[0].leavesNoise || !isNoise(null))) return {};
+    takeOutAll(null, *without);
+    if (!clocks_.empty()) takeClocksAsStamped();
+    return alone;
 }
 
 }  // namespace analogon

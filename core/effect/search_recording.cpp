@@ -158,11 +158,15 @@ void Search::holdUnneededClocks(NullModel& null) {
     if (!stamped || progress_.stopRequested()) return;
     const Acceptance missed = examine(*stamped, null.fit, static_cast<int>(clocks_.size()), 0);
     if (missed.isSignificant && missed.isWorthwhile) return;
+    takeClocksAsStamped();
+    null = std::move(*stamped);
+}
+
+void Search::takeClocksAsStamped() {
     base_.task.recordings = stamped_;
     full_.task.recordings = asRecorded_;
     asRecorded_.clear();
     clocks_.clear();
-    null = std::move(*stamped);
 }
 
 /// Beside an equation that only stands for something the jumps would mend it.

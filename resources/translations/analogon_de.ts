@@ -6317,6 +6317,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>{} jenseits seiner Grenze von {} erklärt mehr als jeder Effekt: {} ± {}{} passt; die Grenze erweitern</translation>
     </message>
     <message>
+        <source>{} of {:.5g} ± {:.2g}{} instead of {:.5g} explains as much: the data do not tell which is wrong</source>
+        <translation>{} mit {} ± {}{} statt {} erklärt ebenso viel: Die Daten sagen nicht, welcher Wert falsch ist</translation>
+    </message>
+    <message>
         <source>another value of {} explains more than any effect: it is held at {:.5g}, and {:.5g} ± {:.2g}{} fits; correct it, or let it be fitted</source>
         <translation>ein anderer Wert von {} erklärt mehr als jeder Effekt: Er ist auf {} festgehalten, und {} ± {}{} passt; berichtigen oder anpassen lassen</translation>
     </message>
