@@ -31,8 +31,9 @@ std::string classWith(const Library& library, const Block& component, const Effe
     if (there.empty() && combinedIn(*of).empty()) return component.isEffect ? std::string() : effect.className;
     std::set<std::string> wanted{effect.className};
     for (const EffectClass& e : there) {
-        // a second connector to a node would join the two nodes
-        if (e.className == effect.className || (!e.node.empty() && !effect.node.empty())) return {};
+        // both join a node by one connector, or else the class would have to have two
+        if (e.className == effect.className) return {};
+        if (!e.node.empty() && !effect.node.empty() && e.node != effect.node) return {};
         wanted.insert(e.className);
     }
     for (const LibraryClass* c : library.classes()) {
@@ -40,6 +41,14 @@ std::string classWith(const Library& library, const Block& component, const Effe
         const std::set<std::string> all(held.begin(), held.end());
         if (std::includes(all.begin(), all.end(), wanted.begin(), wanted.end())) return c->qualifiedName;
     }
+    return {};
+}
+
+std::string nodePortOf(const Library& library, const Block& component) {
+    const LibraryClass* of = library.find(component.className);
+    if (of == nullptr) return {};
+    for (const EffectClass& e : effectsOn(library, *of, component))
+        if (!e.node.empty()) return e.node;
     return {};
 }
 

@@ -19,4 +19,8 @@ namespace analogon {
 /// holds them all.
 std::string classWith(const Library& library, const Block& component, const EffectClass& effect);
 
+/// The connector by which an effect that a component has already joins a node: "heatPort". Empty: none does. A second
+/// effect with such a connector can only be of the same node.
+std::string nodePortOf(const Library& library, const Block& component);
+
 }  // namespace analogon

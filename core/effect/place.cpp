@@ -229,6 +229,16 @@ bool ModelNodes::keepsConnectors(const Block& block, const EffectClass& effect) 
     return block.isEffect || (!misses && left.empty());
 }
 
+bool ModelNodes::isOneNode(const std::string& a, const std::string& b) const {
+    const auto potentialAt = [&](const std::string& connector) {
+        for (const Node& n : nodes_)
+            for (const Member& m : n.members)
+                if (m.connector == connector) return n.potential;
+        return connector;
+    };
+    return potentialAt(a) == potentialAt(b);
+}
+
 std::vector<EffectPlace> ModelNodes::specialisePlaces(const EffectClass& effect,
                                                       const std::vector<std::string>& spares) const {
     std::vector<EffectPlace> places;
@@ -236,9 +246,12 @@ std::vector<EffectPlace> ModelNodes::specialisePlaces(const EffectClass& effect,
         if (b.isConnector || !b.isResolved) continue;
         if (!library_.isDerived(b.className, effect.base) || classWith(library_, b, effect).empty()) continue;
         if (!keepsConnectors(b, effect)) continue;
+        const std::string own = nodePortOf(library_, b);
         if (!effect.node.empty())
-            for (const EffectPlace& n : attachPlaces(signatureOf(effect, effect.node)))
-                places.push_back({b.name, b.name, {}, n.connector});
+            for (const EffectPlace& n : attachPlaces(signatureOf(effect, effect.node))) {
+                if (own.empty() || isOneNode(b.name + "." + own, n.connector))
+                    places.push_back({b.name, b.name, {}, n.connector});
+            }
         else if (effect.channel.empty())
             places.push_back({b.name, b.name, {}});
         else

@@ -64,6 +64,8 @@ private:
     std::vector<EffectPlace> attachPlaces(const std::string& signature) const;
     std::vector<EffectPlace> insertPlaces(const std::string& signature) const;
     std::vector<EffectPlace> signalPlaces(const EffectClass& effect) const;
+    /// Whether two connectors have one potential.
+    bool isOneNode(const std::string& a, const std::string& b) const;
     bool keepsConnectors(const Block& block, const EffectClass& effect) const;
     std::vector<EffectPlace> specialisePlaces(const EffectClass& effect, const std::vector<std::string>& spares) const;
     /// Signature of a connector that an effect class has; empty: it has none of that name.

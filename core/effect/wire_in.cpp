@@ -111,7 +111,8 @@ public:
         if (!values.contains(effect_.strength)) edit_.setModifier(place_.connector, effect_.strength, "0");
         for (const auto& [name, value] : modifications(values)) edit_.setModifier(place_.connector, name, value);
         if (!place_.spare.empty()) addSpareInput(place_.connector);
-        if (!place_.node.empty())
+        const bool isJoined = component != nullptr && !nodePortOf(library_, *component).empty();
+        if (!place_.node.empty() && !isJoined)
             edit_.addConnection(place_.connector + "." + effect_.node, place_.node, {},
                                 colourAt(diagram_, place_.node));
     }

@@ -186,5 +186,34 @@ end Cooler;
     EXPECT_THAT(found, testing::UnorderedElementsAre("plain NaturalConvection", "blown NaturalConvectionByFlowSpeed"));
 }
 
+// Resistance and torque constant that follow one measured winding: the second effect joins no other node.
+TEST_F(Places, OfASecondEffectWithANodeAreThoseOfTheFirst) {
+    std::string text = pump;
+    const auto put = [&](const std::string& before, const std::string& more) { text.insert(text.find(before), more); };
+    text.replace(text.find("ElectricMechanical.Basic"),
+                 std::string("ElectricMechanical.BasicElectricMechanical").size(),
+                 "Effects.ElectricMechanical.ResistanceOfNode");
+    text.insert(text.find("R=0.4"), "alpha=0.004, ");
+    put("equation", R"(  Analogon.Thermal.HeatCapacitor housing(C=100);
+  Analogon.Thermal.HeatCapacitor winding(C=10);
+  Analogon.Thermal.ThermalConductor between(G=0.5);
+)");
+    put("end Pump", R"(  connect(winding.port, between.port_a);
+  connect(between.port_b, housing.port);
+  connect(motor.heatPort, winding.port);
+)");
+    Outcome<Library> with = library.withSource(std::make_shared<Source>("model.mo", text));
+    ASSERT_TRUE(with) << format(with.diagnostics());
+    library = std::move(*with);
+    std::erase_if(catalogue,
+                  [](const EffectClass& e) { return e.className != "Analogon.Effects.ElectricMechanical.FluxOfNode"; });
+    EXPECT_EQ(placesOf("flux.temperature"), std::vector<std::string>{"motor"}) << "at the winding, not at the housing";
+    const std::string both = wired("flux.temperature", {"motor", "motor", {}, "winding.port"}, {{"beta", 0.002}});
+    EXPECT_THAT(both, HasSubstr("CombinedOfNode motor("));
+    EXPECT_THAT(both, HasSubstr("alpha=0.004"));
+    const std::string joined = "motor.heatPort";
+    EXPECT_EQ(both.find(joined), both.rfind(joined)) << "joined once: " << both;
+}
+
 }  // namespace
 }  // namespace analogon
