@@ -500,6 +500,26 @@ SimulationOptions limited(const NullModel& null, SimulationOptions simulation) {
     return simulation;
 }
 
+namespace {
+
+/// Whether a place is the end of an elastic component that has no inertia there: another spring in series with it moves
+/// by itself, though but one state more comes of it.
+bool endsInASpring(const Variant& variant, const EffectPlace& place) {
+    const Outcome<FlatModel> flat = flatten(variant.task.library, variant.task.className);
+    if (!flat) return false;
+    const std::string component = place.connector.substr(0, place.connector.rfind('.') + 1);
+    bool isElastic = false, lacksInertia = false;
+    for (const FlatVariable& v : flat->variables) {
+        if (!v.name.starts_with(component)) continue;
+        const std::optional<double> value = flat->parameterValue(flat->find(v.name));
+        isElastic = isElastic || (v.unit == "N.m/rad" && value > 0.0);
+        lacksInertia = lacksInertia || (v.unit == "kg.m2" && value == 0.0);
+    }
+    return isElastic && lacksInertia;
+}
+
+}  // namespace
+
 Screened screen(const NullModel& null, const Candidate& candidate, const SimulationOptions& options,
                 const Progress& progress) {
     const SimulationOptions simulation = limited(null, options);
@@ -536,7 +556,8 @@ Screened screen(const NullModel& null, const Candidate& candidate, const Simulat
     if (effect.states > 0) {
         const Outcome<PreparedTask> without = prepareHeld(null.variant, {}, null.noise);
         if (!without) return fail(without.diagnostics());
-        if (prober.stateCount() < without->system->stateCount() + effect.states)
+        const int added = prober.stateCount() - without->system->stateCount();
+        if (added < effect.states && !(added > 0 && endsInASpring(null.variant, candidate.place)))
             return fail({error(phrase("nothing there has a motion of its own"))});
     }
     const auto probeAll = [&](Prober& with) -> Outcome<Done> {

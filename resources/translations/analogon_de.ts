@@ -1652,6 +1652,30 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Trägheit eines Messkanals</translation>
     </message>
     <message>
+        <source>Gain error of a thermometer that is right at 0 degC</source>
+        <translation>Verstärkungsfehler eines Thermometers, das bei 0 °C richtig geht</translation>
+    </message>
+    <message>
+        <source>Gain error of a commanded or recorded temperature that is right at 0 degC</source>
+        <translation>Verstärkungsfehler einer vorgegebenen oder aufgezeichneten Temperatur, die bei 0 °C richtig ist</translation>
+    </message>
+    <message>
+        <source>A temperature that is off by a factor, counted from 0 degC</source>
+        <translation>Eine Temperatur, die um einen Faktor danebenliegt, von 0 °C an gerechnet</translation>
+    </message>
+    <message>
+        <source>An error of a thermometer: inserted in front of a measured temperature.</source>
+        <translation>Ein Fehler eines Thermometers: vor einer gemessenen Temperatur eingefügt.</translation>
+    </message>
+    <message>
+        <source>An error of what sets or records a temperature that drives the model: inserted behind an input.</source>
+        <translation>Ein Fehler dessen, was eine treibende Temperatur einstellt oder aufzeichnet: hinter einem Eingang eingefügt.</translation>
+    </message>
+    <message>
+        <source>Shared by the effects of sensors and actuators. A thermometer is adjusted in ice water and amplifies what it reads in degrees Celsius, so that its error vanishes there and not at 0 K.</source>
+        <translation>Den Effekten von Sensoren und Stellgliedern gemeinsam. Ein Thermometer wird in Eiswasser abgeglichen und verstärkt, was es in Grad Celsius liest; sein Fehler verschwindet also dort und nicht bei 0 K.</translation>
+    </message>
+    <message>
         <source>Gain error of a measured channel</source>
         <translation>Verstärkungsfehler eines Messkanals</translation>
     </message>
