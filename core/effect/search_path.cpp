@@ -217,10 +217,13 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
     if (beginsAnew_) return best;
     const bool isLawful = addLawPath(best, bareOf(base, first));
     if (beginsAnew_ || (isLawful && termsIn(best.null) < 2)) return best;
+    const auto placeOf = [&](std::size_t trial) { return first.trials[trial].screened.candidate.place; };
     for (const std::size_t other : others) {
         const bool isEnough = other != others.front() && work_ > mostWork;
         const bool isDone = !isOdd && levelOf(best.null.fit) < structuredResidual;
         if (progress_.stopRequested() || isDone || isEnough) break;
+        // beside an odd effect that leaves noise it is what goes to the same place that it may stand for
+        if (isNoise(best.null) && !(placeOf(other) == placeOf(*first.chosen))) continue;
         Path path = pathFrom(base, first, other);
         if (beginsAnew_) return best;
         keepBetter(best, std::move(path));

@@ -19,7 +19,7 @@ equation
       strength = "tau_s",
       oneSided = true,
       linear = {"tau_c"},
-      part(tau_c = 0.05),
+      part(tau_c = 0.25),
       fixed(w_eps = "0.002*rms(w)"),
       sharper(w_eps = 0.25),
       reach(w_s = 8),
