@@ -17,7 +17,7 @@ constexpr double likelyShare = 0.5;  // of what the effect explains, in first or
 constexpr std::size_t mostFitted = 3;
 constexpr double reach = 5;            // factor by which a held value may be wrong
 constexpr double otherValue = 1e-3;    // share by which a value differs from another one
-constexpr double plausibleFactor = 2;  // between a value that is held and one that may be meant
+constexpr double plausibleFactor = 3;  // between a value that is held and one that may be meant
 constexpr double clearlyMore = 30;     // than an effect explains, where it may lie farther from there
 
 /// Where the recordings hold a parameter: as the study says, else as the model does; nothing where they differ.

@@ -24,7 +24,7 @@ struct HeldInstead {
 /// A value that is known wrongly is answered by an effect that imitates its correction (a torque constant by a gain of
 /// the speed sensor). `with`: the model with an effect, `without`: the same refitted without it. Of the parameters that
 /// the model has for itself and that are not fitted, or rest at a bound: those that, freed, leave as little as the
-/// effect and stay within a factor of two of where they are held, or leave clearly less; what leaves least first.
+/// effect and stay within a factor of three of where they are held, or leave clearly less; what leaves least first.
 std::vector<HeldInstead> heldInstead(const NullModel& without, const NullModel& with, const FitOptions& options,
                                      const Progress& progress);
 

@@ -145,7 +145,8 @@ private:
     std::optional<Late> findClocks(const NullModel& null, double threshold, double most) const;
     bool refitLate(NullModel& null, Late late);
     void holdUnneededClocks(NullModel& null);
-    void takeClocksAsStamped();
+    const std::vector<Recording>& recordingsAsGiven() const;
+    void takeRecordingsAsGiven();
     bool placeEdges(NullModel& null, double threshold, double most);
     bool canPlaceEdges(const NullModel& null) const;
     bool takesEdgesForDelays(const NullModel& null);

@@ -222,10 +222,13 @@ Search::HeldValues Search::heldValues(const NullModel& null) {
 
 /// Other values of held parameters, the best and what the data do not tell from it, where they explain clearly more
 /// than the one effect that was found, which only imitates them and is taken out; as much as several together, or as
-/// inputs that are late; or all that is left, where nothing was found.
+/// inputs that are late or jump between their samples; or all that is left, where nothing was found.
 std::vector<HeldInstead> Search::takeOutForHeld(NullModel& null, const NullModel& base, const HeldValues& held) {
     if (change_ || dependence_ || progress_.stopRequested()) return {};
-    if (steps_.size() > 1 || !clocks_.empty()) return takeOutAllForHeld(null, base);
+    if (steps_.size() > 1 || !asRecorded_.empty()) {
+        std::vector<HeldInstead> all = takeOutAllForHeld(null, base);
+        if (!all.empty() || steps_.size() > 1) return all;
+    }
     if (steps_.empty()) {
         if (isNoise(null)) return {};
         const std::vector<HeldInstead> alone = equalToFirst(heldInstead(null, null, search_.fit, progress_));
@@ -242,16 +245,17 @@ std::vector<HeldInstead> Search::takeOutForHeld(NullModel& null, const NullModel
     return equalToFirst(known->second);
 }
 
-/// One value that leaves no more than several effects, or than inputs that are late, is the simpler account of it.
+/// One value that leaves no more than several effects, or than inputs that are not as they are recorded, is the simpler
+/// account of it.
 std::vector<HeldInstead> Search::takeOutAllForHeld(NullModel& null, const NullModel& base) {
     Variant given = base.variant;
-    if (!clocks_.empty()) analogon::setClocks(given.task.recordings, stamped_, {});
+    if (!asRecorded_.empty()) given.task.recordings = recordingsAsGiven();
     Outcome<NullModel> without = fitNull(given, null.noise, NoiseLevel::Keep, search_.fit, progress_);
     if (!without || progress_.stopRequested()) return {};
     std::vector<HeldInstead> alone = equalToFirst(heldInstead(*without, null, search_.fit, progress_));
     if (alone.empty() || !(alone[0].leavesNoise || !isNoise(null))) return {};
     takeOutAll(null, *without);
-    if (!clocks_.empty()) takeClocksAsStamped();
+    if (!asRecorded_.empty()) takeRecordingsAsGiven();
     return alone;
 }
 

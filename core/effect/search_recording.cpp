@@ -158,15 +158,19 @@ void Search::holdUnneededClocks(NullModel& null) {
     if (!stamped || progress_.stopRequested()) return;
     const Acceptance missed = examine(*stamped, null.fit, static_cast<int>(clocks_.size()), 0);
     if (missed.isSignificant && missed.isWorthwhile) return;
-    takeClocksAsStamped();
+    takeRecordingsAsGiven();
     null = std::move(*stamped);
 }
 
-void Search::takeClocksAsStamped() {
-    base_.task.recordings = stamped_;
+/// Those of the search before clocks were set or jumps placed.
+const std::vector<Recording>& Search::recordingsAsGiven() const { return edges_.empty() ? stamped_ : asRecorded_; }
+
+void Search::takeRecordingsAsGiven() {
+    base_.task.recordings = recordingsAsGiven();
     full_.task.recordings = asRecorded_;
     asRecorded_.clear();
     clocks_.clear();
+    edges_.clear();
 }
 
 /// Beside an equation that only stands for something the jumps would mend it.

@@ -89,6 +89,13 @@ FitParameter shapeParameter(const Screened& s, const std::string& name, double s
     return p;
 }
 
+/// Length of the longest recording [s].
+double longestOf(const EstimationTask& task) {
+    double longest = 0;
+    for (const Recording& r : task.recordings) longest = std::max(longest, r.time.back() - r.time.front());
+    return longest;
+}
+
 std::vector<FitParameter> freedParameters(const Screened& s, const Probe& probe) {
     std::vector<FitParameter> freed{strengthParameter(s, probe)};
     const std::vector<double> linear = probe.linear();
@@ -104,6 +111,12 @@ std::vector<FitParameter> freedParameters(const Screened& s, const Probe& probe)
         const auto unit = placed.effect.units.find(p.name);
         if (unit != placed.effect.units.end()) p.unit = unit->second;
         p.name = placed.instance + "." + p.name;
+    }
+    // what takes longer than every recording is not told by them: a signal that stands still is no slow one
+    FitParameter& strength = freed.front();
+    if (strength.unit == "s") {
+        strength.max = std::min(strength.max, longestOf(s.wired.task));
+        strength.start = std::min(strength.start, strength.max);
     }
     return freed;
 }
