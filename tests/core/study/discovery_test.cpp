@@ -10,6 +10,7 @@
 #include <numbers>
 #include <numeric>
 #include <random>
+#include <sstream>
 
 #include "core/effect/model_state.hpp"
 #include "core/study/run.hpp"
@@ -330,6 +331,27 @@ end Plate;
 
     static constexpr double interval = 0.5;  // [s]
 };
+
+// Adjusted in ice water, it amplifies what it reads in degrees Celsius.
+TEST_F(DiscoveryOnAPlate, FindsTheGainOfAThermometerThatIsRightAtFreezing) {
+    writeStudy(300, R"({"plate.C": {"fit": true, "min": 1, "max": 200}})");
+    std::mt19937 random(9);
+    std::normal_distribution<double> normal;
+    std::ofstream csv = recording("t [s],P [W],T [degC]");
+    double temperature = 300;  // [K]
+    for (int k = 0; k < samples; ++k) {
+        const double here = 20 + 20 * excitation(0.02 * k), next = 20 + 20 * excitation(0.02 * (k + 1));
+        csv << interval * k << ',' << here << ',' << 1.05 * (temperature - 273.15) + 0.2 * normal(random) << '\n';
+        temperature = after(temperature, here, next, [&](double T) { return 0.3 * (T - 300); });
+    }
+    csv.close();
+    const Finding finding = discovered();
+    EXPECT_EQ(finding.kind, FindingKind::Effect);
+    ASSERT_EQ(finding.effects.size(), 1u);
+    EXPECT_EQ(finding.effects[0].kind, "sensor.gain");
+    EXPECT_EQ(finding.effects[0].className, "Analogon.Effects.Sensor.CelsiusGain");
+    EXPECT_NEAR(valueOf(finding.effects[0], "g"), 0.05, 0.002);
+}
 
 /// In a draught that nobody measures. The model begins at 300 K.
 class DiscoveryInADraught : public DiscoveryOnAPlate {
@@ -1121,6 +1143,75 @@ end Throttle;
     ASSERT_FALSE(finding.remainders.empty());
     EXPECT_NE(finding.remainders.front().proposedEquation.find("tau = a1*phi^3 with a1 = 0.1"), std::string::npos)
         << finding.remainders.front().proposedEquation;
+}
+
+// The gear of the model is as good as rigid and has no inertia behind its spring; the shaft twists.
+TEST_F(Discovery, FindsAShaftThatTwistsBehindASpringWithoutInertia) {
+    put("model.mo", R"(model Train
+  Analogon.Interfaces.RealInput tau(unit="N.m");
+  Analogon.Interfaces.RealOutput w(unit="rad/s");
+  Analogon.Sources.PrescribedTorque drive;
+  Analogon.Mechanics.BasicMechanics gear(r=1, J1=0.01, J2=0, c=20000, d=5);
+  Analogon.Mechanics.Inertia disk(J=0.02);
+  Analogon.Mechanics.ViscousLoad load(b=0.05);
+  Analogon.Sensors.SpeedSensor tacho;
+equation
+  connect(tau, drive.tau);
+  connect(drive.flange, gear.flange_a);
+  connect(gear.flange_b, disk.flange_a);
+  connect(disk.flange_b, load.flange);
+  connect(disk.flange_b, tacho.flange);
+  connect(tacho.w, w);
+end Train;
+)");
+    put("study.json", R"({"format": "analogon-study-1", "class": "Train",
+  "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
+                   "inputs": {"tau": "tau"}, "outputs": {"w": "w"}}],
+  "parameters": {"disk.J": {"fit": true, "min": 0.001, "max": 1}, "load.b": {"fit": true, "min": 0.001, "max": 1}}})");
+    std::mt19937 random(4);
+    std::normal_distribution<double> scatter(0, 0.1);
+    std::ofstream csv = recording("t [s],tau [N.m],w [rad/s]");
+    constexpr double J1 = 0.01, J2 = 0.02, c = 6, d = 0.02, b = 0.05;
+    double twist = 0, w1 = 0, w2 = 0;
+    for (int k = 0; k < samples; ++k) {
+        csv << k * step << ',' << excitation(k * step) << ',' << w2 + scatter(random) << '\n';
+        constexpr int inner = 100;
+        for (int m = 0; m < inner; ++m) {
+            const double a = (m + 0.5) / inner, h = step / inner;
+            const double tau = (1 - a) * excitation(k * step) + a * excitation((k + 1) * step);
+            const double shaft = c * twist + d * (w1 - w2);
+            w1 += h * (tau - shaft) / J1;
+            w2 += h * (shaft - b * w2) / J2;
+            twist += h * (w1 - w2);
+        }
+    }
+    csv.close();
+    const Finding finding = discovered({"compliance.shaft"});
+    ASSERT_EQ(finding.effects.size(), 1u);
+    EXPECT_EQ(finding.effects[0].at, "gear.flange_b");
+    EXPECT_NEAR(valueOf(finding.effects[0], "c"), c, 0.3);
+    for (const CandidateResult& other : finding.candidates)
+        if (other.at == "disk.flange_b") {
+            EXPECT_FALSE(other.failure.empty()) << "a load without inertia has no motion of its own";
+        }
+}
+
+// A signal with the wrong sign is no signal that takes longer than the recording.
+TEST_F(Discovery, TakesAReversedSensorForNoLag) {
+    (void)search({0.02, [](double, double w, double) { return 0.03 * w; }});
+    std::ifstream before(directory_ / "run.csv");
+    std::stringstream reversed;
+    std::string line;
+    std::getline(before, line);
+    reversed << line << '\n';
+    while (std::getline(before, line)) {
+        const std::size_t last = line.rfind(',');
+        reversed << line.substr(0, last + 1) << -std::stod(line.substr(last + 1)) << '\n';
+    }
+    before.close();
+    put("run.csv", reversed.str());
+    for (const AddedEffect& e : discovered({"sensor.lag"}).effects)
+        EXPECT_LT(e.parameters.front().value, 100) << e.kind << ": the recording takes 30 s";
 }
 
 /// A drive with a gear that has a spring in it, at a supply.
