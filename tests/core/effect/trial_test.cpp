@@ -95,6 +95,8 @@ TEST(TrialStarts, TakeTheBestPromiseFirst) {
     starts.takeNext();
     ASSERT_TRUE(starts.best().ok);
     EXPECT_NEAR(starts.best().fit.values[starts.best().fit.values.size() - 1], 3, 0.1);
+    EXPECT_DOUBLE_EQ(starts.best().variant.effects.back().freed.front().max, 0.25 * 399)
+        << "the recording does not tell what takes longer";
     const double reached = starts.best().sumOfSquares();
     ASSERT_TRUE(starts.hasNext());
     EXPECT_GE(starts.promised(), first);

@@ -10,7 +10,6 @@
 #include <numbers>
 #include <numeric>
 #include <random>
-#include <sstream>
 
 #include "core/effect/model_state.hpp"
 #include "core/study/run.hpp"
@@ -1194,24 +1193,6 @@ end Train;
         if (other.at == "disk.flange_b") {
             EXPECT_FALSE(other.failure.empty()) << "a load without inertia has no motion of its own";
         }
-}
-
-// A signal with the wrong sign is no signal that takes longer than the recording.
-TEST_F(Discovery, TakesAReversedSensorForNoLag) {
-    (void)search({0.02, [](double, double w, double) { return 0.03 * w; }});
-    std::ifstream before(directory_ / "run.csv");
-    std::stringstream reversed;
-    std::string line;
-    std::getline(before, line);
-    reversed << line << '\n';
-    while (std::getline(before, line)) {
-        const std::size_t last = line.rfind(',');
-        reversed << line.substr(0, last + 1) << -std::stod(line.substr(last + 1)) << '\n';
-    }
-    before.close();
-    put("run.csv", reversed.str());
-    for (const AddedEffect& e : discovered({"sensor.lag"}).effects)
-        EXPECT_LT(e.parameters.front().value, 100) << e.kind << ": the recording takes 30 s";
 }
 
 /// A drive with a gear that has a spring in it, at a supply.
