@@ -245,8 +245,9 @@ std::vector<HeldInstead> Search::takeOutForHeld(NullModel& null, const NullModel
     return equalToFirst(known->second);
 }
 
-/// One value that leaves no more than several effects, or than inputs that are not as they are recorded, is the simpler
-/// account of it.
+/// One value that leaves no more than several effects, or one beside inputs that are late or jump between their
+/// samples, is the simpler account of it. Such inputs alone are met more often than wrong values: it must leave clearly
+/// less.
 std::vector<HeldInstead> Search::takeOutAllForHeld(NullModel& null, const NullModel& base) {
     Variant given = base.variant;
     if (!asRecorded_.empty()) given.task.recordings = recordingsAsGiven();
@@ -254,6 +255,7 @@ std::vector<HeldInstead> Search::takeOutAllForHeld(NullModel& null, const NullMo
     if (!without || progress_.stopRequested()) return {};
     std::vector<HeldInstead> alone = equalToFirst(heldInstead(*without, null, search_.fit, progress_));
     if (alone.empty() || !(alone[0].leavesNoise || !isNoise(null))) return {};
+    if (steps_.empty() && !(alone[0].gain > 3 * equivalenceMargin)) return {};
     takeOutAll(null, *without);
     if (!asRecorded_.empty()) takeRecordingsAsGiven();
     return alone;
