@@ -219,7 +219,7 @@ void Search::reportAsRecorded(const NullModel& null, ModelState& state) {
     // an interrupted search reports as well
     Outcome<ModelState> told = stateOf(*whole, null.fit, options_.fit.simulation, Progress());
     if (!told) return;
-    errorsOnTime_ = {errorPercentOf(state, Role::Fit), errorPercentOf(state, Role::Validate)};
+    errorsOnTime_ = {errorPercentOf(state, Role::Fit), validationErrorOf(state)};
     state.experiments = std::move(told->experiments);
     state.residual = std::move(told->residual);
 }
@@ -367,9 +367,12 @@ Outcome<Finding> Search::run() {
     }
     holdUnneededStarts(*null);
     holdUnneededClocks(*null);
-    const HeldValues held = heldValues(*null);
-    std::vector<HeldInstead> heldWrongly;
-    if (!wasCut) heldWrongly = takeOutForHeld(*null, base, held);
+    std::vector<HeldInstead> heldWrongly = takeOutAllForHeld(*null, base);
+    HeldValues held;
+    if (heldWrongly.empty()) {
+        held = heldValues(*null);
+        heldWrongly = takeOutForHeld(*null, held);
+    }
     if (!heldWrongly.empty()) {
         finding.final = finding.baseline;
         proposed.clear();  // what bent for the same reason
@@ -487,10 +490,12 @@ Outcome<Finding> Search::run() {
             finding.warnings.push_back(phrase("the condition seems to have changed in mid run: {} at about {:.4g} s",
                                               change_->parameter, change_->time));
         }
-        for (std::size_t i = 0; i < heldWrongly.size(); ++i) {
-            if (i == 0)
-                offerAlone(remainderOf(heldWrongly[i], finding.final), left.noise, finding.final, finding.remainders);
-            finding.warnings.push_back(i == 0 ? remarkOf(heldWrongly[i]) : remarkOfEqual(heldWrongly[i]));
+        if (!heldWrongly.empty()) {
+            const HeldInstead& best = heldWrongly.front();
+            offerAlone(remainderOf(best, finding.final), left.noise, finding.final, finding.remainders);
+            finding.warnings.push_back(remarkOf(best));
+            std::transform(heldWrongly.begin() + 1, heldWrongly.end(), std::back_inserter(finding.warnings),
+                           remarkOfEqual);
         }
         if (dependence_) {
             offerAlone(remainderOf(*dependence_), left.noise, finding.final, finding.remainders);

@@ -150,8 +150,7 @@ std::vector<HeldInstead> heldInstead(const NullModel& without, const NullModel& 
                              (without.sumOfSquares() - squares) / (squares / rows)});
             if (const Outcome<ModelState> state = stateOf(freed, *fit, options.simulation, progress, Detail::Errors)) {
                 found.back().errorFitWith = errorPercentOf(*state, Role::Fit);
-                if (hasRole(*state, Role::Validate))
-                    found.back().errorValidateWith = errorPercentOf(*state, Role::Validate);
+                found.back().errorValidateWith = validationErrorOf(*state);
             }
         }
     }

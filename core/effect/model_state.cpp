@@ -293,16 +293,17 @@ void addOtherParameters(const FlatModel& model, const PlacedEffect& placed, std:
     }
 }
 
-bool hasRole(const ModelState& state, Role role) {
-    return std::any_of(state.experiments.begin(), state.experiments.end(),
-                       [&](const ExperimentState& e) { return e.role == role; });
-}
-
 double errorPercentOf(const ModelState& state, Role role) {
     std::vector<const ExperimentState*> experiments;
     for (const ExperimentState& e : state.experiments)
         if (e.role == role) experiments.push_back(&e);
     return meanError(experiments, [](const ExperimentState* e) { return e->errorPercent; });
+}
+
+double validationErrorOf(const ModelState& state) {
+    const bool isAny = std::any_of(state.experiments.begin(), state.experiments.end(),
+                                   [](const ExperimentState& e) { return e.role == Role::Validate; });
+    return isAny ? errorPercentOf(state, Role::Validate) : -1;
 }
 
 }  // namespace analogon

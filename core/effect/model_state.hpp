@@ -22,10 +22,10 @@ Outcome<FlatModel> flattened(const EstimationTask& task, const std::string& text
 /// behind a reciprocal), without a standard error.
 void addOtherParameters(const FlatModel& model, const PlacedEffect& placed, std::vector<EffectValue>& values);
 
-/// Whether any experiment has a role.
-bool hasRole(const ModelState& state, Role role);
-
 /// Root mean square of error_percent over the experiments of a role; 0 when there is none.
 double errorPercentOf(const ModelState& state, Role role);
+
+/// The same over the experiments that were not fitted; -1 when there is none.
+double validationErrorOf(const ModelState& state);
 
 }  // namespace analogon

@@ -162,7 +162,7 @@ private:
     Text proposeExperiments(const NullModel& null);
     using HeldValues = std::map<int, std::vector<HeldInstead>>;  // by the choice of the effect they imitate
     HeldValues heldValues(const NullModel& null);
-    std::vector<HeldInstead> takeOutForHeld(NullModel& null, const NullModel& base, const HeldValues& held);
+    std::vector<HeldInstead> takeOutForHeld(NullModel& null, const HeldValues& held);
     std::vector<HeldInstead> takeOutAllForHeld(NullModel& null, const NullModel& base);
     void setVerdict(const std::string& kind, const std::string& at, Verdict verdict);
     void note(const Screened& s, Verdict verdict, std::optional<double> deltaBic, const Text& failure);

@@ -100,7 +100,7 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
         r.proposedEquation = withValues(equationOf(placed), values);
         if (with) {
             r.errorFitWith = errorPercentOf(*with, Role::Fit);
-            if (hasRole(*with, Role::Validate)) r.errorValidateWith = errorPercentOf(*with, Role::Validate);
+            r.errorValidateWith = validationErrorOf(*with);
         }
         std::optional<NullModel> rest = without(null, i);
         if (!rest) continue;
@@ -221,14 +221,10 @@ Search::HeldValues Search::heldValues(const NullModel& null) {
 }
 
 /// Other values of held parameters, the best and what the data do not tell from it, where they explain clearly more
-/// than the one effect that was found, which only imitates them and is taken out; as much as several together, or as
-/// inputs that are late or jump between their samples; or all that is left, where nothing was found.
-std::vector<HeldInstead> Search::takeOutForHeld(NullModel& null, const NullModel& base, const HeldValues& held) {
-    if (change_ || dependence_ || progress_.stopRequested()) return {};
-    if (steps_.size() > 1 || !asRecorded_.empty()) {
-        std::vector<HeldInstead> all = takeOutAllForHeld(null, base);
-        if (!all.empty() || steps_.size() > 1) return all;
-    }
+/// than the one effect that was found, which only imitates them and is taken out; or all that is left, where nothing
+/// was found.
+std::vector<HeldInstead> Search::takeOutForHeld(NullModel& null, const HeldValues& held) {
+    if (steps_.size() > 1 || change_ || dependence_ || progress_.stopRequested()) return {};
     if (steps_.empty()) {
         if (isNoise(null)) return {};
         const std::vector<HeldInstead> alone = equalToFirst(heldInstead(null, null, search_.fit, progress_));
@@ -249,6 +245,8 @@ std::vector<HeldInstead> Search::takeOutForHeld(NullModel& null, const NullModel
 /// samples, is the simpler account of it. Such inputs alone are met more often than wrong values: it must leave clearly
 /// less.
 std::vector<HeldInstead> Search::takeOutAllForHeld(NullModel& null, const NullModel& base) {
+    const bool isOneAccount = steps_.size() < 2 && asRecorded_.empty();
+    if (isOneAccount || change_ || dependence_ || progress_.stopRequested()) return {};
     Variant given = base.variant;
     if (!asRecorded_.empty()) given.task.recordings = recordingsAsGiven();
     Outcome<NullModel> without = fitNull(given, null.noise, NoiseLevel::Keep, search_.fit, progress_);

@@ -89,10 +89,13 @@ FitParameter shapeParameter(const Screened& s, const std::string& name, double s
     return p;
 }
 
-/// Length of the longest recording [s].
+/// Length of the longest recording that is fitted [s].
 double longestOf(const EstimationTask& task) {
     double longest = 0;
-    for (const Recording& r : task.recordings) longest = std::max(longest, r.time.back() - r.time.front());
+    for (const int i : recordingsOf(task, Role::Fit)) {
+        const std::vector<double>& time = task.recordings[static_cast<std::size_t>(i)].time;
+        longest = std::max(longest, time.back() - time.front());
+    }
     return longest;
 }
 

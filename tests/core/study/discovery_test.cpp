@@ -96,6 +96,24 @@ protected:
         return csv;
     }
 
+    /// The recording of what a torque drives that runs straight from sample to sample. `shown`: what is measured, with
+    /// so much noise; `move(tau, h)` takes it further.
+    template <class Drive, class Move>
+    void recordDriven(const std::string& column, double noise, const Drive& drive, const double& shown,
+                      const Move& move) const {
+        std::mt19937 random(4);
+        std::normal_distribution<double> scatter(0, noise);
+        std::ofstream csv = recording("t [s],tau [N.m]," + column);
+        for (int k = 0; k < samples; ++k) {
+            csv << k * step << ',' << drive(k * step) << ',' << shown + scatter(random) << '\n';
+            constexpr int inner = 100;
+            for (int m = 0; m < inner; ++m) {
+                const double a = (m + 0.5) / inner;
+                move((1 - a) * drive(k * step) + a * drive((k + 1) * step), step / inner);
+            }
+        }
+    }
+
     /// Discovers what a model of inertia and viscous friction lacks.
     /// `memory`: correlation of neighbouring samples of the noise.
     Finding search(const Shaft& shaft, double noise = 0.05, const std::function<double(double t)>& oil = {},
@@ -1120,23 +1138,14 @@ end Throttle;
                    "inputs": {"tau": "tau"}, "outputs": {"phi": "phi"}}],
   "parameters": {"flap.J": {"fit": true, "min": 1e-4, "max": 0.1}, "spring.c_r": {"fit": true, "min": 0.05, "max": 20},
                  "seal.b": {"fit": true, "min": 0.001, "max": 1}}})");
-    std::mt19937 random(4);
-    std::normal_distribution<double> scatter(0, 0.004);
-    std::ofstream csv = recording("t [s],tau [N.m],phi [rad]");
-    const auto drive = [](double t) { return 1.6 + 1.2 * excitation(t); };
     double phi = 0, w = 0;
     constexpr double J = 3.5e-3, c = 1.2, b = 0.04, rest = -0.6;
-    for (int k = 0; k < samples; ++k) {
-        csv << k * step << ',' << drive(k * step) << ',' << phi + scatter(random) << '\n';
-        constexpr int inner = 100;
-        for (int m = 0; m < inner; ++m) {
-            const double a = (m + 0.5) / inner, h = step / inner;
-            const double tau = (1 - a) * drive(k * step) + a * drive((k + 1) * step);
+    recordDriven(
+        "phi [rad]", 0.004, [](double t) { return 1.6 + 1.2 * excitation(t); }, phi,
+        [&](double tau, double h) {
             w += h * (tau - c * (phi - rest) - 0.15 * phi * phi * phi - b * w) / J;
             phi += h * w;
-        }
-    }
-    csv.close();
+        });
     const Finding finding = discovered();
     EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
     ASSERT_FALSE(finding.remainders.empty());
@@ -1167,24 +1176,14 @@ end Train;
   "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
                    "inputs": {"tau": "tau"}, "outputs": {"w": "w"}}],
   "parameters": {"disk.J": {"fit": true, "min": 0.001, "max": 1}, "load.b": {"fit": true, "min": 0.001, "max": 1}}})");
-    std::mt19937 random(4);
-    std::normal_distribution<double> scatter(0, 0.1);
-    std::ofstream csv = recording("t [s],tau [N.m],w [rad/s]");
     constexpr double J1 = 0.01, J2 = 0.02, c = 6, d = 0.02, b = 0.05;
     double twist = 0, w1 = 0, w2 = 0;
-    for (int k = 0; k < samples; ++k) {
-        csv << k * step << ',' << excitation(k * step) << ',' << w2 + scatter(random) << '\n';
-        constexpr int inner = 100;
-        for (int m = 0; m < inner; ++m) {
-            const double a = (m + 0.5) / inner, h = step / inner;
-            const double tau = (1 - a) * excitation(k * step) + a * excitation((k + 1) * step);
-            const double shaft = c * twist + d * (w1 - w2);
-            w1 += h * (tau - shaft) / J1;
-            w2 += h * (shaft - b * w2) / J2;
-            twist += h * (w1 - w2);
-        }
-    }
-    csv.close();
+    recordDriven("w [rad/s]", 0.1, excitation, w2, [&](double tau, double h) {
+        const double shaft = c * twist + d * (w1 - w2);
+        w1 += h * (tau - shaft) / J1;
+        w2 += h * (shaft - b * w2) / J2;
+        twist += h * (w1 - w2);
+    });
     const Finding finding = discovered({"compliance.shaft"});
     ASSERT_EQ(finding.effects.size(), 1u);
     EXPECT_EQ(finding.effects[0].at, "gear.flange_b");
