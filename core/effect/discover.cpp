@@ -238,7 +238,8 @@ Search::Conclusion Search::conclude(NullModel& null, const NullModel& base, bool
     if (!isNoise(null)) removeOutweighed(null, leastOfRest);
     const bool hadProposal = hasProposal(null);
     const double with = misfitIn(base, null), left = excess(null);
-    std::vector<Remainder> proposed = takeOutProposals(null);
+    std::vector<Text> sameByName;
+    std::vector<Remainder> proposed = takeOutProposals(null, sameByName);
     if (hadProposal) {
         if (leavesMuch) bringBackDisplaced(null, left);
         removeUnneeded(null, 0, true);  // what was seen only beside a proposal is not kept without it
@@ -246,7 +247,7 @@ Search::Conclusion Search::conclude(NullModel& null, const NullModel& base, bool
     }
     if (isNoise(null)) completeClasses(null);
     const double misfit = proposed.empty() ? misfitIn(base, null) : with;
-    return {std::move(proposed), leavesMuch, misfit};
+    return {std::move(proposed), std::move(sameByName), leavesMuch, misfit};
 }
 
 /// A fit may end at another optimum than the best, and what it leaves there is no missing effect. True: the model and
@@ -483,6 +484,8 @@ Outcome<Finding> Search::run() {
             if (!place.starts_with(outputPrefix) || place.substr(outputPrefix.size()) == r.output) r.node = place;
         for (Remainder& r : proposed)
             if (r.errorValidateWith >= 0) r.errorValidateWithout = errorPercentOf(finding.final, Role::Validate);
+        if (!proposed.empty())
+            finding.warnings.insert(finding.warnings.end(), conclusion.sameByName.begin(), conclusion.sameByName.end());
         offer(std::move(proposed), finding.remainders);
         if (change_) {
             const double end = finding.final.experiments[static_cast<std::size_t>(change_->experiment)].time.back();

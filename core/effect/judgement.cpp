@@ -112,7 +112,9 @@ bool beatsNames(const NullModel& null, const std::vector<Trial>& trials, std::si
         best = std::max(best, t.evidence);
         leastLeft = std::min(leastLeft, t.sumOfSquares());
     }
-    if (!(weight * (trials[proposal].evidence - best) > equivalenceMargin)) return false;
+    // what explains as much with fewer parameters is the better account, by whatever name
+    const bool isSimpler = trials[proposal].freed() < trials[*chosen].freed() && trials[proposal].evidence > best;
+    if (!isSimpler && !(weight * (trials[proposal].evidence - best) > equivalenceMargin)) return false;
     const double named = null.sumOfSquares() - leastLeft,
                  proposed = null.sumOfSquares() - trials[proposal].sumOfSquares();
     return levelOf(trials[proposal].fit) <= largeResidual || named < nearlyAsMuch * proposed;

@@ -74,6 +74,7 @@ private:
     /// What the end of a path comes to.
     struct Conclusion {
         std::vector<Remainder> proposed;  // equations without a name
+        std::vector<Text> sameByName;     // effects that explain as much as one of these
         bool leavesMuch{};                // even with them
         double misfit{};                  // with them
     };
@@ -111,7 +112,7 @@ private:
     bool takeOut(NullModel& null, std::size_t effect);
     std::optional<NullModel> refittedWith(const NullModel& null, const std::vector<PlacedEffect>& effects);
     bool reconsider(NullModel& null);
-    std::vector<Remainder> takeOutProposals(NullModel& null);
+    std::vector<Remainder> takeOutProposals(NullModel& null, std::vector<Text>& sameByName);
     void setAsideBehindProposal(NullModel& null);
     bool addLaw(NullModel& null);
     std::vector<Trial> tryLaws(NullModel& null);

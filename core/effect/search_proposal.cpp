@@ -75,8 +75,8 @@ bool Search::addLaw(NullModel& null) {
 }
 
 /// Proposals explain while the search goes on and are offered, not added: the model ends without them. What leaves
-/// structure is offered only where it is more than a disturbance.
-std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
+/// structure is offered only where it is more than a disturbance. `sameByName`: the effects that explain as much.
+std::vector<Remainder> Search::takeOutProposals(NullModel& null, std::vector<Text>& sameByName) {
     std::vector<Remainder> found;
     const bool isDoubtful = hasProposal(null) && !isNoise(null);
     std::optional<ModelState> with;
@@ -109,7 +109,13 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null) {
                               besideDisturbance(null, search_.fit.simulation, progress_),
                               null.fit.optimum.residuals.size(), static_cast<int>(placed.freed.size()));
         };
-        if (!isDoubtful || isMore()) found.push_back(std::move(r));
+        if (!isDoubtful || isMore()) {
+            for (const Alternative& a : steps_[i].alternatives)
+                if (a.equivalent)
+                    sameByName.push_back(
+                        phrase("{} at {} explains as much with more parameters: {}", a.kind, a.at, r.proposedEquation));
+            found.push_back(std::move(r));
+        }
         null = std::move(*rest);
         steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
     }

@@ -346,7 +346,7 @@ void Search::decide(const NullModel& null, Round& round) const {
     if (proposal && beatsNames(null, trials, proposal->trial, round.chosen)) {
         round.chosen = proposal->trial;
         round.acceptance = proposal->acceptance;
-        round.members = {proposal->trial};
+        round.members = equivalents(null, trials, proposal->trial);
     }
 }
 

@@ -1408,6 +1408,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Steifigkeit des Anschlags (0: aus)</translation>
     </message>
     <message>
+        <source>Angle at rest</source>
+        <translation>Winkel in Ruhe</translation>
+    </message>
+    <message>
         <source>Angle where it touches</source>
         <translation>Winkel, bei dem er berührt</translation>
     </message>
@@ -1842,6 +1846,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     <message>
         <source>Torque that grows with the third power of speed</source>
         <translation>Drehmoment mit der dritten Potenz der Drehzahl</translation>
+    </message>
+    <message>
+        <source>Spring that stiffens with its travel</source>
+        <translation>Mit dem Weg steifer werdende Feder</translation>
     </message>
     <message>
         <source>End stop at a large angle</source>
@@ -2382,6 +2390,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     <message>
         <source>A torque that does not come at once where the motion turns round, but over a travel, whatever the speed: the bristles of a seal, the hysteresis of a spring, of a magnet or of a belt (Dahl 1968).</source>
         <translation>Ein Drehmoment, das bei der Umkehr der Bewegung nicht sofort kommt, sondern über einen Weg, gleich wie schnell: die Borsten einer Dichtung, die Hysterese einer Feder, eines Magneten oder eines Riemens (Dahl 1968).</translation>
+    </message>
+    <message>
+        <source>A spring, a bush or a seal that grows stiffer the further it is moved from where the recording begins.</source>
+        <translation>Eine Feder, eine Buchse oder eine Dichtung, die umso steifer wird, je weiter sie von dort bewegt wird, wo die Aufzeichnung beginnt.</translation>
     </message>
     <message>
         <source>A stop, a seal or an end of travel.</source>
@@ -6351,6 +6363,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>an equation without a name explains as much as {} at {}, and the data do not tell them apart: {}</source>
         <translation>eine Gleichung ohne Namen erklärt so viel wie {} an {}, und die Daten unterscheiden beide nicht: {}</translation>
+    </message>
+    <message>
+        <source>{} at {} explains as much with more parameters: {}</source>
+        <translation>{} an {} erklärt so viel mit mehr Parametern: {}</translation>
     </message>
     <message>
         <source>Only outputs may have empty cells.</source>

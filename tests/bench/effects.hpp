@@ -83,6 +83,8 @@ inline void applyMechanical(Plant& plant, const Effect& e) {
     if (kind == "x.periodic") b.periodic += get(p, "tau"), b.period = get(p, "period", 1.0);
     if (kind == "x.hysteresis") b.hysteresis += get(p, "tau"), b.hysteresisTravel = get(p, "travel", 1.0);
     if (kind == "x.stop") b.stop = get(p, "phi_max");
+    if (kind == "x.hardening") b.hardening = get(p, "c_3");
+    if (kind == "x.rub") b.rub = get(p, "tau"), b.rubFrom = get(p, "from"), b.rubTo = get(p, "to");
     if (kind == "x.disturbance") b.disturbance += get(p, "tau");
 }
 
@@ -108,6 +110,8 @@ inline void applyThermal(Plant& plant, const Effect& e) {
     if (kind == "thermal.latent")
         n.latentHeat = get(p, "Q_l"), n.latentT = get(p, "T_l"), n.latentWidth = get(p, "width", 1.0);
     if (kind == "x.heat.periodic") n.periodic += get(p, "Q"), n.period = get(p, "period", 1.0);
+    if (kind == "x.heat.event") n.event = get(p, "Q"), n.eventFrom = get(p, "from"), n.eventTo = get(p, "to");
+    if (kind == "x.heat.valve") n.valveG = get(p, "G"), n.valveT = get(p, "T_open");
     if (kind == "x.heat.disturbance") n.disturbance += get(p, "Q");
 }
 
@@ -117,6 +121,7 @@ inline void applyElectric(Plant& plant, const Effect& e) {
     Machine& m = plant.machine;
     if (kind == "resistance.series") m.seriesR += get(p, "R_s");
     if (kind == "voltage.drop") m.drop += get(p, "V_b");
+    if (kind == "x.current.limit") m.currentLimit = get(p, "limit");
     if (kind == "inductance.saturation") m.inverseSatCurrent = get(p, "1/i_s");
     if (kind == "resistance.temperature") m.windingAlpha = get(p, "alpha");
     if (kind == "flux.temperature") m.fluxSlope = get(p, "beta");
@@ -161,7 +166,7 @@ inline void apply(Plant& plant, const Effect& e) {
     };
     if (any({"sensor.", "actuator.", "x.sensor."}))
         applySignal(plant, e);
-    else if (any({"resistance.", "voltage.", "inductance.", "flux.", "x.jump"}))
+    else if (any({"resistance.", "voltage.", "inductance.", "flux.", "x.jump", "x.current."}))
         applyElectric(plant, e);
     else if (any({"thermal.", "convection.", "x.heat."}))
         applyThermal(plant, e);
@@ -202,9 +207,21 @@ public:
             outsideShaft(random);
         }
         if (!plant_.links.empty() && plant_.machine.drive == Drive::Heater) jump(3);
-        for (std::size_t k = 0; k < plant_.nodes.size(); ++k)
+        const double most = base_.maxCurrent;
+        add({"x.current.limit", {plant_.machine.name}, 0}, 0.1, 0.6, false, {{}}, [most](double s, const Parameters&) {
+            return Parameters{{"limit", most * (1.0 - s)}};
+        });
+        for (std::size_t k = 0; k < plant_.nodes.size(); ++k) {
+            const double range = std::max(base_.maxT[k] - base_.minT[k], 1.0);
+            const double G = std::max(heat() / range, plant_.nodes[k].capacity / duration);
+            add({"x.heat.event", plant_.nodes[k].connectors, static_cast<int>(k)}, 0.1 * heat(), heat(), true,
+                {{{"from", rounded(when, 3)}, {"to", rounded(when + duration * random.uniform(0.03, 0.2), 3)}}},
+                named("Q"));
+            add({"x.heat.valve", plant_.nodes[k].connectors, static_cast<int>(k)}, 0.1 * G, 2.0 * G, false,
+                {{{"T_open", rounded(base_.minT[k] + random.uniform(0.4, 0.75) * range, 4)}}}, named("G"));
             add({"x.heat.periodic", {}, static_cast<int>(k)}, 0.05 * heat(), 0.8 * heat(), false,
                 {{{"period", rounded(duration * random.uniform(0.04, 0.15), 3)}}}, named("Q"));
+        }
         for (std::size_t k = 0; k < plant_.sensors.size(); ++k) {
             const auto [low, high] = std::minmax_element(base_.outputs[k].begin(), base_.outputs[k].end());
             const double top = *high, range = *high - *low;
@@ -311,19 +328,27 @@ inline void Catalogue::shaft(std::size_t k) {
 inline void Catalogue::outsideShaft(Random& random) {
     const std::size_t k = plant_.pieces.size() - 1;
     const int what = static_cast<int>(k);
+    const auto at = shafts_.members(plant_.pieces[k].connector);
     const double tau = base_.rmsTorque[k], w = std::max(base_.maxSpeed[k], 1e-9);
     const double angle = base_.angleMax[k] - base_.angleMin[k], duration = experiment_.duration();
-    add({"x.cubic", {}, what}, 0.1 * tau / (w * w * w), 3.0 * tau / (w * w * w), false, {{}}, named("k_c"));
-    add({"x.periodic", {}, what}, 0.05 * tau, tau, false,
+    add({"x.cubic", at, what}, 0.1 * tau / (w * w * w), 3.0 * tau / (w * w * w), false, {{}}, named("k_c"));
+    add({"x.periodic", at, what}, 0.05 * tau, tau, false,
         {{{"period", rounded(duration * random.uniform(0.03, 0.12), 3)}}}, named("tau"));
     const bool spring = plant_.pieces[k].spring > 0.0;
     if (w * experiment_.dt < 0.35 && !spring && angle > 3.0 * std::numbers::pi)
-        add({"x.sawtooth", {}, what}, 0.05 * tau, tau, false, {{}}, named("tau"));
+        add({"x.sawtooth", at, what}, 0.05 * tau, tau, false, {{}}, named("tau"));
     if (spring) {
-        add({"x.hysteresis", {}, what}, 0.1 * tau, tau, false,
+        add({"x.hysteresis", at, what}, 0.1 * tau, tau, false,
             {{{"travel", rounded(random.uniform(0.08, 0.2) * angle, 3)}}}, named("tau"));
+        add({"x.hardening", at, what}, 0.1 * tau / std::pow(angle, 3), 3.0 * tau / std::pow(angle, 3), false, {{}},
+            named("c_3"));
+        const double from = base_.angleMin[k] + random.uniform(0.2, 0.6) * angle;
+        if (plant_.pieces[k].inertia > 0.0)
+            add({"x.rub", at, what}, 0.1 * tau, 0.8 * tau, false,
+                {{{"from", rounded(from, 3)}, {"to", rounded(from + random.uniform(0.1, 0.25) * angle, 3)}}},
+                named("tau"));
         const double top = base_.angleMax[k];
-        add({"x.stop", {}, what}, 0.1, 0.5, false, {{}}, [top](double s, const Parameters&) {
+        add({"x.stop", at, what}, 0.1, 0.5, false, {{}}, [top](double s, const Parameters&) {
             return Parameters{{"phi_max", top * (1.0 - s)}};
         });
     }

@@ -24,6 +24,8 @@ struct Piece {
     double coulomb{}, stribeck{}, stribeckSpeed{1.0};
     double hysteresis{}, hysteresisTravel{1.0};  // Dahl: dF/dphi = F_max/travel*(1 - F/F_max*sign(w))
     double stop{};                               // upper end stop [rad]; 0: none
+    double hardening{};                          // [N.m/rad3], cubed travel from the spring's rest
+    double rub{}, rubFrom{}, rubTo{};            // dry friction [N.m] between two angles alone
     double periodic{}, period{1.0};              // tau*sin(2*pi*t/period)
     double disturbance{};                        // factor on the experiment's disturbance series
     std::string connector;                       // one connector that belongs to it
@@ -44,6 +46,8 @@ struct Node {
     double secondCapacity{}, secondG{};
     double latentHeat{}, latentT{}, latentWidth{1.0};
     double periodic{}, period{1.0};
+    double event{}, eventFrom{}, eventTo{};  // heat [W] for a while
+    double valveG{}, valveT{};               // a conductance that opens above a temperature: G*max(0, T - T_open)
     double disturbance{};
     std::vector<std::string> connectors;
 };
@@ -73,6 +77,7 @@ struct Machine {
     int voltageInput{};
     double drop{};  // brushes [V]
     double inverseSatCurrent{};
+    double currentLimit{};  // the driver lets no more through [A]; 0: none
     double seriesR{};
     double alpha{}, alphaRef{293.15};
     double portResistance{};  // [K/W] between heater and node

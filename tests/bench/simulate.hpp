@@ -44,6 +44,7 @@ public:
         // Dead time reads between the steps, and the band of a latent heat has sharp ends.
         bool sharp = false;
         for (const auto& s : plant.sensors) sharp = sharp || s.delay > 0.0;
+        sharp = sharp || plant.machine.currentLimit > 0.0;
         for (const auto& n : plant.nodes) sharp = sharp || n.latentHeat > 0.0;
         substeps_ =
             static_cast<int>(std::ceil(std::max(sharp ? 6.0 : 1.0, std::ceil(experiment.dt * fastest())) / stepFactor));
@@ -78,6 +79,11 @@ private:
     void jointTorques(const State& x, Probe& p) const;
     double loads(const Piece& b, double t, double phi) const;
     double masslessSpeed(const Piece& b, double a, double s) const;
+    static bool rubs(const Piece& b) { return b.coulomb + b.stribeck + b.rub > 0.0; }
+    /// The torque under which a body that stands at an angle stays there.
+    static double hold(const Piece& b, double phi) {
+        return b.coulomb + b.stribeck + (phi > b.rubFrom && phi < b.rubTo ? b.rub : 0.0);
+    }
     double input(std::size_t k, double t) const {
         return sampled(experiment_.inputs[k], experiment_.dt, t - plant_.actuators[k].delay);
     }
@@ -142,6 +148,8 @@ inline void Simulator::mergePieces() {
             if (p.stribeck != 0.0) b.stribeck = p.stribeck, b.stribeckSpeed = p.stribeckSpeed;
             if (p.hysteresis != 0.0) b.hysteresis = p.hysteresis, b.hysteresisTravel = p.hysteresisTravel;
             if (p.stop != 0.0) b.stop = p.stop;
+            if (p.hardening != 0.0) b.hardening = p.hardening;
+            if (p.rub != 0.0) b.rub = p.rub, b.rubFrom = p.rubFrom, b.rubTo = p.rubTo;
             if (p.periodic != 0.0) b.periodic = p.periodic, b.period = p.period;
         }
         bodyOf_[k] = static_cast<int>(bodies_.size()) - 1;
@@ -264,9 +272,12 @@ inline double Simulator::electric(double t, const State& x, Probe& p) const {
         const double L = m.L / (1.0 + std::pow(p.current * m.inverseSatCurrent, 2));
         const bool blocked = m.drop > 0.0 && conduction_ == 0;
         const double drop = m.drop > 0.0 ? m.drop * conduction_ : 0.0;
-        p.dx[static_cast<std::size_t>(iCurrent_)] = blocked ? 0.0 : (p.gap - Rw * p.current - drop) / L;
+        double rate = blocked ? 0.0 : (p.gap - Rw * p.current - drop) / L;
+        if (m.currentLimit > 0.0 && std::abs(p.current) >= m.currentLimit && rate * p.current > 0.0) rate = 0.0;
+        p.dx[static_cast<std::size_t>(iCurrent_)] = rate;
     } else {
         p.current = std::abs(p.gap) <= m.drop ? 0.0 : (p.gap - std::copysign(m.drop, p.gap)) / Rw;
+        if (m.currentLimit > 0.0) p.current = std::clamp(p.current, -m.currentLimit, m.currentLimit);
     }
     p.heat = Rw * p.current * p.current;
     if (iWinding_ >= 0) p.dx[static_cast<std::size_t>(iWinding_)] = (p.heat - m.windingG * rise) / m.windingC;
@@ -276,6 +287,7 @@ inline double Simulator::electric(double t, const State& x, Probe& p) const {
 /// Load torque that depends on the angle and on time only.
 inline double Simulator::loads(const Piece& b, double t, double phi) const {
     double tau = b.constant + b.spring * jumped("load", t) * (phi - b.springRest);
+    if (b.hardening != 0.0) tau += b.hardening * std::pow(phi - b.springRest, 3);
     if (b.gravity != 0.0) tau += b.gravity * std::sin(phi - b.gravityPhase);
     if (b.cogging != 0.0) tau += b.cogging * std::sin(b.coggingCount * (phi - b.coggingPhase));
     if (b.sawtooth != 0.0) {
@@ -330,9 +342,9 @@ inline void Simulator::mechanics(double t, const State& x, Probe& p) const {
             p.net[k] = tau -= b.hysteresis * force;
             p.dx[static_cast<std::size_t>(iDahl_[k])] = (w - force * speed) / b.hysteresisTravel;
         }
-        if (b.coulomb + b.stribeck > 0.0) {
-            const double ratio = w / b.stribeckSpeed;
-            tau = friction_[k] == 0 ? 0.0 : tau - friction_[k] * (b.coulomb + b.stribeck * std::exp(-ratio * ratio));
+        if (rubs(b)) {
+            const double ratio = w / b.stribeckSpeed, stribeck = b.stribeck * std::exp(-ratio * ratio);
+            tau = friction_[k] == 0 ? 0.0 : tau - friction_[k] * (hold(b, x[k]) - b.stribeck + stribeck);
         }
         if (stopped_[k]) tau = 0.0;
         p.dx[n + k] = tau / b.inertia;
@@ -372,6 +384,8 @@ inline void Simulator::thermal(double t, const State& x, double joule, double fr
             q[k] -= flow;
             p.dx[second] = flow / n.secondCapacity;
         }
+        if (t >= n.eventFrom && t < n.eventTo) q[k] += n.event;
+        if (n.valveG != 0.0) q[k] -= n.valveG * std::max(0.0, here - n.valveT);
         if (n.periodic != 0.0) q[k] += n.periodic * std::sin(2.0 * std::numbers::pi * t / n.period);
         if (n.disturbance != 0.0) q[k] += n.disturbance * sampled(experiment_.disturbance, experiment_.dt, t);
         double capacity = n.capacity;
@@ -457,8 +471,7 @@ inline bool Simulator::violated(const State& x, const Probe& p) const {
     const std::size_t massive = bodies_.size() - (lastIsMassless_ ? 1 : 0);
     for (std::size_t k = 0; k < massive; ++k) {
         const Piece& b = bodies_[k];
-        if (b.coulomb + b.stribeck > 0.0 &&
-            (friction_[k] == 0 ? std::abs(p.net[k]) > b.coulomb + b.stribeck : friction_[k] * p.w[k] < 0.0))
+        if (rubs(b) && (friction_[k] == 0 ? std::abs(p.net[k]) > hold(b, x[k]) : friction_[k] * p.w[k] < 0.0))
             return true;
         if (b.stop > 0.0 && (stopped_[k] ? p.net[k] < 0.0 : x[k] > b.stop && p.w[k] > 0.0)) return true;
     }
@@ -480,10 +493,10 @@ inline void Simulator::changeModes(double t) {
     const auto direction = [](double force, double hold) { return std::abs(force) <= hold ? 0 : force > 0.0 ? 1 : -1; };
     for (std::size_t k = 0; k < massive; ++k) {
         const Piece& b = bodies_[k];
-        const double hold = b.coulomb + b.stribeck;
-        if (hold > 0.0 && (friction_[k] == 0 ? std::abs(now_.net[k]) > hold : friction_[k] * now_.w[k] < 0.0)) {
+        const double most = hold(b, x_[k]);
+        if (rubs(b) && (friction_[k] == 0 ? std::abs(now_.net[k]) > most : friction_[k] * now_.w[k] < 0.0)) {
             x_[n + k] = 0.0;
-            friction_[k] = direction(now_.net[k], hold);
+            friction_[k] = direction(now_.net[k], most);
         }
         if (b.stop > 0.0) {
             if (stopped_[k])
