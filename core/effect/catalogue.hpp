@@ -43,7 +43,7 @@
 ///     orInput = true)))                 // or an input of the model in the unit of `quantity`
 ///
 /// Texts are Modelica expressions over sample, duration (of the recording, s) and range(v), minimum(v), maximum(v),
-/// maxabs(v), rms(v), mean(v), start(v), rate(v), flow(port) of the variables v and connectors of the effect's own
+/// maxabs(v), rms(v), mean(v), start(v), rate(v), through(port) of the variables v and connectors of the effect's own
 /// instance, as simulated with the effect off.
 namespace analogon {
 

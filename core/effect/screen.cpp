@@ -30,8 +30,10 @@ public:
     }
 
     double statistic(const std::string& function, const std::string& variable) const {
-        const auto found = series_.find(function == "flow" ? "flow " + variable : variable);
-        if (found == series_.end()) return std::nan("");
+        const bool isTold = function != "through" && variable == along_;
+        const auto& series = isTold ? recorded_ : series_;
+        const auto found = series.find(function == "through" ? "through " + variable : variable);
+        if (found == series.end()) return std::nan("");
         double low = 1e300, high = -1e300, sum = 0, squares = 0, largestRate = 0, count = 0;
         for (std::size_t e = 0; e < found->second.size(); ++e) {
             const std::vector<double>& x = found->second[e];
@@ -49,7 +51,7 @@ public:
         if (count == 0) return std::nan("");
         if (function == "range") return high - low;
         if (function == "maxabs") return std::max(std::abs(low), std::abs(high));
-        if (function == "rms" || function == "flow") return std::sqrt(squares / count);
+        if (function == "rms" || function == "through") return std::sqrt(squares / count);
         if (function == "mean") return sum / count;
         if (function == "minimum") return low;
         if (function == "maximum") return high;
@@ -60,8 +62,17 @@ public:
 
     void setTimes(std::vector<std::vector<double>> times) { times_ = std::move(times); }
 
-    /// By how much the variable was ahead of its simulation when it was recorded; empty: nothing tells.
-    void setLead(std::vector<Eigen::VectorXd> lead) { lead_ = std::move(lead); }
+    /// By how much the variable was ahead of its simulation when it was recorded. What is asked of it is then told from
+    /// the recording.
+    void setLead(const std::string& variable, std::vector<Eigen::VectorXd> lead) {
+        lead_ = std::move(lead);
+        along_ = variable;
+        std::vector<std::vector<double>>& recorded = recorded_[variable] = series(variable);
+        for (std::size_t e = 0; e < recorded.size(); ++e)
+            for (std::size_t k = 0; k < recorded[e].size(); ++k)
+                recorded[e][k] += lead_[e][static_cast<Eigen::Index>(k)];
+    }
+    /// Empty: nothing tells.
     const std::vector<Eigen::VectorXd>& lead() const { return lead_; }
 
     /// The samples of a variable in each fitted experiment; empty: it was not observed.
@@ -72,7 +83,8 @@ public:
     }
 
 private:
-    std::map<std::string, std::vector<std::vector<double>>> series_;
+    std::map<std::string, std::vector<std::vector<double>>> series_, recorded_;
+    std::string along_;
     std::vector<std::vector<double>> times_;
     std::vector<Eigen::VectorXd> lead_;
 };
@@ -107,7 +119,7 @@ Outcome<Observations> observe(const NullModel& null, const Variant& off, const S
     bool wantsFlow = false;
     for (const std::string& t : texts(placed.effect)) {
         for (const std::string& v : shapeVariables(t)) variables.insert(v);
-        wantsFlow = wantsFlow || t.find("flow(") != std::string::npos;
+        wantsFlow = wantsFlow || t.find("through(") != std::string::npos;
     }
     if (!placed.effect.along.empty()) variables.insert(placed.effect.along);
     Observations observations;
@@ -144,17 +156,17 @@ Outcome<Observations> observe(const NullModel& null, const Variant& off, const S
             for (std::size_t k = 0; k < through.size(); ++k)
                 through[k] += 0.5 * std::abs(t.observed(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k)));
         if (wantsFlow)
-            for (const std::string& port : placed.effect.ports) series["flow " + port].push_back(through);
-    }
-    if (const auto along = series.find(placed.effect.along); along != series.end()) {
-        std::vector<Eigen::VectorXd> simulated;
-        for (const std::vector<double>& x : along->second)
-            simulated.emplace_back(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
-        if (std::optional<std::vector<Eigen::VectorXd>> lead = recordedLead(null, held->problem, simulated))
-            observations.setLead(std::move(*lead));
+            for (const std::string& port : placed.effect.ports) series["through " + port].push_back(through);
     }
     observations.setTimes(std::move(times));
     for (auto& [name, x] : series) observations.add(name, std::move(x));
+    if (series.contains(placed.effect.along)) {
+        std::vector<Eigen::VectorXd> simulated;
+        for (const std::vector<double>& x : observations.series(placed.effect.along))
+            simulated.emplace_back(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
+        if (std::optional<std::vector<Eigen::VectorXd>> lead = recordedLead(null, held->problem, simulated))
+            observations.setLead(placed.effect.along, std::move(*lead));
+    }
     return observations;
 }
 
@@ -393,15 +405,18 @@ private:
     PreparedTask held_;
 };
 
-/// Whether the recorded course of an effect's variable is another than the simulated one to the shortest of its waves.
-bool isAhead(const std::vector<Eigen::VectorXd>& lead, const Screened& screened) {
-    if (screened.candidate.effect.phase.empty()) return false;
+/// Whether the recorded course of an effect's variable is another than the simulated one: to the shortest of its waves,
+/// or, where it has none, to all that it passes.
+bool isAhead(const Observations& observations, const Screened& screened) {
+    const std::vector<Eigen::VectorXd>& lead = observations.lead();
+    const EffectClass& effect = screened.candidate.effect;
     double most = 1, largest = 0;
     for (const Probe& p : screened.probes)
-        if (const auto waves = p.values.find(screened.candidate.effect.waves); waves != p.values.end())
+        if (const auto waves = p.values.find(effect.waves); waves != p.values.end())
             most = std::max(most, waves->second);
     for (const Eigen::VectorXd& each : lead) largest = std::max(largest, each.cwiseAbs().maxCoeff());
-    return most * largest > leastLead * 4 * quarterTurn;
+    const double turn = effect.phase.empty() ? observations.statistic("range", effect.along) : 4 * quarterTurn;
+    return largest > 0 && most * largest > leastLead * turn;
 }
 
 /// The effect with the units of its parameters that depend on the signal it is at.
@@ -487,7 +502,12 @@ Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std:
             const bool isOfEffect =
                 std::any_of(variant.effects.begin(), variant.effects.end(),
                             [&](const PlacedEffect& x) { return !x.newInput.empty() && p.connector == x.newInput; });
-            if (!isThere && !isOfEffect) candidates.push_back({inUnitsOf(nodes->unitAt(p), e), p});
+            // a proposal is taken out again at the end: nothing may hang on its connectors
+            const bool isAtProposal =
+                std::any_of(variant.effects.begin(), variant.effects.end(), [&](const PlacedEffect& x) {
+                    return !x.effect.proposal.empty() && p.connector.starts_with(x.instance + ".");
+                });
+            if (!isThere && !isOfEffect && !isAtProposal) candidates.push_back({inUnitsOf(nodes->unitAt(p), e), p});
         }
     return candidates;
 }
@@ -573,7 +593,7 @@ Screened screen(const NullModel& null, const Candidate& candidate, const Simulat
         return Done{};
     };
     if (Outcome<Done> probed = probeAll(prober); !probed) return fail(probed.diagnostics());
-    if (isAhead(observations->lead(), result)) {
+    if (isAhead(*observations, result)) {
         auto recorded = std::make_shared<const Variant>(
             alongRecorded(result.wired, observations->series(effect.along), observations->lead()));
         Prober along(null, *recorded, observations->series(effect.along), simulation, progress);

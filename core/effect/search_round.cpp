@@ -13,6 +13,7 @@ namespace {
 constexpr int mostContinued = 4;           // times, while a fit that has not converged still tells more
 constexpr double twinCorrelation = 0.999;  // projected traces more alike than this are twins
 constexpr double falseAlarmQuantile = 0.99;
+constexpr double leastOfOnce = 100;  // evidence for what the blocks left out do not bear out
 constexpr std::size_t mostRivals = 5, mostAlternatives = 6;
 constexpr std::size_t mostRetried = 4;
 constexpr double nearlyTheSame = 0.95;  // of the evidence, for what differs between the samples alone
@@ -341,6 +342,12 @@ void Search::decide(const NullModel& null, Round& round) const {
         const Trial& equation = trials[unconfirmed->trial];
         const double gap = equation.evidence - trials[*round.chosen].evidence;
         if (independentShare(null, equation.fit) * gap > 3 * equivalenceMargin) proposal = unconfirmed;
+    }
+    // So does what happens once, where it leaves noise.
+    if (!proposal && unconfirmed && !round.chosen) {
+        const Trial& equation = trials[unconfirmed->trial];
+        const double evidence = independentShare(null, equation.fit) * equation.evidence;
+        if (evidence > leastOfOnce && isNoise(null.channels, equation.fit)) proposal = unconfirmed;
     }
     // Where an equation without a name explains clearly more than any name, none of the names fits.
     if (proposal && beatsNames(null, trials, proposal->trial, round.chosen)) {

@@ -43,7 +43,8 @@ double evaluate(const Expression& e, const ShapeContext& context) {
 }
 
 void collect(const Expression& e, std::vector<std::string>& variables) {
-    if (e.kind == Expression::Kind::Call && e.operands.size() == 1 && e.operands[0].kind == Expression::Kind::Reference)
+    const bool isOfVariable = e.kind == Expression::Kind::Call && e.name.text() != "through";
+    if (isOfVariable && e.operands.size() == 1 && e.operands[0].kind == Expression::Kind::Reference)
         variables.push_back(e.operands[0].name.text());
     for (const Expression& o : e.operands) collect(o, variables);
 }

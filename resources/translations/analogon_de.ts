@@ -1416,6 +1416,42 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Winkel, bei dem er berührt</translation>
     </message>
     <message>
+        <source>Damping of the touch, of its stiffness</source>
+        <translation>Dämpfung der Berührung, bezogen auf deren Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Heat flow for that while (0: off)</source>
+        <translation>Wärmestrom während dieser Zeit (0: aus)</translation>
+    </message>
+    <message>
+        <source>Torque for that while (0: off)</source>
+        <translation>Drehmoment während dieser Zeit (0: aus)</translation>
+    </message>
+    <message>
+        <source>When it sets in</source>
+        <translation>Wann er einsetzt</translation>
+    </message>
+    <message>
+        <source>How long it lasts</source>
+        <translation>Wie lange er dauert</translation>
+    </message>
+    <message>
+        <source>Width of its edges</source>
+        <translation>Breite der Flanken</translation>
+    </message>
+    <message>
+        <source>Conductance beyond (0: off)</source>
+        <translation>Leitwert darüber (0: aus)</translation>
+    </message>
+    <message>
+        <source>Temperature where it sets in</source>
+        <translation>Temperatur, bei der er einsetzt</translation>
+    </message>
+    <message>
+        <source>Rounding of the onset</source>
+        <translation>Rundung des Einsatzes</translation>
+    </message>
+    <message>
         <source>Rounding of the touch</source>
         <translation>Abrundung der Berührung</translation>
     </message>
@@ -1886,6 +1922,18 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     <message>
         <source>End stop at a small angle</source>
         <translation>Anschlag bei kleinem Winkel</translation>
+    </message>
+    <message>
+        <source>Heat flow that acts for a while</source>
+        <translation>Zeitweise wirkender Wärmestrom</translation>
+    </message>
+    <message>
+        <source>Torque that acts for a while</source>
+        <translation>Zeitweise wirkendes Drehmoment</translation>
+    </message>
+    <message>
+        <source>Loss that sets in above a temperature</source>
+        <translation>Oberhalb einer Temperatur einsetzender Verlust</translation>
     </message>
     <message>
         <source>Heat flow that sets in during the run</source>
@@ -2394,6 +2442,18 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     <message>
         <source>A spring, a bush or a seal that grows stiffer the further it is moved from where the recording begins.</source>
         <translation>Eine Feder, eine Buchse oder eine Dichtung, die umso steifer wird, je weiter sie von dort bewegt wird, wo die Aufzeichnung beginnt.</translation>
+    </message>
+    <message>
+        <source>Something that happened once in the run: a splash of water, a door that was open, a neighbour that was on.</source>
+        <translation>Etwas, das im Lauf einmal geschah: ein Schwall Wasser, eine offene Tür, ein eingeschalteter Nachbar.</translation>
+    </message>
+    <message>
+        <source>Something that happened once in the run: a hand on the shaft, a body in the way, a gust.</source>
+        <translation>Etwas, das im Lauf einmal geschah: eine Hand an der Welle, ein Körper im Weg, eine Bö.</translation>
+    </message>
+    <message>
+        <source>A thermostat that opens, a liquid that begins to boil, a fan that is switched on: from a temperature on the body loses more.</source>
+        <translation>Ein Thermostat, der öffnet, eine Flüssigkeit, die zu sieden beginnt, ein Lüfter, der anläuft: Von einer Temperatur an verliert der Körper mehr.</translation>
     </message>
     <message>
         <source>A stop, a seal or an end of travel.</source>

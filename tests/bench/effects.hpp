@@ -347,11 +347,15 @@ inline void Catalogue::outsideShaft(Random& random) {
             add({"x.rub", at, what}, 0.1 * tau, 0.8 * tau, false,
                 {{{"from", rounded(from, 3)}, {"to", rounded(from + random.uniform(0.1, 0.25) * angle, 3)}}},
                 named("tau"));
-        const double top = base_.angleMax[k];
+    }
+    // what is driven both ways may run against its end
+    const double top = base_.angleMax[k];
+    const bool returns =
+        spring || (angle < 20.0 * std::numbers::pi && base_.angleMin[k] > -0.7 * angle && top > 0.3 * angle);
+    if (returns && plant_.pieces[k].inertia > 0.0)
         add({"x.stop", at, what}, 0.1, 0.5, false, {{}}, [top](double s, const Parameters&) {
             return Parameters{{"phi_max", top * (1.0 - s)}};
         });
-    }
 }
 
 /// Insertion between two pieces that are wired to nothing else there and both have inertia.

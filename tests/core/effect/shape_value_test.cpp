@@ -29,6 +29,7 @@ TEST(ShapeValue, IsAFaultWhereAnythingIsUnknown) {
 
 TEST(ShapeValue, TellsTheVariablesItNeeds) {
     EXPECT_EQ(shapeVariables("0.1*range(port.T)/maxabs(w) + sample"), (std::vector<std::string>{"port.T", "w"}));
+    EXPECT_EQ(shapeVariables("through(flange)/range(phi)"), (std::vector<std::string>{"phi"})) << "a port is none";
 }
 
 }  // namespace

@@ -71,6 +71,51 @@ TEST(WireIn, PutsAnActuatorsEffectBeforeAPlainInput) {
     EXPECT_TRUE(analyse(std::make_shared<FlatModel>(*flat), {}));
 }
 
+TEST(WireIn, HangsNothingOnTheConnectorsOfAProposal) {
+    Variant variant{taskOf(R"(model Shafts
+  Analogon.Interfaces.RealInput tau(unit="N.m");
+  Analogon.Sources.PrescribedTorque drive;
+  Analogon.Mechanics.Inertia rotor(J=0.1), disk(J=0.2);
+equation
+  connect(tau, drive.tau);
+  connect(drive.flange, rotor.flange_a);
+  connect(rotor.flange_b, disk.flange_a);
+end Shafts;
+)",
+                           "Shafts"),
+                    {},
+                    {}};
+    const Outcome<std::vector<EffectClass>> catalogue = effectCatalogue(variant.task.library);
+    ASSERT_TRUE(catalogue);
+    const Outcome<Library> wider = variant.task.library.withSource(std::make_shared<Source>("MissingTorque1.mo", R"(
+model MissingTorque1
+  Analogon.Interfaces.Flange_a port;
+  parameter Real a1 = 0;
+equation
+  port.tau = a1*der(port.phi)^3;
+end MissingTorque1;
+)"));
+    ASSERT_TRUE(wider) << format(wider.diagnostics());
+    variant.task.library = *wider;
+    EffectClass law;
+    law.className = "MissingTorque1";
+    law.kind = "proposal.law";
+    law.ports = {"port"};
+    law.strength = "a1";
+    for (const std::string proposal : {"port.tau = a1*w^3", ""}) {
+        law.proposal = proposal;
+        Outcome<Variant> with = withEffect(variant, law, {"rotor.flange_b", "rotor.flange_b", {}}, {});
+        ASSERT_TRUE(with) << format(with.diagnostics());
+        with->values.push_back({with->effects.back().instance + ".a1", -1, 0.5});
+        const Outcome<std::vector<Candidate>> candidates = candidatesFor(*with, *catalogue);
+        ASSERT_TRUE(candidates) << format(candidates.diagnostics());
+        const std::string own = with->effects.back().instance + ".";
+        const bool hasOwn = std::any_of(candidates->begin(), candidates->end(),
+                                        [&](const Candidate& c) { return c.place.connector.starts_with(own); });
+        EXPECT_EQ(hasOwn, law.proposal.empty());
+    }
+}
+
 TEST(WireIn, LetsAnInputOfTheModelBeTheSurroundingsOfAnotherPart) {
     const Variant variant{taskOf(R"(model Body
   Analogon.Interfaces.RealInput P(unit="W");

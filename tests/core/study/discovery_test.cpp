@@ -370,6 +370,31 @@ TEST_F(DiscoveryOnAPlate, FindsTheGainOfAThermometerThatIsRightAtFreezing) {
     EXPECT_NEAR(valueOf(finding.effects[0], "g"), 0.05, 0.002);
 }
 
+// A thermostat opens; radiation and a heat of evaporation would imitate it together.
+TEST_F(DiscoveryOnAPlate, ProposesALossThatSetsInAboveATemperature) {
+    writeStudy(300,
+               R"({"plate.C": {"fit": true, "min": 1, "max": 200}, "toRoom.G": {"fit": true, "min": 0.01, "max": 5}})");
+    std::mt19937 random(9);
+    std::normal_distribution<double> normal;
+    std::ofstream csv = recording("t [s],P [W],T [K]");
+    double temperature = 300;
+    for (int k = 0; k < samples; ++k) {
+        const double here = 20 + 20 * excitation(0.02 * k), next = 20 + 20 * excitation(0.02 * (k + 1));
+        csv << interval * k << ',' << here << ',' << temperature + 0.3 * normal(random) << '\n';
+        temperature =
+            after(temperature, here, next, [](double T) { return 0.3 * (T - 300) + 0.15 * std::max(0.0, T - 360); });
+    }
+    csv.close();
+    const Finding finding = discovered();
+    EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
+    ASSERT_FALSE(finding.remainders.empty());
+    const std::string& equation = finding.remainders.front().proposedEquation;
+    EXPECT_EQ(finding.remainders.front().proposedClass, "Analogon.Effects.Proposals.HeatValve") << equation;
+    const auto at = equation.find("T_o = ");
+    ASSERT_NE(at, std::string::npos) << equation;
+    EXPECT_NEAR(std::stod(equation.substr(at + 6)), 360, 2);
+}
+
 /// In a draught that nobody measures. The model begins at 300 K.
 class DiscoveryInADraught : public DiscoveryOnAPlate {
 protected:
@@ -1401,6 +1426,32 @@ TEST_F(Discovery, TellsWhatTurnsWithTheShaftByItsWave) {
     ASSERT_EQ(finding.effects.size(), 1u);
     EXPECT_EQ(finding.effects.front().kind, "torque.gravity");
     EXPECT_EQ(finding.kind, FindingKind::Effect);
+}
+
+TEST_F(Discovery, ProposesATorqueForAWhileForWhatHappensOnce) {
+    const Finding finding =
+        search({0.02, [](double t, double w, double) { return 0.03 * w + (t > 11.3 && t < 13.1 ? 0.04 : 0.0); }});
+    EXPECT_TRUE(finding.effects.empty());
+    ASSERT_FALSE(finding.remainders.empty());
+    const std::string& equation = finding.remainders.front().proposedEquation;
+    EXPECT_EQ(finding.remainders.front().proposedClass, "Analogon.Effects.Proposals.TorquePulse") << equation;
+    EXPECT_NE(equation.find("t_s = 11.3"), std::string::npos) << equation;
+    EXPECT_NE(equation.find("t_d = 1."), std::string::npos) << equation;
+}
+
+// Its speed is measured; the model turns on and on where the shaft stands.
+TEST_F(Discovery, ProposesTheEndOfATravelThatTheModelRunsThrough) {
+    const auto stopped = [](double, double w, double phi) {
+        return 0.03 * w + 60 * std::max(0.0, phi - 120) * std::max(0.0, 1 + 0.3 * w);
+    };
+    const Finding finding = search({0.02, stopped});
+    EXPECT_TRUE(finding.effects.empty());
+    ASSERT_FALSE(finding.remainders.empty());
+    const std::string& equation = finding.remainders.front().proposedEquation;
+    EXPECT_EQ(finding.remainders.front().proposedClass, "Analogon.Effects.Proposals.UpperStop") << equation;
+    const auto at = equation.find("phi_s = ");
+    ASSERT_NE(at, std::string::npos) << equation;
+    EXPECT_NEAR(std::stod(equation.substr(at + 8)), 120, 1);
 }
 
 TEST_F(Discovery, SaysWithWhichUnusedChannelAParameterMoves) {
