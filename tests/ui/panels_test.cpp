@@ -362,6 +362,12 @@ TEST_F(Panels, KeepsEveryRunForComparison) {
     for (int i = 0; i < 2; ++i) runs->history()->topLevelItem(i)->setSelected(true);
     EXPECT_FALSE(runs->comparison()->isHidden());
     EXPECT_GE(runs->comparison()->topLevelItemCount(), 6) << "two errors and four parameters";
+    QTest::qWait(50);
+    const QTreeWidget* table = runs->comparison();
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_GT(table->columnWidth(c), 60) << "a long name of an effect pushes no column away";
+        EXPECT_LE(table->columnViewportPosition(c) + table->columnWidth(c), table->viewport()->width());
+    }
     runs->history()->topLevelItem(1)->setSelected(false);
     const QString before = document().modelText();
     QTest::mouseClick(runs->restoreButton(), Qt::LeftButton);

@@ -109,6 +109,11 @@ FitPanel::FitPanel(Document& document, RunController& controller, QWidget* paren
     history_->setAccessibleName(tr("Runs so far"));
     comparison_->setSelectionMode(QAbstractItemView::NoSelection);
     comparison_->setAccessibleName(tr("Comparison of two runs"));
+    comparison_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    for (const int run : {1, 2}) {  // the name of an effect breaks, and pushes no column out of sight
+        comparison_->header()->setSectionResizeMode(run, QHeaderView::Stretch);
+        style::wrapColumn(comparison_, run);
+    }
     auto* row = new QHBoxLayout;
     row->addWidget(hint_, 1);
     row->addWidget(restore_);
