@@ -38,4 +38,5 @@ done
 say "Random editing: $sequences sequences; kills while saving: $kills"
 run editing build/release/tests/test_ui 'RandomEditing.*' ANALOGON_SEQUENCES="$sequences"
 run kills build/release/tests/test_archive Archive.IsOldOrNewWhenTheProgramIsKilled ANALOGON_KILLS="$kills"
+run kills-directory build/release/tests/test_study StudyFiles.SurviveKills ANALOGON_KILLS="$kills"
 exit "$failed"

@@ -32,7 +32,8 @@ int pack(const Options& options, std::ostream& out, std::ostream& err) {
     std::error_code code;
     if (fs::is_directory(target, code)) target /= opened->study.name + archiveEnding;
     if (target.extension() != archiveEnding) target += archiveEnding;
-    if (const Outcome<Done> saved = saveStudy(opened->study, target); !saved) return fails(saved.diagnostics(), err);
+    if (const Outcome<Done> saved = saveStudy(opened->study, target, opened->history); !saved)
+        return fails(saved.diagnostics(), err);
     out << "packed: " << target.string() << std::endl;
     return done;
 }

@@ -31,8 +31,9 @@ int main(int argc, char** argv) {
     parser.process(application);
     if (parser.isSet(pictures)) {
         bool isWhole = ui::writePictures(parser.value(pictures), parser.value(language));
-        if (!qEnvironmentVariableIsSet("QT_SCALE_FACTOR")) {  // a scale is that of a process: the large ones by another
-            qputenv("QT_SCALE_FACTOR", "1.5");
+        if (qEnvironmentVariableIsSet("QT_SCALE_FACTOR")) return isWhole ? 0 : 1;
+        for (const char* scale : {"1.5", "2"}) {  // a scale is that of a process: the large ones by others
+            qputenv("QT_SCALE_FACTOR", scale);
             isWhole =
                 QProcess::execute(QCoreApplication::applicationFilePath(), QCoreApplication::arguments().mid(1)) == 0 &&
                 isWhole;

@@ -74,8 +74,18 @@ Outcome<Done> unpackInto(const fs::path& archive, const fs::path& directory) {
                          archive.string());
     QuaZip zip(qString(archive));
     if (!zip.open(QuaZip::mdUnzip)) return fileError(phrase("this is no zip archive"), archive.string());
-    for (const ZipEntry& entry : *entries)
-        if (Outcome<Done> done = unpackEntry(zip, archive, entry, directory / entry.name); !done) return done;
+    Diagnostics warnings = entries.diagnostics();
+    for (const ZipEntry& entry : *entries) {
+        Outcome<Done> done = unpackEntry(zip, archive, entry, directory / entry.name);
+        if (done) continue;
+        if (!entry.name.starts_with(historyFolder + std::string("/"))) return done;
+        std::error_code code;
+        fs::remove(directory / entry.name, code);  // a damaged history costs the history, not the study
+        for (Diagnostic lost : done.diagnostics()) {
+            lost.severity = Severity::Warning;
+            warnings.push_back(std::move(lost));
+        }
+    }
     const auto isStudy = [](const ZipEntry& e) { return e.name == "study.json"; };
     if (std::none_of(entries->begin(), entries->end(), isStudy))
         return fileError(phrase("this archive holds no study.json"), archive.string(), 0, 0,
@@ -88,7 +98,14 @@ Outcome<Done> unpackInto(const fs::path& archive, const fs::path& directory) {
         std::error_code code;
         fs::remove(directory / "mimetype", code);
     }
-    return {Done{}, entries.diagnostics()};
+    return {Done{}, std::move(warnings)};
+}
+
+/// The runs in a study's directory; what cannot be read of them is a warning.
+std::vector<PastRun> historyIn(const fs::path& directory, const Study& study, Diagnostics& warnings) {
+    Outcome<std::vector<PastRun>> history = readHistory(directory / historyFolder, study);
+    warnings.insert(warnings.end(), history.diagnostics().begin(), history.diagnostics().end());
+    return history ? std::move(*history) : std::vector<PastRun>();
 }
 
 /// Paths below the temporary directory as entries of the archive.
@@ -119,7 +136,11 @@ Outcome<OpenedStudy> openArchive(const fs::path& archive) {
         shown->file = (archive / name).string();
         table = std::move(shown);
     }
-    return {OpenedStudy{std::move(*study), *files, archive}, std::move(messages)};
+    Diagnostics lost;
+    std::vector<PastRun> history = historyIn(directory, *study, lost);
+    for (Diagnostic& d : renamed(std::move(lost), directory.string(), archive.string()))
+        messages.push_back(std::move(d));
+    return {OpenedStudy{std::move(*study), *files, archive, std::move(history)}, std::move(messages)};
 }
 
 std::vector<std::string> filesBelow(const fs::path& directory) {
@@ -162,8 +183,9 @@ Outcome<Done> writeZip(const fs::path& directory, const fs::path& target, const 
     for (const std::string& name : filesBelow(directory)) {
         if (!isWritten) break;
         QFile from(qString(directory / name));
-        isWritten =
-            from.open(QIODevice::ReadOnly) && putEntry(zip, name, from, false) && from.error() == QFile::NoError;
+        isWritten = from.open(QIODevice::ReadOnly) &&
+                    putEntry(zip, name, from, name.ends_with(traceEnding)) &&  // digits of doubles: nothing to compress
+                    from.error() == QFile::NoError;
     }
     zip.close();
     isWritten = isWritten && zip.getZipError() == ZIP_OK && file.flush() && fsync(file.handle()) == 0;
@@ -203,11 +225,13 @@ Outcome<Done> zipWhole(const fs::path& directory, const fs::path& path, const ch
     return Done{};
 }
 
-Outcome<Done> saveArchive(const Study& study, const fs::path& path) {
+Outcome<Done> saveArchive(const Study& study, const fs::path& path, const std::vector<PastRun>& history) {
     Outcome<std::shared_ptr<const TemporaryDirectory>> files = TemporaryDirectory::make();
     if (!files) return files.diagnostics();
     const fs::path directory = (*files)->path() / "study";
     if (Outcome<Done> done = writeStudy(study, directory); !done) return done;
+    if (!history.empty())
+        if (Outcome<Done> done = writeHistory(history, directory / historyFolder); !done) return done;
     return zipWhole(directory, path, archiveType);
 }
 
@@ -229,11 +253,15 @@ Outcome<OpenedStudy> openStudy(const fs::path& path) {
     if (isArchive(path) && fs::exists(path, code)) return openArchive(path);
     Outcome<Study> study = readStudy(path);
     if (!study) return study.diagnostics();
-    return {OpenedStudy{std::move(*study), nullptr, path}, study.diagnostics()};
+    Diagnostics messages = study.diagnostics();
+    std::vector<PastRun> history = historyIn(study->directory, *study, messages);
+    return {OpenedStudy{std::move(*study), nullptr, path, std::move(history)}, std::move(messages)};
 }
 
-Outcome<Done> saveStudy(const Study& study, const fs::path& path) {
-    return path.extension() == archiveEnding ? saveArchive(study, path) : writeStudy(study, path);
+Outcome<Done> saveStudy(const Study& study, const fs::path& path, const std::vector<PastRun>& history) {
+    if (path.extension() == archiveEnding) return saveArchive(study, path, history);
+    if (Outcome<Done> done = writeStudy(study, path); !done) return done;
+    return replaceHistory(history, path);
 }
 
 Outcome<Done> zipDirectory(const fs::path& directory, const fs::path& file) {

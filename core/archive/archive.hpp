@@ -4,10 +4,12 @@
 #include <memory>
 
 #include "core/archive/temporary_directory.hpp"
+#include "core/study/run_history.hpp"
 #include "core/study/study.hpp"
 
 /// A study as one `.analogon` file: a zip archive with the entry `mimetype` first (stored, so that its text stands at
-/// a fixed place of the file), then what a study directory holds.
+/// a fixed place of the file), then what a study directory holds. The history of its runs lies in a folder of its own,
+/// which readers that do not know it pass over.
 namespace analogon {
 
 inline constexpr const char* archiveEnding = ".analogon";
@@ -18,6 +20,7 @@ struct OpenedStudy {
     Study study;
     std::shared_ptr<const TemporaryDirectory> files;  // null: a study that lies in a directory of its own
     std::filesystem::path origin;                     // what was opened
+    std::vector<PastRun> history{};                   // its runs, oldest first
 };
 
 /// Messages in which files of an unpacked archive are called by their place in it, "lambda.analogon/model.mo".
@@ -28,12 +31,14 @@ bool isArchive(const std::filesystem::path& path);
 
 /// Reads a study directory, its study.json or an archive. Messages about an archive name its entries as
 /// "lambda.analogon/model.mo". Faults: see readZipDirectory and readStudy; an entry that is damaged, larger than it
-/// says, or an archive that unpacks to more than 4 GB.
+/// says, or an archive that unpacks to more than 4 GB. A history that is damaged is lost, with a warning; the study is
+/// not.
 Outcome<OpenedStudy> openStudy(const std::filesystem::path& path);
 
-/// Writes a study into an archive (ending .analogon) or a directory. Atomic for an archive: whatever happens in
-/// between, the file is the old one or the new one, whole.
-Outcome<Done> saveStudy(const Study& study, const std::filesystem::path& path);
+/// Writes a study and its history into an archive (ending .analogon) or a directory. Atomic for an archive: whatever
+/// happens in between, the file is the old one or the new one, whole.
+Outcome<Done> saveStudy(const Study& study, const std::filesystem::path& path,
+                        const std::vector<PastRun>& history = {});
 
 /// The files below a directory as a plain zip file, for formats of other tools. Atomic as saveStudy.
 Outcome<Done> zipDirectory(const std::filesystem::path& directory, const std::filesystem::path& file);

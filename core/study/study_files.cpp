@@ -1,4 +1,6 @@
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -96,6 +98,48 @@ bool leavesDirectory(const fs::path& path) {
     return path.is_absolute() || path.has_root_name() || path.lexically_normal().begin()->string() == "..";
 }
 
+/// What has come to the disk survives a loss of power, too.
+void sync(const fs::path& path) {
+    const int handle = open(path.c_str(), O_RDONLY);
+    if (handle < 0) return;
+    fsync(handle);
+    close(handle);
+}
+
+/// A save into a directory that exists cannot be one step of the file system. Its files are written into
+/// `writingFolder` first. The save is done once that folder is renamed to `savedFolder`; moving the files to their
+/// places is finished by whoever reads or writes the study next, should the program be ended meanwhile.
+constexpr const char* writingFolder = ".analogon-writing";
+constexpr const char* savedFolder = ".analogon-saved";
+constexpr const char* removedList = ".removed";  // in it: names of models that the new study has no more
+
+/// Moves the files of a save that was done to their places.
+std::error_code finishSave(const fs::path& directory) {
+    std::error_code code;
+    const fs::path saved = directory / savedFolder;
+    if (!fs::is_directory(saved, code)) return {};
+    std::ifstream list(saved / removedList);
+    for (std::string name; std::getline(list, name);)
+        if (const fs::path model = fs::path(name).filename(); model.extension() == ".mo")
+            fs::remove(directory / model, code);
+    list.close();
+    fs::remove(saved / removedList, code);
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(saved, code))
+        if (entry.is_regular_file(code)) files.push_back(entry.path());
+    code.clear();
+    for (const fs::path& file : files) {
+        const fs::path place = directory / file.lexically_relative(saved);
+        fs::create_directories(place.parent_path(), code);
+        fs::rename(file, place, code);
+        if (code && code != std::errc::no_such_file_or_directory) return code;  // another program may finish it, too
+        code.clear();
+    }
+    fs::remove_all(saved, code);
+    sync(directory);
+    return code;
+}
+
 /// Writes the files of a study into a directory of its own, then moves them to their place.
 class StudyWriter {
 public:
@@ -115,6 +159,13 @@ private:
         fs::path plain = fs::absolute(target_, code).lexically_normal();
         if (!plain.has_filename()) plain = plain.parent_path();
         target_ = plain;
+        if (fs::is_directory(target_, code)) {
+            if (code = finishSave(target_); code) return false;
+            temporary_ = target_ / writingFolder;
+            fs::remove_all(temporary_, code);  // of a save that was ended
+            return fs::create_directory(temporary_, code);
+        }
+        code.clear();
         fs::create_directories(target_.parent_path(), code);
         for (int i = 0; i < 1000 && !code; ++i) {
             temporary_ = target_.parent_path() / fmt::format(".{}.writing{}", target_.filename().string(), i);
@@ -129,6 +180,7 @@ private:
         std::ofstream stream(temporary_ / name, std::ios::binary);
         stream << content;
         stream.close();
+        sync(temporary_ / name);
         if (!stream) return cannotWrite(target_ / name, std::make_error_code(std::errc::io_error));
         written_.insert(name);
         return Done{};
@@ -168,6 +220,7 @@ private:
             if (code) return cannotWrite(target_ / place, code);
             // A measurement kept read-only at its origin shall not make the copy so.
             fs::permissions(temporary_ / place, fs::perms::owner_write, fs::perm_options::add, code);
+            sync(temporary_ / place);
             written_.insert(place);
             return Done{};
         }
@@ -179,21 +232,26 @@ private:
 
     Outcome<Done> move() {
         std::error_code code;
+        sync(temporary_);
         if (!fs::exists(target_, code)) {
             fs::rename(temporary_, target_, code);
-            return code ? Outcome<Done>(cannotWrite(target_, code)) : Outcome<Done>(Done{});
-        }
-        const bool wasStudy = fs::exists(target_ / "study.json", code);
-        for (const std::string& name : written_) {
-            fs::create_directories((target_ / name).parent_path(), code);
-            fs::rename(temporary_ / name, target_ / name, code);
-            if (code) return cannotWrite(target_ / name, code);
+            if (code) return cannotWrite(target_, code);
+            sync(target_.parent_path());
+            return Done{};
         }
         // Blocks of the study that lay here before would become part of this one.
-        if (wasStudy && !fs::equivalent(target_, study_.directory, code))
+        if (fs::exists(target_ / "study.json", code) && !fs::equivalent(target_, study_.directory, code)) {
+            std::string removed;
             for (const fs::path& model : filesEndingIn(target_, ".mo"))
-                if (!study_.models.contains(model.filename().string())) fs::remove(model, code);
-        return Done{};
+                if (!study_.models.contains(model.filename().string())) removed += model.filename().string() + "\n";
+            if (Outcome<Done> done = put(removedList, removed); !done) return done;
+        }
+        code.clear();
+        fs::rename(temporary_, target_ / savedFolder, code);
+        if (code) return cannotWrite(target_, code);
+        sync(target_);
+        code = finishSave(target_);
+        return code ? Outcome<Done>(cannotWrite(target_, code)) : Outcome<Done>(Done{});
     }
 
     const Study& study_;
@@ -205,6 +263,9 @@ private:
 }  // namespace
 
 Outcome<Study> readStudy(const std::filesystem::path& path) {
+    std::error_code code;
+    if (const std::error_code stuck = finishSave(fs::is_directory(path, code) ? path : path.parent_path()); stuck)
+        return cannotWrite(path, stuck);
     const Outcome<fs::path> file = studyFile(path);
     if (!file) return file.diagnostics();
     const Outcome<std::string> json = readText(*file);

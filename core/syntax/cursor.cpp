@@ -33,27 +33,19 @@ bool Cursor::take(std::string_view word) {
     return true;
 }
 
-void Cursor::expect(std::string_view word, std::string_view where, std::string hint) {
-    if (take(word)) return;
-    faultExpected(fmt::format("\"{}\" {}", word, where), std::move(hint));
-}
-
-Token Cursor::expectIdentifier(std::string_view what) {
-    if (atIdentifier()) return next();
-    std::string hint;
-    if (peek().kind == Token::Kind::Keyword) {
-        hint = fmt::format("\"{}\" is a word of the language; choose another name", text());
-    }
+void Cursor::faultNoIdentifier(const Text& what) {
+    Text hint;
+    if (peek().kind == Token::Kind::Keyword)
+        hint = phrase("\"{}\" is a word of the language; choose another name", text());
     faultExpected(what, std::move(hint));
 }
 
-void Cursor::expectSemicolon(std::string_view afterWhat) {
-    if (take(";")) return;
+void Cursor::noSemicolon(const Text& afterWhat) {
     const auto lineOf = [this](std::uint32_t offset) { return source_->position(offset).line; };
     const bool isNewLine = index_ > 0 && lineOf(tokens_[index_ - 1].end) < lineOf(peek().begin);
     const bool continues = isNewLine || at("end") || at("equation") || at("annotation") || at("protected");
-    std::string message = fmt::format("expected \";\" after {}", afterWhat);
-    if (!continues || atEnd()) message += fmt::format(", found {}", describe(peek()));
+    Text message = !continues || atEnd() ? phrase("expected \";\" after {}, found {}", afterWhat, describe(peek()))
+                                         : phrase("expected \";\" after {}", afterWhat);
     if (!continues) fault(std::move(message), here());
     if (!(atEnd() && isCutShort_)) report(error(std::move(message), behind()));
 }
@@ -74,11 +66,11 @@ void Cursor::report(Diagnostic diagnostic) {
     diagnostics_.push_back(std::move(diagnostic));
     if (diagnostics_.size() >= mostFaults) {
         gaveUp_ = true;
-        diagnostics_.push_back(error("too many faults: the rest of the text was not read", here()));
+        diagnostics_.push_back(error(phrase("too many faults: the rest of the text was not read"), here()));
     }
 }
 
-void Cursor::fault(std::string message, const Span& span, std::string hint) {
+void Cursor::fault(Text message, const Span& span, Text hint) {
     // What lacks behind an open string or comment follows from that, and one place gets one message.
     const bool follows = (isCutShort_ && atEnd()) || span.begin == lastFaultAt_;
     lastFaultAt_ = span.begin;
@@ -86,34 +78,34 @@ void Cursor::fault(std::string message, const Span& span, std::string hint) {
     throw SyntaxFault{};
 }
 
-void Cursor::faultExpected(std::string_view expected, std::string hint) {
+void Cursor::faultExpected(const Text& expected, Text hint) {
     // At the end of the text the caret stands behind the last word, not on an empty line.
     const Span span = atEnd() ? behind() : here();
-    fault(fmt::format("expected {}, found {}", expected, describe(peek())), span, std::move(hint));
+    fault(phrase("expected {}, found {}", expected, describe(peek())), span, std::move(hint));
 }
 
-std::string Cursor::describe(const Token& token) const {
+Text Cursor::describe(const Token& token) const {
     const std::string_view word = textOf(token);
     switch (token.kind) {
         case Token::Kind::End:
-            return "the end of the text";
+            return phrase("the end of the text");
         case Token::Kind::String:
-            return word.size() > 30 ? "a string" : fmt::format("the string {}", word);
+            return word.size() > 30 ? phrase("a string") : phrase("the string {}", word);
         case Token::Kind::Integer:
         case Token::Kind::Real:
-            return fmt::format("the number {:.30}", word);
+            return phrase("the number {:.30}", word);
         case Token::Kind::Identifier:
         case Token::Kind::Keyword:
         case Token::Kind::Symbol:
-            return fmt::format("\"{:.60}\"", word);
+            return phrase("\"{:.60}\"", word);
     }
-    return std::string(word);
+    return word;
 }
 
 Cursor::Nesting::Nesting(Cursor& cursor) : cursor_(cursor) {
     if (cursor.depth_ >= deepestNesting) {
-        cursor.fault(fmt::format("nested deeper than {} levels", deepestNesting), cursor.here(),
-                     "name an intermediate result");
+        cursor.fault(phrase("nested deeper than {} levels", deepestNesting), cursor.here(),
+                     phrase("name an intermediate result"));
     }
     ++cursor.depth_;
 }

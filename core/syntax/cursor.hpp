@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <string>
 #include <string_view>
 
@@ -37,12 +38,34 @@ public:
     Token next();
     /// Consumes the word if it is this one.
     bool take(std::string_view word);
+    // What is expected is a sentence without arguments, or made (by a function) only where it is not there: sound texts
+    // cost no sentences.
+
     /// Consumes this keyword or symbol or faults: `expected ")" after the modifications, found "="`.
-    void expect(std::string_view word, std::string_view where, std::string hint = {});
+    void expect(std::string_view word, const char* where, const char* hint = "") {
+        if (!take(word)) faultExpected(phrase("\"{}\" {}", word, sentence(where)), sentence(hint));
+    }
+    template <std::invocable Where>
+    void expect(std::string_view word, Where where) {
+        if (!take(word)) faultExpected(phrase("\"{}\" {}", word, where()));
+    }
     /// Consumes an identifier or faults.
-    Token expectIdentifier(std::string_view what);
+    Token expectIdentifier(const char* what) {
+        return expectIdentifier([what] { return sentence(what); });
+    }
+    template <std::invocable What>
+    Token expectIdentifier(What what) {
+        if (!atIdentifier()) faultNoIdentifier(what());
+        return next();
+    }
     /// A missing `;` before a new line is reported, but what follows is read as if it were there.
-    void expectSemicolon(std::string_view afterWhat);
+    void expectSemicolon(const char* afterWhat) {
+        if (!take(";")) noSemicolon(sentence(afterWhat));
+    }
+    template <std::invocable What>
+    void expectSemicolon(What afterWhat) {
+        if (!take(";")) noSemicolon(afterWhat());
+    }
 
     std::size_t index() const { return index_; }
     void moveTo(std::size_t index) { index_ = index; }
@@ -55,10 +78,10 @@ public:
     Span behind() const;
 
     void report(Diagnostic diagnostic);
-    [[noreturn]] void fault(std::string message, const Span& span, std::string hint = {});
-    [[noreturn]] void faultExpected(std::string_view expected, std::string hint = {});
+    [[noreturn]] void fault(Text message, const Span& span, Text hint = {});
+    [[noreturn]] void faultExpected(const Text& expected, Text hint = {});
     /// The word in a message: `"x"`, `the keyword "end"`, `the end of the text`.
-    std::string describe(const Token& token) const;
+    Text describe(const Token& token) const;
 
     Diagnostics& diagnostics() { return diagnostics_; }
     bool gaveUp() const { return gaveUp_; }
@@ -76,6 +99,10 @@ public:
     };
 
 private:
+    static Text sentence(const char* words) { return *words ? Text(words, {}, words) : Text(); }
+    [[noreturn]] void faultNoIdentifier(const Text& what);
+    void noSemicolon(const Text& afterWhat);
+
     SourcePtr source_;
     const char* text_;
     std::vector<Token> tokens_;

@@ -47,7 +47,7 @@ private:
     void typePrefixes(Component& component);
     void declaration(Component& component, const Component& prototype);
     void constrainingClause(std::optional<Name>& base, std::vector<Modification>& modifications);
-    std::string misspelt(std::string otherwise, std::string_view word = {}) const;
+    Text misspelt(Text otherwise, std::string_view word = {}) const;
     void checkDoubles(const ClassDefinition& definition);
 
     void recoverElement(std::size_t begin);
@@ -56,7 +56,7 @@ private:
     void restart() { inSubscript_ = false, annotationDepth_ = 0; }
 
     // Refused constructs (grammar_refusal.cpp): one message each, the construct is skipped as a whole.
-    void refuse(std::string_view construct, std::string hint);
+    void refuse(Text message, Text hint);
     bool refuseClassKind();
     bool isBuiltinFunction() const;
     std::shared_ptr<ClassDefinition> builtinFunction();

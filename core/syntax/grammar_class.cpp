@@ -51,12 +51,13 @@ StoredDefinition Grammar::storedDefinition() {
         try {
             const bool isFinal = cursor_.take("final");
             if (!atClassDefinition()) {
-                cursor_.faultExpected("a class", misspelt("a Modelica file holds classes: model A … end A;"));
+                cursor_.faultExpected(phrase("a class"),
+                                      misspelt(phrase("a Modelica file holds classes: model A … end A;")));
             }
             if (refuseClassKind()) continue;
             const auto definition = classDefinition();
             definition->isFinal = definition->isFinal || isFinal;
-            cursor_.expectSemicolon(fmt::format("the class \"{}\"", definition->name));
+            cursor_.expectSemicolon([&] { return phrase("the class \"{}\"", definition->name); });
             result.classes.push_back(definition);
         } catch (const SyntaxFault&) {
             restart();
@@ -67,8 +68,8 @@ StoredDefinition Grammar::storedDefinition() {
         }
     }
     if (result.classes.empty() && !hasError(cursor_.diagnostics())) {
-        cursor_.report(
-            error("the text holds no class", cursor_.here(), "a Modelica file holds classes: model A … end A;"));
+        cursor_.report(error(phrase("the text holds no class"), cursor_.here(),
+                             phrase("a Modelica file holds classes: model A … end A;")));
     }
     return result;
 }
@@ -90,7 +91,7 @@ void Grammar::classPrefixes(ClassDefinition& definition) {
     const auto entry = std::find_if(restrictions.begin(), restrictions.end(),
                                     [&](const RestrictionWord& candidate) { return cursor_.at(candidate.word); });
     if (entry == restrictions.end()) {
-        cursor_.faultExpected("the kind of a class: model, block, connector, record, type or package");
+        cursor_.faultExpected(phrase("the kind of a class: model, block, connector, record, type or package"));
     }
     definition.restriction = entry->restriction;
     cursor_.next();
@@ -104,13 +105,14 @@ std::shared_ptr<ClassDefinition> Grammar::classDefinition() {
     definition->source = cursor_.source();
     classPrefixes(*definition);
     if (cursor_.at("extends")) {
-        refuse(fmt::format("\"{} extends\"", keyword(definition->restriction)),
-               "give the class a name of its own and inherit with \"extends Base(…);\"");
+        refuse(phrase("\"{} extends\" not supported", keyword(definition->restriction)),
+               phrase("give the class a name of its own and inherit with \"extends Base(…);\""));
         cursor_.next();
         skipClass();
         throw SyntaxFault{};
     }
-    const Token name = cursor_.expectIdentifier(fmt::format("the name of the {}", keyword(definition->restriction)));
+    const Token name =
+        cursor_.expectIdentifier([&] { return phrase("the name of the {}", keyword(definition->restriction)); });
     definition->name = cursor_.textOf(name);
     definition->nameSpan = cursor_.spanOf(name);
     if (cursor_.take("=")) {
@@ -126,8 +128,8 @@ std::shared_ptr<ClassDefinition> Grammar::classDefinition() {
 void Grammar::shortClass(ClassDefinition& definition) {
     definition.isShort = true;
     if (cursor_.at("der")) {
-        cursor_.fault("classes by differentiation, \"= der(…)\", are not supported", cursor_.here(),
-                      "write the derivative as an equation");
+        cursor_.fault(phrase("classes by differentiation, \"= der(…)\", are not supported"), cursor_.here(),
+                      phrase("write the derivative as an equation"));
     }
     if (cursor_.at("enumeration")) {
         enumeration(definition);
@@ -154,7 +156,8 @@ void Grammar::enumeration(ClassDefinition& definition) {
     definition.isEnumeration = true;
     cursor_.expect("(", "behind \"enumeration\"");
     if (cursor_.at(":"))
-        cursor_.fault("open enumerations, \"(:)\", are not supported", cursor_.here(), "list the literals");
+        cursor_.fault(phrase("open enumerations, \"(:)\", are not supported"), cursor_.here(),
+                      phrase("list the literals"));
     while (!cursor_.at(")")) {
         const Token literal = cursor_.expectIdentifier("the name of a literal");
         definition.enumeration.emplace_back(cursor_.textOf(literal));
@@ -230,11 +233,11 @@ void Grammar::classAnnotation(ClassDefinition& definition) {
     definition.annotation = annotation();
     cursor_.expectSemicolon("the annotation");
     if (isSecond) {
-        cursor_.report(error(fmt::format("a second annotation of \"{}\"", definition.name), keywordSpan,
-                             "a class has one annotation, as its last element"));
+        cursor_.report(error(phrase("a second annotation of \"{}\"", definition.name), keywordSpan,
+                             phrase("a class has one annotation, as its last element")));
     } else if (!closesClass() && !cursor_.atEnd()) {
-        cursor_.report(error(fmt::format("the annotation of \"{}\" is not its last element", definition.name),
-                             keywordSpan, "move it right before the \"end\""));
+        cursor_.report(error(phrase("the annotation of \"{}\" is not its last element", definition.name), keywordSpan,
+                             phrase("move it right before the \"end\"")));
     }
 }
 
@@ -242,17 +245,17 @@ void Grammar::closeClass(ClassDefinition& definition) {
     const std::size_t begin = cursor_.index();
     if (cursor_.gaveUp()) return;
     if (!cursor_.take("end")) {
-        cursor_.fault(fmt::format("the {} \"{}\" is not closed", keyword(definition.restriction), definition.name),
-                      definition.nameSpan, fmt::format("it ends with \"end {};\"", definition.name));
+        cursor_.fault(phrase("the {} \"{}\" is not closed", keyword(definition.restriction), definition.name),
+                      definition.nameSpan, phrase("it ends with \"end {};\"", definition.name));
     }
     if (cursor_.at(";") || cursor_.atEnd()) {
-        cursor_.fault("expected the name of the class behind \"end\"", cursor_.behind(),
-                      fmt::format("write \"end {};\"", definition.name));
+        cursor_.fault(phrase("expected the name of the class behind \"end\""), cursor_.behind(),
+                      phrase("write \"end {};\"", definition.name));
     }
     const Token name = cursor_.expectIdentifier("the name of the class behind \"end\"");
     if (cursor_.textOf(name) != definition.name) {
-        cursor_.report(error(fmt::format("\"{}\" is closed by the name \"{}\"", definition.name, cursor_.textOf(name)),
-                             cursor_.spanOf(name), fmt::format("write \"end {};\"", definition.name)));
+        cursor_.report(error(phrase("\"{}\" is closed by the name \"{}\"", definition.name, cursor_.textOf(name)),
+                             cursor_.spanOf(name), phrase("write \"end {};\"", definition.name)));
     }
     definition.endSpan = cursor_.spanFrom(begin);
 }
@@ -346,7 +349,7 @@ void Grammar::nestedClass(ClassDefinition& definition, const ElementPrefixes& pr
         if (!nested->annotation) nested->annotation = annotation();
     }
     definition.classes.push_back(nested);
-    cursor_.expectSemicolon(fmt::format("the {} \"{}\"", keyword(nested->restriction), nested->name));
+    cursor_.expectSemicolon([&] { return phrase("the {} \"{}\"", keyword(nested->restriction), nested->name); });
 }
 
 void Grammar::typePrefixes(Component& component) {
@@ -354,8 +357,8 @@ void Grammar::typePrefixes(Component& component) {
     int rank = 0;
     const auto advance = [&](int to) {
         if (to <= rank) {
-            cursor_.fault(fmt::format("the prefix \"{}\" is doubled or out of order", cursor_.text()), cursor_.here(),
-                          "the order is: flow, then parameter, constant or discrete, then input or output");
+            cursor_.fault(phrase("the prefix \"{}\" is doubled or out of order", cursor_.text()), cursor_.here(),
+                          phrase("the order is: flow, then parameter, constant or discrete, then input or output"));
         }
         rank = to;
     };
@@ -383,7 +386,7 @@ Component Grammar::componentPrototype() {
     Component prototype;
     typePrefixes(prototype);
     if (!cursor_.atIdentifier() && !cursor_.at(".")) {
-        cursor_.faultExpected("a declaration, an equation section or \"end\"");
+        cursor_.faultExpected(phrase("a declaration, an equation section or \"end\""));
     }
     prototype.type = typeName();
     prototype.typeSpan = prototype.type.span;
@@ -394,8 +397,8 @@ Component Grammar::componentPrototype() {
 /// `name[dimensions](modifications) = binding if condition "description" annotation(…)`
 void Grammar::declaration(Component& component, const Component& prototype) {
     const std::size_t begin = cursor_.index();
-    const Token name =
-        cursor_.expectIdentifier(fmt::format("the name of a component of type \"{}\"", prototype.type.text()));
+    const Token name = cursor_.expectIdentifier(
+        [&] { return phrase("the name of a component of type \"{}\"", prototype.type.text()); });
     component.name = cursor_.textOf(name);
     component.nameSpan = cursor_.spanOf(name);
     component.dimensions.clear();
@@ -407,7 +410,8 @@ void Grammar::declaration(Component& component, const Component& prototype) {
         component.modifications = classModification();
         component.modificationsSpan = cursor_.spanFrom(open);
     }
-    if (cursor_.at(":=")) cursor_.fault("\":=\" is an assignment", cursor_.here(), "a value is given with \"=\"");
+    if (cursor_.at(":="))
+        cursor_.fault(phrase("\":=\" is an assignment"), cursor_.here(), phrase("a value is given with \"=\""));
     if (cursor_.take("=")) component.binding = expression();
     if (cursor_.take("if")) component.condition = expression();
     component.description = description();
@@ -442,8 +446,8 @@ void Grammar::componentClause(ClassDefinition& definition, const ElementPrefixes
     }
     if (cursor_.atIdentifier() && !clause.back().binding) {
         // Two names in a row: a keyword may be misspelt (`paramter Real k`), or a `;` is missing.
-        const std::string hint = misspelt({}, clause.front().type.text());
-        if (!hint.empty()) cursor_.fault("a declaration of three names", clause.front().typeSpan, hint);
+        const Text hint = misspelt({}, clause.front().type.text());
+        if (!hint.empty()) cursor_.fault(phrase("a declaration of three names"), clause.front().typeSpan, hint);
     }
     cursor_.expectSemicolon("the declaration");
     for (Component& component : clause) {
@@ -454,12 +458,12 @@ void Grammar::componentClause(ClassDefinition& definition, const ElementPrefixes
 }
 
 /// `did you mean "parameter"?` when the word (or the one at hand) is nearly a keyword, else the other hint.
-std::string Grammar::misspelt(std::string otherwise, std::string_view word) const {
+Text Grammar::misspelt(Text otherwise, std::string_view word) const {
     static const std::vector<std::string> keywords{
         "model",  "block", "connector", "package", "record", "type",    "parameter", "constant",   "input",
         "output", "flow",  "final",     "extends", "import", "partial", "within",    "replaceable"};
     const std::string near = suggestion(word.empty() ? cursor_.text() : word, keywords);
-    return near.empty() ? otherwise : fmt::format("did you mean \"{}\"?", near);
+    return near.empty() ? otherwise : phrase("did you mean \"{}\"?", near);
 }
 
 /// A class cannot declare one name twice (section 5.6.1.4); redeclarations name an inherited element.
@@ -469,9 +473,8 @@ void Grammar::checkDoubles(const ClassDefinition& definition) {
         const auto [first, isNew] = seen.emplace(name, span);
         if (isNew) return;
         const Position position = cursor_.source()->position(first->second.begin);
-        cursor_.report(
-            error(fmt::format("\"{}\" is declared twice in \"{}\"", name, definition.name), span,
-                  fmt::format("the first declaration is in line {}, column {}", position.line, position.column)));
+        cursor_.report(error(phrase("\"{}\" is declared twice in \"{}\"", name, definition.name), span,
+                             phrase("the first declaration is in line {}, column {}", position.line, position.column)));
     };
     for (const Component& component : definition.components) {
         if (!component.isRedeclare) check(component.name, component.nameSpan);

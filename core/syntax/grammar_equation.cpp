@@ -68,8 +68,8 @@ Equation Grammar::equation() {
     const Cursor::Nesting nesting(cursor_);
     const std::size_t begin = cursor_.index();
     if (cursor_.at("when")) {
-        cursor_.fault("when equations are not supported", cursor_.here(),
-                      "a relation outside noEvent already is an event: write the equation with if");
+        cursor_.fault(phrase("when equations are not supported"), cursor_.here(),
+                      phrase("a relation outside noEvent already is an event: write the equation with if"));
     }
     Equation result = cursor_.at("if")        ? ifEquation()
                       : cursor_.at("for")     ? forEquation()
@@ -83,8 +83,10 @@ Equation Grammar::equation() {
 }
 
 void Grammar::endOf(std::string_view word) {
-    cursor_.expect("end", fmt::format("to close \"{}\"", word));
-    cursor_.expect(word, "behind \"end\"", fmt::format("the innermost open block is \"{}\"", word));
+    cursor_.expect("end", [word] { return phrase("to close \"{}\"", word); });
+    if (!cursor_.take(word))
+        cursor_.faultExpected(phrase("\"{}\" behind \"end\"", word),
+                              phrase("the innermost open block is \"{}\"", word));
 }
 
 std::vector<Equation> Grammar::equationBody() {
@@ -163,21 +165,22 @@ Equation Grammar::simpleEquation() {
         return result;
     }
     if (cursor_.at(":=")) {
-        cursor_.fault("\":=\" is an assignment of an algorithm", cursor_.here(), "an equation is written with \"=\"");
+        cursor_.fault(phrase("\":=\" is an assignment of an algorithm"), cursor_.here(),
+                      phrase("an equation is written with \"=\""));
     }
     const bool isComparison = result.left.kind == Expression::Kind::Binary && result.left.text == "==";
     if (isComparison) {
-        cursor_.fault("\"==\" compares; an equation is written with \"=\"", result.left.span);
+        cursor_.fault(phrase("\"==\" compares; an equation is written with \"=\""), result.left.span);
     }
     if (result.left.kind == Expression::Kind::Call) {
         result.kind = Equation::Kind::Call;
         return result;
     }
     if (result.left.kind == Expression::Kind::Reference && cursor_.atIdentifier()) {
-        cursor_.fault("a declaration cannot stand in the equation section", result.left.span,
-                      "move it before \"equation\", or write an equation \"left = right\"");
+        cursor_.fault(phrase("a declaration cannot stand in the equation section"), result.left.span,
+                      phrase("move it before \"equation\", or write an equation \"left = right\""));
     }
-    cursor_.faultExpected("\"=\" in the equation");
+    cursor_.faultExpected(phrase("\"=\" in the equation"));
 }
 
 }  // namespace analogon::syntax

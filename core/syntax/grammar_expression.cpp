@@ -79,9 +79,8 @@ Expression Grammar::chain(std::vector<Expression> operands, std::vector<std::str
         return BalancedChain(operands, operators).build(0, operands.size());
     }
     if (operands.size() > longestMixedChain) {
-        cursor_.fault(
-            fmt::format("a chain of {} operands that mixes scalar and element-wise operators", operands.size()),
-            cover(operands.front().span, operands.back().span), "group it with parentheses");
+        cursor_.fault(phrase("a chain of {} operands that mixes scalar and element-wise operators", operands.size()),
+                      cover(operands.front().span, operands.back().span), phrase("group it with parentheses"));
     }
     Expression result = std::move(operands.front());
     for (std::size_t i = 0; i < operators.size(); ++i) {
@@ -187,7 +186,8 @@ Expression Grammar::relation() {
     cursor_.next();
     result = binary(std::move(op), std::move(result), arithmetic());
     if (isRelation()) {
-        cursor_.fault("a relation cannot be compared again", cursor_.here(), "write \"a < b and b < c\"");
+        cursor_.fault(phrase("a relation cannot be compared again"), cursor_.here(),
+                      phrase("write \"a < b and b < c\""));
     }
     return result;
 }
@@ -223,7 +223,8 @@ Expression Grammar::factor() {
     std::string op(cursor_.textOf(cursor_.next()));
     result = binary(std::move(op), std::move(result), primary());
     if (atAny({"^", ".^"})) {
-        cursor_.fault("a power of a power needs parentheses", cursor_.here(), "write (a^b)^c or a^(b^c)");
+        cursor_.fault(phrase("a power of a power needs parentheses"), cursor_.here(),
+                      phrase("write (a^b)^c or a^(b^c)"));
     }
     return result;
 }
@@ -254,17 +255,18 @@ Expression Grammar::primary() {
     } else if (cursor_.at("end") && inSubscript_) {
         result.kind = Expression::Kind::End;
     } else if (cursor_.at("-") || cursor_.at("+")) {
-        cursor_.fault(fmt::format("two operators follow each other: \"{}\"", cursor_.text()), cursor_.here(),
-                      "put the signed operand in parentheses: a*(-b)");
+        cursor_.fault(phrase("two operators follow each other: \"{}\"", cursor_.text()), cursor_.here(),
+                      phrase("put the signed operand in parentheses: a*(-b)"));
     } else if (cursor_.at("if")) {
-        cursor_.fault("an if expression within an expression needs parentheses", cursor_.here(),
-                      "write a + (if b then c else d)");
+        cursor_.fault(phrase("an if expression within an expression needs parentheses"), cursor_.here(),
+                      phrase("write a + (if b then c else d)"));
     } else if (cursor_.at("break")) {
-        cursor_.fault("\"break\" is not supported", cursor_.here(), "give the value itself");
+        cursor_.fault(phrase("\"break\" is not supported"), cursor_.here(), phrase("give the value itself"));
     } else if (cursor_.at("function")) {
-        cursor_.fault("functions as arguments are not supported", cursor_.here(), "write the relation as equations");
+        cursor_.fault(phrase("functions as arguments are not supported"), cursor_.here(),
+                      phrase("write the relation as equations"));
     } else {
-        cursor_.faultExpected("an expression");
+        cursor_.faultExpected(phrase("an expression"));
     }
     cursor_.next();
     return result;
@@ -284,7 +286,8 @@ Expression Grammar::number() {
         const bool isTiny = exponent != std::string_view::npos && text.substr(exponent + 1).starts_with('-');
         result.number = 0.0;
         if (!isTiny) {
-            cursor_.report(error("the number is too large", result.span, "the largest is about 1.8e308"));
+            cursor_.report(
+                error(phrase("the number is too large"), result.span, phrase("the largest is about 1.8e308")));
         }
     }
     return result;
@@ -305,8 +308,8 @@ std::string Grammar::unescape(const Token& token) {
         const std::size_t code = i + 1 < raw.size() ? codes.find(raw[i + 1]) : std::string_view::npos;
         if (code == std::string_view::npos) {
             const auto at = static_cast<std::uint32_t>(token.begin + 1 + i);
-            cursor_.report(error("unknown escape in a string", Span{cursor_.source().get(), at, at + 2},
-                                 "a backslash itself is written \\\\"));
+            cursor_.report(error(phrase("unknown escape in a string"), Span{cursor_.source().get(), at, at + 2},
+                                 phrase("a backslash itself is written \\\\")));
             continue;
         }
         result += meanings[code];
@@ -357,7 +360,7 @@ Expression Grammar::braces() {
             array.operands.push_back(expression());
         } while (cursor_.take(","));
     } else if (annotationDepth_ == 0) {
-        cursor_.fault("an empty array", cursor_.here(), "write fill(0.0, 0) or leave the array away");
+        cursor_.fault(phrase("an empty array"), cursor_.here(), phrase("write fill(0.0, 0) or leave the array away"));
     }
     if (array.operands.size() == 1 && cursor_.at("for")) iterators(array);
     cursor_.expect("}", "to close the array");
@@ -370,7 +373,8 @@ Expression Grammar::braces() {
 /// for scalars) only within annotations.
 Expression Grammar::matrix() {
     if (annotationDepth_ == 0) {
-        cursor_.fault("matrices in brackets are not supported", cursor_.here(), "write {{a, b}, {c, d}}");
+        cursor_.fault(phrase("matrices in brackets are not supported"), cursor_.here(),
+                      phrase("write {{{{a, b}}, {{c, d}}}}"));
     }
     const std::size_t begin = cursor_.index();
     cursor_.next();
@@ -394,7 +398,7 @@ Expression Grammar::referenceOrCall() {
     const std::size_t begin = cursor_.index();
     if (cursor_.at("der") || cursor_.at("initial") || cursor_.at("pure")) {
         const Token token = cursor_.next();
-        if (!cursor_.at("(")) cursor_.faultExpected(fmt::format("\"(\" behind \"{}\"", cursor_.textOf(token)));
+        if (!cursor_.at("(")) cursor_.faultExpected(phrase("\"(\" behind \"{}\"", cursor_.textOf(token)));
         Name name;
         name.parts.push_back({std::string(cursor_.textOf(token)), {}, cursor_.spanOf(token)});
         name.span = cursor_.spanOf(token);
@@ -416,7 +420,7 @@ Expression Grammar::call(Name name, std::size_t begin) {
     result.name = std::move(name);
     cursor_.expect("(", "here");
     callArguments(result);
-    cursor_.expect(")", fmt::format("to close the arguments of \"{}\"", result.name.text()));
+    cursor_.expect(")", [&] { return phrase("to close the arguments of \"{}\"", result.name.text()); });
     inSubscript_ = outer;
     result.span = cursor_.spanFrom(begin);
     return result;
@@ -434,7 +438,8 @@ void Grammar::callArguments(Expression& call) {
             argument.span = cursor_.spanFrom(begin);
             call.named.push_back(std::move(argument));
         } else if (!call.named.empty()) {
-            cursor_.fault("a positional argument behind a named one", cursor_.here(), "give it a name as well");
+            cursor_.fault(phrase("a positional argument behind a named one"), cursor_.here(),
+                          phrase("give it a name as well"));
         } else {
             call.operands.push_back(expression());
         }

@@ -26,18 +26,20 @@ Modification Grammar::argument() {
     modification.isFinal = cursor_.take("final");
     modification.isReplaceable = cursor_.take("replaceable");
     if (cursor_.at("break")) {
-        cursor_.fault("\"break\" is not supported", cursor_.here(), "inherit a class without the element instead");
+        cursor_.fault(phrase("\"break\" is not supported"), cursor_.here(),
+                      phrase("inherit a class without the element instead"));
     }
     if (isRedeclare || modification.isReplaceable) {
         modification = redeclaration(std::move(modification), isRedeclare);
     } else {
         if (!cursor_.atIdentifier()) {
-            cursor_.faultExpected("a modification", cursor_.at("each") ? "\"each\" stands before \"final\"" : "");
+            cursor_.faultExpected(phrase("a modification"),
+                                  cursor_.at("each") ? phrase("\"each\" stands before \"final\"") : Text());
         }
         modification.name = typeName();
         if (cursor_.at("[")) {
-            cursor_.fault("a modification cannot name one element of an array", cursor_.here(),
-                          "modify the whole array: x(start={1, 2, 3})");
+            cursor_.fault(phrase("a modification cannot name one element of an array"), cursor_.here(),
+                          phrase("modify the whole array: x(start={{1, 2, 3}})"));
         }
         modificationValue(modification);
         modification.description = description();
@@ -52,7 +54,8 @@ void Grammar::modificationValue(Modification& modification) {
         modification.hasArguments = true;
         modification.arguments = classModification();
     }
-    if (cursor_.at(":=")) cursor_.fault("\":=\" is an assignment", cursor_.here(), "a value is given with \"=\"");
+    if (cursor_.at(":="))
+        cursor_.fault(phrase("\":=\" is an assignment"), cursor_.here(), phrase("a value is given with \"=\""));
     if (cursor_.take("=")) modification.value = expression();
 }
 
@@ -62,7 +65,7 @@ Modification Grammar::redeclaration(Modification modification, bool isRedeclare)
         if (refuseClassKind()) throw SyntaxFault{};
         const auto definition = classDefinition();
         if (!definition->isShort) {
-            cursor_.fault("a redeclared class is given as \"M = Other\"", definition->nameSpan);
+            cursor_.fault(phrase("a redeclared class is given as \"M = Other\""), definition->nameSpan);
         }
         definition->isRedeclare = isRedeclare;
         definition->isReplaceable = modification.isReplaceable;
@@ -102,7 +105,7 @@ std::string Grammar::description() {
     std::string text;
     if (cursor_.peek().kind != Token::Kind::String) return text;
     do {
-        if (cursor_.peek().kind != Token::Kind::String) cursor_.faultExpected("a string behind \"+\"");
+        if (cursor_.peek().kind != Token::Kind::String) cursor_.faultExpected(phrase("a string behind \"+\""));
         text += unescape(cursor_.next());
     } while (cursor_.take("+"));
     return text;

@@ -6,8 +6,8 @@
 
 namespace analogon::syntax {
 
-void Grammar::refuse(std::string_view construct, std::string hint) {
-    cursor_.report(error(fmt::format("{} not supported", construct), cursor_.here(), std::move(hint)));
+void Grammar::refuse(Text message, Text hint) {
+    cursor_.report(error(std::move(message), cursor_.here(), std::move(hint)));
 }
 
 /// Whether the function that begins here says by its annotation that the program knows it itself:
@@ -54,9 +54,11 @@ bool Grammar::refuseClassKind() {
     if (!isFunction && !isOperator && !isExpandable) return false;
     if (isBuiltinFunction()) return false;
     cursor_.moveTo(cursor_.index() + ahead);
-    if (isFunction) refuse("functions are", "write the relation as equations of a block");
-    if (isOperator) refuse("operator classes are", "write the relation as equations of a block");
-    if (isExpandable) refuse("expandable connectors are", "list the variables in a plain connector");
+    if (isFunction) refuse(phrase("functions are not supported"), phrase("write the relation as equations of a block"));
+    if (isOperator)
+        refuse(phrase("operator classes are not supported"), phrase("write the relation as equations of a block"));
+    if (isExpandable)
+        refuse(phrase("expandable connectors are not supported"), phrase("list the variables in a plain connector"));
     cursor_.next();
     while (cursor_.peek().kind == Token::Kind::Keyword && !cursor_.atEnd() && !cursor_.at("end")) cursor_.next();
     skipClass();
@@ -84,13 +86,14 @@ void Grammar::skipClass() {
 bool Grammar::refuseSection() {
     const bool isInitial = cursor_.at("initial");
     if (cursor_.at("algorithm") || (isInitial && cursor_.at("algorithm", 1))) {
-        refuse(isInitial ? "initial algorithm sections are" : "algorithm sections are",
-               "write the relations as equations");
+        refuse(isInitial ? phrase("initial algorithm sections are not supported")
+                         : phrase("algorithm sections are not supported"),
+               phrase("write the relations as equations"));
         skipAlgorithm();
         return true;
     }
     if (cursor_.at("external")) {
-        refuse("external functions are", "write the relation as equations");
+        refuse(phrase("external functions are not supported"), phrase("write the relation as equations"));
         while (!cursor_.atEnd() && !cursor_.at(";") && !closesClass()) cursor_.next();
         cursor_.take(";");
         return true;
@@ -112,11 +115,12 @@ void Grammar::skipAlgorithm() {
 /// Prefixes of the language that this subset leaves out; the fault skips the declaration.
 void Grammar::refuseElementPrefix() {
     if (cursor_.at("inner") || cursor_.at("outer")) {
-        cursor_.fault(fmt::format("\"{}\" components are not supported", cursor_.text()), cursor_.here(),
-                      "connect the component explicitly");
+        cursor_.fault(phrase("\"{}\" components are not supported", cursor_.text()), cursor_.here(),
+                      phrase("connect the component explicitly"));
     }
     if (cursor_.at("stream")) {
-        cursor_.fault("stream variables are not supported", cursor_.here(), "use a potential and a flow variable");
+        cursor_.fault(phrase("stream variables are not supported"), cursor_.here(),
+                      phrase("use a potential and a flow variable"));
     }
 }
 

@@ -68,7 +68,7 @@ private:
     Span span(std::size_t begin, std::size_t end) const {
         return {&source_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
     }
-    void fault(std::string message, std::size_t begin, std::size_t end, std::string hint = {}) {
+    void fault(Text message, std::size_t begin, std::size_t end, Text hint = {}) {
         if (result_.faults.size() < mostFaults) {
             result_.faults.push_back(error(std::move(message), span(begin, end), std::move(hint)));
         }
@@ -81,22 +81,22 @@ private:
     /// One message for a file that is no UTF-8 text at all, rather than one for each of its bytes.
     bool isText() {
         if (text_.size() > largestText) {
-            fault(fmt::format("the text has {} bytes; at most {} are read", text_.size(), largestText), 0, 0);
+            fault(phrase("the text has {} bytes; at most {} are read", text_.size(), largestText), 0, 0);
             return false;
         }
         if (text_.starts_with("\xff\xfe") || text_.starts_with("\xfe\xff")) {
-            fault("the text is encoded as UTF-16", 0, 0, "save the file as UTF-8");
+            fault(phrase("the text is encoded as UTF-16"), 0, 0, phrase("save the file as UTF-8"));
             return false;
         }
         for (std::size_t i = 0; i < text_.size();) {
             const std::size_t length = characterLength(text_, i);
             if (text_[i] == '\0') {
-                fault("a zero byte: this is not a Modelica text", i, i + 1);
+                fault(phrase("a zero byte: this is not a Modelica text"), i, i + 1);
                 return false;
             }
             if (length == 0) {
-                fault(fmt::format("the byte 0x{:02x} is not valid UTF-8", static_cast<unsigned char>(text_[i])), i,
-                      i + 1, "a Modelica text is stored as UTF-8; is this a Modelica file?");
+                fault(phrase("the byte 0x{:02x} is not valid UTF-8", static_cast<unsigned char>(text_[i])), i, i + 1,
+                      phrase("a Modelica text is stored as UTF-8; is this a Modelica file?"));
                 return false;
             }
             i += length;
@@ -115,7 +115,8 @@ private:
             } else if (c == '/' && look(1) == '*') {
                 const std::size_t end = text_.find("*/", at_ + 2);
                 if (end == std::string_view::npos) {
-                    fault("the comment is not closed", at_, at_ + 2, "a comment that begins with /* ends with */");
+                    fault(phrase("the comment is not closed"), at_, at_ + 2,
+                          phrase("a comment that begins with /* ends with */"));
                     result_.isCutShort = true;
                     at_ = text_.size();
                 } else {
@@ -132,8 +133,8 @@ private:
         const char c = look();
         if (isLetter(c)) return identifier();
         if (isDigit(c)) return number();
-        if (c == '"') return quoted('"', Token::Kind::String, "string");
-        if (c == '\'') return quoted('\'', Token::Kind::Identifier, "quoted name");
+        if (c == '"') return quoted('"', Token::Kind::String);
+        if (c == '\'') return quoted('\'', Token::Kind::Identifier);
         if (c == '.' && isDigit(look(1))) return bareFraction();
         symbol();
     }
@@ -167,8 +168,8 @@ private:
         }
         if (isLetter(look())) {
             while (isLetter(look()) || isDigit(look())) ++at_;
-            fault(fmt::format("\"{}\" is neither a number nor a name", text_.substr(begin, at_ - begin)), begin, at_,
-                  "a name begins with a letter; a product is written with *");
+            fault(phrase("\"{}\" is neither a number nor a name", text_.substr(begin, at_ - begin)), begin, at_,
+                  phrase("a name begins with a letter; a product is written with *"));
         }
         push(isReal ? Token::Kind::Real : Token::Kind::Integer, begin);
     }
@@ -178,23 +179,25 @@ private:
         const std::size_t begin = at_;
         ++at_;
         digits();
-        fault("a number needs a digit before the point", begin, at_,
-              fmt::format("write 0{}", text_.substr(begin, at_ - begin)));
+        fault(phrase("a number needs a digit before the point"), begin, at_,
+              phrase("write 0{}", text_.substr(begin, at_ - begin)));
         push(Token::Kind::Real, begin);
     }
 
-    void quoted(char quote, Token::Kind kind, const char* what) {
+    void quoted(char quote, Token::Kind kind) {
         const std::size_t begin = at_++;
         while (at_ < text_.size() && text_[at_] != quote) at_ += text_[at_] == '\\' ? 2 : 1;
         if (at_ >= text_.size()) {
             const std::size_t lineEnd = std::min(text_.find_first_of("\r\n", begin), text_.size());
-            fault(fmt::format("the {} is not closed", what), begin, lineEnd, fmt::format("it ends with {}", quote));
+            fault(kind == Token::Kind::String ? phrase("the string is not closed")
+                                              : phrase("the quoted name is not closed"),
+                  begin, lineEnd, phrase("it ends with {}", quote));
             result_.isCutShort = true;
             at_ = text_.size();
             return;
         }
         ++at_;
-        if (kind == Token::Kind::Identifier && at_ - begin == 2) fault("the quoted name is empty", begin, at_);
+        if (kind == Token::Kind::Identifier && at_ - begin == 2) fault(phrase("the quoted name is empty"), begin, at_);
         push(kind, begin);
     }
 
@@ -223,10 +226,10 @@ private:
         } while (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) >= 0x80);
         const std::string_view character = text_.substr(begin, first);
         const bool isControl = first == 1 && static_cast<unsigned char>(character[0]) < 0x20;
-        const std::string shown = isControl ? fmt::format("control character 0x{:02x}", character[0])
-                                            : fmt::format("character {}", character);
-        fault(fmt::format("the {} has no meaning here", shown), begin, at_,
-              first > 1 ? "names hold ASCII letters, digits and _; others stand in quotes: 'T_α'" : "");
+        fault(isControl ? phrase("the control character 0x{:02x} has no meaning here", character[0])
+                        : phrase("the character {} has no meaning here", character),
+              begin, at_,
+              first > 1 ? phrase("names hold ASCII letters, digits and _; others stand in quotes: 'T_α'") : Text());
     }
 
     const Source& source_;

@@ -3157,6 +3157,22 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <source>Fit</source>
         <translation>Anpassen</translation>
     </message>
+    <message>
+        <source>Model text beside the diagram</source>
+        <translation>Modelltext neben dem Diagramm</translation>
+    </message>
+    <message>
+        <source>Diagram and text side by side: what is changed in one is seen in the other</source>
+        <translation>Diagramm und Text nebeneinander: Was in einem geändert wird, erscheint im anderen</translation>
+    </message>
+    <message>
+        <source>Diagram and text</source>
+        <translation>Diagramm und Text</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
 </context>
 <context>
     <name>MainWindowFiles</name>
@@ -3371,6 +3387,14 @@ Ihre Spalten werden dann den Ein- und Ausgängen des Modells zugeordnet.</transl
         <source>Set the clock …</source>
         <translation>Uhr setzen …</translation>
     </message>
+    <message>
+        <source>Show the values</source>
+        <translation>Werte zeigen</translation>
+    </message>
+    <message>
+        <source>Double-click or Enter shows the values</source>
+        <translation>Doppelklick oder Eingabe zeigt die Werte</translation>
+    </message>
 </context>
 <context>
     <name>MessagePanel</name>
@@ -3408,6 +3432,18 @@ Ihre Spalten werden dann den Ein- und Ausgängen des Modells zugeordnet.</transl
     <message>
         <source>Δ %1 s</source>
         <translation>Δ %1 s</translation>
+    </message>
+    <message>
+        <source>A and B saw different measurements: that of B is shown</source>
+        <translation>A und B hatten verschiedene Messungen: Gezeigt ist die von B</translation>
+    </message>
+    <message>
+        <source>A and B saw different parts of the recording</source>
+        <translation>A und B hatten verschiedene Teile der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>The traces of %1 were not kept</source>
+        <translation>Die Kurven von %1 wurden nicht aufbewahrt</translation>
     </message>
 </context>
 <context>
@@ -3685,6 +3721,14 @@ Relativer Standardfehler %1 %</translation>
     <message>
         <source>Exported to %1.</source>
         <translation>Nach %1 exportiert.</translation>
+    </message>
+    <message>
+        <source>End comparison</source>
+        <translation>Vergleich beenden</translation>
+    </message>
+    <message>
+        <source>Show the traces of the study again, instead of two runs over each other</source>
+        <translation>Wieder die Kurven der Studie zeigen, nicht zwei Läufe übereinander</translation>
     </message>
 </context>
 <context>
@@ -6488,6 +6532,642 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <source>simulation {}</source>
         <translation>Simulation {}</translation>
     </message>
+    <message>
+        <source>the traces of this run cannot be read: {}</source>
+        <translation>die Kurven dieses Laufs sind nicht lesbar: {}</translation>
+    </message>
+    <message>
+        <source>a run of the history cannot be read: {}</source>
+        <translation>ein Lauf der Historie ist nicht lesbar: {}</translation>
+    </message>
+    <message>
+        <source>{} recordings of that run are not part of the study any more</source>
+        <translation>{} Aufzeichnungen dieses Laufs gehören nicht mehr zur Studie</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is a word of the language; choose another name</source>
+        <translation>„{}“ ist ein Wort der Sprache; einen anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>expected &quot;;&quot; after {}, found {}</source>
+        <translation>erwartet: „;“ nach {}, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>expected &quot;;&quot; after {}</source>
+        <translation>erwartet: „;“ nach {}</translation>
+    </message>
+    <message>
+        <source>too many faults: the rest of the text was not read</source>
+        <translation>zu viele Fehler: Der Rest des Textes wurde nicht gelesen</translation>
+    </message>
+    <message>
+        <source>expected {}, found {}</source>
+        <translation>erwartet: {}, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>the end of the text</source>
+        <translation>das Ende des Textes</translation>
+    </message>
+    <message>
+        <source>a string</source>
+        <translation>eine Zeichenkette</translation>
+    </message>
+    <message>
+        <source>the string {}</source>
+        <translation>die Zeichenkette {}</translation>
+    </message>
+    <message>
+        <source>the number {:.30}</source>
+        <translation>die Zahl {}</translation>
+    </message>
+    <message>
+        <source>&quot;{:.60}&quot;</source>
+        <translation>„{}“</translation>
+    </message>
+    <message>
+        <source>nested deeper than {} levels</source>
+        <translation>tiefer als {} Ebenen verschachtelt</translation>
+    </message>
+    <message>
+        <source>name an intermediate result</source>
+        <translation>einem Zwischenergebnis einen Namen geben</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; {}</source>
+        <translation>„{}“ {}</translation>
+    </message>
+    <message>
+        <source>a class</source>
+        <translation>eine Klasse</translation>
+    </message>
+    <message>
+        <source>a Modelica file holds classes: model A … end A;</source>
+        <translation>eine Modelica-Datei enthält Klassen: model A … end A;</translation>
+    </message>
+    <message>
+        <source>the class &quot;{}&quot;</source>
+        <translation>der Klasse „{}“</translation>
+    </message>
+    <message>
+        <source>the text holds no class</source>
+        <translation>der Text enthält keine Klasse</translation>
+    </message>
+    <message>
+        <source>the kind of a class: model, block, connector, record, type or package</source>
+        <translation>die Art einer Klasse: model, block, connector, record, type oder package</translation>
+    </message>
+    <message>
+        <source>&quot;{} extends&quot; not supported</source>
+        <translation>„{} extends“ wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>give the class a name of its own and inherit with &quot;extends Base(…);&quot;</source>
+        <translation>der Klasse einen eigenen Namen geben und mit „extends Basis(…);“ erben</translation>
+    </message>
+    <message>
+        <source>the name of the {}</source>
+        <translation>der Name nach „{}“</translation>
+    </message>
+    <message>
+        <source>classes by differentiation, &quot;= der(…)&quot;, are not supported</source>
+        <translation>Klassen durch Ableitung, „= der(…)“, werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>write the derivative as an equation</source>
+        <translation>die Ableitung als Gleichung schreiben</translation>
+    </message>
+    <message>
+        <source>open enumerations, &quot;(:)&quot;, are not supported</source>
+        <translation>offene Aufzählungen, „(:)“, werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>list the literals</source>
+        <translation>die Literale aufzählen</translation>
+    </message>
+    <message>
+        <source>a second annotation of &quot;{}&quot;</source>
+        <translation>eine zweite annotation von „{}“</translation>
+    </message>
+    <message>
+        <source>a class has one annotation, as its last element</source>
+        <translation>eine Klasse hat eine annotation, als letztes Element</translation>
+    </message>
+    <message>
+        <source>the annotation of &quot;{}&quot; is not its last element</source>
+        <translation>die annotation von „{}“ ist nicht das letzte Element</translation>
+    </message>
+    <message>
+        <source>move it right before the &quot;end&quot;</source>
+        <translation>sie unmittelbar vor das „end“ setzen</translation>
+    </message>
+    <message>
+        <source>the {} &quot;{}&quot; is not closed</source>
+        <translation>{} „{}“ ist nicht abgeschlossen</translation>
+    </message>
+    <message>
+        <source>it ends with &quot;end {};&quot;</source>
+        <translation>der Abschluss ist „end {};“</translation>
+    </message>
+    <message>
+        <source>expected the name of the class behind &quot;end&quot;</source>
+        <translation>erwartet: der Name der Klasse hinter „end“</translation>
+    </message>
+    <message>
+        <source>write &quot;end {};&quot;</source>
+        <translation>„end {};“ schreiben</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is closed by the name &quot;{}&quot;</source>
+        <translation>„{}“ ist mit dem Namen „{}“ abgeschlossen</translation>
+    </message>
+    <message>
+        <source>the {} &quot;{}&quot;</source>
+        <translation>{} „{}“</translation>
+    </message>
+    <message>
+        <source>the prefix &quot;{}&quot; is doubled or out of order</source>
+        <translation>das Präfix „{}“ steht doppelt oder an falscher Stelle</translation>
+    </message>
+    <message>
+        <source>the order is: flow, then parameter, constant or discrete, then input or output</source>
+        <translation>die Reihenfolge ist: flow, dann parameter, constant oder discrete, dann input oder output</translation>
+    </message>
+    <message>
+        <source>a declaration, an equation section or &quot;end&quot;</source>
+        <translation>eine Deklaration, ein Abschnitt mit Gleichungen oder „end“</translation>
+    </message>
+    <message>
+        <source>the name of a component of type &quot;{}&quot;</source>
+        <translation>der Name einer Komponente vom Typ „{}“</translation>
+    </message>
+    <message>
+        <source>&quot;:=&quot; is an assignment</source>
+        <translation>„:=“ ist eine Zuweisung</translation>
+    </message>
+    <message>
+        <source>a value is given with &quot;=&quot;</source>
+        <translation>ein Wert wird mit „=“ angegeben</translation>
+    </message>
+    <message>
+        <source>a declaration of three names</source>
+        <translation>eine Deklaration aus drei Namen</translation>
+    </message>
+    <message>
+        <source>did you mean &quot;{}&quot;?</source>
+        <translation>ist „{}“ gemeint?</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is declared twice in &quot;{}&quot;</source>
+        <translation>„{}“ ist in „{}“ zweimal deklariert</translation>
+    </message>
+    <message>
+        <source>the first declaration is in line {}, column {}</source>
+        <translation>die erste Deklaration steht in Zeile {}, Spalte {}</translation>
+    </message>
+    <message>
+        <source>&quot;within&quot;</source>
+        <translation>„within“</translation>
+    </message>
+    <message>
+        <source>the name of a literal</source>
+        <translation>der Name eines Literals</translation>
+    </message>
+    <message>
+        <source>the annotation</source>
+        <translation>der annotation</translation>
+    </message>
+    <message>
+        <source>the name of the class behind &quot;end&quot;</source>
+        <translation>der Name der Klasse hinter „end“</translation>
+    </message>
+    <message>
+        <source>the name of a class</source>
+        <translation>der Name einer Klasse</translation>
+    </message>
+    <message>
+        <source>the name of a class or package</source>
+        <translation>der Name einer Klasse oder eines Pakets</translation>
+    </message>
+    <message>
+        <source>the import</source>
+        <translation>dem import</translation>
+    </message>
+    <message>
+        <source>&quot;extends&quot;</source>
+        <translation>„extends“</translation>
+    </message>
+    <message>
+        <source>the declaration</source>
+        <translation>der Deklaration</translation>
+    </message>
+    <message>
+        <source>behind &quot;enumeration&quot;</source>
+        <translation>hinter „enumeration“</translation>
+    </message>
+    <message>
+        <source>to close the enumeration</source>
+        <translation>zum Schließen der Aufzählung</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>an dieser Stelle</translation>
+    </message>
+    <message>
+        <source>to close the list of imports</source>
+        <translation>zum Schließen der Liste von Importen</translation>
+    </message>
+    <message>
+        <source>when equations are not supported</source>
+        <translation>when-Gleichungen werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>a relation outside noEvent already is an event: write the equation with if</source>
+        <translation>ein Vergleich außerhalb von noEvent ist schon ein Ereignis: die Gleichung mit if schreiben</translation>
+    </message>
+    <message>
+        <source>to close &quot;{}&quot;</source>
+        <translation>zum Schließen von „{}“</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; behind &quot;end&quot;</source>
+        <translation>„{}“ hinter „end“</translation>
+    </message>
+    <message>
+        <source>the innermost open block is &quot;{}&quot;</source>
+        <translation>der innerste offene Block ist „{}“</translation>
+    </message>
+    <message>
+        <source>&quot;:=&quot; is an assignment of an algorithm</source>
+        <translation>„:=“ ist eine Zuweisung eines Algorithmus</translation>
+    </message>
+    <message>
+        <source>an equation is written with &quot;=&quot;</source>
+        <translation>eine Gleichung wird mit „=“ geschrieben</translation>
+    </message>
+    <message>
+        <source>&quot;==&quot; compares; an equation is written with &quot;=&quot;</source>
+        <translation>„==“ vergleicht; eine Gleichung wird mit „=“ geschrieben</translation>
+    </message>
+    <message>
+        <source>a declaration cannot stand in the equation section</source>
+        <translation>eine Deklaration kann nicht im Abschnitt der Gleichungen stehen</translation>
+    </message>
+    <message>
+        <source>move it before &quot;equation&quot;, or write an equation &quot;left = right&quot;</source>
+        <translation>sie vor „equation“ setzen oder eine Gleichung „links = rechts“ schreiben</translation>
+    </message>
+    <message>
+        <source>&quot;=&quot; in the equation</source>
+        <translation>„=“ in der Gleichung</translation>
+    </message>
+    <message>
+        <source>the equation</source>
+        <translation>der Gleichung</translation>
+    </message>
+    <message>
+        <source>the name of an iterator</source>
+        <translation>der Name eines Laufindex</translation>
+    </message>
+    <message>
+        <source>behind the condition</source>
+        <translation>hinter der Bedingung</translation>
+    </message>
+    <message>
+        <source>behind the iterator</source>
+        <translation>hinter dem Laufindex</translation>
+    </message>
+    <message>
+        <source>behind the range</source>
+        <translation>hinter dem Bereich</translation>
+    </message>
+    <message>
+        <source>behind &quot;connect&quot;</source>
+        <translation>hinter „connect“</translation>
+    </message>
+    <message>
+        <source>between the two connectors</source>
+        <translation>zwischen den beiden Konnektoren</translation>
+    </message>
+    <message>
+        <source>connect(a.port, b.port)</source>
+        <translation>connect(a.port, b.port)</translation>
+    </message>
+    <message>
+        <source>behind the two connectors</source>
+        <translation>hinter den beiden Konnektoren</translation>
+    </message>
+    <message>
+        <source>say what it runs over: for i in 1:3 loop</source>
+        <translation>sagen, worüber er läuft: for i in 1:3 loop</translation>
+    </message>
+    <message>
+        <source>connect joins exactly two; chain more of them pairwise</source>
+        <translation>connect verbindet genau zwei; mehrere paarweise verketten</translation>
+    </message>
+    <message>
+        <source>a chain of {} operands that mixes scalar and element-wise operators</source>
+        <translation>eine Kette von {} Operanden, die skalare und elementweise Operatoren mischt</translation>
+    </message>
+    <message>
+        <source>group it with parentheses</source>
+        <translation>sie mit Klammern gliedern</translation>
+    </message>
+    <message>
+        <source>a relation cannot be compared again</source>
+        <translation>ein Vergleich kann nicht noch einmal verglichen werden</translation>
+    </message>
+    <message>
+        <source>write &quot;a &lt; b and b &lt; c&quot;</source>
+        <translation>„a &lt; b and b &lt; c“ schreiben</translation>
+    </message>
+    <message>
+        <source>a power of a power needs parentheses</source>
+        <translation>eine Potenz einer Potenz braucht Klammern</translation>
+    </message>
+    <message>
+        <source>write (a^b)^c or a^(b^c)</source>
+        <translation>(a^b)^c oder a^(b^c) schreiben</translation>
+    </message>
+    <message>
+        <source>two operators follow each other: &quot;{}&quot;</source>
+        <translation>zwei Operatoren folgen aufeinander: „{}“</translation>
+    </message>
+    <message>
+        <source>put the signed operand in parentheses: a*(-b)</source>
+        <translation>den Operanden mit Vorzeichen in Klammern setzen: a*(-b)</translation>
+    </message>
+    <message>
+        <source>an if expression within an expression needs parentheses</source>
+        <translation>ein if-Ausdruck in einem Ausdruck braucht Klammern</translation>
+    </message>
+    <message>
+        <source>write a + (if b then c else d)</source>
+        <translation>a + (if b then c else d) schreiben</translation>
+    </message>
+    <message>
+        <source>&quot;break&quot; is not supported</source>
+        <translation>„break“ wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>give the value itself</source>
+        <translation>den Wert selbst angeben</translation>
+    </message>
+    <message>
+        <source>functions as arguments are not supported</source>
+        <translation>Funktionen als Argumente werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>write the relation as equations</source>
+        <translation>die Beziehung als Gleichungen schreiben</translation>
+    </message>
+    <message>
+        <source>an expression</source>
+        <translation>ein Ausdruck</translation>
+    </message>
+    <message>
+        <source>the number is too large</source>
+        <translation>die Zahl ist zu groß</translation>
+    </message>
+    <message>
+        <source>the largest is about 1.8e308</source>
+        <translation>die größte ist etwa 1.8e308</translation>
+    </message>
+    <message>
+        <source>unknown escape in a string</source>
+        <translation>unbekannte Escape-Folge in einer Zeichenkette</translation>
+    </message>
+    <message>
+        <source>a backslash itself is written \\</source>
+        <translation>ein Rückstrich selbst wird \\ geschrieben</translation>
+    </message>
+    <message>
+        <source>an empty array</source>
+        <translation>ein leeres Feld</translation>
+    </message>
+    <message>
+        <source>write fill(0.0, 0) or leave the array away</source>
+        <translation>fill(0.0, 0) schreiben oder das Feld weglassen</translation>
+    </message>
+    <message>
+        <source>matrices in brackets are not supported</source>
+        <translation>Matrizen in eckigen Klammern werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>write {{{{a, b}}, {{c, d}}}}</source>
+        <translation>{{{{a, b}}, {{c, d}}}} schreiben</translation>
+    </message>
+    <message>
+        <source>&quot;(&quot; behind &quot;{}&quot;</source>
+        <translation>„(“ hinter „{}“</translation>
+    </message>
+    <message>
+        <source>to close the arguments of &quot;{}&quot;</source>
+        <translation>zum Schließen der Argumente von „{}“</translation>
+    </message>
+    <message>
+        <source>a positional argument behind a named one</source>
+        <translation>ein Argument ohne Namen hinter einem mit Namen</translation>
+    </message>
+    <message>
+        <source>give it a name as well</source>
+        <translation>auch ihm einen Namen geben</translation>
+    </message>
+    <message>
+        <source>a name</source>
+        <translation>ein Name</translation>
+    </message>
+    <message>
+        <source>at the start of an if expression</source>
+        <translation>am Anfang eines if-Ausdrucks</translation>
+    </message>
+    <message>
+        <source>in an if expression</source>
+        <translation>in einem if-Ausdruck</translation>
+    </message>
+    <message>
+        <source>to close the parenthesis</source>
+        <translation>zum Schließen der Klammer</translation>
+    </message>
+    <message>
+        <source>to close the array</source>
+        <translation>zum Schließen des Feldes</translation>
+    </message>
+    <message>
+        <source>to close the matrix</source>
+        <translation>zum Schließen der Matrix</translation>
+    </message>
+    <message>
+        <source>to close the subscripts</source>
+        <translation>zum Schließen der Indizes</translation>
+    </message>
+    <message>
+        <source>an if expression needs a value for every case</source>
+        <translation>ein if-Ausdruck braucht für jeden Fall einen Wert</translation>
+    </message>
+    <message>
+        <source>inherit a class without the element instead</source>
+        <translation>stattdessen eine Klasse ohne das Element erben</translation>
+    </message>
+    <message>
+        <source>a modification</source>
+        <translation>eine Modifikation</translation>
+    </message>
+    <message>
+        <source>&quot;each&quot; stands before &quot;final&quot;</source>
+        <translation>„each“ steht vor „final“</translation>
+    </message>
+    <message>
+        <source>a modification cannot name one element of an array</source>
+        <translation>eine Modifikation kann nicht ein einzelnes Element eines Feldes nennen</translation>
+    </message>
+    <message>
+        <source>modify the whole array: x(start={{1, 2, 3}})</source>
+        <translation>das ganze Feld modifizieren: x(start={{1, 2, 3}})</translation>
+    </message>
+    <message>
+        <source>a redeclared class is given as &quot;M = Other&quot;</source>
+        <translation>eine redeklarierte Klasse wird als „M = Andere“ angegeben</translation>
+    </message>
+    <message>
+        <source>a string behind &quot;+&quot;</source>
+        <translation>eine Zeichenkette hinter „+“</translation>
+    </message>
+    <message>
+        <source>before the modifications</source>
+        <translation>vor den Modifikationen</translation>
+    </message>
+    <message>
+        <source>to close the modifications</source>
+        <translation>zum Schließen der Modifikationen</translation>
+    </message>
+    <message>
+        <source>functions are not supported</source>
+        <translation>Funktionen werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>write the relation as equations of a block</source>
+        <translation>die Beziehung als Gleichungen eines Blocks schreiben</translation>
+    </message>
+    <message>
+        <source>operator classes are not supported</source>
+        <translation>Operator-Klassen werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>expandable connectors are not supported</source>
+        <translation>erweiterbare Konnektoren werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>list the variables in a plain connector</source>
+        <translation>die Variablen in einem einfachen Konnektor aufzählen</translation>
+    </message>
+    <message>
+        <source>initial algorithm sections are not supported</source>
+        <translation>Abschnitte „initial algorithm“ werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>algorithm sections are not supported</source>
+        <translation>Abschnitte „algorithm“ werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>write the relations as equations</source>
+        <translation>die Beziehungen als Gleichungen schreiben</translation>
+    </message>
+    <message>
+        <source>external functions are not supported</source>
+        <translation>externe Funktionen werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; components are not supported</source>
+        <translation>Komponenten mit „{}“ werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>connect the component explicitly</source>
+        <translation>die Komponente ausdrücklich verbinden</translation>
+    </message>
+    <message>
+        <source>stream variables are not supported</source>
+        <translation>stream-Variablen werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>use a potential and a flow variable</source>
+        <translation>eine Potential- und eine Flussvariable verwenden</translation>
+    </message>
+    <message>
+        <source>the text has {} bytes; at most {} are read</source>
+        <translation>der Text hat {} Bytes; höchstens {} werden gelesen</translation>
+    </message>
+    <message>
+        <source>the text is encoded as UTF-16</source>
+        <translation>der Text ist als UTF-16 codiert</translation>
+    </message>
+    <message>
+        <source>save the file as UTF-8</source>
+        <translation>die Datei als UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>a zero byte: this is not a Modelica text</source>
+        <translation>ein Nullbyte: Das ist kein Modelica-Text</translation>
+    </message>
+    <message>
+        <source>the byte 0x{:02x} is not valid UTF-8</source>
+        <translation>das Byte 0x{} ist kein gültiges UTF-8</translation>
+    </message>
+    <message>
+        <source>a Modelica text is stored as UTF-8; is this a Modelica file?</source>
+        <translation>ein Modelica-Text wird als UTF-8 gespeichert; ist das eine Modelica-Datei?</translation>
+    </message>
+    <message>
+        <source>the comment is not closed</source>
+        <translation>der Kommentar ist nicht abgeschlossen</translation>
+    </message>
+    <message>
+        <source>a comment that begins with /* ends with */</source>
+        <translation>ein Kommentar, der mit /* beginnt, endet mit */</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is neither a number nor a name</source>
+        <translation>„{}“ ist weder eine Zahl noch ein Name</translation>
+    </message>
+    <message>
+        <source>a name begins with a letter; a product is written with *</source>
+        <translation>ein Name beginnt mit einem Buchstaben; ein Produkt wird mit * geschrieben</translation>
+    </message>
+    <message>
+        <source>a number needs a digit before the point</source>
+        <translation>eine Zahl braucht eine Ziffer vor dem Punkt</translation>
+    </message>
+    <message>
+        <source>write 0{}</source>
+        <translation>0{} schreiben</translation>
+    </message>
+    <message>
+        <source>the string is not closed</source>
+        <translation>die Zeichenkette ist nicht abgeschlossen</translation>
+    </message>
+    <message>
+        <source>the quoted name is not closed</source>
+        <translation>der Name in Hochkommas ist nicht abgeschlossen</translation>
+    </message>
+    <message>
+        <source>it ends with {}</source>
+        <translation>der Abschluss ist {}</translation>
+    </message>
+    <message>
+        <source>the quoted name is empty</source>
+        <translation>der Name in Hochkommas ist leer</translation>
+    </message>
+    <message>
+        <source>the control character 0x{:02x} has no meaning here</source>
+        <translation>das Steuerzeichen 0x{} hat hier keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>the character {} has no meaning here</source>
+        <translation>das Zeichen {} hat hier keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>names hold ASCII letters, digits and _; others stand in quotes: 'T_α'</source>
+        <translation>Namen bestehen aus ASCII-Buchstaben, Ziffern und _; andere stehen in Hochkommas: 'T_α'</translation>
+    </message>
 </context>
 <context>
     <name>Qt</name>
@@ -6844,6 +7524,56 @@ Bitte den Namen prüfen.</translation>
     <message>
         <source>Scroll right</source>
         <translation>Nach rechts rollen</translation>
+    </message>
+</context>
+<context>
+    <name>ValuesModel</name>
+    <message>
+        <source>The time of each sample</source>
+        <translation>Die Zeit jedes Abtastwerts</translation>
+    </message>
+    <message>
+        <source>As it stands in the file</source>
+        <translation>Wie es in der Datei steht</translation>
+    </message>
+    <message>
+        <source>What the model gets as %1</source>
+        <translation>Was das Modell als %1 bekommt</translation>
+    </message>
+    <message>
+        <source>Outside the range that is used</source>
+        <translation>Außerhalb des verwendeten Bereichs</translation>
+    </message>
+</context>
+<context>
+    <name>ValuesPage</name>
+    <message>
+        <source>As in the file</source>
+        <translation>Wie in der Datei</translation>
+    </message>
+    <message>
+        <source>As the model gets them</source>
+        <translation>Wie das Modell sie bekommt</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Every column of the file in its own unit</source>
+        <translation>Jede Spalte der Datei in ihrer eigenen Einheit</translation>
+    </message>
+    <message>
+        <source>Mapped columns in the unit of the model, scaled and shifted as the study says</source>
+        <translation>Zugeordnete Spalten in der Einheit des Modells, skaliert und verschoben wie in der Studie</translation>
+    </message>
+    <message>
+        <source>Values of the recording</source>
+        <translation>Werte der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>%1 · %2 samples, numbered by the lines of the file</source>
+        <translation>%1 · %2 Abtastwerte, nummeriert nach den Zeilen der Datei</translation>
     </message>
 </context>
 </TS>

@@ -7,6 +7,7 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFileDialog>
+#include <QIdentityProxyModel>
 #include <QLineEdit>
 #include <QListView>
 #include <QListWidget>
@@ -24,6 +25,7 @@
 #include <random>
 #include <set>
 
+#include "core/archive/archive.hpp"
 #include "core/syntax/parser.hpp"
 #include "ui/canvas/block_item.hpp"
 #include "ui/canvas/diagram_scene.hpp"
@@ -756,19 +758,54 @@ TEST_F(Compose, RenamesWhereTheNameStands) {
     QTest::keyClick(chooser->field(), Qt::Key_Escape);
 }
 
+/// The model of a QTreeWidget without its one breach of the rules, which is the toolkit's: every column of a row has
+/// the children of the first.
+class FirstColumnHasTheChildren : public QIdentityProxyModel {
+public:
+    explicit FirstColumnHasTheChildren(QAbstractItemModel* tree) { setSourceModel(tree); }
+    int rowCount(const QModelIndex& parent) const override {
+        return parent.column() > 0 ? 0 : QIdentityProxyModel::rowCount(parent);
+    }
+    int columnCount(const QModelIndex& parent) const override {
+        return parent.column() > 0 ? 0 : QIdentityProxyModel::columnCount(parent);
+    }
+    bool hasChildren(const QModelIndex& parent) const override {
+        return parent.column() <= 0 && QIdentityProxyModel::hasChildren(parent);
+    }
+    QModelIndex index(int row, int column, const QModelIndex& parent) const override {
+        return parent.column() > 0 ? QModelIndex() : QIdentityProxyModel::index(row, column, parent);
+    }
+};
+
 TEST_F(Compose, ModelsKeepTheRulesOfItemViews) {
+    std::vector<std::unique_ptr<QAbstractItemModel>> adapters;
     std::vector<std::unique_ptr<QAbstractItemModelTester>> testers;
     std::set<const QAbstractItemModel*> watched;
-    const auto watch = [&] {  // but for the toolkit's own model of trees, which gives both columns the same children
-        for (QAbstractItemView* view : window.findChildren<QAbstractItemView*>())
-            if (view->model() && !view->model()->inherits("QTreeModel") && watched.insert(view->model()).second)
-                testers.push_back(std::make_unique<QAbstractItemModelTester>(
-                    view->model(), QAbstractItemModelTester::FailureReportingMode::Fatal));
+    int trees = 0;
+    const auto watch = [&] {
+        for (QAbstractItemView* view : window.findChildren<QAbstractItemView*>()) {
+            QAbstractItemModel* model = view->model();
+            if (!model || !watched.insert(model).second) continue;
+            if (model->inherits("QTreeModel")) {
+                ++trees;
+                auto adapter = std::make_unique<FirstColumnHasTheChildren>(model);
+                // The tables of a result are made anew with the next one, and a tree that is taken down empties its
+                // model when it is half gone: they are looked at as they are now.
+                if (panel<ResultPanel>()->isAncestorOf(view)) {
+                    QAbstractItemModelTester(adapter.get(), QAbstractItemModelTester::FailureReportingMode::Fatal);
+                    continue;
+                }
+                model = adapter.get();
+                adapters.push_back(std::move(adapter));
+            }
+            testers.push_back(std::make_unique<QAbstractItemModelTester>(
+                model, QAbstractItemModelTester::FailureReportingMode::Fatal));
+        }
     };
-    testers.push_back(std::make_unique<QAbstractItemModelTester>(
-        panel<LibraryPanel>()->model(), QAbstractItemModelTester::FailureReportingMode::Fatal));
     watch();
-    EXPECT_GE(watched.size(), 5u);
+    EXPECT_TRUE(watched.contains(panel<LibraryPanel>()->tree()->model()));
+    EXPECT_GE(watched.size(), 8u);
+    EXPECT_GE(trees, 3) << "runs, their comparison, channels";
     window.open(ANALOGON_ROOT "/examples/water-pump");
     ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen() && !document().facts().parameters.empty(); }, 10000));
     panel<LibraryPanel>()->search()->setText("heat");
@@ -792,7 +829,9 @@ TEST_F(Compose, ModelsKeepTheRulesOfItemViews) {
     while (document().undoStack().canUndo()) document().undoStack().undo();
     while (document().undoStack().canRedo()) document().undoStack().redo();
     QTest::qWait(300);
+    EXPECT_GE(trees, 6) << "and the tables of each result";
     testers.clear();
+    adapters.clear();
 }
 
 /// 500 blocks in a grid and 800 wires between neighbours, as a study on disk.
@@ -875,7 +914,25 @@ TEST_F(Compose, StaysFluidWithFiveHundredBlocks) {
     const double moving = moves[3], reading = readings[3];
     std::cout << "opening " << opening << " ms, repaint while dragging 50 of 500 blocks " << times[10]
               << " ms, their move " << moving << " ms, reading the text " << reading << " ms\n";
-    EXPECT_LT(opening, 1000) << "[ms]";
+    // From a file: the longest that the window is busy at a stretch. Texts are read beside it.
+    const QTemporaryDir place;
+    const QString file = place.filePath("large.analogon");
+    ASSERT_TRUE(saveStudy(document().study(), file.toStdString()));
+    document().undoStack().setClean();
+    window.open(file);
+    double stall = 0;
+    QElapsedTimer clock;
+    clock.start();
+    while (document().path().isEmpty() && clock.elapsed() < 30000) {
+        QTest::qSleep(1);
+        begin = now();
+        QCoreApplication::processEvents();
+        stall = std::max(stall, now() - begin);
+    }
+    ASSERT_FALSE(document().path().isEmpty());
+    std::cout << "opening the file: at most " << stall << " ms at a stretch\n";
+    EXPECT_LT(stall, 80) << "[ms]; 20 on a machine that does nothing else";
+    EXPECT_LT(opening, 250) << "[ms]; 75 on a machine that does nothing else";
     EXPECT_LT(times[10], 16) << "[ms]";
     EXPECT_LT(moving, 100) << "[ms]; 40 on a machine that does nothing else";
     EXPECT_LT(moving, 4 * reading) << "the rest is led wires, drawn blocks: no panel works on what has not changed";
@@ -953,13 +1010,45 @@ std::vector<WireEnds> wiresOf(const Diagram& diagram) {
     return ends;
 }
 
-std::vector<std::string> namesOf(const StudySettings& settings) {
-    std::vector<std::string> names;
-    for (const auto& [name, parameter] : settings.parameters) names.push_back(name);
-    return names;
+/// Every byte that would be saved: settings and texts.
+std::string bytesOf(const Document& document) {
+    std::string bytes = studyJson(document.study());
+    for (const auto& [name, text] : document.study().models) bytes += name + '\n' + text;
+    return bytes;
 }
 
-/// Random gestures; undone to the start and redone to the end, the text is the same byte for byte.
+/// What a study was at each step of the undo list, as far as it was seen there.
+class SeenSteps {
+public:
+    explicit SeenSteps(Document& document) : document_(document) { note(); }
+
+    /// After something was done; false: this step was seen before, and otherwise.
+    bool note() {
+        const auto at = static_cast<std::size_t>(document_.undoStack().index());
+        const std::string now = bytesOf(document_);
+        const std::size_t from = std::exchange(last_, at);
+        if (document_.undoStack().canRedo()) return isAsSeen(at, now);
+        seen_.resize(std::min(seen_.size(), from + 1));  // what comes behind is another branch now
+        seen_.resize(at + 1);
+        seen_[at] = now;
+        return true;
+    }
+    /// Whether the study is what it was when the undo list stood here.
+    bool isAsSeen() const {
+        return isAsSeen(static_cast<std::size_t>(document_.undoStack().index()), bytesOf(document_));
+    }
+
+private:
+    bool isAsSeen(std::size_t at, const std::string& now) const {
+        return at >= seen_.size() || seen_[at].empty() || seen_[at] == now;
+    }
+    Document& document_;
+    std::vector<std::string> seen_;  // empty: passed within one gesture
+    std::size_t last_{};             // where the undo list stood
+};
+
+/// Random gestures; undone to the start and redone to the end, all that would be saved is the same byte for byte, at
+/// each step in between, too.
 TEST(RandomEditing, UndoesAndRedoesByteForByte) {
     const char* wanted = std::getenv("ANALOGON_SEQUENCES");
     const int sequences = wanted ? std::atoi(wanted) : 12;
@@ -973,7 +1062,8 @@ TEST(RandomEditing, UndoesAndRedoesByteForByte) {
         Document document;
         document.startNew("random");
         Composer composer(document);
-        const QString start = document.modelText();
+        const std::string start = bytesOf(document);
+        SeenSteps steps(document);
         for (int i = 0; i < operations; ++i) {
             const auto& blocks = document.diagram().blocks;
             std::vector<std::string> some;
@@ -1050,16 +1140,21 @@ TEST(RandomEditing, UndoesAndRedoesByteForByte) {
             }
             ASSERT_TRUE(document.definition())
                 << "the text parses after every gesture: sequence " << sequence << " step " << i;
+            ASSERT_TRUE(steps.note()) << "sequence " << sequence << " step " << i;
         }
         while (document.undoStack().canRedo()) document.undoStack().redo();  // what the last steps took back
-        const QString end = document.modelText();
-        const std::vector<std::string> fitted = namesOf(document.settings());
-        while (document.undoStack().canUndo()) document.undoStack().undo();
-        ASSERT_EQ(document.modelText(), start) << sequence;
-        ASSERT_TRUE(document.settings().parameters.empty()) << sequence;
-        while (document.undoStack().canRedo()) document.undoStack().redo();
-        ASSERT_EQ(document.modelText(), end) << sequence;
-        ASSERT_EQ(namesOf(document.settings()), fitted) << sequence;
+        const std::string end = bytesOf(document);
+        ASSERT_NE(end, start) << sequence;
+        while (document.undoStack().canUndo()) {
+            document.undoStack().undo();
+            ASSERT_TRUE(steps.isAsSeen()) << sequence << ", undone to step " << document.undoStack().index();
+        }
+        ASSERT_EQ(bytesOf(document), start) << sequence;
+        while (document.undoStack().canRedo()) {
+            document.undoStack().redo();
+            ASSERT_TRUE(steps.isAsSeen()) << sequence << ", redone to step " << document.undoStack().index();
+        }
+        ASSERT_EQ(bytesOf(document), end) << sequence;
     }
 }
 

@@ -21,6 +21,7 @@
 #include "core/flat/flat_model.hpp"
 #include "core/measure/table.hpp"
 #include "core/study/study.hpp"
+#include "core/syntax/parser.hpp"
 #include "ui/style/translator.hpp"
 
 namespace analogon::ui {
@@ -153,9 +154,37 @@ TEST_F(GermanWords, NameFaultsOfAModel) {
               QString::fromUtf8("„gian“ ist in Modell „M“ nicht deklariert | ist „gain“ gemeint?"));
 }
 
-/// Every sentence that the core makes by phrase() has a German one, with a place for each of its arguments.
+/// Faults of the text itself, as they come up while a model is typed.
+TEST_F(GermanWords, NameFaultsOfSyntax) {
+    const auto said = [](const char* text) {
+        const auto parsed = syntax::parse(std::make_shared<const Source>("model.mo", text));
+        QStringList faults;
+        for (const Diagnostic& fault : parsed.diagnostics)
+            faults << inWords(fault.message) + (fault.hint.empty() ? QString() : " | " + inWords(fault.hint));
+        return faults.join("\n");
+    };
+    EXPECT_EQ(said("model M\n  Real x\nequation\n  x = 1;\nend M;\n"),
+              QString::fromUtf8("erwartet: „;“ nach der Deklaration"));
+    EXPECT_EQ(said("model M\n  Real x(start=1;\nequation\n  x = 1;\nend M;\n"),
+              QString::fromUtf8("erwartet: „)“ zum Schließen der Modifikationen, gefunden: „;“"));
+    EXPECT_EQ(said("model M\n  Real x;\nequation\n  x := 1;\nend M;\n"),
+              QString::fromUtf8("„:=“ ist eine Zuweisung eines Algorithmus | eine Gleichung wird mit „=“ geschrieben"));
+    EXPECT_EQ(said("model M\n  Real x;\nequation\n  x = [1, 2];\nend N;\n"),
+              QString::fromUtf8("Matrizen in eckigen Klammern werden nicht unterstützt | {{a, b}, {c, d}} schreiben\n"
+                                "„M“ ist mit dem Namen „N“ abgeschlossen | „end M;“ schreiben"));
+    EXPECT_EQ(said("model M\n  Real x;\nequation\n  if x > 0 then\n    x = 1;\nend M;\n"),
+              QString::fromUtf8("erwartet: „if“ hinter „end“, gefunden: „M“ | der innerste offene Block ist „if“"));
+    EXPECT_EQ(
+        said("model M\n  Real \"x\";\nend M;\n"),
+        QString::fromUtf8("erwartet: der Name einer Komponente vom Typ „Real“, gefunden: die Zeichenkette \"x\""));
+}
+
+/// Every sentence that the core makes by phrase(), or by what the parser expects, has a German one, with a place for
+/// each of its arguments.
 TEST_F(GermanWords, AreThereForEverySentenceOfTheCore) {
-    static const QRegularExpression call(R"re(\bphrase\(\s*((?:"(?:\\.|[^"\\])*"\s*)+))re");
+    static const QRegularExpression call(
+        R"re((?:\bphrase\(|\bexpect(?:Identifier|Semicolon)\(|\bexpect\((?:[^,()"]+|"[^"]*"),))re"
+        R"re(\s*((?:"(?:\\.|[^"\\])*"\s*)+))re");
     static const QRegularExpression literal(R"re("((?:\\.|[^"\\])*)")re"), field(R"re(\{[^{}]*\})re");
     const auto fields = [](QString text) { return text.replace("{{", "").replace("}}", "").count(field); };
     int count = 0;

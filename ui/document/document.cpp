@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <QTime>
+#include <QDateTime>
 #include <algorithm>
 
 #include "core/fit/clock.hpp"
@@ -47,10 +47,22 @@ bool isSameModel(const Study& a, const Study& b) {
 
 }  // namespace
 
+namespace {
+
+const char* commandOf(RunKind kind) { return kind == RunKind::Fit ? "fit" : "discover"; }
+
+/// The time of a run of today, else its day as well.
+QString timeText(const QDateTime& ended) {
+    return ended.toString(ended.date() == QDate::currentDate() ? "HH:mm:ss" : "yyyy-MM-dd HH:mm");
+}
+
+}  // namespace
+
 struct Document::Opened {
     Outcome<OpenedStudy> study;
     QString path;
     QString recoveredFrom;
+    std::optional<Outcome<Library>> library;
 };
 
 Document::Document(QObject* parent) : QObject(parent) {
@@ -78,9 +90,10 @@ namespace {
 
 template <class Opened>
 Opened readFrom(const std::filesystem::path& file) {
-    Opened read{openStudy(file), {}, {}};
-    // The block library is parsed once a process: here, and not on the GUI thread.
-    if (read.study) (void)builtInLibrary();
+    Opened read{openStudy(file), {}, {}, {}};
+    // The block library is parsed once a process, and the texts of a study take their time: here, and not on the GUI
+    // thread.
+    if (read.study) read.library = studyLibrary(read.study->study);
     return read;
 }
 
@@ -114,7 +127,8 @@ void Document::show(Opened read) {
     if (!read.recoveredFrom.isEmpty() && !read.path.isEmpty())
         read.study->study.name = std::filesystem::path(read.path.toStdString()).stem().string();
     recoveredFrom_ = read.recoveredFrom;
-    adoptStudy(std::move(read.study->study), read.study->files, read.path);
+    adoptStudy(std::move(read.study->study), read.study->files, read.path, read.study->history,
+               std::move(read.library));
 }
 
 void Document::startNew(const QString& suggested) {
@@ -133,7 +147,8 @@ void Document::startWith(Study study) {
     adoptStudy(std::move(study), nullptr, {});
 }
 
-void Document::adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory> files, const QString& path) {
+void Document::adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory> files, const QString& path,
+                          const std::vector<PastRun>& history, std::optional<Outcome<Library>> library) {
     study_ = std::move(study);
     files_ = std::move(files);
     path_ = path;
@@ -145,6 +160,12 @@ void Document::adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory>
     preview_.reset();
     result_.reset();
     history_.clear();
+    hasNewRuns_ = false;
+    for (const PastRun& run : history)
+        history_.push_back({++runs_, run.command == commandOf(RunKind::Fit) ? RunKind::Fit : RunKind::Discover,
+                            timeText(QDateTime::fromString(QString::fromStdString(run.ended), Qt::ISODate)), run.ended,
+                            run.seconds, run.ranOn, run.result});
+    compared_.reset();
     resultStudy_.reset();
     beforeFit_.reset();
     facts_ = {};
@@ -152,7 +173,10 @@ void Document::adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory>
     setMessages(Message::Origin::Run, {});
     ++revision_;
     ++tracesVersion_;
-    readModel();
+    if (library)
+        takeLibrary(std::move(*library));
+    else
+        readModel();
     Q_EMIT opened();
     Q_EMIT modelChanged();
     Q_EMIT parametersChanged();
@@ -166,18 +190,27 @@ void Document::save(const QString& path) {
     const std::filesystem::path file = path.toStdString();
     const int index = undo_.index();
     saver_.start<Outcome<Done>>(
-        tr("Saving"), [study = *study_, file](const Progress&) { return saveStudy(study, file); },
-        [this, path, index](Outcome<Done> done) {
+        tr("Saving"),
+        [study = *study_, history = pastRuns(), file](const Progress&) { return saveStudy(study, file, history); },
+        [this, path, index, runs = runs_](Outcome<Done> done) {
             setRunMessages(done.diagnostics());
             if (done) {
                 path_ = path;
                 recoveredFrom_.clear();
                 study_->name = std::filesystem::path(path.toStdString()).stem().string();
                 if (undo_.index() == index) undo_.setClean();
+                if (runs_ == runs) hasNewRuns_ = false;
                 Q_EMIT modifiedChanged();
             }
             Q_EMIT saved(done.hasValue());
         });
+}
+
+std::vector<PastRun> Document::pastRuns() const {
+    std::vector<PastRun> runs;
+    for (const RunRecord& run : history_)
+        runs.push_back({commandOf(run.kind), run.ended, run.seconds, run.ranOn, run.result});
+    return runs;
 }
 
 QString Document::title() const { return isOpen() ? QString::fromStdString(study_->name) : QString(); }
@@ -193,9 +226,9 @@ const syntax::ClassDefinition* Document::definition() const {
     return cls ? cls->definition.get() : nullptr;
 }
 
-void Document::readModel() {
-    modelFaults_.clear();
-    Outcome<Library> library = studyLibrary(*study_);
+void Document::readModel() { takeLibrary(studyLibrary(*study_)); }
+
+void Document::takeLibrary(Outcome<Library> library) {
     modelFaults_ = library.diagnostics();
     diagram_ = {};
     library_ = {};
@@ -384,6 +417,16 @@ void Document::setPreview(std::optional<Preview> preview) {
     Q_EMIT liveTracesChanged();
 }
 
+void Document::compareRuns(std::optional<RunPair> pair) {
+    const auto numbers = [](const std::optional<RunPair>& of) {
+        return of ? std::pair(of->first.number, of->second.number) : std::pair(0ul, 0ul);
+    };
+    if (numbers(pair) == numbers(compared_)) return;
+    compared_ = std::move(pair);
+    ++tracesVersion_;
+    Q_EMIT comparisonChanged();
+}
+
 bool Document::canRun() const {
     return isOpen() && std::any_of(study_->experiments.begin(), study_->experiments.end(),
                                    [](const StudyExperiment& e) { return !e.outputs.empty(); });
@@ -392,9 +435,15 @@ bool Document::canRun() const {
 void Document::restoreRun(const RunRecord& record) {
     StudySettings settings = settingsOf(record.result->completed);
     settings.tables.insert(study_->tables.begin(), study_->tables.end());
+    // A recording that was taken out of the study before it was saved is in no file any more.
+    const std::size_t gone =
+        std::erase_if(settings.experiments, [&](const auto& e) { return !settings.tables.contains(e.file); });
     applySettings(std::move(settings), tr("Go back to the run of %1").arg(record.when));
+    if (gone > 0)
+        return setRunMessages({warning(phrase("{} recordings of that run are not part of the study any more", gone))});
+    if (!hasTraces(*record.result)) return;  // the model as it was then is simulated anew
     result_ = record.result;
-    resultStudy_ = record.ranOn;
+    resultStudy_ = *record.ranOn;
     resultKind_ = record.kind;
     ++tracesVersion_;
     Q_EMIT resultChanged();
@@ -406,11 +455,15 @@ void Document::setResult(RunKind kind, RunResult result, const Study& ranOn, dou
     result_ = std::make_shared<const RunResult>(std::move(result));
     constexpr std::size_t kept = 40;  // runs
     if (history_.size() >= kept) history_.erase(history_.begin());
-    history_.push_back({++runs_, kind, QTime::currentTime().toString("HH:mm:ss"), seconds, ranOn, result_});
+    const QDateTime now = QDateTime::currentDateTime();
+    history_.push_back({++runs_, kind, timeText(now), now.toString(Qt::ISODate).toStdString(), seconds,
+                        std::make_shared<const Study>(ranOn), result_});
+    hasNewRuns_ = true;
     resultStudy_ = ranOn;
     resultKind_ = kind;
     ++tracesVersion_;
     Q_EMIT resultChanged();
+    Q_EMIT modifiedChanged();
 }
 
 bool Document::isResultStale() const {

@@ -32,9 +32,10 @@ struct Message {
 struct RunRecord {
     unsigned long number{};  // counts all runs since the program began
     RunKind kind{RunKind::Fit};
-    QString when;
+    QString when;       // for people
+    std::string ended;  // local time, "2026-03-01T14:02:11"
     double seconds{};
-    Study ranOn;
+    std::shared_ptr<const Study> ranOn;
     std::shared_ptr<const RunResult> result;
 };
 
@@ -67,7 +68,7 @@ public:
     /// Recovered work belongs to this path and is not saved there yet.
     void openRecovered(const QString& recovery, const QString& path);
     const QString& recoveredFrom() const { return recoveredFrom_; }
-    bool isModified() const { return isOpen() && (!recoveredFrom_.isEmpty() || !undo_.isClean()); }
+    bool isModified() const { return isOpen() && (!recoveredFrom_.isEmpty() || !undo_.isClean() || hasNewRuns_); }
     bool isReading() const { return reader_.isBusy(); }
 
     const Study& study() const { return *study_; }
@@ -137,11 +138,19 @@ public:
     };
     void setPreview(std::optional<Preview> preview);
     const Preview* preview() const { return preview_ ? &*preview_ : nullptr; }
+    /// Two runs of the history whose traces are held against each other; null: none. They stay as they were, whatever
+    /// becomes of the study.
+    struct RunPair {
+        RunRecord first, second;
+    };
+    void compareRuns(std::optional<RunPair> pair);
+    const RunPair* comparedRuns() const { return compared_ ? &*compared_ : nullptr; }
     /// Changes whenever the traces to show do.
     unsigned long tracesVersion() const { return 2 * tracesVersion_ + (isResultStale() ? 1 : 0); }
 
-    /// Every run of this study, oldest first; later edits do not touch them.
+    /// Every run of this study, oldest first; later edits do not touch them. Kept in the project file.
     const std::vector<RunRecord>& history() const { return history_; }
+    std::vector<PastRun> pastRuns() const;
 
     void setRunMessages(Diagnostics messages);
     const std::vector<Message>& messages() const { return messages_; }
@@ -158,6 +167,7 @@ Q_SIGNALS:
     void modifiedChanged();
     void resultChanged();
     void liveTracesChanged();  // or the preview
+    void comparisonChanged();
     void messagesChanged();
 
 private:
@@ -165,9 +175,12 @@ private:
     friend class StudyCommand;
     struct Opened;
     void show(Opened opened);
-    void adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory> files, const QString& path);
+    /// `library`: that of the study, where it has been read already.
+    void adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory> files, const QString& path,
+                    const std::vector<PastRun>& history = {}, std::optional<Outcome<Library>> library = {});
     void settingsChanged() { ++revision_; }
     void readModel();  // library and diagram from the texts
+    void takeLibrary(Outcome<Library> library);
     void readDiagram();
     const LibraryClass* ownClass(const LibraryClass& owner, const std::string& component) const;
     void collectPrefixes(const LibraryClass& cls, const std::string& prefix, std::vector<std::string>& found) const;
@@ -189,6 +202,7 @@ private:
     std::optional<Preview> preview_;
     std::shared_ptr<const RunResult> result_;
     std::vector<RunRecord> history_;
+    std::optional<RunPair> compared_;
     std::optional<Study> resultStudy_;  // the study the result was computed for
     std::shared_ptr<const ModelState> beforeFit_;
     RunKind resultKind_{RunKind::Simulate};
@@ -198,6 +212,7 @@ private:
     QString path_;
     QString recoveredFrom_;  // the copy that was opened, until its work is saved
     unsigned long runs_{};
+    bool hasNewRuns_{};                                // that are in no file yet
     std::shared_ptr<const TemporaryDirectory> files_;  // of an unpacked archive, as long as the study is open
     QTimer analysisDelay_;
     JobRunner reader_;

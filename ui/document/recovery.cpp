@@ -51,11 +51,11 @@ void Recovery::write() {
     const QString target = file(), origin = document_.path();
     writer_.start<Outcome<Done>>(
         tr("Keeping a copy"),
-        [study = document_.study(), target, origin](const Progress&) -> Outcome<Done> {
+        [study = document_.study(), history = document_.pastRuns(), target, origin](const Progress&) -> Outcome<Done> {
             QDir().mkpath(QFileInfo(target).path());
             QFile note(noteOf(target));
             if (note.open(QIODevice::WriteOnly)) note.write(origin.toUtf8());
-            return saveStudy(study, target.toStdString());
+            return saveStudy(study, target.toStdString(), history);
         },
         [this](const Outcome<Done>& written) {
             if (!document_.isModified()) return clear();

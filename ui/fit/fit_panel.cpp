@@ -109,6 +109,11 @@ FitPanel::FitPanel(Document& document, RunController& controller, QWidget* paren
     history_->setAccessibleName(tr("Runs so far"));
     comparison_->setSelectionMode(QAbstractItemView::NoSelection);
     comparison_->setAccessibleName(tr("Comparison of two runs"));
+    comparison_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    for (const int run : {1, 2}) {  // the name of an effect breaks, and pushes no column out of sight
+        comparison_->header()->setSectionResizeMode(run, QHeaderView::Stretch);
+        style::wrapColumn(comparison_, run);
+    }
     auto* row = new QHBoxLayout;
     row->addWidget(hint_, 1);
     row->addWidget(restore_);
@@ -131,8 +136,12 @@ FitPanel::FitPanel(Document& document, RunController& controller, QWidget* paren
         refresh();
     });
     connect(&document, &Document::resultChanged, this, &FitPanel::refresh);
+    connect(&document, &Document::comparisonChanged, this, [this] {
+        if (!document_.comparedRuns() && chosen().size() == 2) history_->clearSelection();
+    });
     connect(&controller, &RunController::runningChanged, this, [this] {
         if (controller_.isRunning()) {
+            history_->clearSelection();  // its traces are what one wants to see now
             curve_->clear();
             clock_.start();
         }
@@ -201,10 +210,12 @@ void FitPanel::compare() {
                                       : tr("Choose two runs to compare them."));
     hint_->setVisible(!hint_->text().isEmpty());
     comparison_->clear();
-    if (rows.size() != 2) return;
+    if (rows.size() != 2) return document_.compareRuns(std::nullopt);
     const RunRecord &first = runs[rows[0]], &second = runs[rows[1]];
-    comparison_->headerItem()->setText(1, first.when);
-    comparison_->headerItem()->setText(2, second.when);
+    comparison_->headerItem()->setText(1, "A " + first.when);  // as their traces are called
+    comparison_->headerItem()->setText(2, "B " + second.when);
+    comparison_->headerItem()->setForeground(1, style::beforeTrace(palette()));
+    comparison_->headerItem()->setForeground(2, style::afterTrace(palette()));
     std::set<std::string> names;
     for (const RunRecord* run : {&first, &second})
         for (const FitEstimate& e : run->result->finding.final.parameters)
@@ -226,6 +237,7 @@ void FitPanel::compare() {
     for (const std::string& name : names)
         add(QString::fromStdString(name), estimateText(estimateOf(first, name)),
             estimateText(estimateOf(second, name)));
+    document_.compareRuns(Document::RunPair{first, second});
 }
 
 void FitPanel::restore() {

@@ -226,6 +226,7 @@ MeasurementPanel::MeasurementPanel(Document& document, QWidget* parent)
     connect(import_, &QToolButton::clicked, this, &MeasurementPanel::browseWanted);
     connect(propose_, &QToolButton::clicked, this, &MeasurementPanel::propose);
     connect(tree_, &QWidget::customContextMenuRequested, this, &MeasurementPanel::showMenu);
+    connect(tree_, &QTreeWidget::itemDoubleClicked, this, &MeasurementPanel::showValuesOf);
     connect(tree_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
         while (item && item->parent()) item = item->parent();
         if (item) Q_EMIT experimentChosen(item->data(0, experimentRole).toString());
@@ -349,12 +350,20 @@ void MeasurementPanel::showMenu(QPoint at) {
         while (item->parent()) item = item->parent();
         const bool isFit = experiment->role == Role::Fit;
         menu->addSeparator();
+        menu->addAction(tr("Show the values"), this,
+                        [this, item] { Q_EMIT valuesWanted(item->data(0, experimentRole).toString()); });
         menu->addAction(isFit ? tr("Use to validate") : tr("Use to fit"), this,
                         [this, item, isFit] { setRole(item, !isFit); });
         menu->addAction(tr("Remove %1").arg(QString::fromStdString(experiment->name)), this,
                         &MeasurementPanel::removeExperiment);
     }
     menu->popup(tree_->viewport()->mapToGlobal(at));
+}
+
+/// Where it is the row of a recording's file.
+void MeasurementPanel::showValuesOf(const QTreeWidgetItem* item) {
+    if (static_cast<Kind>(item->data(0, kindRole).toInt()) != Kind::Info) return;
+    Q_EMIT valuesWanted(item->parent()->data(0, experimentRole).toString());
 }
 
 QTreeWidgetItem* MeasurementPanel::signalItem(const QString& experiment, const QString& signal) const {
@@ -399,7 +408,8 @@ void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
     auto* info = addRow(top, Kind::Info, file + extent, {});
     info->setFirstColumnSpanned(true);
     info->setForeground(0, muted);
-    info->setToolTip(0, QString::fromStdString(experiment.file) + extent);
+    info->setToolTip(
+        0, QString::fromStdString(experiment.file) + extent + "\n" + tr("Double-click or Enter shows the values"));
 
     std::set<std::string> used{experiment.timeColumn};
     const auto add = [&](const std::map<std::string, ChannelMapping>& channels,
@@ -490,6 +500,7 @@ bool MeasurementPanel::eventFilter(QObject* watched, QEvent* event) {
         }
         const bool isEnter = key == Qt::Key_Return || key == Qt::Key_Enter;
         if (isEnter && tree_->currentItem() && tree_->hasFocus()) {  // and not the end of typing in a field
+            showValuesOf(tree_->currentItem());
             tree_->editItem(tree_->currentItem(), 1);
             return true;
         }

@@ -38,6 +38,7 @@ Q_SIGNALS:
     void experimentChosen(const QString& name);
     void importWanted(const QString& path);
     void browseWanted();
+    void valuesWanted(const QString& experiment);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -56,6 +57,7 @@ private:
     void setClock(const QTreeWidgetItem* item, const QString& typed);
     void removeExperiment();
     void showMenu(QPoint at);
+    void showValuesOf(const QTreeWidgetItem* item);
     const StudyExperiment* experimentOf(const QTreeWidgetItem* item) const;
     const ChannelMapping* mappingOf(const QTreeWidgetItem* item) const;
     void change(const QTreeWidgetItem* item, const QString& what, const std::function<void(StudyExperiment&)>& edit);

@@ -1,5 +1,6 @@
 #include "ui/plot/decimate.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -17,13 +18,24 @@ void addFinite(ValueRange& range, std::span<const double> values) {
     for (const double v : values) addFinite(range, v);
 }
 
+/// A block of a long trace is nearly always finite, and then its range is found several values at a time.
+ValueRange rangeOf(std::span<const double> block) {
+    ValueRange range;
+    const Eigen::Map<const Eigen::ArrayXd> values(block.data(), static_cast<Eigen::Index>(block.size()));
+    const bool isFinite = (values - values).sum() == 0;  // what is not finite less itself is NaN
+    if (isFinite && !block.empty())
+        range = {values.minCoeff(), values.maxCoeff()};
+    else
+        addFinite(range, block);
+    return range;
+}
+
 }  // namespace
 
 Extent::Extent(std::span<const double> values) {
     blocks_.reserve(values.size() / blockSize + 1);
     for (std::size_t begin = 0; begin < values.size(); begin += blockSize) {
-        ValueRange block;
-        addFinite(block, values.subspan(begin, std::min(blockSize, values.size() - begin)));
+        const ValueRange block = rangeOf(values.subspan(begin, std::min(blockSize, values.size() - begin)));
         whole_.add(block);
         blocks_.push_back(block);
     }

@@ -134,14 +134,15 @@ void OutputPlot::show(Content content) {
 
     std::vector<Trace> values{{TraceRole::Measured, content_.measured}};
     std::vector<Trace> residuals;
-    const auto add = [&](TraceRole role, const Series& simulated) {
-        if (simulated.empty() || simulated.size() != content_.measured.size()) return;
+    const auto add = [&](TraceRole role, const Series& simulated, const Series& measured) {
+        if (simulated.empty() || simulated.size() != measured.size()) return;
         values.push_back({role, simulated});
-        residuals.push_back({role, residualOf(content_.measured, simulated)});
+        residuals.push_back({role, residualOf(measured, simulated)});
     };
-    add(TraceRole::Before, content_.before);
-    add(TraceRole::After, content_.after);
-    residual_->setNote({});
+    add(TraceRole::Before, content_.before,
+        content_.measuredBefore.empty() ? content_.measured : content_.measuredBefore);
+    add(TraceRole::After, content_.after, content_.measured);
+    residual_->setNote(content_.note);
     values_->setTraces(content_.time, std::move(values));
     residual_->setTraces(content_.time, std::move(residuals));
 }

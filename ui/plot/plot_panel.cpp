@@ -9,6 +9,7 @@
 #include <QStackedLayout>
 #include <QSvgGenerator>
 #include <QTabBar>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -17,6 +18,7 @@
 
 #include "ui/document/document.hpp"
 #include "ui/plot/residual_plot.hpp"
+#include "ui/plot/run_comparison.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {
@@ -37,8 +39,8 @@ const OutputState* outputOf(const ExperimentState* experiment, const std::string
     return nullptr;
 }
 
-/// The traces as columns.
-Table numbersOf(const std::vector<OutputPlot::Content>& contents) {
+/// The traces as columns; `isComparison`: those of two runs.
+Table numbersOf(const std::vector<OutputPlot::Content>& contents, bool isComparison) {
     Table table;
     const auto add = [&table](const QString& name, const QString& unit, std::span<const double> values) {
         Column column;
@@ -50,8 +52,9 @@ Table numbersOf(const std::vector<OutputPlot::Content>& contents) {
     add("time", "s", *contents.front().time);
     for (const OutputPlot::Content& c : contents) {
         add(c.name + " measured", c.unit, c.measured);
-        add(c.name + " before", c.unit, c.before);
-        add(c.name + " after", c.unit, c.after);
+        add(c.name + " measured A", c.unit, c.measuredBefore);
+        add(c.name + (isComparison ? " A" : " before"), c.unit, c.before);
+        add(c.name + (isComparison ? " B" : " after"), c.unit, c.after);
     }
     return table;
 }
@@ -93,6 +96,7 @@ PlotPanel::PlotPanel(Document& document, QWidget* parent)
     untrim_ = new QToolButton(this);
     export_ = new QToolButton(this);
     traceView_->setText(tr("Traces"));
+    traceView_->setObjectName("traces-view");
     residualView_->setText(tr("Residual"));
     residualView_->setToolTip(tr("What the residual looks like: distribution, memory, what it moves with"));
     export_->setText(tr("Export …"));
@@ -101,8 +105,15 @@ PlotPanel::PlotPanel(Document& document, QWidget* parent)
     trim_->setToolTip(tr("Then drag over the part of the recording that is to be used"));
     untrim_->setText(tr("Use all"));
     untrim_->setToolTip(tr("Use the whole recording again"));
+    endComparison_ = new QToolButton(this);
+    endComparison_->setText(tr("End comparison"));
+    endComparison_->setIcon(style::icon("close"));
+    endComparison_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    endComparison_->setToolTip(tr("Show the traces of the study again, instead of two runs over each other"));
+    endComparison_->hide();
+    connect(endComparison_, &QToolButton::clicked, this, [this] { document_.compareRuns(std::nullopt); });
     for (QToolButton* b : {traceView_, residualView_, trim_}) b->setCheckable(true);
-    for (QToolButton* b : {traceView_, residualView_, trim_, untrim_, export_}) b->setAutoRaise(true);
+    for (QToolButton* b : {traceView_, residualView_, trim_, untrim_, export_, endComparison_}) b->setAutoRaise(true);
     connect(trim_, &QToolButton::toggled, this, &PlotPanel::setTrimming);
     connect(untrim_, &QToolButton::clicked, this, [this] { trim(std::nullopt); });
     traceView_->setChecked(true);
@@ -115,7 +126,7 @@ PlotPanel::PlotPanel(Document& document, QWidget* parent)
     bar_->addWidget(experiments_, 1);
     buttons_ = new QHBoxLayout;
     buttons_->setSpacing(style::unit);
-    for (QToolButton* b : {traceView_, residualView_, trim_, untrim_, export_}) buttons_->addWidget(b);
+    for (QToolButton* b : {endComparison_, traceView_, residualView_, trim_, untrim_, export_}) buttons_->addWidget(b);
     buttons_->addStretch(1);
     bar_->addLayout(buttons_);
     layout->addLayout(bar_);
@@ -125,6 +136,7 @@ PlotPanel::PlotPanel(Document& document, QWidget* parent)
     connect(experiments_, &QTabBar::currentChanged, this, &PlotPanel::rebuild);
     connect(&document, &Document::opened, this, [this] { shown_.clear(); });
     connect(&document, &Document::resultChanged, this, &PlotPanel::refresh);
+    connect(&document, &Document::comparisonChanged, this, &PlotPanel::refresh);
     connect(&document, &Document::liveTracesChanged, this, &PlotPanel::showLive);
     connect(&document, &Document::experimentsChanged, this, [this] {
         if (names_.empty()) rebuild();
@@ -162,25 +174,45 @@ void PlotPanel::refresh() {
     const unsigned long version = document_.isOpen() ? document_.tracesVersion() : 0;
     if (version == version_ && version != 0) return;
     version_ = version;
-    const std::shared_ptr<const ModelState> shown = shownState();
+    const auto shown = experimentsShown();
     std::vector<std::string> names;
-    if (shown)
-        for (const ExperimentState& e : shown->experiments) names.push_back(e.name);
+    for (const auto& [name, role] : shown) names.push_back(name);
     if (names != names_) {
         const QSignalBlocker blocker(experiments_);
+        const QString before = std::exchange(shown_, {});
         while (experiments_->count() > 0) experiments_->removeTab(0);
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            const bool isFit = shown->experiments[i].role == Role::Fit;
-            const int tab = experiments_->addTab(QString::fromStdString(names[i]));
-            experiments_->setTabToolTip(tab, isFit ? tr("Used to fit and to choose effects")
-                                                   : tr("Only reported; never used to fit or to choose"));
+        for (const auto& [name, role] : shown) {
+            const int tab = experiments_->addTab(QString::fromStdString(name));
+            experiments_->setTabToolTip(tab, role == Role::Fit ? tr("Used to fit and to choose effects")
+                                                               : tr("Only reported; never used to fit or to choose"));
+            if (QString::fromStdString(name) == before) {  // what one looks at stays in sight
+                experiments_->setCurrentIndex(tab);
+                shown_ = before;
+            }
         }
         names_ = names;
     }
-    for (QWidget* w : std::initializer_list<QWidget*>{experiments_, traceView_, residualView_, trim_, export_})
+    const bool isComparison = document_.comparedRuns();
+    for (QWidget* w : std::initializer_list<QWidget*>{experiments_, traceView_, residualView_, export_})
         w->setVisible(!names_.empty());
+    trim_->setVisible(!names_.empty() && !isComparison);  // it trims the study's recordings, not those of then
+    if (isComparison) trim_->setChecked(false);
+    endComparison_->setVisible(isComparison);
     rebuild();
     arrangeBar();
+}
+
+std::vector<std::pair<std::string, Role>> PlotPanel::experimentsShown() const {
+    if (const Document::RunPair* runs = document_.comparedRuns()) return experimentsOf(*runs);
+    std::vector<std::pair<std::string, Role>> shown;
+    if (const auto state = shownState())
+        for (const ExperimentState& e : state->experiments) shown.emplace_back(e.name, e.role);
+    return shown;
+}
+
+std::vector<OutputPlot::Content> PlotPanel::contentsShown(const std::string& experiment) const {
+    if (const Document::RunPair* runs = document_.comparedRuns()) return ui::contentsOf(*runs, experiment);
+    return contentsOf(experiment);
 }
 
 std::shared_ptr<const ModelState> PlotPanel::shownState() const {
@@ -223,19 +255,41 @@ std::vector<OutputPlot::Content> PlotPanel::contentsOf(const std::string& experi
     return contents;
 }
 
-std::vector<QImage> PlotPanel::pictures() {
-    std::vector<QImage> pictures;
-    for (const std::string& name : names_)
-        for (OutputPlot::Content& content : contentsOf(name)) {
-            OutputPlot plot;
-            plot.resize(900, 340);
-            if (names_.size() > 1) content.name = QString::fromStdString(name) + ": " + content.name;
-            const auto time = content.time;
-            plot.show(std::move(content));
-            if (!time->empty()) plot.setTimeRange(time->front(), time->back());
-            pictures.push_back(plot.grab().toImage());
-        }
-    return pictures;
+namespace {
+
+QImage pictureOf(OutputPlot::Content content) {
+    OutputPlot plot;
+    plot.resize(900, 340);
+    const auto time = content.time;
+    plot.show(std::move(content));
+    if (!time->empty()) plot.setTimeRange(time->front(), time->back());
+    return plot.grab().toImage();
+}
+
+}  // namespace
+
+void PlotPanel::takePictures(std::function<void(std::vector<QImage>)> done) {
+    struct Album {
+        std::vector<OutputPlot::Content> contents;  // as they are now, whatever becomes of the study
+        std::vector<QImage> pictures{};
+    };
+    auto album = std::make_shared<Album>();
+    if (const std::shared_ptr<const ModelState> shown = shownState())  // of the study, though runs may be compared
+        for (const ExperimentState& experiment : shown->experiments)
+            for (OutputPlot::Content& content : contentsOf(experiment.name)) {
+                if (shown->experiments.size() > 1)
+                    content.name = QString::fromStdString(experiment.name) + ": " + content.name;
+                album->contents.push_back(std::move(content));
+            }
+    auto* turns = new QTimer(this);
+    connect(turns, &QTimer::timeout, this, [turns, album, done = std::move(done)] {
+        if (album->pictures.size() < album->contents.size())
+            return album->pictures.push_back(pictureOf(std::move(album->contents[album->pictures.size()])));
+        turns->stop();
+        turns->deleteLater();
+        done(std::move(album->pictures));
+    });
+    turns->start(0);
 }
 
 void PlotPanel::rebuild() {
@@ -251,23 +305,21 @@ void PlotPanel::rebuild() {
         return;
     }
     const std::string& name = names_[static_cast<std::size_t>(index)];
-    const std::shared_ptr<const ModelState> state = shownState();
-    const ExperimentState* any = experimentOf(state, name);
-    if (!any) return;
-    while (residuals_.size() > any->outputs.size()) {
+    std::vector<OutputPlot::Content> contents = contentsShown(name);
+    while (residuals_.size() > contents.size()) {
         delete residuals_.back();
         residuals_.pop_back();
     }
-    while (residuals_.size() < any->outputs.size()) {
+    while (residuals_.size() < contents.size()) {
         residuals_.push_back(new ResidualPlot);
         residuals_.back()->setVisible(isResidualView_);
         column_->addWidget(residuals_.back(), 1);
     }
-    while (plots_.size() > any->outputs.size()) {
+    while (plots_.size() > contents.size()) {
         delete plots_.back();
         plots_.pop_back();
     }
-    while (plots_.size() < any->outputs.size()) {
+    while (plots_.size() < contents.size()) {
         auto* plot = new OutputPlot;
         connect(plot, &OutputPlot::timeRangeWanted, this, &PlotPanel::setTimeRange);
         connect(plot, &OutputPlot::allWanted, this, &PlotPanel::showAll);
@@ -280,44 +332,50 @@ void PlotPanel::rebuild() {
         plot->setVisible(!isResidualView_);
         plots_.push_back(plot);
     }
-    std::vector<OutputPlot::Content> contents = contentsOf(name);
+    const bool isWhole = from_ <= first_ && to_ >= last_;
+    const auto time = contents.empty() ? nullptr : contents.front().time;
+    first_ = !time || time->empty() ? 0 : time->front();
+    last_ = !time || time->empty() ? 1 : time->back();
+    const Document::RunPair* runs = document_.comparedRuns();
+    const Study& ranOn = runs ? *runs->second.ranOn : document_.study();
     for (std::size_t i = 0; i < contents.size(); ++i) {
         OutputPlot::Content& content = contents[i];
         const Series best = content.after.empty() ? content.before : content.after;
         if (!best.empty())
             residuals_[i]->show(withUnit(content.name + " ", content.unit), content.unit,
-                                [study = document_.study(), name, time = content.time, measured = content.measured,
-                                 best, simulated = withUnit(tr("simulated"), content.unit)] {
+                                [study = ranOn, name, time = content.time, measured = content.measured, best,
+                                 simulated = withUnit(tr("simulated"), content.unit)] {
                                     std::vector<NamedSeries> against = variablesOf(study, name, *time);
                                     against.insert(against.begin(), {simulated, best.copy()});
                                     return residualFacts(residualOf(measured, best).copy(), against);
                                 });
         plots_[i]->show(std::move(content));
     }
-    first_ = any->time.empty() ? 0 : any->time.front();
-    last_ = any->time.empty() ? 1 : any->time.back();
     const QString key = QString::fromStdString(name);
-    if (shown_ != key) {
+    const bool isNew = shown_ != key;
+    if (isNew) {
         shown_ = key;
         marks_.clear();
         for (OutputPlot* plot : plots_) {
             plot->setMarks(marks_);
             plot->showAllValues();
         }
+    }
+    if (isNew || isWhole) {
         from_ = first_;
         to_ = last_;
     }
     setTimeRange(from_, to_);
-    if (document_.liveTraces() || document_.preview()) showLive();
+    if ((document_.liveTraces() || document_.preview()) && !runs) showLive();
     const StudyExperiment* shown = shownExperiment();
-    untrim_->setVisible(shown && shown->range);
+    untrim_->setVisible(shown && shown->range && !runs);
     pages_->setCurrentWidget(area_);
 }
 
 void PlotPanel::showLive() {
     const SimulatedTraces* live = document_.liveTraces();
     const Document::Preview* preview = live ? nullptr : document_.preview();
-    if (!live && !preview) return rebuild();
+    if ((!live && !preview) || document_.comparedRuns()) return rebuild();
     const QString word = live ? tr("best so far") : tr("with this effect");
     for (const SimulatedExperiment& experiment : (live ? *live : preview->traces).experiments) {
         if (QString::fromStdString(experiment.name) != shown_) continue;
@@ -418,10 +476,11 @@ void PlotPanel::exportTo(const QString& file) {
     };
     QWidget* body = area_->widget();
     if (file.endsWith(".csv", Qt::CaseInsensitive))
-        return write([contents = shownContents(), file] {
+        return write([contents = shownContents(), isComparison = document_.comparedRuns() != nullptr, file] {
             QSaveFile out(file);
             return out.open(QIODevice::WriteOnly) &&
-                   out.write(QByteArray::fromStdString(writeCsv(numbersOf(contents)))) > 0 && out.commit();
+                   out.write(QByteArray::fromStdString(writeCsv(numbersOf(contents, isComparison)))) > 0 &&
+                   out.commit();
         });
     if (!file.endsWith(".svg", Qt::CaseInsensitive))
         return write([picture = body->grab().toImage(), file] { return picture.save(file); });

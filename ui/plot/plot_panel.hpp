@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -20,6 +21,7 @@ namespace analogon {
 struct ModelState;
 struct ExperimentState;
 struct StudyExperiment;
+enum class Role;
 }  // namespace analogon
 
 namespace analogon::ui {
@@ -40,6 +42,8 @@ public:
         Series measured;
         Series before, after;             // empty: none
         QString beforeLabel, afterLabel;  // with the error: "before 8.6 %"
+        Series measuredBefore{};          // what `before` is held against; empty: what was measured
+        QString note{};                   // beside the caption of the residual
     };
     void show(Content content);
     /// Another simulated trace in place of the one after.
@@ -86,13 +90,15 @@ public:
     explicit PlotPanel(Document& document, QWidget* parent = nullptr);
 
     void showExperiment(const QString& name);
-    /// Every output of every experiment, whole, for paper.
-    std::vector<QImage> pictures();
+    /// Every output of every experiment, whole, for paper: one after the other, between which the window does what else
+    /// it has to do.
+    void takePictures(std::function<void(std::vector<QImage>)> done);
     /// One per output of the experiment that is shown.
     const std::vector<OutputPlot*>& plots() const { return plots_; }
     const std::vector<ResidualPlot*>& residuals() const { return residuals_; }
     QToolButton* residualButton() const { return residualView_; }
     QToolButton* trimButton() const { return trim_; }
+    QToolButton* endComparisonButton() const { return endComparison_; }
     /// What is shown as a picture (png, svg) or as numbers (csv), by the ending of the file; tells how it went.
     void exportTo(const QString& file);
     QSize minimumSizeHint() const override;
@@ -122,6 +128,9 @@ private:
     /// The model with the effect, else without, else what was measured alone; null: nothing.
     std::shared_ptr<const ModelState> shownState() const;
     std::vector<OutputPlot::Content> contentsOf(const std::string& experiment) const;
+    /// The same of what is shown: the study, or two runs of its history.
+    std::vector<OutputPlot::Content> contentsShown(const std::string& experiment) const;
+    std::vector<std::pair<std::string, Role>> experimentsShown() const;
     void showView(bool isResidual);
     void askWhereToExport();
     /// What the plots show now: of a fit that runs, the best so far.
@@ -140,7 +149,7 @@ private:
     unsigned long version_{};    // of the traces shown
     std::vector<double> marks_;  // [s] at most two
     std::vector<ResidualPlot*> residuals_;
-    QToolButton *traceView_, *residualView_, *trim_, *untrim_, *export_;
+    QToolButton *traceView_, *residualView_, *trim_, *untrim_, *export_, *endComparison_;
     bool isResidualView_{};
     QString shown_;  // experiment the time range belongs to
     JobRunner exporter_;

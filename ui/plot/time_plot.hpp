@@ -35,6 +35,7 @@ public:
     void setTraces(std::shared_ptr<const std::vector<double>> time, std::vector<Trace> traces);
     /// One of them anew, or one more.
     void setTrace(Trace trace);
+    const std::vector<Trace>& traces() const { return traces_; }
     void setVisible(TraceRole role, bool isVisible);
     void setTimeRange(double from, double to);
     /// The values shown; as all traces need it until the user has zoomed into a part.

@@ -8,6 +8,7 @@
 #include <QMenuBar>
 #include <QScreen>
 #include <QScrollArea>
+#include <QSplitter>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabWidget>
@@ -32,6 +33,7 @@
 #include "ui/library/library_panel.hpp"
 #include "ui/measurement/import_panel.hpp"
 #include "ui/measurement/measurement_panel.hpp"
+#include "ui/measurement/values_page.hpp"
 #include "ui/messages/message_panel.hpp"
 #include "ui/plot/plot_panel.hpp"
 #include "ui/style/style.hpp"
@@ -127,6 +129,12 @@ void MainWindow::createPanels() {
     centre_->setDocumentMode(true);
     centre_->addTab(view_, tr("Diagram"));
     centre_->addTab(text_, tr("Model text"));
+    both_ = new QSplitter(Qt::Horizontal, this);
+    both_->setObjectName("diagram-and-text");
+    both_->setChildrenCollapsible(false);
+    both_->hide();
+    connect(both_, &QSplitter::splitterMoved, this,
+            [this] { settings_.setValue("window/text-beside-sizes", both_->saveState()); });
     start_ = new StartPage(findExamples());
     pages_ = new QStackedWidget(this);
     pages_->addWidget(start_);
@@ -143,6 +151,8 @@ void MainWindow::createPanels() {
     messages_ = new MessagePanel(*document_);
     import_ = new ImportPanel(*document_, this);
     import_->hide();
+    values_ = new ValuesPage(*document_, this);
+    values_->hide();
     library_ = new LibraryPanel(*document_);
     compose_ = new ComposeActions(*document_, *scene_, *view_, *library_, this);
     libraryDock_ = addDock("library", tr("Library"), library_, Qt::LeftDockWidgetArea);
@@ -239,6 +249,10 @@ void MainWindow::createActions() {
     whyNoRunAction_->setShortcuts({Qt::Key_F5, Qt::Key_F6});
     addAction(whyNoRunAction_);
     connect(whyNoRunAction_, &QAction::triggered, this, &MainWindow::explainNoRun);
+    textBesideAction_ = make(tr("Model text beside the diagram"), {}, Qt::CTRL | Qt::Key_T,
+                             tr("Diagram and text side by side: what is changed in one is seen in the other"));
+    textBesideAction_->setObjectName("text-beside");
+    textBesideAction_->setCheckable(true);
     fitViewAction_ = make(tr("Show all"), "fit-view", {}, tr("Show the whole diagram (Space)"));
 
     connect(newAction_, &QAction::triggered, this, [this] { leaveThen([this] { startNew(); }); });
@@ -259,6 +273,8 @@ void MainWindow::createActions() {
         controller_->start(RunKind::Discover);
     });
     connect(fitViewAction_, &QAction::triggered, view_, &DiagramView::fitView);
+    connect(textBesideAction_, &QAction::toggled, this, &MainWindow::setTextBeside);
+    textBesideAction_->setChecked(settings_.value("window/text-beside").toBool());
 }
 
 void MainWindow::createMenus() {
@@ -281,7 +297,7 @@ void MainWindow::createMenus() {
     run->addActions({fitAction_, discoverAction_});
     run->setToolTipsVisible(true);  // they say what a run waits for
     QMenu* view = menuBar()->addMenu(tr("&View"));
-    view->addAction(fitViewAction_);
+    view->addActions({fitViewAction_, textBesideAction_});
     view->addSeparator();
     for (QDockWidget* dock : docks()) view->addAction(dock->toggleViewAction());
     view->addAction(tr("Reset layout"), this, &MainWindow::resetLayout);
@@ -319,7 +335,7 @@ void MainWindow::addPanelKeys(QMenu* menu) {
     add(
         0, tr("Diagram"),
         [this] {
-            if (document_->isOpen()) centre_->setCurrentWidget(view_);
+            if (document_->isOpen()) showDiagram();
         },
         view_);
     int digit = 1;
@@ -420,6 +436,9 @@ void MainWindow::connectPanels() {
                                           [](const Message& m) { return m.diagnostic.severity == Severity::Error; });
         if (!hasError && (document_->before() || document_->after())) plotDock_->raise();
     });
+    connect(document_, &Document::comparisonChanged, this, [this] {
+        if (document_->comparedRuns()) plotDock_->raise();
+    });
     connect(document_, &Document::readingChanged, this, [this] {
         if (document_->isReading())
             statusBar()->showMessage(tr("Reading the study …"));
@@ -511,6 +530,8 @@ void MainWindow::connectPanels() {
     });
     connect(measurements_, &MeasurementPanel::importWanted, this, &MainWindow::importMeasurement);
     connect(measurements_, &MeasurementPanel::browseWanted, this, &MainWindow::askForMeasurement);
+    connect(measurements_, &MeasurementPanel::valuesWanted, this, &MainWindow::showValues);
+    connect(values_, &ValuesPage::left, this, &MainWindow::leaveValues);
     connect(import_, &ImportPanel::cancelled, this, &MainWindow::leaveImport);
     connect(import_, &ImportPanel::accepted, this, [this](const QString& experiment) {
         plots_->showExperiment(experiment);
@@ -704,6 +725,36 @@ void MainWindow::openRecovered(const Recovered& recovered) {
     leaveThen([this, recovered] { document_->openRecovered(recovered.file, recovered.path); });
 }
 
+void MainWindow::showDiagram() {
+    centre_->setCurrentWidget(view_->parentWidget() == both_ ? both_ : static_cast<QWidget*>(view_));
+}
+
+void MainWindow::showText() {
+    centre_->setCurrentWidget(text_->parentWidget() == both_ ? both_ : static_cast<QWidget*>(text_));
+}
+
+/// Each on a tab of its own, or both on one, with the border between them where it was last.
+void MainWindow::setTextBeside(bool isBeside) {
+    settings_.setValue("window/text-beside", isBeside);
+    const QWidget* const shown = centre_->currentWidget();
+    const bool wasModel = shown == view_ || shown == text_ || shown == both_;
+    for (QWidget* page : std::initializer_list<QWidget*>{view_, text_, both_})
+        if (const int tab = centre_->indexOf(page); tab >= 0) centre_->removeTab(tab);
+    if (isBeside) {
+        both_->addWidget(view_);
+        both_->addWidget(text_);
+        for (QWidget* part : std::initializer_list<QWidget*>{view_, text_}) part->show();
+        centre_->insertTab(0, both_, tr("Diagram and text"));
+        if (!both_->restoreState(settings_.value("window/text-beside-sizes").toByteArray())) both_->setSizes({3, 2});
+    } else {
+        both_->hide();
+        centre_->insertTab(0, view_, tr("Diagram"));
+        centre_->insertTab(1, text_, tr("Model text"));
+    }
+    if (wasModel) showDiagram();
+    QTimer::singleShot(0, view_, &DiagramView::fitView);  // once it has its size
+}
+
 /// While the text has a fault, the diagram of the last sound one stays in sight.
 void MainWindow::showModel() {
     const bool isSound = document_->definition();
@@ -747,7 +798,7 @@ void MainWindow::showPlace(const Place& place) {
     }
     if (file != QString::fromStdString(document_->study().modelFile))
         return statusBar()->showMessage(tr("%1 is a file of its own: open it in an editor.").arg(file), 8000);
-    centre_->setCurrentWidget(text_);
+    showText();
     text_->showPlace(place.line, place.column, place.length);
 }
 
@@ -768,7 +819,7 @@ void MainWindow::showMention(const Mention& mention) {
             break;
     }
     const std::string name = mention.name.toStdString();
-    centre_->setCurrentWidget(view_);
+    showDiagram();
     document_->leaveTo(0);
     scene_->select(name);
     scene_->pointOut(scene_->block(name) ? std::string() : name);

@@ -8,6 +8,7 @@
 class QDockWidget;
 class QFileDialog;
 class QMenu;
+class QSplitter;
 class QStackedWidget;
 class QTabWidget;
 class QToolBar;
@@ -39,6 +40,7 @@ class RunBar;
 class RunController;
 class StartPage;
 class TextView;
+class ValuesPage;
 struct Mention;
 struct Recovered;
 
@@ -94,6 +96,10 @@ private:
     void offerRecovered();
     void openRecovered(const Recovered& recovered);
     void showModel();
+    /// Brings the diagram, or the text, to the front: each its tab, or both on one.
+    void showDiagram();
+    void showText();
+    void setTextBeside(bool isBeside);
     void showEffects();
     QString wholeName(const QString& block) const;
     void showPlace(const Place& place);
@@ -110,6 +116,8 @@ private:
     void importMeasurement(const QString& path);
     void takeFiles(const QStringList& paths);
     void leaveImport();
+    void showValues(const QString& experiment);
+    void leaveValues();
     void settle();
     /// Does it at once, or once the user has said what becomes of unsaved changes.
     void leaveThen(std::function<void()> next);
@@ -130,6 +138,7 @@ private:
     GuidePage* guide_{};
     GeneratePage* generate_{};
     ImportPanel* import_{};
+    ValuesPage* values_{};
     LibraryPanel* library_{};
     ComposeActions* compose_{};
     Recovery* recovery_{};
@@ -140,6 +149,7 @@ private:
     DiagramScene* scene_{};
     DiagramView* view_{};
     TextView* text_{};
+    QSplitter* both_{};  // diagram and text, when they are shown side by side
     MeasurementPanel* measurements_{};
     ParameterPanel* parameters_{};
     ResultPanel* results_{};
@@ -160,6 +170,7 @@ private:
 
     QAction *newAction_{}, *generateAction_{}, *openAction_{}, *openFileAction_{}, *saveAction_{}, *saveAsAction_{},
         *importAction_{}, *reportAction_{}, *exportTracesAction_{}, *quitAction_{};
+    QAction* textBesideAction_{};
     QAction *undoAction_{}, *redoAction_{}, *fitAction_{}, *discoverAction_{}, *fitViewAction_{}, *whyNoRunAction_{};
     QString fitTip_, discoverTip_;
     QToolButton* whyNoRun_{};

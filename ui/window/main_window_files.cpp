@@ -21,6 +21,7 @@
 #include "ui/fit/run_controller.hpp"
 #include "ui/job/job.hpp"
 #include "ui/measurement/import_panel.hpp"
+#include "ui/measurement/values_page.hpp"
 #include "ui/plot/plot_panel.hpp"
 #include "ui/window/generate_page.hpp"
 #include "ui/window/main_window.hpp"
@@ -135,8 +136,21 @@ void MainWindow::importMeasurement(const QString& path) {
 void MainWindow::leaveImport() {
     if (!waitingImports_.isEmpty()) return import_->show(waitingImports_.takeFirst());
     if (const int tab = centre_->indexOf(import_); tab >= 0) centre_->removeTab(tab);
-    centre_->setCurrentWidget(view_);
+    showDiagram();
     view_->setFocus();
+}
+
+void MainWindow::showValues(const QString& experiment) {
+    values_->show(experiment);
+    if (centre_->indexOf(values_) < 0) centre_->addTab(values_, tr("Values"));
+    centre_->setCurrentWidget(values_);
+}
+
+void MainWindow::leaveValues() {
+    const int tab = centre_->indexOf(values_);
+    if (tab < 0) return;
+    centre_->removeTab(tab);
+    showDiagram();
 }
 
 void MainWindow::askForStudy(bool isDirectory) {
@@ -176,23 +190,25 @@ void MainWindow::askWhereToReport() {
 
 void MainWindow::writeReport(const QString& path) {
     if (!document_->result()) return;
-    std::vector<QImage> pictures = plots_->pictures();
-    writer_->start<Outcome<Done>>(
-        tr("Writing the report"),
-        [result = document_->sharedResult(), kind = document_->resultKind(), title = document_->title(),
-         pictures = std::move(pictures), path](const Progress&) -> Outcome<Done> {
-            Outcome<Done> done = writeResults(*result, commandName(kind), path.toStdString());
-            if (!done) return done;
-            const QString fault =
-                writeReportPdf(QDir(path).filePath("report.pdf"), title, kind, result->finding, pictures);
-            if (!fault.isEmpty()) return error(fault.toStdString());
-            return done;
-        },
-        [this, path](Outcome<Done> done) {
-            document_->setRunMessages(done.diagnostics());
-            statusBar()->showMessage(done ? tr("Report written to %1/report.html.").arg(path)
-                                          : tr("No report written: see the messages."));
-        });
+    const auto write = [this, result = document_->sharedResult(), kind = document_->resultKind(),
+                        title = document_->title(), path](std::vector<QImage> pictures) {
+        writer_->start<Outcome<Done>>(
+            tr("Writing the report"),
+            [result, kind, title, pictures = std::move(pictures), path](const Progress&) -> Outcome<Done> {
+                Outcome<Done> done = writeResults(*result, commandName(kind), path.toStdString());
+                if (!done) return done;
+                const QString fault =
+                    writeReportPdf(QDir(path).filePath("report.pdf"), title, kind, result->finding, pictures);
+                if (!fault.isEmpty()) return error(fault.toStdString());
+                return done;
+            },
+            [this, path](Outcome<Done> done) {
+                document_->setRunMessages(done.diagnostics());
+                statusBar()->showMessage(done ? tr("Report written to %1/report.html.").arg(path)
+                                              : tr("No report written: see the messages."));
+            });
+    };
+    plots_->takePictures(write);
 }
 
 void MainWindow::askWhereToExport(ExportFormat format) {

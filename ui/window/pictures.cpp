@@ -31,6 +31,7 @@
 #include "ui/library/library_panel.hpp"
 #include "ui/measurement/import_panel.hpp"
 #include "ui/measurement/measurement_panel.hpp"
+#include "ui/measurement/values_page.hpp"
 #include "ui/plot/plot_panel.hpp"
 #include "ui/style/style.hpp"
 #include "ui/style/translator.hpp"
@@ -104,6 +105,16 @@ public:
         settle();
         take(window, "07-model-text");
         tabs->setCurrentWidget(window.findChild<DiagramView*>());
+        auto* beside = window.findChild<QAction*>("text-beside");
+        beside->trigger();
+        settle();
+        take(window, "07-text-beside");
+        beside->trigger();
+        Q_EMIT window.findChild<MeasurementPanel*>()->valuesWanted(
+            QString::fromStdString(document.study().experiments.front().name));
+        settle();
+        take(window, "07-values");
+        Q_EMIT window.findChild<ValuesPage*>()->left();
         window.controller().start(RunKind::Fit);
         waitFor([&] { return !window.controller().isRunning(); });
         settle();
@@ -129,11 +140,12 @@ public:
         window.findChild<PlotPanel*>()->residualButton()->click();
         settle();
         take(window, "11-residual");
+        window.findChild<QToolButton*>("traces-view")->click();
         window.findChild<QDockWidget*>("runs")->raise();
         window.findChild<FitPanel*>()->history()->selectAll();
         settle();
         take(window, "12-runs");
-        window.findChild<PlotPanel*>()->residualButton()->setChecked(false);
+        window.findChild<PlotPanel*>()->endComparisonButton()->click();
         QString broken = document.modelText();
         document.typeText(broken.replace("connect(heater.i", "connect(heater.current"));
         settle(400);

@@ -96,6 +96,70 @@ TEST_F(Archive, ReadsAFileOfTheFirstFormat) {
     EXPECT_EQ(again->study.models, study.models);
 }
 
+/// The history of runs lies in a folder of its own: the study beside it is what it is without one, for whoever reads it
+/// by the rules of the first version (study.json, the models at the top, the measurements it names).
+TEST_F(Archive, KeepsTheHistoryOfItsRunsBesideTheStudy) {
+    const Study study = example();
+    const Outcome<RunResult> result = runSimulate(study, {});
+    ASSERT_TRUE(result);
+    const std::vector<PastRun> history{{"fit", "2026-03-01T14:02:11", 1, std::make_shared<const Study>(study),
+                                        std::make_shared<const RunResult>(*result)}};
+    ASSERT_TRUE(saveStudy(study, root / "with.analogon", history));
+    ASSERT_TRUE(saveStudy(study, root / "without.analogon"));
+    const Outcome<OpenedStudy> opened = openStudy(root / "with.analogon");
+    ASSERT_TRUE(opened) << format(opened.diagnostics());
+    EXPECT_TRUE(opened.diagnostics().empty()) << format(opened.diagnostics());
+    ASSERT_EQ(opened->history.size(), 1u);
+    const ExperimentState &was = result->finding.final.experiments[0],
+                          &now = opened->history[0].result->finding.final.experiments[0];
+    EXPECT_EQ(now.time, was.time);
+    EXPECT_EQ(now.outputs[0].simulated, was.outputs[0].simulated);
+
+    ASSERT_TRUE(unpackArchive(root / "with.analogon", root / "with"));
+    ASSERT_TRUE(unpackArchive(root / "without.analogon", root / "without"));
+    for (const auto& entry : fs::directory_iterator(root / "without"))
+        EXPECT_EQ(bytesOf(root / "with" / entry.path().filename()), bytesOf(entry.path()));
+    for (const auto& entry : fs::directory_iterator(root / "with"))
+        EXPECT_TRUE(entry.path().filename() == historyFolder || fs::exists(root / "without" / entry.path().filename()))
+            << entry.path();
+    EXPECT_EQ(bytesOf(root / "with.analogon").substr(30, 8), "mimetype");
+    const Outcome<OpenedStudy> directory = openStudy(root / "with");
+    ASSERT_TRUE(directory);
+    EXPECT_EQ(directory->history.size(), 1u) << "what is unpacked can be packed again";
+    EXPECT_TRUE(openStudy(ANALOGON_ROOT "/tests/core/archive/version-1.analogon")->history.empty());
+}
+
+TEST_F(Archive, LosesADamagedHistoryAndNotTheStudy) {
+    const Study study = example();
+    const Outcome<RunResult> result = runSimulate(study, {});
+    ASSERT_TRUE(result);
+    const PastRun run{"fit", "2026-03-01T14:02:11", 1, std::make_shared<const Study>(study),
+                      std::make_shared<const RunResult>(*result)};
+    ASSERT_TRUE(saveStudy(study, root / "whole.analogon", {run, run}));
+    const std::string whole = bytesOf(root / "whole.analogon");
+    const Outcome<std::vector<ZipEntry>> entries = readZipDirectory(root / "whole.analogon");
+    ASSERT_TRUE(entries);
+    int damaged = 0;
+    for (const ZipEntry& entry : *entries) {
+        if (!entry.name.starts_with(historyFolder)) continue;
+        std::string bytes = whole;
+        bytes[entry.offset + 30 + entry.name.size() + entry.packedSize / 2] ^= 0x11;  // in the middle of its data
+        std::ofstream(root / "damaged.analogon", std::ios::binary) << bytes;
+        const Outcome<OpenedStudy> opened = openStudy(root / "damaged.analogon");
+        ASSERT_TRUE(opened) << entry.name << ": " << format(opened.diagnostics());
+        EXPECT_EQ(studyJson(opened->study), studyJson(study));
+        EXPECT_FALSE(opened.diagnostics().empty()) << entry.name;
+        EXPECT_FALSE(hasError(opened.diagnostics()));
+        if (entry.name.ends_with(".json")) {
+            EXPECT_EQ(opened->history.size(), 1u) << "the other run is whole";
+        } else {
+            EXPECT_EQ(opened->history.size(), 2u) << "its figures are there";
+        }
+        ++damaged;
+    }
+    EXPECT_GE(damaged, 4);
+}
+
 TEST_F(Archive, StartsWithItsTypeAtAFixedPlace) {
     ASSERT_TRUE(saveStudy(example(), root / "a.analogon"));
     const std::string bytes = bytesOf(root / "a.analogon");

@@ -1,3 +1,12 @@
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <random>
+#include <thread>
+
 #include "study_fixture.hpp"
 
 using namespace analogon;
@@ -102,6 +111,96 @@ TEST_F(StudyFiles, ComeFromMemoryWhenTheMeasurementIsNotOnDisk) {
     const Outcome<Study> again = readStudy(directory_ / "copy");
     ASSERT_TRUE(again.hasValue());
     EXPECT_EQ(again->tables.at("train.csv")->columns[1].values, study.tables.at("train.csv")->columns[1].values);
+}
+
+/// The same study under another name of its class, with other measurements: nothing of it fits the first one.
+Study otherStudy(Study study) {
+    study.className = "Other";
+    std::string& text = study.models.at("model.mo");
+    for (std::size_t at = 0; (at = text.find("Heater", at)) != std::string::npos;) text.replace(at, 6, "Other");
+    auto table = std::make_shared<Table>(*study.tables.at("train.csv"));
+    for (double& value : table->columns[1].values) value += 1;
+    study.tables["train.csv"] = table;
+    study.directory.clear();  // the table is what is written
+    return study;
+}
+
+/// Wherever a program is ended that saves into a directory: what is opened then is the old study or the new one, whole.
+TEST_F(StudyFiles, AreOldOrNewWhereverASaveIsEnded) {
+    putHeater();
+    put("stale.mo", "model Stale\nend Stale;\n");
+    const Study before = read(), after = otherStudy(before);
+    ASSERT_TRUE(writeStudy(after, directory_ / "after").hasValue());
+    const std::vector<std::string> files{"model.mo", "study.json", "train.csv"};
+    const auto isAfter = [&](const Study& study) {
+        return study.className == "Other" && study.models.at("model.mo").find("model Other") == 0 &&
+               study.tables.at("train.csv")->columns[1].values == after.tables.at("train.csv")->columns[1].values;
+    };
+    const auto start = [&](const std::string& folder, std::size_t written) {
+        const fs::path place = directory_ / "place";
+        fs::remove_all(place);
+        fs::create_directories(place / folder);
+        for (const std::string& file : files) fs::copy_file(directory_ / file, place / file);
+        for (std::size_t i = 0; i < written; ++i)
+            fs::copy_file(directory_ / "after" / files[i], place / folder / files[i]);
+        return place;
+    };
+    for (std::size_t written = 0; written <= files.size(); ++written) {
+        const fs::path place = start(".analogon-writing", written);
+        const Outcome<Study> study = readStudy(place);
+        ASSERT_TRUE(study) << format(study.diagnostics());
+        EXPECT_EQ(study->className, before.className) << "ended while it wrote file " << written;
+        EXPECT_EQ(study->models.at("model.mo"), before.models.at("model.mo"));
+        ASSERT_TRUE(writeStudy(after, place)) << "what is left does not stand in the way of the next save";
+        EXPECT_TRUE(isAfter(*readStudy(place)));
+    }
+    for (std::size_t moved = 0; moved <= files.size(); ++moved) {
+        const fs::path place = start(".analogon-saved", files.size());
+        fs::copy_file(directory_ / "stale.mo", place / "stale.mo");
+        std::ofstream(place / ".analogon-saved" / ".removed") << "stale.mo\n../kept.mo\n";
+        put("kept.mo", "model Kept\nend Kept;\n");
+        for (std::size_t i = 0; i < moved; ++i) fs::rename(place / ".analogon-saved" / files[i], place / files[i]);
+        const Outcome<Study> study = readStudy(moved % 2 ? place : place / "study.json");
+        ASSERT_TRUE(study) << format(study.diagnostics());
+        EXPECT_TRUE(isAfter(*study)) << "ended when " << moved << " files were at their places";
+        EXPECT_FALSE(study->models.contains("stale.mo"));
+        EXPECT_FALSE(fs::exists(place / ".analogon-saved"));
+        EXPECT_TRUE(fs::exists(directory_ / "kept.mo")) << "no other directory is touched";
+    }
+}
+
+/// The same by force: a child that saves two studies in turn is killed at random moments.
+TEST_F(StudyFiles, SurviveKills) {
+    putHeater();
+    const Study even = read(), odd = otherStudy(even);
+    const fs::path place = directory_ / "killed";
+    ASSERT_TRUE(writeStudy(even, place));
+    const char* wanted = std::getenv("ANALOGON_KILLS");
+    const int kills = wanted ? std::atoi(wanted) : 40;
+    std::mt19937 random(5);
+    int others = 0;
+    unsigned reach = 40000;  // [us], of the moments; further as long as nothing is saved before them (a busy machine)
+    for (int i = 0; i < kills; ++i) {
+        const pid_t child = fork();
+        if (child == 0)
+            for (;;) {
+                (void)writeStudy(odd, place);
+                (void)writeStudy(even, place);
+            }
+        std::this_thread::sleep_for(std::chrono::microseconds(500 + random() % reach));
+        kill(child, SIGKILL);
+        waitpid(child, nullptr, 0);
+        const Outcome<Study> study = readStudy(place);
+        ASSERT_TRUE(study) << "kill " << i << ": " << format(study.diagnostics());
+        const Study& whole = study->className == "Other" ? odd : even;
+        ASSERT_EQ(study->models, whole.models) << "kill " << i;
+        ASSERT_EQ(study->tables.at("train.csv")->columns[1].values, whole.tables.at("train.csv")->columns[1].values)
+            << "kill " << i;
+        others += study->className == "Other" ? 1 : 0;
+        if (others == 0 && i % 4 == 3) reach = std::min(2 * reach, 2'000'000u);
+    }
+    EXPECT_GT(others, 0) << "some kills came after a save";
+    EXPECT_LT(others, kills);
 }
 
 TEST_F(StudyFiles, LeaveNothingHalfWritten) {
