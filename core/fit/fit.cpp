@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <random>
 
 #include "core/base/parallel.hpp"
 #include "core/fit/difference_slopes.hpp"
 #include "core/fit/misfit.hpp"
+#include "core/fit/partial_records.hpp"
 #include "core/fit/uncertainty.hpp"
 
 namespace analogon {
@@ -30,6 +33,8 @@ struct Descent {
     double lossScale{1};
     double scatter{1};
     bool takesDifferences{};
+    Eigen::VectorXd startSlopes;              // how much the residuals moved with each parameter at the start
+    int partIterations{}, partSimulations{};  // on parts of the records
 };
 
 /// A descent goes on in rounds: the scatter of the residuals and the integration steps are judged where it starts, and
@@ -37,10 +42,15 @@ struct Descent {
 /// what is to be fitted there); the last part, and the simplex, take steps as fine as the options ask for.
 class Rounds {
 public:
-    Rounds(Misfit& misfit, const FitOptions& options, const Eigen::VectorXd& start)
-        : misfit_(misfit), options_(options), isRough_(!isDirect(options.method)), plannedAt_(start) {
-        constexpr double looseness = 30.0;
-        misfit.plan(start, isRough_ ? looseness : 1.0);
+    /// `known`: plans to begin with; empty: they are made.
+    Rounds(Misfit& misfit, const FitOptions& options, const Eigen::VectorXd& start, bool isNear,
+           std::vector<GridPlan> known)
+        : misfit_(misfit), options_(options), isRough_(!isNear && !isDirect(options.method)), plannedAt_(start) {
+        const double looseness = isRough_ ? farLooseness : 1.0;
+        if (known.empty())
+            misfit.plan(start, looseness);
+        else
+            misfit.adopt(std::move(known), looseness);
         // Where the coarsest steps are fine enough there is nothing to refine.
         const auto& plans = misfit.plans();
         const bool isFine = std::all_of(plans.begin(), plans.end(), [&](const GridPlan& plan) {
@@ -133,19 +143,77 @@ int lostInfluence(const FitProblem& problem, const Coordinates& coordinates, con
     return -1;
 }
 
-Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const FitOptions& options,
-                const Progress& progress) {
+/// Where a descent on a part of the records arrived, and what it met there.
+struct PartialDescent {
+    PartialRecords part;
     Descent descent;
+};
+
+Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const FitOptions& options,
+                const Progress& progress, const std::vector<GridPlan>& roughPlans = {});
+
+/// Nothing: there is none, or it is not to be relied upon. Either way `descent` is told what it took. Where it was
+/// cancelled, its best is the best so far.
+std::optional<PartialDescent> descendOnPart(const FitProblem& problem, const Eigen::VectorXd& start, FitOptions options,
+                                            const Progress& progress, Descent& descent) {
+    constexpr double near = 0.5;  // of the cost at the start: what falls by less began near its end
+    constexpr double roughly = 1e-4;
+    std::optional<PartialRecords> part = partOf(problem, start, options, progress);
+    if (!part) return std::nullopt;
+    for (std::size_t i = 0; i < problem.parameters.size(); ++i)
+        part->problem.parameters[i].start = start[static_cast<Eigen::Index>(i)];
+    options.keepsOptimum = false;
+    options.costTolerance = std::max(options.costTolerance, roughly);
+    PartialDescent result{std::move(*part), {}};
+    Descent& there = result.descent = descend(result.part.problem, start, options, progress, result.part.plans);
+    descent.partIterations = there.minimum.iterations + there.partIterations;
+    descent.partSimulations = there.simulations + there.partSimulations;
+    if (progress.stopRequested()) return result;
+    const bool isSound = there.minimum.status == FitStatus::Converged && there.failedSimulations == 0 &&
+                         !there.takesDifferences && !(there.minimum.cost > near * there.startCost);
+    if (!isSound || !determinesAll(result.part.problem, there.minimum.values, there.reduced)) return std::nullopt;
+    return result;
+}
+
+/// Where a descent begins: at its start, or where a part of the records has led, if all of them agree.
+struct Beginning {
+    Eigen::VectorXd values;
+    bool isNear{};
+    std::vector<GridPlan> plans;  // empty: not known
+};
+
+Beginning beginningOf(const FitProblem& problem, const PartialDescent& partial, const Progress& progress) {
+    Beginning beginning{partial.descent.minimum.values, true, {}};
+    if (partial.part.isThinned && areSingleSteps(partial.descent.plans))
+        beginning.plans = plansFromThinned(problem, partial.descent.plans, beginning.values, progress);
+    return beginning;
+}
+
+Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const FitOptions& options,
+                const Progress& progress, const std::vector<GridPlan>& roughPlans) {
+    Descent descent;
+    const std::optional<PartialDescent> partial = descendOnPart(problem, start, options, progress, descent);
+    Beginning beginning{start, false, roughPlans};
+    if (partial) beginning = beginningOf(problem, *partial, progress);
     std::vector<FitParameter> parameters = problem.parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i) parameters[i].start = start[static_cast<Eigen::Index>(i)];
     Coordinates coordinates(parameters);
     Misfit misfit(problem, options, progress);
-    Rounds rounds(misfit, options, start);
+    std::optional<Rounds> rounds(std::in_place, misfit, options, beginning.values, beginning.isNear, beginning.plans);
+    if (partial) {
+        const ReducedMisfit& there = misfit.reduced(beginning.values);
+        const bool agrees =
+            there.ok && tellTheSame(problem, there.cost(), partial->part.problem, partial->descent.minimum.cost);
+        if (!agrees && !misfit.isCancelled()) {
+            beginning = {start, false, roughPlans};
+            rounds.emplace(misfit, options, start, false, roughPlans);
+            misfit.forgetBest();
+        }
+    }
     Minimum& minimum = descent.minimum;
-    minimum.values = start;
-    Eigen::VectorXd startSlopes;
+    minimum.values = beginning.values;
     int iterations = 0;
-    for (bool isFirst = true; isFirst || rounds.goOn(minimum); isFirst = false) {
+    for (bool isFirst = true; isFirst || rounds->goOn(minimum); isFirst = false) {
         ReducedMisfit here = misfit.reduced(minimum.values);
         // Where the last round ended it could be simulated: a failure there may be over at once.
         for (int tries = 0; !isFirst && !here.ok && tries < mostFailures && !misfit.isCancelled(); ++tries)
@@ -156,21 +224,24 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
             break;
         }
         if (isFirst) {
-            descent.startCost = here.cost();
-            startSlopes = relativeSlopes(coordinates, here, minimum.values);
+            descent.startCost = beginning.isNear ? std::numeric_limits<double>::quiet_NaN() : here.cost();
+            descent.startSlopes =
+                beginning.isNear ? partial->descent.startSlopes : relativeSlopes(coordinates, here, minimum.values);
         }
         coordinates.moveOrigin(minimum.values);
         coordinates.scaleBy(here.jacobian.colwise().norm());
-        const FitOptions now = rounds.optionsNow();
+        const FitOptions now = rounds->optionsNow();
         const int left = options.maxIterations - iterations;
-        minimum = isDirect(options.method)                    ? directSearch(misfit, coordinates, now)
-                  : options.method == FitMethod::LeastSquares ? levenbergMarquardt(misfit, coordinates, now, left)
-                                                              : leastSquares(misfit, coordinates, now, left);
+        minimum = isDirect(options.method) ? directSearch(misfit, coordinates, now)
+                  : options.method == FitMethod::LeastSquares
+                      ? levenbergMarquardt(misfit, coordinates, now, left, beginning.isNear)
+                      : leastSquares(misfit, coordinates, now, left);
         iterations += minimum.iterations;
     }
     minimum.iterations = iterations;
     if (minimum.status == FitStatus::Converged) {
-        const int lost = lostInfluence(problem, coordinates, startSlopes, misfit.reduced(minimum.values), minimum);
+        const int lost =
+            lostInfluence(problem, coordinates, descent.startSlopes, misfit.reduced(minimum.values), minimum);
         if (lost >= 0) {
             minimum.status = FitStatus::IterationLimit;
             minimum.message =
@@ -288,6 +359,7 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
     result.values = best.minimum.values;
     result.startCost = best.startCost;
     result.iterations = best.minimum.iterations;
+    result.partIterations = best.partIterations;
     result.plans = best.plans;
     result.optimum = std::move(best.optimum);
     // What was found so far is to be told, even if the fit was cancelled; but in a long record whoever cancelled would
@@ -401,6 +473,7 @@ FitResult fit(const FitProblem& problem, const FitOptions& options, const Progre
         if (objective(descents[s]) < objective(descents[best])) best = s;
         result.simulations += descents[s].simulations;
         result.failedSimulations += descents[s].failedSimulations;
+        result.partSimulations += descents[s].partSimulations;
     }
     conclude(problem, options, descents[best], result, progress);
     result.startCost = descents.front().startCost;

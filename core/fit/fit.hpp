@@ -31,6 +31,8 @@ struct FitOptions {
     double startsWithin{};        // > 1: these lie within this factor of the start values, of whatever bounds
     std::uint64_t seed{1};
     int threads{1};
+    bool beginsWithPart{
+        true};  // long records: least squares goes most of the way on a part (core/fit/partial_records.hpp)
     /// False: FitResult::optimum stays empty; the fit then needs no memory that grows with the record.
     bool keepsOptimum{true};
     /// Fills FitEstimate::robustError (keepsOptimum must hold).
@@ -76,11 +78,12 @@ struct FitResult {
     /// What fits compare by: the cost, or, where priors weighed against a scatter that each found itself, the negative
     /// logarithm of the posterior.
     double objective{};
-    double startCost{};
+    double startCost{};  // NaN where the fit began with a part of the records: nobody has simulated all from there
     int iterations{};
-    int simulations{};
+    int simulations{};  // of all records
     int failedSimulations{};
-    Linearisation optimum;  // residuals, Jacobian, trajectories at the optimum
+    int partIterations{}, partSimulations{};  // before them, of parts of the records
+    Linearisation optimum;                    // residuals, Jacobian, trajectories at the optimum
     std::vector<GridPlan> plans;
     bool takesDifferences{};    // the tangents of this model mislead (core/fit/difference_slopes.hpp)
     std::vector<Text> remarks;  // "R and k only appear as k/R here: fix one"

@@ -12,12 +12,14 @@ namespace {
 /// judged there; what presses against a bound is held for that step.
 class LevenbergMarquardt {
 public:
-    LevenbergMarquardt(Misfit& misfit, const Coordinates& coordinates, const FitOptions& options, int iterationsLeft)
+    LevenbergMarquardt(Misfit& misfit, const Coordinates& coordinates, const FitOptions& options, int iterationsLeft,
+                       bool beginsNear)
         : misfit_(misfit),
           coordinates_(coordinates),
           options_(options),
           iterationsLeft_(iterationsLeft),
           K_(coordinates.size()) {
+        if (beginsNear) damping_ = 1e-8;  // the slopes hold as far as the optimum
         z_ = lower_ = upper_ = scale_ = Eigen::VectorXd::Zero(K_);
         for (int i = 0; i < K_; ++i) {
             lower_[i] = coordinates.lower(i);
@@ -85,7 +87,9 @@ private:
     /// slopes hold: most of the damping they ask for is forgotten once one succeeds.
     bool descend(Minimum& minimum) {
         constexpr int mostTries = 60, many = 3;
+        constexpr double nearlyNothing = 1e-6;  // of the cost
         const double cost = here_.cost(), before = std::max(damping_, 1e-8);
+        misfit_.expectLast(expected_ <= nearlyNothing * cost);
         int failures = 0;
         for (int tries = 0; tries < mostTries && damping_ < 1e20; ++tries) {
             const Eigen::VectorXd aimed = z_ + limited(step(damping_));
@@ -180,8 +184,8 @@ private:
 }  // namespace
 
 Minimum levenbergMarquardt(Misfit& misfit, const Coordinates& coordinates, const FitOptions& options,
-                           int iterationsLeft) {
-    return LevenbergMarquardt(misfit, coordinates, options, iterationsLeft).run();
+                           int iterationsLeft, bool beginsNear) {
+    return LevenbergMarquardt(misfit, coordinates, options, iterationsLeft, beginsNear).run();
 }
 
 }  // namespace analogon

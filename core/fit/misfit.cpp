@@ -89,11 +89,11 @@ MisfitSums Misfit::sum(const Eigen::VectorXd& values, bool withJacobian) {
     });
 }
 
-Linearisation Misfit::simulate(const Eigen::VectorXd& values, bool withJacobian) {
+Linearisation Misfit::simulate(const Eigen::VectorXd& values, bool withJacobian, MisfitSums* sums) {
     return attempt(values, [&](const std::vector<GridPlan>& plans) {
         if (withJacobian && takesDifferences_)
             return lineariseByDifferences(problem_, values, plans, options_.simulation, progress_, simulations_);
-        return linearise(problem_, values, withJacobian, plans, options_.simulation, progress_);
+        return linearise(problem_, values, withJacobian, plans, options_.simulation, progress_, sums);
     });
 }
 
@@ -104,14 +104,20 @@ bool Misfit::summed(const Eigen::VectorXd& values, ReducedMisfit& reduced) {
         reduced = {};
         return true;
     }
+    std::optional<ReducedMisfit> found = squeezed(sums, values);
+    if (found) reduced = std::move(*found);
+    return found.has_value();
+}
+
+/// With the priors; nothing: the sums are not exact enough.
+std::optional<ReducedMisfit> Misfit::squeezed(MisfitSums& sums, const Eigen::VectorXd& values) {
     const PriorResiduals priors = priorsAt(values);
     sums.hessian += priors.jacobian.transpose() * priors.jacobian;
     sums.gradient += priors.jacobian.transpose() * priors.residuals;
     sums.squares += priors.squares();
     std::optional<ReducedMisfit> found = reduce(sums.hessian, sums.gradient, sums.squares);
-    if (found) reduced = std::move(*found);
     isIllConditioned_ = !found;
-    return found.has_value();
+    return found;
 }
 
 void Misfit::note(const Eigen::VectorXd& values, double cost, Linearisation line) {
@@ -214,15 +220,21 @@ bool Misfit::mislead(const Eigen::VectorXd& values, const ReducedMisfit& reduced
 }
 
 void Misfit::evaluateSlopes(const Eigen::VectorXd& values, ReducedMisfit& reduced) {
-    if (maySumUp() && !isIllConditioned_ && summed(values, reduced)) {
+    const bool maySum = maySumUp() && !isIllConditioned_, isKept = isLast_ && options_.keepsOptimum;
+    if (maySum && !isKept && summed(values, reduced)) {
         if (reduced.ok) note(values, reduced.cost());
         return;
     }
+    const bool addsUp = maySum && isKept;
+    if (addsUp) bestLine_ = {};  // of long records there is memory for one
     reduced = {};
-    Linearisation line = simulate(values, true);
+    MisfitSums sums;
+    Linearisation line = simulate(values, true, addsUp ? &sums : nullptr);
     if (!line.ok) return;
     applyLoss(line.residuals, &line.jacobian);
-    reduced = withPriors(reduce(line.jacobian, line.residuals), priorsAt(values));
+    if (addsUp)
+        if (std::optional<ReducedMisfit> found = squeezed(sums, values)) reduced = std::move(*found);
+    if (!reduced.ok) reduced = withPriors(reduce(line.jacobian, line.residuals), priorsAt(values));
     line.ok = options_.loss == RobustLoss::None;
     if (reduced.ok) note(values, reduced.cost(), std::move(line));
 }
@@ -301,6 +313,12 @@ bool Misfit::plan(const Eigen::VectorXd& values, double looseness) {
     std::vector<GridPlan> plans = plansFor(values, looseness);
     plannedWith_ = looseness;
     return take(std::move(plans));
+}
+
+void Misfit::adopt(std::vector<GridPlan> plans, double looseness) {
+    if (options_.simulation.engine == Engine::Adaptive) return;
+    plannedWith_ = looseness;
+    take(std::move(plans));
 }
 
 bool Misfit::refinePlan(const Eigen::VectorXd& values) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,9 @@
 #include "core/fit/reduced_misfit.hpp"
 
 namespace analogon {
+
+/// How much larger the integration error may be where a fit is still far from its optimum.
+inline constexpr double farLooseness = 30.0;
 
 /// The misfit of a problem as its minimisers see it: counts what it costs, remembers the best point, survives
 /// failed simulations. One object a run; not shared between threads.
@@ -29,8 +33,13 @@ public:
     /// Grid plans for these parameters, with an integration error that much larger than the options ask for. What
     /// was in force is replaced: true when something changed.
     bool plan(const Eigen::VectorXd& values, double looseness = 1.0);
+    /// Plans that were made elsewhere, with that looseness.
+    void adopt(std::vector<GridPlan> plans, double looseness);
     /// As plan(), but only where these parameters need finer steps than those in force.
     bool refinePlan(const Eigen::VectorXd& values);
+    /// The next point is likely to be the optimum: its residuals and slopes are kept, where they are asked for, so that
+    /// nobody has to simulate it again.
+    void expectLast(bool isExpected) { isLast_ = isExpected; }
     /// Robust losses are measured against the scatter of the residuals here.
     void rescaleLoss(const Eigen::VectorXd& values);
     /// Priors weigh against the scatter of the residuals here; true when it has changed.
@@ -69,11 +78,12 @@ private:
     void evaluateSlopes(const Eigen::VectorXd& values, ReducedMisfit& reduced);
     bool arousesDoubt(const Eigen::VectorXd& values, const ReducedMisfit& reduced) const;
     bool mislead(const Eigen::VectorXd& values, const ReducedMisfit& reduced);
-    Linearisation simulate(const Eigen::VectorXd& values, bool withJacobian);
+    Linearisation simulate(const Eigen::VectorXd& values, bool withJacobian, MisfitSums* sums = nullptr);
     /// Without a robust loss and in records of some length, sums do where they are exact enough.
     bool maySumUp() const;
     bool isLimited() const;
     bool summed(const Eigen::VectorXd& values, ReducedMisfit& reduced);
+    std::optional<ReducedMisfit> squeezed(MisfitSums& sums, const Eigen::VectorXd& values);
     PriorResiduals priorsAt(const Eigen::VectorXd& values) const { return priorResiduals(problem_, values, scatter_); }
     template <class Evaluate>
     auto attempt(const Eigen::VectorXd& values, const Evaluate& evaluate);
@@ -97,7 +107,7 @@ private:
     double lossScale_{1};
     double scatter_{1};
     bool isLong_{};  // and every output can be summed up sample by sample
-    bool isIllConditioned_{};
+    bool isIllConditioned_{}, isLast_{};
     bool maySwitch_{}, takesDifferences_{};
     int doubts_{}, misled_{};  // how often slopes were looked at, and were wrong
     double signal_{};          // the size of the data, in residuals
@@ -116,9 +126,10 @@ struct Minimum {
     int iterations{};
 };
 
-/// Levenberg-Marquardt of our own; the same by Ceres with an active set for the bounds.
+/// Levenberg-Marquardt of our own (near the optimum it begins with the full Gauss-Newton step); the same by Ceres with
+/// an active set for the bounds.
 Minimum levenbergMarquardt(Misfit& misfit, const Coordinates& coordinates, const FitOptions& options,
-                           int iterationsLeft);
+                           int iterationsLeft, bool beginsNear);
 Minimum leastSquares(Misfit& misfit, Coordinates& coordinates, const FitOptions& options, int iterationsLeft);
 /// The simplex of Nelder and Mead (1965), the 2014 paper's method, restarted until it stays where it is.
 Minimum directSearch(Misfit& misfit, Coordinates& coordinates, const FitOptions& options);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -261,6 +262,24 @@ private:
     std::vector<Output> fitted_;
 };
 
+/// Shows the samples to two.
+class BothSinks final : public SampleSink {
+public:
+    BothSinks(SampleSink& first, SampleSink& second) : sinks_{&first, &second} {}
+    void take(int sample, const double* y, const double* dy) override {
+        for (SampleSink* sink : sinks_) sink->take(sample, y, dy);
+    }
+    void takeRows(int first, int count, const double* rows, const RowLayout& layout, int directions) override {
+        for (SampleSink* sink : sinks_) sink->takeRows(first, count, rows, layout, directions);
+    }
+    void restart() override {
+        for (SampleSink* sink : sinks_) sink->restart();
+    }
+
+private:
+    std::array<SampleSink*, 2> sinks_;
+};
+
 }  // namespace
 
 int FitProblem::residualCount() const {
@@ -300,10 +319,19 @@ GridPlan planFor(const FitProblem& problem, int experiment, const Eigen::VectorX
     return planGrid(taskFor(problem, experiment, values, nullptr), options, progress, inForce);
 }
 
-Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values, bool withJacobian,
-                        const std::vector<GridPlan>& plans, const SimulationOptions& options,
+GridPlan singleStepsFor(const FitProblem& problem, int experiment, const Eigen::VectorXd& values, double errorEstimate,
                         const Progress& progress) {
+    return singleSteps(taskFor(problem, experiment, values, nullptr), errorEstimate, progress);
+}
+
+Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values, bool withJacobian,
+                        const std::vector<GridPlan>& plans, const SimulationOptions& options, const Progress& progress,
+                        MisfitSums* sums) {
     Linearisation result;
+    if (sums) {
+        const auto K = withJacobian ? static_cast<Eigen::Index>(problem.parameters.size()) : 0;
+        *sums = {false, Eigen::MatrixXd::Zero(K, K), Eigen::VectorXd::Zero(K), 0.0, {}};
+    }
     const Eigen::Index rows = problem.residualCount();
     resizeLarge(result.residuals, rows, 1);
     result.residuals.setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -322,9 +350,12 @@ Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values
         const SimulationTask task = taskFor(problem, static_cast<int>(e), values, withJacobian ? &columns : nullptr);
         const std::vector<ClockAt> clocks = clocksAt(problem, experiment, values);
         RowWriter writer(experiment, columns, row, withJacobian, clocks, result);
-        result.trajectories.push_back(simulated(problem, e, task, plans, options, progress, writer));
+        NormalEquations added(experiment, sums ? columns : std::vector<Eigen::Index>{});
+        BothSinks both(writer, added);
+        SampleSink& sink = sums ? static_cast<SampleSink&>(both) : writer;
+        result.trajectories.push_back(simulated(problem, e, task, plans, options, progress, sink));
         Trajectory& trajectory = result.trajectories.back();
-        if (options.engine == Engine::Adaptive) pour(trajectory, static_cast<int>(task.directions.cols()), writer);
+        if (options.engine == Engine::Adaptive) pour(trajectory, static_cast<int>(task.directions.cols()), sink);
         if (!trajectory.failure.failed) writer.applyClocks();
         trajectory.outputs = std::move(writer.outputs);  // also of what failed: NaN where it did not get to
         if (trajectory.failure.failed) {
@@ -337,6 +368,10 @@ Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values
             result.failure = phrase("experiment '{}': an output is not finite", experiment.name);
             return result;
         }
+        if (sums) {
+            sums->squares += added.squares();
+            added.addTo(sums->hessian, sums->gradient);
+        }
     }
     // so large that their squares are not: the steps were stable for the states and not for what moves them
     if (withJacobian && !std::isfinite(result.jacobian.squaredNorm())) {
@@ -344,6 +379,7 @@ Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values
         return result;
     }
     result.ok = true;
+    if (sums) sums->ok = true;
     return result;
 }
 

@@ -95,10 +95,8 @@ struct Linearisation {
 GridPlan planFor(const FitProblem& problem, int experiment, const Eigen::VectorXd& values,
                  const SimulationOptions& options = {}, const Progress& progress = {},
                  const GridPlan* inForce = nullptr);
-
-/// `plans`: one per experiment, from planFor; empty: made here.
-Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values, bool withJacobian,
-                        const std::vector<GridPlan>& plans, const SimulationOptions& options = {},
+/// The plan of one explicit step from sample to sample, which is known to be this exact.
+GridPlan singleStepsFor(const FitProblem& problem, int experiment, const Eigen::VectorXd& values, double errorEstimate,
                         const Progress& progress = {});
 
 /// What a least-squares step needs of all residuals r and their Jacobian J, without keeping them.
@@ -109,6 +107,12 @@ struct MisfitSums {
     double squares{};          // rᵀr
     Text failure;
 };
+
+/// `plans`: one per experiment, from planFor; empty: made here. `sums`: filled on the way as by sumUp(), where that is
+/// possible.
+Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values, bool withJacobian,
+                        const std::vector<GridPlan>& plans, const SimulationOptions& options = {},
+                        const Progress& progress = {}, MisfitSums* sums = nullptr);
 
 /// As linearise(), sample by sample (not for the adaptive engine, nor for clocks of their own). Experiments run side by
 /// side on up to `threads` threads; the result does not depend on their number.

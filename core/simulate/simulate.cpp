@@ -143,6 +143,17 @@ GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options, 
     return plan;
 }
 
+GridPlan singleSteps(const SimulationTask& task, double errorEstimate, const Progress& progress) {
+    GridPlan plan{GridMethod::RungeKutta4, 1, errorEstimate};
+    if (misfit(task)) return plan;
+    SimulationTask values = task;
+    values.directions.resize(0, 0);
+    values.observe.clear();
+    SystemDynamics dynamics(values, false);
+    if (dynamics.isReady()) plan.terms = tabulateTerms(dynamics, *task.inputs, plan, progress);
+    return plan;
+}
+
 Trajectory simulateGrid(const SimulationTask& task, const GridPlan& plan, const SimulationOptions& options,
                         const Progress& progress, SampleSink* sink) {
     if (const char* reason = misfit(task)) return refused(task, Engine::Grid, {}, reason);

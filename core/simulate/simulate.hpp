@@ -123,6 +123,10 @@ void pour(Trajectory& trajectory, int directions, SampleSink& sink);
 GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options = {}, const Progress& progress = {},
                   const GridPlan* inForce = nullptr);
 
+/// The plan of one explicit step from sample to sample, where these are known to be this exact; only what depends on
+/// the inputs alone is looked up.
+GridPlan singleSteps(const SimulationTask& task, double errorEstimate, const Progress& progress = {});
+
 /// One pass with a given plan (grid engine), values and tangents together. Its tangents are those of the
 /// discrete solution.
 /// With a sink, outputs and tangents go there and are left out of the trajectory.

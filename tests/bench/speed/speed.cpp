@@ -98,6 +98,9 @@ void compare(const SpeedProblem& problem, const Pass& pass, double budget) {
     const double handTime = timed(budget, [&] { byHand = handFit(problem, pass); });
     line("fit, by hand", handTime, handTime);
     line("fit", timed(budget, [&] { result = fit(ours); }), handTime);
+    FitOptions whole;
+    whole.beginsWithPart = false;
+    line("  on all samples from the start", timed(budget, [&] { fit(ours, whole); }), handTime);
     FitOptions lean;
     lean.keepsOptimum = false;
     line("  without residuals and Jacobian", timed(budget, [&] { fit(ours, lean); }), handTime);
@@ -106,9 +109,10 @@ void compare(const SpeedProblem& problem, const Pass& pass, double budget) {
     ceres.method = FitMethod::LeastSquaresByCeres;
     line("  with Ceres in the loop", timed(budget, [&] { fit(ours, ceres); }), handTime);
     fmt::print(
-        "  by hand {} passes, cost {:.6f}; here {} simulations, J/J* - 1 = {:.1e}, parameters within {:.1e}; {}\n\n",
-        byHand.passes, byHand.cost, result.simulations, pass(result.values).cost / byHand.cost - 1,
-        deviation(result, byHand), result.message);
+        "  by hand {} passes, cost {:.6f}; here {} simulations after {} of parts, J/J* - 1 = {:.1e}, parameters within "
+        "{:.1e}; {}\n\n",
+        byHand.passes, byHand.cost, result.simulations, result.partSimulations,
+        pass(result.values).cost / byHand.cost - 1, deviation(result, byHand), result.message);
 }
 
 void growSamples(const char* title, SpeedProblem (*make)(int samples), Pass (*passOf)(const SpeedProblem&),

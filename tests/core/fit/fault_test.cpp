@@ -95,7 +95,7 @@ struct Cancelled {
     FitResult result;
     double seconds{};
 };
-Cancelled cancelledFit(const FitProblem& problem, int report, int milliseconds) {
+Cancelled cancelledFit(const FitProblem& problem, int report, int milliseconds, const FitOptions& options = {}) {
     std::stop_source source;
     std::clock_t asked{};
     int reports = 0;
@@ -109,7 +109,7 @@ Cancelled cancelledFit(const FitProblem& problem, int report, int milliseconds) 
     const Progress progress(source.get_token(), [&](const Progress::Report&) {
         if (++reports == report) user = std::jthread(cancel);
     });
-    Cancelled cancelled{fit(problem, {}, progress), 0};
+    Cancelled cancelled{fit(problem, options, progress), 0};
     cancelled.seconds = static_cast<double>(std::clock() - asked) / CLOCKS_PER_SEC;
     return cancelled;
 }
@@ -117,12 +117,37 @@ Cancelled cancelledFit(const FitProblem& problem, int report, int milliseconds) 
 TEST(Fit, StopsAtOnceWhenCancelledInALongRecord) {
     for (const int samples : {100'000, 1'000'000}) {
         // In the middle of the simulations that follow the third report.
-        const auto [result, seconds] = cancelledFit(motorProblem(samples, 0.005), 3, 20);
+        FitOptions options;
+        options.beginsWithPart = false;
+        const auto [result, seconds] = cancelledFit(motorProblem(samples, 0.005), 3, 20, options);
         EXPECT_EQ(result.status, FitStatus::Cancelled) << result.message;
         ASSERT_EQ(result.values.size(), 8);
         EXPECT_LT(result.cost, result.startCost);
         EXPECT_TRUE(std::isfinite(result.estimates.front().standardError));
         EXPECT_LT(seconds, 0.1) << samples << " samples";
+    }
+}
+
+TEST(Fit, KeepsTheBestOfAPartWhenCancelledThere) {
+    for (const int samples : {100'000, 1'000'000}) {
+        const FitProblem problem = motorProblem(samples, 0.005);
+        std::stop_source source;
+        std::vector<Progress::Value> best;
+        int reports = 0;
+        const Progress progress(source.get_token(), [&](const Progress::Report& report) {
+            if (++reports > 3) return;
+            best = report.best;
+            if (reports == 3) source.request_stop();
+        });
+        const FitResult result = fit(problem, {}, progress);
+        EXPECT_EQ(result.status, FitStatus::Cancelled) << result.message;
+        EXPECT_GT(result.partSimulations, 0);
+        EXPECT_LE(result.simulations, 2);  // none of them finished
+        ASSERT_EQ(best.size(), 8u);
+        for (std::size_t i = 0; i < best.size(); ++i) {
+            EXPECT_EQ(result.estimates[i].value, best[i].value) << best[i].name;
+            EXPECT_NE(best[i].value, problem.parameters[i].start);
+        }
     }
 }
 
