@@ -278,8 +278,8 @@ TEST(EffectAnnotations, TheStrengthIsAParameterThatIsZeroByDefault) {
 /// Names used in the texts: statistics of variables of the class itself, and the three times.
 void checkText(const syntax::Expression& e, const std::map<std::string, const Component*>& variables,
                const std::string& strength) {
-    static const std::set<std::string> statistics{"range",   "maxabs",  "rms",  "mean", "start",
-                                                  "minimum", "maximum", "rate", "flow"};
+    static const std::set<std::string> statistics{"range",   "maxabs",  "rms",  "mean",   "start",
+                                                  "minimum", "maximum", "rate", "through"};
     using Kind = syntax::Expression::Kind;
     if (e.kind == Kind::Call) {
         if (e.name.text() == "sqrt") return checkText(e.operands.at(0), variables, strength);

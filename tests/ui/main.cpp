@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
     const QTemporaryDir settings;  // the user's own settings stay out of the tests, and the tests out of them
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+    qputenv("XDG_DATA_HOME", settings.path().toUtf8());  // nor does one offer what another has left
     QApplication application(argc, argv);
     QCoreApplication::setOrganizationName("Analogon");
     QCoreApplication::setApplicationName("AnalogonTest");
