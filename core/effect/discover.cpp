@@ -231,7 +231,15 @@ Search::Conclusion Search::conclude(NullModel& null, const NullModel& base, bool
         std::any_of(steps_.begin(), steps_.end(), [](const Step& s) { return s.acceptance.evidence < beyondDoubt; });
     if (!isNoise(null) || hasWeak) removeUnneeded(null, 0, true);
     if (onlyImitate(base, null)) takeOutAll(null, base);
-    if (mayAddLaw && !isNoise(null) && !progress_.stopRequested() && addLaw(null)) removeUnneeded(null, 0, true);
+    if (mayAddLaw && !isNoise(null) && !progress_.stopRequested()) {
+        Path before{null, steps_, displaced_, candidates_, {}};
+        if (addLaw(null)) removeUnneeded(null, 0, true);
+        // beside a law a fit may end elsewhere, where what was needed seems not to be
+        if (!(misfitIn(base, null) < misfitIn(base, before.null))) {
+            exchange(before);
+            null = std::move(before.null);
+        }
+    }
     // where a proposal explains all, what it made needless only imitated it
     const bool leavesMuch = levelOf(null.fit) > largeResidual;
     if (leavesMuch) setAsideBehindProposal(null);
@@ -345,12 +353,16 @@ Outcome<Finding> Search::run() {
         return steps_.empty() && !isNoise(*null) && !change_ && !dependence_ && conclusion.leavesMuch &&
                !progress_.stopRequested();
     };
-    // what explains most may be what a disturbance takes over best; then the next best path is judged
+    // what explains most may be what a disturbance takes over best, or what stands on effects that are not missed; then
+    // the next best path is judged
     for (Path& other : otherEnds_) {
         if (!isOpenStill()) break;
+        if (!(misfitIn(base, other.null) < conclusion.misfit)) continue;
         exchange(other);
         Conclusion next = conclude(other.null, base, false);
-        if (steps_.empty() || !(misfitIn(base, other.null) < conclusion.misfit)) {
+        const bool isBetter = steps_.empty() ? !next.proposed.empty() && next.misfit < conclusion.misfit
+                                             : misfitIn(base, other.null) < conclusion.misfit;
+        if (!isBetter) {
             exchange(other);
             continue;
         }

@@ -11,6 +11,7 @@ constexpr double leastBesideDisturbance = 30;  // fall in BIC
 constexpr double leastLikelier = 8;            // the same where noise is left
 constexpr double clearlyMissed = 100;          // in evidence
 constexpr double deviationsBesideStructure = 2;
+constexpr double asMuch = 0.99;   // of what a name explains
 constexpr double mostGrowth = 5;  // of an effect's strength when another joins it
 
 }  // namespace
@@ -112,12 +113,15 @@ bool beatsNames(const NullModel& null, const std::vector<Trial>& trials, std::si
         best = std::max(best, t.evidence);
         leastLeft = std::min(leastLeft, t.sumOfSquares());
     }
-    // what explains as much with fewer parameters is the better account, by whatever name
-    const bool isSimpler = trials[proposal].freed() < trials[*chosen].freed() && trials[proposal].evidence > best;
-    if (!isSimpler && !(weight * (trials[proposal].evidence - best) > equivalenceMargin)) return false;
     const double named = null.sumOfSquares() - leastLeft,
                  proposed = null.sumOfSquares() - trials[proposal].sumOfSquares();
-    return levelOf(trials[proposal].fit) <= largeResidual || named < nearlyAsMuch * proposed;
+    const bool leavesMuch = levelOf(trials[proposal].fit) > largeResidual;
+    // what explains as much with fewer parameters is the better account, by whatever name
+    const bool isSimpler = trials[proposal].freed() < trials[*chosen].freed();
+    if (isSimpler && leavesMuch && proposed > asMuch * named) return true;
+    const bool isClear = weight * (trials[proposal].evidence - best) > equivalenceMargin;
+    if (!isClear && !(isSimpler && trials[proposal].evidence > best)) return false;
+    return !leavesMuch || named < nearlyAsMuch * proposed;
 }
 
 }  // namespace analogon

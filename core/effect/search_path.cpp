@@ -283,7 +283,11 @@ void Search::addPairPaths(Path& best, const NullModel& base, const Round& first,
 bool Search::addLawPath(Path& best, Path begin) {
     if (!isNoise(best.null) && levelOf(best.null.fit) < structuredResidual) return false;
     std::optional<Path> path = withLaw(std::move(begin));
-    if (beginsAnew_ || !path || !isBetter(*path, best)) return false;
+    if (beginsAnew_ || !path) return false;
+    if (!isBetter(*path, best)) {
+        otherEnds_.push_back(std::move(*path));
+        return false;
+    }
     if (isNoise(best.null) && termsIn(path->null) >= termsIn(best.null)) return false;
     otherEnds_.push_back(std::move(best));
     best = std::move(*path);

@@ -124,6 +124,7 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null, std::vector<Tex
 }
 
 /// What was chosen beside a proposal may only mend the proposal: it is taken out, to be looked at again without it.
+/// What explains far more than all that is left does not.
 void Search::setAsideBehindProposal(NullModel& null) {
     const std::vector<PlacedEffect>& all = null.variant.effects;
     int first = choices_ + 1;
@@ -133,7 +134,8 @@ void Search::setAsideBehindProposal(NullModel& null) {
     std::vector<Step> steps;
     std::vector<Displaced> aside;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        if (steps_[i].order <= first || !all[i].effect.proposal.empty()) {
+        const bool isOwn = steps_[i].fall > leastAgainstRest * excess(null);
+        if (steps_[i].order <= first || !all[i].effect.proposal.empty() || isOwn) {
             kept.push_back(all[i]);
             steps.push_back(steps_[i]);
         } else {
