@@ -13,6 +13,7 @@
 #include <fstream>
 
 #include "core/archive/zip_directory.hpp"
+#include "core/base/file_fault.hpp"
 
 namespace analogon {
 
@@ -24,11 +25,6 @@ constexpr std::uint64_t largestStudy = 4ull << 30;  // [byte] unpacked
 constexpr qint64 chunk = 1 << 20;                   // [byte]
 
 QString qString(const fs::path& path) { return QString::fromStdString(path.string()); }
-
-Diagnostic cannotWrite(const fs::path& file, const QString& reason) {
-    return fileError(phrase("this cannot be written: {}", reason.toStdString()), file.string(), 0, 0,
-                     phrase("Check that the directory exists, may be written and has room."));
-}
 
 Diagnostic damaged(const fs::path& archive, const std::string& entry, const char* what) {
     return fileError(phrase("the entry \"{}\" {}", escapedName(entry), Text(what, {}, what)), archive.string(), 0, 0,
@@ -44,7 +40,7 @@ Outcome<Done> unpackEntry(QuaZip& zip, const fs::path& archive, const ZipEntry& 
     std::error_code code;
     fs::create_directories(target.parent_path(), code);
     QFile to(qString(target));
-    if (code || !to.open(QIODevice::WriteOnly)) return cannotWrite(target, to.errorString());
+    if (code || !to.open(QIODevice::WriteOnly)) return cannotWrite(target, to.errorString().toStdString());
     std::uint64_t left = entry.size;
     QByteArray bytes(chunk, Qt::Uninitialized);
     for (;;) {
@@ -54,13 +50,14 @@ Outcome<Done> unpackEntry(QuaZip& zip, const fs::path& archive, const ZipEntry& 
         if (static_cast<std::uint64_t>(count) > left)
             return damaged(archive, entry.name, "is larger than the archive says");
         left -= static_cast<std::uint64_t>(count);
-        if (to.write(bytes.constData(), count) != count) return cannotWrite(target, to.errorString());
+        if (to.write(bytes.constData(), count) != count) return cannotWrite(target, to.errorString().toStdString());
     }
     if (left > 0) return damaged(archive, entry.name, "is shorter than the archive says");
     from.close();  // compares the checksum
     if (from.getZipError() != UNZ_OK) return damaged(archive, entry.name, "is damaged: its checksum does not fit");
     to.close();
-    return to.error() == QFile::NoError ? Outcome<Done>(Done{}) : Outcome<Done>(cannotWrite(target, to.errorString()));
+    return to.error() == QFile::NoError ? Outcome<Done>(Done{})
+                                        : Outcome<Done>(cannotWrite(target, to.errorString().toStdString()));
 }
 
 /// All entries below a directory; returns the warnings.
@@ -81,10 +78,7 @@ Outcome<Done> unpackInto(const fs::path& archive, const fs::path& directory) {
         if (!entry.name.starts_with(historyFolder + std::string("/"))) return done;
         std::error_code code;
         fs::remove(directory / entry.name, code);  // a damaged history costs the history, not the study
-        for (Diagnostic lost : done.diagnostics()) {
-            lost.severity = Severity::Warning;
-            warnings.push_back(std::move(lost));
-        }
+        std::transform(done.diagnostics().begin(), done.diagnostics().end(), std::back_inserter(warnings), asWarning);
     }
     const auto isStudy = [](const ZipEntry& e) { return e.name == "study.json"; };
     if (std::none_of(entries->begin(), entries->end(), isStudy))
@@ -169,7 +163,8 @@ bool putEntry(QuaZip& zip, const std::string& name, QIODevice& from, bool isStor
 /// The files of a directory as a zip file, on the disk when this returns; the type (null: none) stands first.
 Outcome<Done> writeZip(const fs::path& directory, const fs::path& target, const fs::path& shown, const char* mimetype) {
     QFile file(qString(target));
-    if (!file.open(QIODevice::ReadWrite | QIODevice::Truncate)) return cannotWrite(shown, file.errorString());
+    if (!file.open(QIODevice::ReadWrite | QIODevice::Truncate))
+        return cannotWrite(shown, file.errorString().toStdString());
     QuaZip zip(&file);
     zip.setAutoClose(false);
     zip.setUtf8Enabled(true);
@@ -190,7 +185,8 @@ Outcome<Done> writeZip(const fs::path& directory, const fs::path& target, const 
     zip.close();
     isWritten = isWritten && zip.getZipError() == ZIP_OK && file.flush() && fsync(file.handle()) == 0;
     if (!isWritten)
-        return cannotWrite(shown, file.error() == QFile::NoError ? "the disk may be full" : file.errorString());
+        return cannotWrite(shown,
+                           file.error() == QFile::NoError ? "the disk may be full" : file.errorString().toStdString());
     return Done{};
 }
 
@@ -220,7 +216,7 @@ Outcome<Done> zipWhole(const fs::path& directory, const fs::path& path, const ch
     if (fs::exists(target, code)) fs::permissions(beside, fs::status(target, code).permissions(), code);
     code.clear();
     fs::rename(beside, target, code);
-    if (code) return cannotWrite(target, QString::fromStdString(code.message()));
+    if (code) return cannotWrite(target, code);
     syncDirectory(target.parent_path());
     return Done{};
 }
@@ -279,11 +275,11 @@ Outcome<Done> unpackArchive(const fs::path& archive, const fs::path& directory) 
     const fs::path beside = besideOf(target);
     fs::remove_all(beside, code);
     code.clear();
-    if (!fs::create_directory(beside, code)) return cannotWrite(target, QString::fromStdString(code.message()));
+    if (!fs::create_directory(beside, code)) return cannotWrite(target, code);
     Outcome<Done> done = unpackInto(archive, beside);
     if (done) {
         fs::rename(beside, target, code);
-        if (code) done = cannotWrite(target, QString::fromStdString(code.message()));
+        if (code) done = cannotWrite(target, code);
     }
     fs::remove_all(beside, code);
     return done;

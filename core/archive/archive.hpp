@@ -35,8 +35,8 @@ bool isArchive(const std::filesystem::path& path);
 /// not.
 Outcome<OpenedStudy> openStudy(const std::filesystem::path& path);
 
-/// Writes a study and its history into an archive (ending .analogon) or a directory. Atomic for an archive: whatever
-/// happens in between, the file is the old one or the new one, whole.
+/// Writes a study and its history into an archive (ending .analogon) or a directory. Whatever happens in between, the
+/// archive is the old one or the new one, whole; so is the study of a directory, and its history follows.
 Outcome<Done> saveStudy(const Study& study, const std::filesystem::path& path,
                         const std::vector<PastRun>& history = {});
 

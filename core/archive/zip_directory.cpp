@@ -7,6 +7,8 @@
 #include <set>
 #include <string_view>
 
+#include "core/base/file_fault.hpp"
+
 namespace analogon {
 
 namespace {
@@ -88,10 +90,8 @@ public:
         Diagnostics warnings;
         for (const ZipEntry& e : entries_)
             if (escapedName(e.name) != e.name) {
-                Diagnostic w = fault(
-                    fmt::format("an entry has invisible characters in its name: \"{}\"", escapedName(e.name)), {});
-                w.severity = Severity::Warning;
-                warnings.push_back(std::move(w));
+                warnings.push_back(asWarning(fault(
+                    fmt::format("an entry has invisible characters in its name: \"{}\"", escapedName(e.name)), {})));
             }
         std::erase_if(entries_, [](const ZipEntry& e) { return e.name.ends_with('/'); });
         return {std::move(entries_), std::move(warnings)};

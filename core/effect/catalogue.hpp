@@ -44,7 +44,7 @@
 ///
 /// Texts are Modelica expressions over sample, duration (of the recording, s) and range(v), minimum(v), maximum(v),
 /// maxabs(v), rms(v), mean(v), start(v), rate(v), through(port) of the variables v and connectors of the effect's own
-/// instance, as simulated with the effect off.
+/// instance, as simulated with the effect off; what `along` passes as it was recorded, where an output tells it.
 namespace analogon {
 
 struct EffectClass {

@@ -233,11 +233,13 @@ Search::Conclusion Search::conclude(NullModel& null, const NullModel& base, bool
     if (onlyImitate(base, null)) takeOutAll(null, base);
     if (mayAddLaw && !isNoise(null) && !progress_.stopRequested()) {
         Path before{null, steps_, displaced_, candidates_, {}};
-        if (addLaw(null)) removeUnneeded(null, 0, true);
-        // beside a law a fit may end elsewhere, where what was needed seems not to be
-        if (!(misfitIn(base, null) < misfitIn(base, before.null))) {
-            exchange(before);
-            null = std::move(before.null);
+        if (addLaw(null)) {
+            removeUnneeded(null, 0, true);
+            // beside a law a fit may end elsewhere, where what was needed seems not to be
+            if (!(misfitIn(base, null) < misfitIn(base, before.null))) {
+                exchange(before);
+                null = std::move(before.null);
+            }
         }
     }
     // where a proposal explains all, what it made needless only imitated it

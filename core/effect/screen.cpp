@@ -17,7 +17,8 @@ namespace {
 
 constexpr long evaluationsPerSample = 600;  // a candidate that needs more is no model of this recording
 constexpr double quarterTurn = std::numbers::pi / 2;
-constexpr double leastLead = 0.02;  // [turns] of a wave, by which the recorded course must be ahead to be another
+constexpr double leastLead =
+    0.02;  // [turns] of a wave, or of all that is passed, by which the recorded course is another
 constexpr const char* recordedName = "recordedCourse";
 constexpr double mostOfAWave = 1;     // [rad] that may pass in a step
 constexpr int mostStepsOfAWave = 16;  // in a sample interval: what is faster averages out
@@ -30,9 +31,9 @@ public:
     }
 
     double statistic(const std::string& function, const std::string& variable) const {
-        const bool isTold = function != "through" && variable == along_;
-        const auto& series = isTold ? recorded_ : series_;
-        const auto found = series.find(function == "through" ? "through " + variable : variable);
+        const std::string name = function == "through" ? "through " + variable : variable;
+        const auto& series = recorded_.contains(name) ? recorded_ : series_;
+        const auto found = series.find(name);
         if (found == series.end()) return std::nan("");
         double low = 1e300, high = -1e300, sum = 0, squares = 0, largestRate = 0, count = 0;
         for (std::size_t e = 0; e < found->second.size(); ++e) {
@@ -66,7 +67,6 @@ public:
     /// the recording.
     void setLead(const std::string& variable, std::vector<Eigen::VectorXd> lead) {
         lead_ = std::move(lead);
-        along_ = variable;
         std::vector<std::vector<double>>& recorded = recorded_[variable] = series(variable);
         for (std::size_t e = 0; e < recorded.size(); ++e)
             for (std::size_t k = 0; k < recorded[e].size(); ++k)
@@ -84,7 +84,6 @@ public:
 
 private:
     std::map<std::string, std::vector<std::vector<double>>> series_, recorded_;
-    std::string along_;
     std::vector<std::vector<double>> times_;
     std::vector<Eigen::VectorXd> lead_;
 };

@@ -337,23 +337,24 @@ void Search::decide(const NullModel& null, Round& round) const {
     }
     if (round.chosen) preferSimple(null, round);
     // An equation that leaves next to nothing refutes the names that explain far less, even where only one part of the
-    // record tells of it.
-    if (!proposal && unconfirmed && round.chosen) {
+    // record tells of it. So does what happens once, where no name passes and it leaves noise.
+    if (!proposal && unconfirmed) {
         const Trial& equation = trials[unconfirmed->trial];
-        const double gap = equation.evidence - trials[*round.chosen].evidence;
-        if (independentShare(null, equation.fit) * gap > 3 * equivalenceMargin) proposal = unconfirmed;
-    }
-    // So does what happens once, where it leaves noise.
-    if (!proposal && unconfirmed && !round.chosen) {
-        const Trial& equation = trials[unconfirmed->trial];
-        const double evidence = independentShare(null, equation.fit) * equation.evidence;
-        if (evidence > leastOfOnce && isNoise(null.channels, equation.fit)) proposal = unconfirmed;
+        const double share = independentShare(null, equation.fit);
+        const bool stands = round.chosen
+                                ? share * (equation.evidence - trials[*round.chosen].evidence) > 3 * equivalenceMargin
+                                : share * equation.evidence > leastOfOnce && isNoise(null.channels, equation.fit);
+        if (stands) proposal = unconfirmed;
     }
     // Where an equation without a name explains clearly more than any name, none of the names fits.
     if (proposal && beatsNames(null, trials, proposal->trial, round.chosen)) {
         round.chosen = proposal->trial;
         round.acceptance = proposal->acceptance;
         round.members = equivalents(null, trials, proposal->trial);
+        // told beside it are the names that take more to explain as much
+        std::erase_if(round.members, [&](std::size_t i) {
+            return i != proposal->trial && trials[i].freed() <= trials[proposal->trial].freed();
+        });
     }
 }
 

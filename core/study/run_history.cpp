@@ -7,9 +7,11 @@
 #include <cstring>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
+#include "core/base/file_fault.hpp"
 #include "core/study/run_json.hpp"
 
 namespace analogon {
@@ -36,10 +38,7 @@ bool isOwnFile(const fs::path& file) {
     return file.extension() == traceEnding || (name.starts_with("run-") && file.extension() == ".json");
 }
 
-Diagnostic cannotWrite(const fs::path& file) {
-    return fileError(phrase("this cannot be written: {}", std::strerror(errno)), file.string(), 0, 0,
-                     phrase("Check that the directory exists, may be written and has room."));
-}
+std::error_code lastFault() { return {errno, std::generic_category()}; }
 
 bool writeFile(const fs::path& file, const char* bytes, std::size_t count) {
     std::ofstream stream(file, std::ios::binary);
@@ -75,7 +74,7 @@ public:
         for (const auto& [name, values] : fresh) {
             const auto* const first = reinterpret_cast<const char*>(values.data());
             if (!writeFile(directory_ / name, first, values.size_bytes())) failed_ = directory_ / name;
-            kept_.emplace(name, true);
+            kept_.insert(name);
         }
         return text;
     }
@@ -84,7 +83,7 @@ public:
 private:
     fs::path directory_, failed_;
     std::uint64_t room_;
-    std::map<std::string, bool> kept_;
+    std::set<std::string> kept_;
 };
 
 std::vector<double> readTrace(const fs::path& directory, const std::string& name) {
@@ -103,9 +102,8 @@ PastRun readRun(const fs::path& file, const Study& study, Diagnostics& warnings)
                         [&](const std::string& name) { return readTrace(file.parent_path(), name); });
     } catch (const std::runtime_error& fault) {
         PastRun run = parseRun(text, file.string(), study, [](const std::string&) { return std::vector<double>(); });
-        Diagnostic lost = fileError(phrase("the traces of this run cannot be read: {}", fault.what()), file.string());
-        lost.severity = Severity::Warning;
-        warnings.push_back(std::move(lost));
+        warnings.push_back(
+            asWarning(fileError(phrase("the traces of this run cannot be read: {}", fault.what()), file.string())));
         return run;
     }
 }
@@ -119,14 +117,15 @@ bool hasTraces(const RunResult& result) {
 
 Outcome<Done> writeHistory(const std::vector<PastRun>& runs, const fs::path& directory, const HistoryLimits& limits) {
     std::error_code code;
-    if (!fs::create_directories(directory, code)) return cannotWrite(directory);
+    if (!fs::create_directories(directory, code))
+        return cannotWrite(directory, code ? code : std::make_error_code(std::errc::file_exists));
     TraceWriter traces(directory, limits.traceBytes);
     const std::size_t count = std::min(limits.runs, runs.size());
     for (std::size_t i = 0; i < count; ++i) {  // the latest first: they have the first claim on the room
         const std::string text = traces.keep(runs[runs.size() - 1 - i]);
         const fs::path file = directory / fmt::format("run-{:04}.json", count - i);
-        if (!writeFile(file, text.data(), text.size())) return cannotWrite(file);
-        if (!traces.failed().empty()) return cannotWrite(traces.failed());
+        if (!writeFile(file, text.data(), text.size())) return cannotWrite(file, lastFault());
+        if (!traces.failed().empty()) return cannotWrite(traces.failed(), lastFault());
     }
     return Done{};
 }
@@ -145,9 +144,8 @@ Outcome<std::vector<PastRun>> readHistory(const fs::path& directory, const Study
         try {
             runs.push_back(readRun(file, study, warnings));
         } catch (const std::exception& fault) {
-            Diagnostic lost = fileError(phrase("a run of the history cannot be read: {}", fault.what()), file.string());
-            lost.severity = Severity::Warning;
-            warnings.push_back(std::move(lost));
+            warnings.push_back(
+                asWarning(fileError(phrase("a run of the history cannot be read: {}", fault.what()), file.string())));
         }
     }
     return {std::move(runs), std::move(warnings)};
@@ -172,9 +170,12 @@ Outcome<Done> replaceHistory(const std::vector<PastRun>& runs, const fs::path& s
     fs::create_directories(place, code);
     std::vector<fs::path> fresh;
     for (const auto& entry : fs::directory_iterator(beside, code)) fresh.push_back(entry.path());
-    for (const fs::path& file : fresh) fs::rename(file, place / file.filename(), code);
+    for (const fs::path& file : fresh) {
+        fs::rename(file, place / file.filename(), code);
+        if (code) return cannotWrite(place / file.filename(), code);
+    }
     fs::remove(beside, code);
-    return code ? Outcome<Done>(cannotWrite(place)) : Outcome<Done>(Done{});
+    return Done{};
 }
 
 }  // namespace analogon

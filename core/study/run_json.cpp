@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <type_traits>
+
+#include "core/report/words.hpp"
 
 namespace analogon {
 
@@ -17,8 +18,12 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* formatName = "analogon-run-1";
 
-class Writer;
-class Reader;
+/// The values of an enumeration as the report calls them; empty beyond the last.
+std::string wordOf(Role role) { return role == Role::Fit ? "fit" : role == Role::Validate ? "validate" : ""; }
+std::string wordOf(FitStatus status) { return statusWords(status); }
+std::string wordOf(Way way) { return name(way); }
+std::string wordOf(Verdict verdict) { return name(verdict); }
+std::string wordOf(FindingKind kind) { return name(kind); }
 
 /// Writes a struct member by member. Writer and Reader share one list of members for each struct (`members` below), so
 /// that what is written is what is read.
@@ -31,8 +36,8 @@ public:
         (*object_)[name] = written(value);
     }
     template <class Enum>
-    void choice(const char* name, Enum& value, std::initializer_list<const char*> names) {
-        (*object_)[name] = names.begin()[static_cast<std::size_t>(value)];
+    void choice(const char* name, Enum& value) {
+        (*object_)[name] = wordOf(value);
     }
     void array(const char* name, Eigen::VectorXd& values) {
         (*object_)[name] = kept({values.data(), static_cast<std::size_t>(values.size())});
@@ -58,14 +63,14 @@ public:
         if (const auto found = object_->find(name); found != object_->end()) read(*found, value);
     }
     template <class Enum>
-    void choice(const char* name, Enum& value, std::initializer_list<const char*> names) {
-        const std::string word = object_->at(name).get<std::string>();
-        for (std::size_t i = 0; i < names.size(); ++i)
-            if (word == names.begin()[i]) {
+    void choice(const char* name, Enum& value) {
+        const std::string wanted = object_->at(name).get<std::string>();
+        for (int i = 0; !wordOf(static_cast<Enum>(i)).empty(); ++i)
+            if (wanted == wordOf(static_cast<Enum>(i))) {
                 value = static_cast<Enum>(i);
                 return;
             }
-        throw std::runtime_error(fmt::format("'{}' is no {}", word, name));
+        throw std::runtime_error(fmt::format("'{}' is no {}", wanted, name));
     }
     void array(const char* name, Eigen::VectorXd& values) {
         const std::vector<double> found = arrayOf(name);
@@ -149,7 +154,7 @@ void members(Of& of, SimulationFailure& f) {
 template <class Of>
 void members(Of& of, ExperimentState& e) {
     of.member("name", e.name);
-    of.choice("role", e.role, {"fit", "validate"});
+    of.choice("role", e.role);
     of.member("error_percent", e.errorPercent);
     of.array("time", e.time);
     of.member("outputs", e.outputs);
@@ -172,7 +177,7 @@ void members(Of& of, ModelState& s) {
     of.member("parameters", s.parameters);
     of.member("experiments", s.experiments);
     of.member("residual", s.residual);
-    of.choice("status", s.status, {"converged", "iteration limit", "cancelled", "failed"});
+    of.choice("status", s.status);
     of.member("message", s.message);
     of.member("remarks", s.remarks);
     of.member("simulations", s.simulations);
@@ -210,7 +215,7 @@ void members(Of& of, AddedEffect& e) {
     of.member("kind", e.kind);
     of.member("class", e.className);
     of.member("at", e.at);
-    of.choice("way", e.way, {"attach", "insert", "specialise"});
+    of.choice("way", e.way);
     of.member("instance", e.instance);
     of.member("new_input", e.newInput);
     of.member("channel", e.channel);
@@ -229,9 +234,7 @@ void members(Of& of, CandidateResult& c) {
     of.member("score", c.score);
     of.member("strength", c.strength);
     of.member("delta_bic", c.deltaBic);
-    of.choice("verdict", c.verdict,
-              {"chosen", "equivalent", "weaker", "not significant", "absorbed", "wrong sign", "fails held-out blocks",
-               "failed"});
+    of.choice("verdict", c.verdict);
     of.member("absorbed_by", c.absorbedBy);
     of.member("round", c.round);
     of.member("failure", c.failure);
@@ -262,7 +265,7 @@ void members(Of& of, Remainder& r) {
 
 template <class Of>
 void members(Of& of, Finding& f) {
-    of.choice("kind", f.kind, {"adequate", "effect", "partial", "unexplained"});
+    of.choice("kind", f.kind);
     of.member("baseline", f.baseline);
     of.member("final", f.final);
     of.member("effects", f.effects);

@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "core/base/file_fault.hpp"
 #include "core/study/json_places.hpp"
 #include "core/study/study.hpp"
 #include "core/syntax/parser.hpp"
@@ -87,11 +88,6 @@ Outcome<std::shared_ptr<const Table>> readMeasurement(const Study& study, std::s
     if (!table) return table.diagnostics();
     warnings.insert(warnings.end(), table.diagnostics().begin(), table.diagnostics().end());
     return std::make_shared<const Table>(std::move(*table));
-}
-
-Diagnostic cannotWrite(const fs::path& path, const std::error_code& code) {
-    return fileError(phrase("this cannot be written: {}", code.message()), path.string(), 0, 0,
-                     phrase("Check that the directory exists, may be written and has room."));
 }
 
 bool leavesDirectory(const fs::path& path) {

@@ -45,18 +45,24 @@ bool isSameModel(const Study& a, const Study& b) {
                       [](const auto& x, const auto& y) { return isSame(x, y); });
 }
 
-}  // namespace
-
-namespace {
-
-const char* commandOf(RunKind kind) { return kind == RunKind::Fit ? "fit" : "discover"; }
-
 /// The time of a run of today, else its day as well.
 QString timeText(const QDateTime& ended) {
     return ended.toString(ended.date() == QDate::currentDate() ? "HH:mm:ss" : "yyyy-MM-dd HH:mm");
 }
 
 }  // namespace
+
+const char* commandName(RunKind kind) {
+    switch (kind) {
+        case RunKind::Simulate:
+            return "simulate";
+        case RunKind::Fit:
+            return "fit";
+        case RunKind::Discover:
+            break;
+    }
+    return "discover";
+}
 
 struct Document::Opened {
     Outcome<OpenedStudy> study;
@@ -162,7 +168,7 @@ void Document::adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory>
     history_.clear();
     hasNewRuns_ = false;
     for (const PastRun& run : history)
-        history_.push_back({++runs_, run.command == commandOf(RunKind::Fit) ? RunKind::Fit : RunKind::Discover,
+        history_.push_back({++runs_, run.command == commandName(RunKind::Fit) ? RunKind::Fit : RunKind::Discover,
                             timeText(QDateTime::fromString(QString::fromStdString(run.ended), Qt::ISODate)), run.ended,
                             run.seconds, run.ranOn, run.result});
     compared_.reset();
@@ -209,7 +215,7 @@ void Document::save(const QString& path) {
 std::vector<PastRun> Document::pastRuns() const {
     std::vector<PastRun> runs;
     for (const RunRecord& run : history_)
-        runs.push_back({commandOf(run.kind), run.ended, run.seconds, run.ranOn, run.result});
+        runs.push_back({commandName(run.kind), run.ended, run.seconds, run.ranOn, run.result});
     return runs;
 }
 
@@ -453,8 +459,7 @@ void Document::setResult(RunKind kind, RunResult result, const Study& ranOn, dou
     beforeFit_ = simulated_;
     live_.reset();
     result_ = std::make_shared<const RunResult>(std::move(result));
-    constexpr std::size_t kept = 40;  // runs
-    if (history_.size() >= kept) history_.erase(history_.begin());
+    if (history_.size() >= HistoryLimits().runs) history_.erase(history_.begin());
     const QDateTime now = QDateTime::currentDateTime();
     history_.push_back({++runs_, kind, timeText(now), now.toString(Qt::ISODate).toStdString(), seconds,
                         std::make_shared<const Study>(ranOn), result_});

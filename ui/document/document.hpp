@@ -20,6 +20,8 @@
 namespace analogon::ui {
 
 enum class RunKind { Simulate, Fit, Discover };
+/// Its name on the command line and in a report: "fit".
+const char* commandName(RunKind kind);
 
 /// A message with the part of the work it came from; opening a study or changing the model replaces its own.
 struct Message {

@@ -79,18 +79,6 @@ QString runName(RunKind kind) {
     return RunController::tr("Discovery");
 }
 
-const char* commandName(RunKind kind) {
-    switch (kind) {
-        case RunKind::Simulate:
-            return "simulate";
-        case RunKind::Fit:
-            return "fit";
-        case RunKind::Discover:
-            break;
-    }
-    return "discover";
-}
-
 RunController::RunController(Document& document, QObject* parent) : QObject(parent), document_(document) {
     connect(&run_, &JobRunner::started, this, &RunController::runningChanged);
     connect(&run_, &JobRunner::finished, this, &RunController::runningChanged);

@@ -71,7 +71,5 @@ private:
 };
 
 QString runName(RunKind kind);
-/// Its name on the command line and in a report: "fit".
-const char* commandName(RunKind kind);
 
 }  // namespace analogon::ui

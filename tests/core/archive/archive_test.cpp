@@ -1,19 +1,14 @@
 #include "core/archive/archive.hpp"
 
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <chrono>
-#include <cstdlib>
 #include <fstream>
 #include <random>
 #include <sstream>
-#include <thread>
 
 #include "core/archive/zip_directory.hpp"
 #include "core/study/run.hpp"
+#include "tests/kills.hpp"
 
 namespace analogon {
 namespace {
@@ -300,29 +295,22 @@ TEST_F(Archive, IsOldOrNewWhenTheProgramIsKilled) {
     Study odd = example(), even = odd;
     even.className = "Other";
     ASSERT_TRUE(saveStudy(odd, file));
-    const char* wanted = std::getenv("ANALOGON_KILLS");  // 3000 takes some minutes
-    const int kills = wanted ? std::atoi(wanted) : 40;
-    std::mt19937 random(3);
-    int news = 0;
-    unsigned reach = 40000;  // [us], of the moments; further as long as nothing is saved before them (a busy machine)
-    for (int i = 0; i < kills; ++i) {
-        const pid_t child = fork();
-        if (child == 0) {
-            for (;;) {
-                (void)saveStudy(even, file);
-                (void)saveStudy(odd, file);
-            }
-        }
-        std::this_thread::sleep_for(std::chrono::microseconds(500 + random() % reach));
-        kill(child, SIGKILL);
-        waitpid(child, nullptr, 0);
+    const auto save = [&] {
+        (void)saveStudy(even, file);
+        (void)saveStudy(odd, file);
+    };
+    const auto look = [&](bool& isNew) {
         const auto opened = openStudy(file);
-        ASSERT_TRUE(opened) << "kill " << i << ": " << format(opened.diagnostics());
-        ASSERT_TRUE(opened->study.className == odd.className || opened->study.className == "Other");
-        news += opened->study.className == "Other" ? 1 : 0;
-        if (news == 0 && i % 4 == 3) reach = std::min(2 * reach, 2'000'000u);
-    }
-    EXPECT_GT(news, 0) << "some kills came after a save";
+        ASSERT_TRUE(opened) << format(opened.diagnostics());
+        isNew = opened->study.className == "Other";
+        ASSERT_TRUE(isNew || opened->study.className == odd.className);
+    };
+    const Kills kills = killWhileSaving(3, save, [&] {
+        bool isNew = false;
+        look(isNew);
+        return isNew;
+    });
+    EXPECT_GT(kills.firsts, 0) << "some kills came after a save";
 }
 
 }  // namespace

@@ -1,13 +1,5 @@
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <chrono>
-#include <cstdlib>
-#include <random>
-#include <thread>
-
 #include "study_fixture.hpp"
+#include "tests/kills.hpp"
 
 using namespace analogon;
 using ::testing::HasSubstr;
@@ -175,32 +167,25 @@ TEST_F(StudyFiles, SurviveKills) {
     const Study even = read(), odd = otherStudy(even);
     const fs::path place = directory_ / "killed";
     ASSERT_TRUE(writeStudy(even, place));
-    const char* wanted = std::getenv("ANALOGON_KILLS");
-    const int kills = wanted ? std::atoi(wanted) : 40;
-    std::mt19937 random(5);
-    int others = 0;
-    unsigned reach = 40000;  // [us], of the moments; further as long as nothing is saved before them (a busy machine)
-    for (int i = 0; i < kills; ++i) {
-        const pid_t child = fork();
-        if (child == 0)
-            for (;;) {
-                (void)writeStudy(odd, place);
-                (void)writeStudy(even, place);
-            }
-        std::this_thread::sleep_for(std::chrono::microseconds(500 + random() % reach));
-        kill(child, SIGKILL);
-        waitpid(child, nullptr, 0);
+    const auto save = [&] {
+        (void)writeStudy(odd, place);
+        (void)writeStudy(even, place);
+    };
+    const auto look = [&](bool& isOdd) {
         const Outcome<Study> study = readStudy(place);
-        ASSERT_TRUE(study) << "kill " << i << ": " << format(study.diagnostics());
-        const Study& whole = study->className == "Other" ? odd : even;
-        ASSERT_EQ(study->models, whole.models) << "kill " << i;
-        ASSERT_EQ(study->tables.at("train.csv")->columns[1].values, whole.tables.at("train.csv")->columns[1].values)
-            << "kill " << i;
-        others += study->className == "Other" ? 1 : 0;
-        if (others == 0 && i % 4 == 3) reach = std::min(2 * reach, 2'000'000u);
-    }
-    EXPECT_GT(others, 0) << "some kills came after a save";
-    EXPECT_LT(others, kills);
+        ASSERT_TRUE(study) << format(study.diagnostics());
+        isOdd = study->className == "Other";
+        const Study& whole = isOdd ? odd : even;
+        ASSERT_EQ(study->models, whole.models);
+        ASSERT_EQ(study->tables.at("train.csv")->columns[1].values, whole.tables.at("train.csv")->columns[1].values);
+    };
+    const Kills kills = killWhileSaving(5, save, [&] {
+        bool isOdd = false;
+        look(isOdd);
+        return isOdd;
+    });
+    EXPECT_GT(kills.firsts, 0) << "some kills came after a save";
+    EXPECT_LT(kills.firsts, kills.all);
 }
 
 TEST_F(StudyFiles, LeaveNothingHalfWritten) {
