@@ -878,10 +878,22 @@ TEST_F(Compose, StaysFluidWithFiveHundredBlocks) {
         clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
         return 1e3 * static_cast<double>(spent.tv_sec) + 1e-6 * static_cast<double>(spent.tv_nsec);
     };
+    // Until the study is on the screen: all the work of this thread, and the longest that the window is busy at a
+    // stretch.
     double begin = now();
     document().startWith(std::move(study));
-    window.grab();
-    const double opening = now() - begin;
+    const double beginning = now() - begin;
+    double opening = beginning, stretch = beginning;
+    QElapsedTimer clock;
+    clock.start();
+    for (int idle = 0; idle < 20 && clock.elapsed() < 30000; idle = document().isOpen() ? idle + 1 : 0) {
+        QTest::qSleep(1);
+        begin = now();
+        QCoreApplication::processEvents();
+        const double turn = now() - begin;
+        opening += turn;
+        stretch = std::max(stretch, turn);
+    }
     ASSERT_EQ(document().diagram().blocks.size(), 500u) << messages();
     ASSERT_EQ(document().diagram().wires.size(), 800u);
     QTest::qWait(50);
@@ -912,8 +924,9 @@ TEST_F(Compose, StaysFluidWithFiveHundredBlocks) {
     std::sort(moves.begin(), moves.end());
     std::sort(readings.begin(), readings.end());
     const double moving = moves[3], reading = readings[3];
-    std::cout << "opening " << opening << " ms, repaint while dragging 50 of 500 blocks " << times[10]
-              << " ms, their move " << moving << " ms, reading the text " << reading << " ms\n";
+    std::cout << "opening " << opening << " ms, at most " << stretch
+              << " ms at a stretch, repaint while dragging 50 of 500 blocks " << times[10] << " ms, their move "
+              << moving << " ms, reading the text " << reading << " ms\n";
     // From a file: the longest that the window is busy at a stretch. Texts are read beside it.
     const QTemporaryDir place;
     const QString file = place.filePath("large.analogon");
@@ -921,8 +934,7 @@ TEST_F(Compose, StaysFluidWithFiveHundredBlocks) {
     document().undoStack().setClean();
     window.open(file);
     double stall = 0;
-    QElapsedTimer clock;
-    clock.start();
+    clock.restart();
     while (document().path().isEmpty() && clock.elapsed() < 30000) {
         QTest::qSleep(1);
         begin = now();
@@ -932,6 +944,8 @@ TEST_F(Compose, StaysFluidWithFiveHundredBlocks) {
     ASSERT_FALSE(document().path().isEmpty());
     std::cout << "opening the file: at most " << stall << " ms at a stretch\n";
     EXPECT_LT(stall, 80) << "[ms]; 20 on a machine that does nothing else";
+    EXPECT_LT(beginning, reading / 2) << "[ms]; a study that was made in memory is read beside the window, too";
+    EXPECT_LT(stretch, 80) << "[ms]; 37 on a machine that does nothing else";
     EXPECT_LT(opening, 250) << "[ms]; 75 on a machine that does nothing else";
     EXPECT_LT(times[10], 16) << "[ms]";
     EXPECT_LT(moving, 100) << "[ms]; 40 on a machine that does nothing else";

@@ -1165,6 +1165,10 @@ TEST_F(Panels, ComposesAStudyFromDomainsAndARecording) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen(); }, 20000)) << page->fault().toStdString();
     EXPECT_TRUE(document().canRun());
     ASSERT_TRUE(QTest::qWaitFor([&] { return document().before() != nullptr; }, 20000));
+    const auto& said = document().messages();
+    EXPECT_TRUE(std::any_of(said.begin(), said.end(), [](const Message& m) {
+        return m.diagnostic.severity == Severity::Note;
+    })) << "what was assumed, still there when the model has been analysed";
 }
 
 TEST_F(Panels, TakesADomainAndARecordingOutAgain) {

@@ -94,11 +94,11 @@ Document::~Document() { blockSignals(true); }
 
 namespace {
 
+/// The block library is parsed once a process, and the texts of a study take their time: on another thread, and not on
+/// that of the screen.
 template <class Opened>
-Opened readFrom(const std::filesystem::path& file) {
-    Opened read{openStudy(file), {}, {}, {}};
-    // The block library is parsed once a process, and the texts of a study take their time: here, and not on the GUI
-    // thread.
+Opened withLibrary(Outcome<OpenedStudy> study) {
+    Opened read{std::move(study), {}, {}, {}};
     if (read.study) read.library = studyLibrary(read.study->study);
     return read;
 }
@@ -109,7 +109,7 @@ void Document::open(const QString& path) {
     const std::filesystem::path file = path.toStdString();
     reader_.start<Opened>(
         tr("Reading %1").arg(QString::fromStdString(file.filename().string())),
-        [file](const Progress&) { return readFrom<Opened>(file); },
+        [file](const Progress&) { return withLibrary<Opened>(openStudy(file)); },
         [this, path](Opened read) {
             read.path = path;
             show(std::move(read));
@@ -119,7 +119,7 @@ void Document::open(const QString& path) {
 void Document::openRecovered(const QString& recovery, const QString& path) {
     const std::filesystem::path file = recovery.toStdString();
     reader_.start<Opened>(
-        tr("Reading what was recovered"), [file](const Progress&) { return readFrom<Opened>(file); },
+        tr("Reading what was recovered"), [file](const Progress&) { return withLibrary<Opened>(openStudy(file)); },
         [this, recovery, path](Opened read) {
             read.path = path;
             read.recoveredFrom = recovery;
@@ -143,14 +143,20 @@ void Document::startNew(const QString& suggested) {
     study.className = "Model";
     study.models[study.modelFile] =
         "model Model\n  annotation (Diagram(coordinateSystem(extent={{-160,-100},{160,100}})));\nend Model;\n";
-    startWith(std::move(study));
-}
-
-void Document::startWith(Study study) {
     reader_.drop();
     recoveredFrom_.clear();
     setMessages(Message::Origin::Study, {});
     adoptStudy(std::move(study), nullptr, {});
+}
+
+void Document::startWith(Study study, Diagnostics remarks) {
+    const QString what = tr("Reading %1").arg(QString::fromStdString(study.name));
+    reader_.start<Opened>(
+        what,
+        [study = std::move(study), remarks = std::move(remarks)](const Progress&) {
+            return withLibrary<Opened>(Outcome<OpenedStudy>(OpenedStudy{study, nullptr, {}}, remarks));
+        },
+        [this](Opened read) { show(std::move(read)); });
 }
 
 void Document::adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory> files, const QString& path,

@@ -55,8 +55,9 @@ public:
     void open(const QString& path);
     /// An empty study; `suggested` is its name until it is saved.
     void startNew(const QString& suggested);
-    /// A study that was made in memory, not saved anywhere yet.
-    void startWith(Study study);
+    /// A study that was made in memory, not saved anywhere yet, and what there is to say of it. Its texts are read in
+    /// the background, as those of a file are.
+    void startWith(Study study, Diagnostics remarks = {});
     bool isOpen() const { return study_.has_value(); }
     /// Where it was opened from or last saved to; empty: nowhere yet.
     QString path() const { return path_; }

@@ -543,14 +543,13 @@ void MainWindow::connectPanels() {
     connect(generate_, &GeneratePage::cancelled, this, &MainWindow::showStudy);
     connect(generate_, &GeneratePage::generated, this, [this](const GeneratedStudy& made) {
         leaveThen([this, made] {
-            document_->startWith(made.study);
             Diagnostics assumed;
             for (const std::string& text : made.assumptions) {
                 Diagnostic note = warning(text);
                 note.severity = Severity::Note;
                 assumed.push_back(std::move(note));
             }
-            document_->setRunMessages(std::move(assumed));
+            document_->startWith(made.study, std::move(assumed));
         });
     });
     connect(start_, &StartPage::newWanted, this, &MainWindow::startNew);
