@@ -174,8 +174,8 @@ Outcome<Done> replaceHistory(const std::vector<PastRun>& runs, const fs::path& s
         fs::rename(file, place / file.filename(), code);
         if (code) return cannotWrite(place / file.filename(), code);
     }
-    fs::remove(beside, code);
-    return Done{};
+    fs::remove(beside, code);  // fails where something could not be listed and moved
+    return code ? Outcome<Done>(cannotWrite(place, code)) : Outcome<Done>(Done{});
 }
 
 }  // namespace analogon
