@@ -18,6 +18,7 @@ public:
           coordinates_(coordinates),
           options_(options),
           iterationsLeft_(iterationsLeft),
+          beginsNear_(beginsNear),
           K_(coordinates.size()) {
         if (beginsNear) damping_ = 1e-8;  // the slopes hold as far as the optimum
         z_ = lower_ = upper_ = scale_ = Eigen::VectorXd::Zero(K_);
@@ -71,6 +72,11 @@ private:
         full_ = full;
         if (expected_ <= options_.costTolerance * cost || isWithin(full, 1e-12))
             return end(FitStatus::Converged, phrase("converged"));
+        if (mayStepUnseen(full)) {
+            misfit_.stepUnseen(coordinates_.values(z_), coordinates_.values(z_ + full));
+            z_ += full;
+            return end(FitStatus::Converged, phrase("converged"));
+        }
         if (flatSteps_ >= 3 && expected_ <= 1e-6 * cost) return end(FitStatus::Converged, phrase("converged"));
         if (flatSteps_ >= 8)
             return end(FitStatus::IterationLimit,
@@ -87,9 +93,9 @@ private:
     /// slopes hold: most of the damping they ask for is forgotten once one succeeds.
     bool descend(Minimum& minimum) {
         constexpr int mostTries = 60, many = 3;
-        constexpr double nearlyNothing = 1e-6;  // of the cost
+        const double little = beginsNear_ ? 1e-3 : 1e-6;  // of the cost: the next point is all but the optimum
         const double cost = here_.cost(), before = std::max(damping_, 1e-8);
-        misfit_.expectLast(expected_ <= nearlyNothing * cost);
+        misfit_.expectLast(expected_ <= little * cost);
         int failures = 0;
         for (int tries = 0; tries < mostTries && damping_ < 1e20; ++tries) {
             const Eigen::VectorXd aimed = z_ + limited(step(damping_));
@@ -107,6 +113,7 @@ private:
                 if (fall > 0.0) {
                     if (failures >= many) damping_ = before * std::cbrt(damping_ / before);
                     const double quality = 2.0 * fall / predicted - 1.0;
+                    held_ = std::abs(quality - 1.0) <= 0.2 && predicted >= 0.9 * expected_ ? expected_ : 0.0;
                     damping_ = std::max(1e-12, damping_ * std::max(1.0 / 9.0, 1.0 - quality * quality * quality));
                     growth_ = 2.0;
                     if (failures == 0) flatSteps_ = fall <= options_.costTolerance * cost ? flatSteps_ + 1 : 0;
@@ -126,6 +133,17 @@ private:
                           : misfit_.failure().empty() ? phrase("no step lowers the cost")
                                                       : misfit_.failure();
         return false;
+    }
+
+    /// In a long record, after a full step that did what its slopes promised, a far smaller one will too: where the
+    /// step after it would promise no more than the tolerance, a pass over all samples would only confirm it.
+    bool mayStepUnseen(const Eigen::VectorXd& full) const {
+        constexpr double nextToNothing = 1e-7;  // of the cost: the slopes there are those here
+        const Eigen::VectorXd there = z_ + full;
+        const bool isInside = (there.array() > lower_.array()).all() && (there.array() < upper_.array()).all();
+        const double cost = here_.cost(), afterwards = expected_ * expected_ / held_;
+        return beginsNear_ && held_ > 0.0 && isInside && !misfit_.takesDifferences() &&
+               expected_ <= nextToNothing * cost && afterwards <= options_.costTolerance * cost;
     }
 
     /// Minimises |slopes z + residuals|² + damping |scale z|² over what is free.
@@ -173,8 +191,11 @@ private:
     Misfit& misfit_;
     const Coordinates& coordinates_;
     const FitOptions& options_;
-    int iterationsLeft_{}, iterations_{}, flatSteps_{}, K_{};
+    int iterationsLeft_{}, iterations_{}, flatSteps_{};
+    bool beginsNear_{};
+    int K_{};
     double damping_{1e-3}, growth_{2.0}, expected_{};
+    double held_{};  // what a full step promised and did just now; 0: it did not
     Eigen::VectorXd z_, lower_, upper_, scale_, gradient_, full_;
     Eigen::MatrixXd slopes_;
     ReducedMisfit here_;

@@ -175,6 +175,17 @@ const ReducedMisfit& Misfit::reduced(const Eigen::VectorXd& values) {
     return point.reduced;
 }
 
+void Misfit::stepUnseen(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+    const Eigen::VectorXd step = to - from;
+    Point& point = memory_[oldest_];
+    point = {to, reduced(from)};
+    point.reduced.residuals += point.reduced.jacobian * step;
+    oldest_ = (oldest_ + 1) % memory_.size();
+    Linearisation line = best_ == from ? std::move(bestLine_) : Linearisation{};
+    if (line.ok) line.residuals.noalias() += line.jacobian * step;
+    note(to, point.reduced.cost(), std::move(line));
+}
+
 void Misfit::evaluate(const Eigen::VectorXd& values, ReducedMisfit& reduced) {
     evaluateSlopes(values, reduced);
     if (!reduced.ok || !arousesDoubt(values, reduced) || !mislead(values, reduced)) return;

@@ -40,6 +40,8 @@ public:
     /// The next point is likely to be the optimum: its residuals and slopes are kept, where they are asked for, so that
     /// nobody has to simulate it again.
     void expectLast(bool isExpected) { isLast_ = isExpected; }
+    /// Goes from one point that is remembered to another so close to it that its slopes tell what is met there.
+    void stepUnseen(const Eigen::VectorXd& from, const Eigen::VectorXd& to);
     /// Robust losses are measured against the scatter of the residuals here.
     void rescaleLoss(const Eigen::VectorXd& values);
     /// Priors weigh against the scatter of the residuals here; true when it has changed.

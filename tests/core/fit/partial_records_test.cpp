@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/QR>
 #include <cmath>
 #include <stdexcept>
 
@@ -94,7 +95,7 @@ TEST(PartialRecords, ASlowModelNeedsEveryTenthSample) {
     EXPECT_EQ(part->problem.experiments[0].inputs.time[7], problem.experiments[0].inputs.time[70]);
     const FitResult result = fit(problem);
     expectSameOptimum(result, fitAll(problem));
-    EXPECT_LE(result.simulations, 3);
+    EXPECT_LE(result.simulations, 2);
     // chosen from every tenth sample, the steps are no worse than those chosen from all
     EXPECT_EQ(result.plans[0], planFor(problem, 0, result.values));
 }
@@ -104,9 +105,20 @@ TEST(PartialRecords, WhatIsKeptOfTheLastPassIsTheLinearisationThere) {
     const FitResult result = fit(problem);
     const Linearisation line = linearise(problem, result.values, true, result.plans);
     ASSERT_TRUE(result.optimum.ok);
-    EXPECT_EQ(result.optimum.residuals, line.residuals);
-    EXPECT_EQ(result.optimum.jacobian, line.jacobian);
+    EXPECT_LT((result.optimum.residuals - line.residuals).norm(), 1e-7 * line.residuals.norm());
+    EXPECT_LT((result.optimum.jacobian - line.jacobian).norm(), 1e-4 * line.jacobian.norm());
     EXPECT_NEAR(result.cost, 0.5 * line.residuals.squaredNorm(), 1e-9 * result.cost);
+}
+
+TEST(PartialRecords, TheLastStepNeedsNoPassOfItsOwn) {
+    const FitProblem problem = wireProblem();
+    const FitResult result = fit(problem);
+    EXPECT_EQ(result.simulations, 2);
+    // no step leads further down from there
+    const Linearisation line = linearise(problem, result.values, true, result.plans);
+    const ReducedMisfit there = reduce(line.jacobian, line.residuals);
+    const Eigen::VectorXd step = -there.jacobian.householderQr().solve(there.residuals);
+    EXPECT_LT((there.jacobian * step).squaredNorm(), 1e-12 * there.residuals.squaredNorm());
 }
 
 TEST(PartialRecords, SumsOnTheWayAreThoseOfAPassOfTheirOwn) {
