@@ -1,5 +1,5 @@
-// Times one pass with all tangents, and whole fits, against hand-written C++ of the same problem in the same run; then
-// how both grow with samples, parameters and experiments.
+// Times the way from files to traces, then one pass with all tangents, and whole fits, against hand-written C++ of the
+// same problem in the same run; then how both grow with samples, parameters and experiments.
 //   speed [seconds per figure]
 #include <fmt/format.h>
 #include <malloc.h>
@@ -10,10 +10,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 
 #include "core/fit/fit.hpp"
+#include "core/study/run.hpp"
 #include "tests/bench/speed/hand_fit.hpp"
 
 namespace analogon::speed {
@@ -113,6 +115,22 @@ void compare(const SpeedProblem& problem, const Pass& pass, double budget) {
         "{:.1e}; {}\n\n",
         byHand.passes, byHand.cost, result.simulations, result.partSimulations,
         pass(result.values).cost / byHand.cost - 1, deviation(result, byHand), result.message);
+}
+
+/// From the files of an example to the first traces of its model; the program reads the library once.
+void startUp(const char* example) {
+    const auto directory = std::filesystem::path(ANALOGON_ROOT) / "examples" / example;
+    const auto simulate = [&] {
+        const auto study = readStudy(directory);
+        const auto task = taskOf(study.value(), {});
+        const auto prepared = prepare(task.value());
+        linearise(prepared->problem, prepared->problem.startValues(), false, {});
+    };
+    const double begin = now();
+    simulate();
+    const double first = now() - begin;
+    fmt::print("{}: first traces after {:.1f} ms, and again after {:.1f} ms\n", example, 1e3 * first,
+               1e3 * timed(0.2, simulate));
 }
 
 void growSamples(const char* title, SpeedProblem (*make)(int samples), Pass (*passOf)(const SpeedProblem&),
@@ -254,6 +272,8 @@ void growThreads() {
 int main(int count, char** arguments) {
     using namespace analogon::speed;
     const double budget = count > 1 ? std::atof(arguments[1]) : 0.5;
+    for (const char* const example : {"lambda-sensor-heating", "water-pump"}) startUp(example);
+    fmt::print("\n");
     for (const bool isNoisy : {false, true}) {
         const SpeedProblem heater = lambdaHeater(30'001, isNoisy);
         compare(heater, heaterPassOf(heater), budget);
