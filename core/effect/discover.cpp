@@ -10,6 +10,7 @@
 #include "core/effect/caution.hpp"
 #include "core/effect/dependence.hpp"
 #include "core/effect/model_state.hpp"
+#include "core/effect/reason.hpp"
 #include "core/effect/remainder.hpp"
 #include "core/effect/search.hpp"
 #include "core/effect/thin.hpp"
@@ -179,8 +180,8 @@ bool Search::onlyImitate(const NullModel& base, const NullModel& null) const {
 }
 
 /// Back to the model without effects.
-void Search::takeOutAll(NullModel& null, const NullModel& base) {
-    for (const PlacedEffect& e : null.variant.effects) setVerdict(e.effect.kind, e.place.at, Verdict::NotSignificant);
+void Search::takeOutAll(NullModel& null, const NullModel& base, const Text& why) {
+    for (const PlacedEffect& e : null.variant.effects) setVerdict(e, Verdict::NotSignificant, takenOut(why));
     steps_.clear();
     null = base;
 }
@@ -188,7 +189,7 @@ void Search::takeOutAll(NullModel& null, const NullModel& base) {
 /// Back to the best model that was whole when the search was stopped: what came after it may be half a refit. Returns
 /// its state, if it has effects.
 std::optional<ModelState> Search::backToLastWhole(NullModel& null, const NullModel& base) {
-    takeOutAll(null, base);
+    takeOutAll(null, base, phrase("the search was stopped before it was borne out"));
     if (!whole_) return std::nullopt;
     // what the search had no time to hold against the rest must be clear by itself
     const auto isClear = [&](const Step& s) {
@@ -230,7 +231,9 @@ Search::Conclusion Search::conclude(NullModel& null, const NullModel& base, bool
     const bool hasWeak =
         std::any_of(steps_.begin(), steps_.end(), [](const Step& s) { return s.acceptance.evidence < beyondDoubt; });
     if (!isNoise(null) || hasWeak) removeUnneeded(null, 0, true);
-    if (onlyImitate(base, null)) takeOutAll(null, base);
+    if (onlyImitate(base, null))
+        takeOutAll(null, base,
+                   phrase("of several effects that explain much together none is missed: they only imitate it"));
     if (mayAddLaw && !isNoise(null) && !progress_.stopRequested()) {
         Path before{null, steps_, displaced_, candidates_, {}};
         if (addLaw(null)) {
@@ -347,7 +350,10 @@ Outcome<Finding> Search::run() {
 
     settleChange(base, *null);
     if (change_ || dependence_) {
-        takeOutAll(*null, base);
+        takeOutAll(*null, base,
+                   change_
+                       ? phrase("{} that changes in mid run is the better account", change_->parameter)
+                       : phrase("{} that moves with a recorded channel is the better account", dependence_->parameter));
         finding.final = finding.baseline;
     }
     Conclusion conclusion = conclude(*null, base, !change_ && !dependence_);
@@ -467,8 +473,6 @@ Outcome<Finding> Search::run() {
                              effect.kind, placed.place.at, effect.at));
         }
     }
-    settleVerdicts(finding.effects);
-    finding.candidates = std::move(candidates_);
     finding.interrupted = progress_.stopRequested();
     if (!finding.interrupted) {
         Leftovers left = leftovers(quiet ? *quiet : *null, options_.fit.simulation);
@@ -520,6 +524,8 @@ Outcome<Finding> Search::run() {
                 phrase("{} seems to move with the recorded channel {}", dependence_->parameter, dependence_->channel));
         }
     }
+    settleVerdicts(finding);
+    finding.candidates = std::move(candidates_);
     for (const auto& sentences : {recordingRemarks(*null), extrapolations(full_.task), driftBetweenRecordings(*null),
                                   boundHits(null->fit), delaysBelowSampling(full_.task, finding.effects)})
         finding.warnings.insert(finding.warnings.end(), sentences.begin(), sentences.end());

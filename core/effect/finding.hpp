@@ -96,6 +96,7 @@ struct CandidateResult {
     std::vector<std::string> absorbedBy;  // parameters
     int round{};
     Text failure{};  // why it could not be tried
+    Text reason{};   // why it is not in the model; empty: it is, or the run is of before reasons were kept
 };
 
 struct Correlate {

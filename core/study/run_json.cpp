@@ -238,6 +238,7 @@ void members(Of& of, CandidateResult& c) {
     of.member("absorbed_by", c.absorbedBy);
     of.member("round", c.round);
     of.member("failure", c.failure);
+    of.member("reason", c.reason);
 }
 
 template <class Of>
