@@ -526,8 +526,15 @@ Outcome<Finding> Search::run() {
     }
     settleVerdicts(finding);
     finding.candidates = std::move(candidates_);
-    for (const auto& sentences : {recordingRemarks(*null), extrapolations(full_.task), driftBetweenRecordings(*null),
-                                  boundHits(null->fit), delaysBelowSampling(full_.task, finding.effects)})
+    const std::vector<Recording>& recorded = asRecorded_.empty() ? full_.task.recordings : asRecorded_;
+    const std::vector<FaultySamples> unfitted = faultySamples(recorded, finding.final);
+    const ModelState sound = withoutFaults(finding.final, unfitted);
+    EstimationTask measured = full_.task;
+    measured.recordings = recorded;
+    leaveOut(measured, unfitted);
+    for (const auto& sentences :
+         {recordingRemarks(*null), faultRemarks(recorded, unfitted, finding.final, sound), extrapolations(measured),
+          driftBetweenRecordings(*null), boundHits(null->fit), delaysBelowSampling(full_.task, finding.effects)})
         finding.warnings.insert(finding.warnings.end(), sentences.begin(), sentences.end());
     finding.warnings.insert(finding.warnings.end(), heldRemarks.begin(), heldRemarks.end());
     // an interrupted search has not looked at what is left in detail, but must not call it noise
@@ -538,7 +545,7 @@ Outcome<Finding> Search::run() {
         finding.warnings.push_back(
             phrase("an equation without a name explains as much as {} at {}, and the data do not tell them apart: {}",
                    finding.effects.front().kind, finding.effects.front().at, steps_.front().equation));
-    for (Text& sentence : poorValidations(finding.final)) finding.warnings.push_back(std::move(sentence));
+    for (Text& sentence : poorValidations(sound)) finding.warnings.push_back(std::move(sentence));
     if (leavesStructure)
         for (const auto& sentences : {wrongStarts(finding.final), stuckReadings(full_.task)})
             finding.warnings.insert(finding.warnings.end(), sentences.begin(), sentences.end());

@@ -4397,18 +4397,6 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>{}, obwohl dort ein Startwert angepasst wird: Ein anderer kann falsch sein, auch der eines Teils, den ein Effekt hinzugefügt hat</translation>
     </message>
     <message>
-        <source>'{}' begins in motion: the model of output '{}' begins at rest and has caught up at {:.5g} s, what is before is left out</source>
-        <translation>„{}“ beginnt in Bewegung: das Modell des Ausgangs „{}“ beginnt in Ruhe und hat bei {} s aufgeholt, was davor liegt, ist ausgelassen</translation>
-    </message>
-    <message>
-        <source>output '{}' of '{}': single samples far from their neighbours and from the model are taken for faults of the measurement and left out ({} of them: {})</source>
-        <translation>Ausgang „{}“ von „{}“: Einzelne Abtastwerte weit weg von ihren Nachbarn und vom Modell gelten als Fehler der Messung und bleiben weg ({} Stück: {})</translation>
-    </message>
-    <message>
-        <source>output '{}' of '{}' reads exactly the same from {:.5g} s to {:.5g} s and jumps when it goes on: the sensor or the logger stuck, and this is left out</source>
-        <translation>Ausgang „{}“ von „{}“ zeigt von {} s bis {} s genau dasselbe und springt, wenn es weitergeht: Der Sensor oder die Aufzeichnung hing, das bleibt weg</translation>
-    </message>
-    <message>
         <source>output '{}' of '{}' reads {:.5g} from {:.4g} s to {:.4g} s without any change, and hardly ever twice the same elsewhere: did the sensor or the logger stick?</source>
         <translation>Ausgang „{}“ von „{}“ zeigt {} von {} s bis {} s ohne jede Änderung und sonst kaum je zweimal dasselbe: Hing der Sensor oder die Aufzeichnung?</translation>
     </message>
@@ -7343,6 +7331,30 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>{} that moves with a recorded channel is the better account</source>
         <translation>{}, das sich mit einem aufgezeichneten Kanal bewegt, erklärt es besser</translation>
+    </message>
+    <message>
+        <source>'{}' begins in motion: the model of output '{}' begins at rest and has caught up at {:.5g} s</source>
+        <translation>„{}“ beginnt in Bewegung: Das Modell des Ausgangs „{}“ beginnt in Ruhe und hat bei {} s aufgeholt</translation>
+    </message>
+    <message>
+        <source>output '{}' of '{}' reads exactly the same from {:.5g} s to {:.5g} s and jumps when it goes on: the sensor or the logger stuck</source>
+        <translation>Ausgang „{}“ von „{}“ zeigt von {} s bis {} s genau dasselbe und springt, wenn er weitergeht: Der Sensor oder der Logger hing</translation>
+    </message>
+    <message>
+        <source>output '{}' of '{}' reads exactly the same from {:.5g} s to its end, where the model moves on: the sensor or the logger stuck</source>
+        <translation>Ausgang „{}“ von „{}“ zeigt von {} s bis zum Ende genau dasselbe, während das Modell sich weiter bewegt: Der Sensor oder der Logger hing</translation>
+    </message>
+    <message>
+        <source>output '{}' of '{}': single samples far from their neighbours and from the model are taken for faults of the measurement ({} of them: {})</source>
+        <translation>Ausgang „{}“ von „{}“: Einzelne Abtastwerte weitab von ihren Nachbarn und vom Modell gelten als Fehler der Messung ({}: {})</translation>
+    </message>
+    <message>
+        <source>{}; these samples are left out</source>
+        <translation>{}; diese Abtastwerte bleiben außer Betracht</translation>
+    </message>
+    <message>
+        <source>{}; the error that is reported of '{}' is over all samples, {:.3g} %: without those at fault it is {:.3g} %</source>
+        <translation>{}; der berichtete Fehler von „{}“ ist der über alle Abtastwerte, {} %: Ohne die fehlerhaften ist er {} %</translation>
     </message>
 </context>
 <context>
