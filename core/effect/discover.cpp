@@ -24,6 +24,10 @@ constexpr double startsWithin = 4;  // of the values in the study, by this facto
 constexpr std::size_t fewestOfImitation = 3;
 constexpr double shareOfImitation = 0.05;  // of what they explain together
 
+double secondsSince(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
 /// What a model leaves, in units of the noise of the model as given, and what its parameters cost (BIC).
 double misfitIn(const NullModel& base, const NullModel& model) {
     const double rows = static_cast<double>(base.fit.optimum.residuals.size());
@@ -284,6 +288,30 @@ bool Search::beginElsewhere(NullModel& null) {
     return true;
 }
 
+/// What is found where numbers are in another unit than the recordings say: whatever an effect would explain beside
+/// them is that.
+Finding Search::besideMistake(Finding finding, const NullModel& null, const MistakenUnit& mistake) const {
+    finding.kind = FindingKind::Unexplained;
+    finding.remainders = leftovers(null, options_.fit.simulation).structure;
+    const Text channels = channelWords(full_.task, mistake);
+    finding.notSearched = phrase("the numbers of {} look like {} and not like the {} that is told", channels,
+                                 mistake.likely, mistake.unit);
+    const Variant read{readAsLikely(full_.task, mistake), {}, mistake.read.variant.values};
+    if (const Outcome<ModelState> state =
+            stateOf(read, mistake.read.fit, options_.fit.simulation, progress_, Detail::Errors)) {
+        const double was = errorPercentOf(finding.baseline, Role::Fit), is = errorPercentOf(*state, Role::Fit);
+        const double wasUnfitted = validationErrorOf(finding.baseline), isUnfitted = validationErrorOf(*state);
+        Text errors = phrase("read so, the model as it is leaves an error of {:.3g} % instead of {:.3g} %", is, was);
+        if (isUnfitted >= 0)
+            errors += phrase(", and of {:.3g} % instead of {:.3g} % on recordings that were not fitted", isUnfitted,
+                             wasUnfitted);
+        finding.warnings.push_back(phrase("{}: {}; correct the header, or give the unit in the study, and search again",
+                                          finding.notSearched, errors));
+    }
+    for (Text& remark : recordingRemarks(null)) finding.warnings.push_back(std::move(remark));
+    return finding;
+}
+
 Outcome<Finding> Search::run() {
     const auto begin = std::chrono::steady_clock::now();
     Outcome<std::vector<EffectClass>> catalogue = effectCatalogue(base_.task.library);
@@ -341,6 +369,11 @@ Outcome<Finding> Search::run() {
     NullModel base = *null;
     search_.fit.simulation.relativeTolerance =
         std::clamp(integrationShare * quietest(base), options_.fit.simulation.relativeTolerance, coarsestTolerance);
+    if (const auto mistake = mistakenUnit(base, {base_.task, {}, {}}, search_.fit, progress_)) {
+        finding = besideMistake(std::move(finding), *null, *mistake);
+        finding.seconds = secondsSince(begin);
+        return finding;
+    }
     Outcome<Path> path = bestPath(base);
     if (!path) return path.diagnostics();
     null = std::move(path->null);
@@ -549,7 +582,7 @@ Outcome<Finding> Search::run() {
     if (leavesStructure)
         for (const auto& sentences : {wrongStarts(finding.final), stuckReadings(full_.task)})
             finding.warnings.insert(finding.warnings.end(), sentences.begin(), sentences.end());
-    finding.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    finding.seconds = secondsSince(begin);
     return finding;
 }
 

@@ -140,6 +140,7 @@ struct Finding {
     std::vector<Remainder> remainders;
     Text nextExperiment;
     std::vector<Text> warnings;
+    Text notSearched{};  // why no effect was looked for; empty: they were
     bool interrupted{};
     double seconds{};
 };

@@ -13,6 +13,7 @@
 #include "core/effect/input_edge.hpp"
 #include "core/effect/input_noise.hpp"
 #include "core/effect/judgement.hpp"
+#include "core/effect/mistaken_unit.hpp"
 #include "core/effect/start_value.hpp"
 
 namespace analogon {
@@ -133,6 +134,7 @@ private:
     Conclusion conclude(NullModel& null, const NullModel& base, bool mayAddLaw);
     bool leaveOutFaults(const NullModel& fitted);
     bool beginElsewhere(NullModel& null);
+    Finding besideMistake(Finding finding, const NullModel& null, const MistakenUnit& mistake) const;
     void takeOutAll(NullModel& null, const NullModel& base, const Text& why);
     std::optional<ModelState> backToLastWhole(NullModel& null, const NullModel& base);
     bool onlyImitate(const NullModel& base, const NullModel& null) const;

@@ -112,8 +112,10 @@ std::string summaryWords(const Finding& finding, const std::string& command) {
             text += "; what is left still has a structure that nothing known here explains.";
             break;
         case FindingKind::Unexplained:
-            text =
-                "What the model leaves over is not noise, and no known effect explains it. " + plainErrorWords(state);
+            text = (finding.notSearched.empty()
+                        ? "What the model leaves over is not noise, and no known effect explains it. "
+                        : "What the model leaves over is not noise, and no effect was looked for. ") +
+                   plainErrorWords(state);
             break;
     }
     std::set<std::string> values;

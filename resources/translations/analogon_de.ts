@@ -3950,6 +3950,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Damit und neu angepasst bleibt Struktur, die kein Kandidat erklärt.</translation>
     </message>
     <message>
+        <source>Numbers in another unit</source>
+        <translation>Zahlen in einer anderen Einheit</translation>
+    </message>
+    <message>
         <source>Unexplained structure</source>
         <translation>Unerklärte Struktur</translation>
     </message>
@@ -7355,6 +7359,26 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>{}; the error that is reported of '{}' is over all samples, {:.3g} %: without those at fault it is {:.3g} %</source>
         <translation>{}; der berichtete Fehler von „{}“ ist der über alle Abtastwerte, {} %: Ohne die fehlerhaften ist er {} %</translation>
+    </message>
+    <message>
+        <source>{} in '{}'</source>
+        <translation>{} in „{}“</translation>
+    </message>
+    <message>
+        <source>the numbers of {} look like {} and not like the {} that is told</source>
+        <translation>die Zahlen von {} sehen nach {} aus und nicht nach {}, wie angegeben</translation>
+    </message>
+    <message>
+        <source>read so, the model as it is leaves an error of {:.3g} % instead of {:.3g} %</source>
+        <translation>so gelesen lässt das Modell, wie es ist, einen Fehler von {} % statt {} %</translation>
+    </message>
+    <message>
+        <source>, and of {:.3g} % instead of {:.3g} % on recordings that were not fitted</source>
+        <translation>, und von {} % statt {} % auf Aufzeichnungen, die nicht angepasst wurden</translation>
+    </message>
+    <message>
+        <source>{}: {}; correct the header, or give the unit in the study, and search again</source>
+        <translation>{}: {}; die Kopfzeile berichtigen oder die Einheit in der Studie angeben und noch einmal suchen</translation>
     </message>
 </context>
 <context>
