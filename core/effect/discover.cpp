@@ -305,9 +305,10 @@ Finding Search::besideMistake(Finding finding, const NullModel& null, const Mist
         if (isUnfitted >= 0)
             errors += phrase(", and of {:.3g} % instead of {:.3g} % on recordings that were not fitted", isUnfitted,
                              wasUnfitted);
-        finding.warnings.push_back(phrase("{}: {}; correct the header, or give the unit in the study, and search again",
-                                          finding.notSearched, errors));
+        finding.notSearched = phrase("{}: {}; correct the header, or give the unit in the study, and search again",
+                                     finding.notSearched, errors);
     }
+    finding.warnings.push_back(finding.notSearched);
     for (Text& remark : recordingRemarks(null)) finding.warnings.push_back(std::move(remark));
     return finding;
 }

@@ -12,8 +12,8 @@ namespace analogon {
 namespace {
 
 constexpr std::size_t mostFitted = 2;
-constexpr double leastShare = 20;      // of what stays unexplained, that must be explained
-constexpr double leastEvidence = 300;  // since another reading has no parameter that a fit could be wrong about
+constexpr double leastShare = 3;       // times what stays unexplained, that must be explained
+constexpr double leastEvidence = 300;  // far more than an effect needs: none is looked for beside it
 
 /// What test benches record in, by kind: every other one of the same kind may be meant.
 constexpr std::array<const char*, 27> commonUnits{"K",   "degC", "degF", "rad/s", "rpm", "deg/s", "rad", "deg", "A",
@@ -168,7 +168,7 @@ std::optional<MistakenUnit> mistakenUnit(const NullModel& null, const Variant& g
         if (best && !(read->sumOfSquares() < best->read.sumOfSquares())) continue;
         const Acceptance gain = examine(null, read->fit, 0, 0);
         if (!gain.accepted() || !(gain.share > leastShare)) continue;
-        if (!(std::min(gain.evidence, gain.effective) > leastEvidence)) continue;
+        if (!(std::max(gain.evidence, gain.effective) > leastEvidence)) continue;
         best = std::move(each.mistake);
         best->read = std::move(*read);
     }

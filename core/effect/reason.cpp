@@ -11,18 +11,18 @@ Text withinChance(double evidence, double asked) {
                   evidence, asked);
 }
 
-Text whyRefused(const Acceptance& acceptance, double leastHeldOut) {
+Text whyRefused(const Acceptance& acceptance, double heldOutAsked) {
     if (acceptance.isAtEdges)
         return phrase(
             "what it explains lies right behind changes of an input, and how that ran between its samples may be all "
             "there is to it");
     if (!acceptance.isSignificant)
         return withinChance(std::max(acceptance.evidence, acceptance.effective), acceptance.leastEvidence);
-    if (!(acceptance.heldOut > leastHeldOut))
+    if (!(acceptance.heldOut > heldOutAsked))
         return phrase(
             "held-out blocks contradict it: they bear out {:.0f} % of what it explains, and more than {:.0f} % is "
             "asked for",
-            100 * acceptance.heldOut, 100 * leastHeldOut);
+            100 * acceptance.heldOut, 100 * heldOutAsked);
     if (!acceptance.isWorthwhile)
         return phrase("explains {:.2g} % of what stays unexplained beside it, which is too little to count",
                       100 * acceptance.share);

@@ -10,7 +10,7 @@ namespace analogon {
 Text nameOf(const Candidate& candidate);
 
 /// The first test that it fails, where so much of it must hold on the blocks left out; empty: it passes.
-Text whyRefused(const Acceptance& acceptance, double leastHeldOut);
+Text whyRefused(const Acceptance& acceptance, double heldOutAsked);
 
 /// That evidence is no more than chance may bring.
 Text withinChance(double evidence, double asked);
