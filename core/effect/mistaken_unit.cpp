@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t mostFitted = 2;
 constexpr double leastShare = 3;       // times what stays unexplained, that must be explained
+constexpr double mostLeft = 1.0 / 3;   // of the sum of squares, unless it is noise
 constexpr double leastEvidence = 300;  // far more than an effect needs: none is looked for beside it
 
 /// What test benches record in, by kind: every other one of the same kind may be meant.
@@ -168,6 +169,7 @@ std::optional<MistakenUnit> mistakenUnit(const NullModel& null, const Variant& g
         if (best && !(read->sumOfSquares() < best->read.sumOfSquares())) continue;
         const Acceptance gain = examine(null, read->fit, 0, 0);
         if (!gain.accepted() || !(gain.share > leastShare)) continue;
+        if (!isNoise(*read) && !(read->sumOfSquares() < mostLeft * null.sumOfSquares())) continue;
         if (!(std::max(gain.evidence, gain.effective) > leastEvidence)) continue;
         best = std::move(each.mistake);
         best->read = std::move(*read);
