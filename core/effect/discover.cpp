@@ -10,6 +10,7 @@
 #include "core/effect/caution.hpp"
 #include "core/effect/dependence.hpp"
 #include "core/effect/model_state.hpp"
+#include "core/effect/reason.hpp"
 #include "core/effect/remainder.hpp"
 #include "core/effect/search.hpp"
 #include "core/effect/thin.hpp"
@@ -22,6 +23,10 @@ constexpr int otherStarts = 7;
 constexpr double startsWithin = 4;  // of the values in the study, by this factor
 constexpr std::size_t fewestOfImitation = 3;
 constexpr double shareOfImitation = 0.05;  // of what they explain together
+
+double secondsSince(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
 
 /// What a model leaves, in units of the noise of the model as given, and what its parameters cost (BIC).
 double misfitIn(const NullModel& base, const NullModel& model) {
@@ -179,8 +184,8 @@ bool Search::onlyImitate(const NullModel& base, const NullModel& null) const {
 }
 
 /// Back to the model without effects.
-void Search::takeOutAll(NullModel& null, const NullModel& base) {
-    for (const PlacedEffect& e : null.variant.effects) setVerdict(e.effect.kind, e.place.at, Verdict::NotSignificant);
+void Search::takeOutAll(NullModel& null, const NullModel& base, const Text& why) {
+    for (const PlacedEffect& e : null.variant.effects) setVerdict(e, Verdict::NotSignificant, takenOut(why));
     steps_.clear();
     null = base;
 }
@@ -188,7 +193,7 @@ void Search::takeOutAll(NullModel& null, const NullModel& base) {
 /// Back to the best model that was whole when the search was stopped: what came after it may be half a refit. Returns
 /// its state, if it has effects.
 std::optional<ModelState> Search::backToLastWhole(NullModel& null, const NullModel& base) {
-    takeOutAll(null, base);
+    takeOutAll(null, base, phrase("the search was stopped before it was borne out"));
     if (!whole_) return std::nullopt;
     // what the search had no time to hold against the rest must be clear by itself
     const auto isClear = [&](const Step& s) {
@@ -230,7 +235,9 @@ Search::Conclusion Search::conclude(NullModel& null, const NullModel& base, bool
     const bool hasWeak =
         std::any_of(steps_.begin(), steps_.end(), [](const Step& s) { return s.acceptance.evidence < beyondDoubt; });
     if (!isNoise(null) || hasWeak) removeUnneeded(null, 0, true);
-    if (onlyImitate(base, null)) takeOutAll(null, base);
+    if (onlyImitate(base, null))
+        takeOutAll(null, base,
+                   phrase("of several effects that explain much together none is missed: they only imitate it"));
     if (mayAddLaw && !isNoise(null) && !progress_.stopRequested()) {
         Path before{null, steps_, displaced_, candidates_, {}};
         if (addLaw(null)) {
@@ -279,6 +286,31 @@ bool Search::beginElsewhere(NullModel& null) {
     base_.values = full_.values = begin.values;
     null = std::move(*better);
     return true;
+}
+
+/// What is found where numbers are in another unit than the recordings say: whatever an effect would explain beside
+/// them is that.
+Finding Search::besideMistake(Finding finding, const NullModel& null, const MistakenUnit& mistake) const {
+    finding.kind = FindingKind::Unexplained;
+    finding.remainders = leftovers(null, options_.fit.simulation).structure;
+    const Text channels = channelWords(full_.task, mistake);
+    finding.notSearched = phrase("the numbers of {} look like {} and not like the {} that is told", channels,
+                                 mistake.likely, mistake.unit);
+    const Variant read{readAsLikely(full_.task, mistake), {}, mistake.read.variant.values};
+    if (const Outcome<ModelState> state =
+            stateOf(read, mistake.read.fit, options_.fit.simulation, progress_, Detail::Errors)) {
+        const double was = errorPercentOf(finding.baseline, Role::Fit), is = errorPercentOf(*state, Role::Fit);
+        const double wasUnfitted = validationErrorOf(finding.baseline), isUnfitted = validationErrorOf(*state);
+        Text errors = phrase("read so, the model as it is leaves an error of {:.3g} % instead of {:.3g} %", is, was);
+        if (isUnfitted >= 0)
+            errors += phrase(", and of {:.3g} % instead of {:.3g} % on recordings that were not fitted", isUnfitted,
+                             wasUnfitted);
+        finding.notSearched = phrase("{}: {}; correct the header, or give the unit in the study, and search again",
+                                     finding.notSearched, errors);
+    }
+    finding.warnings.push_back(finding.notSearched);
+    for (Text& remark : recordingRemarks(null)) finding.warnings.push_back(std::move(remark));
+    return finding;
 }
 
 Outcome<Finding> Search::run() {
@@ -338,6 +370,11 @@ Outcome<Finding> Search::run() {
     NullModel base = *null;
     search_.fit.simulation.relativeTolerance =
         std::clamp(integrationShare * quietest(base), options_.fit.simulation.relativeTolerance, coarsestTolerance);
+    if (const auto mistake = mistakenUnit(base, {base_.task, {}, {}}, search_.fit, progress_)) {
+        finding = besideMistake(std::move(finding), *null, *mistake);
+        finding.seconds = secondsSince(begin);
+        return finding;
+    }
     Outcome<Path> path = bestPath(base);
     if (!path) return path.diagnostics();
     null = std::move(path->null);
@@ -347,7 +384,10 @@ Outcome<Finding> Search::run() {
 
     settleChange(base, *null);
     if (change_ || dependence_) {
-        takeOutAll(*null, base);
+        takeOutAll(*null, base,
+                   change_
+                       ? phrase("{} that changes in mid run is the better account", change_->parameter)
+                       : phrase("{} that moves with a recorded channel is the better account", dependence_->parameter));
         finding.final = finding.baseline;
     }
     Conclusion conclusion = conclude(*null, base, !change_ && !dependence_);
@@ -467,8 +507,6 @@ Outcome<Finding> Search::run() {
                              effect.kind, placed.place.at, effect.at));
         }
     }
-    settleVerdicts(finding.effects);
-    finding.candidates = std::move(candidates_);
     finding.interrupted = progress_.stopRequested();
     if (!finding.interrupted) {
         Leftovers left = leftovers(quiet ? *quiet : *null, options_.fit.simulation);
@@ -520,8 +558,17 @@ Outcome<Finding> Search::run() {
                 phrase("{} seems to move with the recorded channel {}", dependence_->parameter, dependence_->channel));
         }
     }
-    for (const auto& sentences : {recordingRemarks(*null), extrapolations(full_.task), driftBetweenRecordings(*null),
-                                  boundHits(null->fit), delaysBelowSampling(full_.task, finding.effects)})
+    settleVerdicts(finding);
+    finding.candidates = std::move(candidates_);
+    const std::vector<Recording>& recorded = asRecorded_.empty() ? full_.task.recordings : asRecorded_;
+    const std::vector<FaultySamples> unfitted = faultySamples(recorded, finding.final);
+    const ModelState sound = withoutFaults(finding.final, unfitted);
+    EstimationTask measured = full_.task;
+    measured.recordings = recorded;
+    leaveOut(measured, unfitted);
+    for (const auto& sentences :
+         {recordingRemarks(*null), faultRemarks(recorded, unfitted, finding.final, sound), extrapolations(measured),
+          driftBetweenRecordings(*null), boundHits(null->fit), delaysBelowSampling(full_.task, finding.effects)})
         finding.warnings.insert(finding.warnings.end(), sentences.begin(), sentences.end());
     finding.warnings.insert(finding.warnings.end(), heldRemarks.begin(), heldRemarks.end());
     // an interrupted search has not looked at what is left in detail, but must not call it noise
@@ -532,11 +579,11 @@ Outcome<Finding> Search::run() {
         finding.warnings.push_back(
             phrase("an equation without a name explains as much as {} at {}, and the data do not tell them apart: {}",
                    finding.effects.front().kind, finding.effects.front().at, steps_.front().equation));
-    for (Text& sentence : poorValidations(finding.final)) finding.warnings.push_back(std::move(sentence));
+    for (Text& sentence : poorValidations(sound)) finding.warnings.push_back(std::move(sentence));
     if (leavesStructure)
         for (const auto& sentences : {wrongStarts(finding.final), stuckReadings(full_.task)})
             finding.warnings.insert(finding.warnings.end(), sentences.begin(), sentences.end());
-    finding.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    finding.seconds = secondsSince(begin);
     return finding;
 }
 

@@ -154,47 +154,61 @@ int samplesToCatchUp(const NullModel& model, const ResidualChannel& channel, con
     return isOver && own < ownPart * first && !behindJumps(recording).front() ? count : 0;
 }
 
-/// Samples of a channel that stand alone.
-struct Spikes {
-    const ResidualChannel* channel{};
+/// Where a channel was measured, what it read there, and what of that is beyond the model.
+struct Measured {
+    int recording{};  // of the task
+    int output{};     // among those of the recording's channels
     std::vector<int> samples;
+    Eigen::VectorXd values, beyond;
 };
 
-Spikes spikesOf(const NullModel& model, const ResidualChannel& channel, const Recording& recording) {
-    Spikes spikes{&channel, {}};
-    const int rows = channel.end - channel.begin;
-    const Eigen::VectorXd beyond = -model.fit.optimum.residuals.segment(channel.begin, rows);
-    const Runs runs = runsThatStandAlone(beyond, channel.measured, allClear);
-    if (runs.empty() || runsThatStandAlone(beyond, channel.measured, halfClear).size() > mostHalfClear * runs.size())
-        return spikes;
+/// Of the samples of a channel, those that stand alone.
+std::vector<int> spikesOf(const Measured& channel, const Recording& recording) {
+    const Runs runs = runsThatStandAlone(channel.beyond, channel.values, allClear);
+    if (runs.empty() ||
+        runsThatStandAlone(channel.beyond, channel.values, halfClear).size() > mostHalfClear * runs.size())
+        return {};
+    std::vector<int> spikes;
     const std::vector<bool> isBehind = behindJumps(recording);
     for (const auto& [begin, end] : runs) {
         const auto first = channel.samples.begin() + begin, last = channel.samples.begin() + end;
         if (std::any_of(first, last, [&](int k) { return isBehind[static_cast<std::size_t>(k)]; })) continue;
-        spikes.samples.insert(spikes.samples.end(), first, last);
+        spikes.insert(spikes.end(), first, last);
     }
-    if (spikes.samples.size() > std::max(mostAnyway, static_cast<std::size_t>(mostOfSamples * rows)))
-        spikes.samples.clear();
+    const auto most = static_cast<std::size_t>(mostOfSamples * static_cast<double>(channel.samples.size()));
+    if (spikes.size() > std::max(mostAnyway, most)) spikes.clear();
     return spikes;
 }
 
-/// What several outputs do at once, the component does.
-bool isShared(const std::vector<Spikes>& all, const Spikes& own, int sample) {
-    return std::any_of(all.begin(), all.end(), [&](const Spikes& other) {
-        return &other != &own && other.channel->experiment == own.channel->experiment &&
-               std::any_of(other.samples.begin(), other.samples.end(),
-                           [&](int k) { return std::abs(k - sample) <= 1; });
-    });
+/// Index of a channel, and a sample of it that stands alone. What several outputs do at once, the component does.
+std::vector<std::pair<std::size_t, int>> spikesOfOneAlone(const std::vector<Measured>& channels,
+                                                          const std::vector<Recording>& recordings) {
+    std::vector<std::vector<int>> all;
+    for (const Measured& c : channels) all.push_back(spikesOf(c, recordings[static_cast<std::size_t>(c.recording)]));
+    const auto isShared = [&](std::size_t own, int sample) {
+        for (std::size_t other = 0; other < all.size(); ++other)
+            if (other != own && channels[other].recording == channels[own].recording &&
+                std::any_of(all[other].begin(), all[other].end(), [&](int k) { return std::abs(k - sample) <= 1; }))
+                return true;
+        return false;
+    };
+    std::vector<std::pair<std::size_t, int>> spikes;
+    for (std::size_t c = 0; c < channels.size(); ++c)
+        for (const int sample : all[c])
+            if (!isShared(c, sample)) spikes.emplace_back(c, sample);
+    return spikes;
 }
 
-/// The first sample of a reading that stuck is right.
-void addStuck(const Recording& recording, int index, std::vector<FaultySamples>& faults) {
-    for (Eigen::Index o = 0; o < recording.outputs.rows(); ++o) {
-        const Eigen::VectorXd y = recording.outputs.row(o).transpose();
-        for (const auto& [begin, end] : runsAlike(y))
-            // a component that rests may do so at 0, and goes on from where it was
-            if (y[begin] != 0 && end < y.size() && std::abs(y[end] - y[begin]) > allClear * noiseOf(y))
-                faults.push_back({index, recording.outputNames[static_cast<std::size_t>(o)], begin + 1, end, true});
+/// Readings that stuck, of which the first sample is right. A component that rests may do so at 0, and goes on from
+/// where it was; what sticks to the end of a recording is told by a model that moves on.
+void addStuck(int recording, const std::string& output, const Eigen::VectorXd& values, const Eigen::VectorXd& simulated,
+              std::vector<FaultySamples>& faults) {
+    for (const auto& [begin, end] : runsAlike(values)) {
+        const double moved = end < values.size()    ? std::abs(values[end] - values[begin])
+                             : simulated.size() > 0 ? rangeOf(simulated.segment(begin, end - begin)).width()
+                                                    : 0;
+        if (values[begin] != 0 && moved > allClear * noiseOf(values))
+            faults.push_back({recording, output, begin + 1, end, true});
     }
 }
 
@@ -219,26 +233,53 @@ std::vector<FaultySamples> faultySamples(const NullModel& model) {
     std::vector<FaultySamples> faults;
     const std::vector<int> recordings = recordingsOf(task, Role::Fit);
     const auto indexOf = [&](const ResidualChannel& c) { return recordings[static_cast<std::size_t>(c.experiment)]; };
-    const auto recordingOf = [&](const ResidualChannel& c) -> const Recording& {
-        return task.recordings[static_cast<std::size_t>(indexOf(c))];
-    };
     std::optional<Outcome<PreparedTask>> held;  // names the outputs; most recordings have no fault to name
-    const auto add = [&](const ResidualChannel& c, int begin, int end, bool isMoving) {
+    const auto add = [&](int recording, int output, int begin, int end, bool isMoving) {
         if (!held) held = prepareHeld(model.variant, {}, model.noise);
         if (!*held) return;
         const auto& outputs = (*held)->system->outputs();
-        faults.push_back({indexOf(c), outputs[static_cast<std::size_t>(c.output)].name, begin, end, false, isMoving});
+        faults.push_back({recording, outputs[static_cast<std::size_t>(output)].name, begin, end, false, isMoving});
     };
-    std::vector<Spikes> spikes;
-    for (const ResidualChannel& channel : model.channels)
-        spikes.push_back(spikesOf(model, channel, recordingOf(channel)));
-    for (const Spikes& s : spikes)
-        for (const int sample : s.samples)
-            if (!isShared(spikes, s, sample)) add(*s.channel, sample, sample + 1, false);
-    for (const ResidualChannel& channel : model.channels)
-        if (const int late = samplesToCatchUp(model, channel, recordingOf(channel)); late > 0)
-            add(channel, 0, channel.samples[static_cast<std::size_t>(late)], true);
-    for (const int index : recordings) addStuck(task.recordings[static_cast<std::size_t>(index)], index, faults);
+    std::vector<Measured> channels;
+    for (const ResidualChannel& c : model.channels)
+        channels.push_back({indexOf(c), c.output, c.samples, c.measured,
+                            -model.fit.optimum.residuals.segment(c.begin, c.end - c.begin)});
+    for (const auto& [c, sample] : spikesOfOneAlone(channels, task.recordings))
+        add(channels[c].recording, channels[c].output, sample, sample + 1, false);
+    for (const ResidualChannel& c : model.channels)
+        if (const int late = samplesToCatchUp(model, c, task.recordings[static_cast<std::size_t>(indexOf(c))]);
+            late > 0)
+            add(indexOf(c), c.output, 0, c.samples[static_cast<std::size_t>(late)], true);
+    for (const int index : recordings) {
+        const Recording& recording = task.recordings[static_cast<std::size_t>(index)];
+        for (std::size_t o = 0; o < recording.outputNames.size(); ++o)
+            addStuck(index, recording.outputNames[o], recording.outputs.row(static_cast<Eigen::Index>(o)).transpose(),
+                     {}, faults);
+    }
+    return faults;
+}
+
+std::vector<FaultySamples> faultySamples(const std::vector<Recording>& recordings, const ModelState& state) {
+    std::vector<FaultySamples> faults;
+    if (recordings.size() != state.experiments.size()) return faults;  // of a search that was stopped
+    for (std::size_t r = 0; r < recordings.size(); ++r) {
+        const ExperimentState& e = state.experiments[r];
+        const auto count = static_cast<Eigen::Index>(recordings[r].time.size());
+        if (e.role != Role::Validate || e.failure.failed || static_cast<Eigen::Index>(e.time.size()) != count) continue;
+        std::vector<Measured> channels;
+        for (std::size_t o = 0; o < e.outputs.size(); ++o) {
+            Measured channel{static_cast<int>(r), static_cast<int>(o), {}, {}, {}};
+            const OutputState& output = e.outputs[o];
+            for (Eigen::Index k = 0; k < count; ++k)
+                if (std::isfinite(output.measured[k])) channel.samples.push_back(static_cast<int>(k));
+            channel.values = output.measured(channel.samples);
+            channel.beyond = channel.values - output.simulated(channel.samples);
+            channels.push_back(std::move(channel));
+        }
+        for (const auto& [c, sample] : spikesOfOneAlone(channels, recordings))
+            faults.push_back({static_cast<int>(r), e.outputs[c].name, sample, sample + 1});
+        for (const OutputState& o : e.outputs) addStuck(static_cast<int>(r), o.name, o.measured, o.simulated, faults);
+    }
     return faults;
 }
 
@@ -253,40 +294,84 @@ void leaveOut(EstimationTask& task, const std::vector<FaultySamples>& faults) {
     }
 }
 
-std::vector<Text> faultRemarks(const EstimationTask& task, const std::vector<FaultySamples>& faults) {
-    std::vector<Text> remarks;
+ModelState withoutFaults(ModelState state, const std::vector<FaultySamples>& faults) {
+    for (const FaultySamples& f : faults) {
+        ExperimentState& e = state.experiments[static_cast<std::size_t>(f.recording)];
+        for (OutputState& o : e.outputs) {
+            if (o.name != f.output) continue;
+            o.measured.segment(f.begin, f.end - f.begin).setConstant(std::nan(""));
+            o.figures = errorFigures(o.simulated.transpose(), o.measured.transpose());
+        }
+        e.errorPercent = meanError(e.outputs, [](const OutputState& o) { return o.figures.errorPercent; });
+    }
+    return state;
+}
+
+namespace {
+
+/// What the fault is of which `begin` is the first part, up to `end`.
+Text wordsOf(const Recording& recording, std::vector<FaultySamples>::const_iterator begin,
+             std::vector<FaultySamples>::const_iterator end) {
+    const auto timeOf = [&](int sample) { return recording.time[static_cast<std::size_t>(sample)]; };
+    if (begin->isMoving)
+        return phrase("'{}' begins in motion: the model of output '{}' begins at rest and has caught up at {:.5g} s",
+                      recording.name, begin->output, timeOf(begin->end));
+    if (begin->isStuck && begin->end == static_cast<int>(recording.time.size()))
+        return phrase(
+            "output '{}' of '{}' reads exactly the same from {:.5g} s to its end, where the model moves on: the sensor "
+            "or the logger stuck",
+            begin->output, recording.name, timeOf(begin->begin - 1));
+    if (begin->isStuck)
+        return phrase(
+            "output '{}' of '{}' reads exactly the same from {:.5g} s to {:.5g} s and jumps when it goes on: the "
+            "sensor or the logger stuck",
+            begin->output, recording.name, timeOf(begin->begin - 1), timeOf(begin->end - 1));
+    const auto count = static_cast<std::size_t>(end - begin);
+    std::string when;
+    for (auto f = begin; f != begin + static_cast<std::ptrdiff_t>(std::min(count, mostTold)); ++f)
+        when += fmt::format("{}{:.5g} s", f == begin ? "" : ", ", timeOf(f->begin));
+    if (count > mostTold) when += ", …";
+    return phrase(
+        "output '{}' of '{}': single samples far from their neighbours and from the model are taken for faults of the "
+        "measurement ({} of them: {})",
+        begin->output, recording.name, count, when);
+}
+
+/// What each fault is, of one recording after the other; single samples of an output are one.
+std::vector<std::pair<int, Text>> faultWords(const std::vector<Recording>& recordings,
+                                             const std::vector<FaultySamples>& faults) {
+    std::vector<std::pair<int, Text>> words;
     for (auto begin = faults.begin(); begin != faults.end();) {
-        const Recording& recording = task.recordings[static_cast<std::size_t>(begin->recording)];
-        const auto timeOf = [&](int sample) { return recording.time[static_cast<std::size_t>(sample)]; };
-        if (begin->isMoving) {
-            remarks.push_back(
-                phrase("'{}' begins in motion: the model of output '{}' begins at rest and has caught up at {:.5g} s, "
-                       "what is before is left out",
-                       recording.name, begin->output, timeOf(begin->end)));
-            ++begin;
-            continue;
-        }
-        if (begin->isStuck) {
-            remarks.push_back(
-                phrase("output '{}' of '{}' reads exactly the same from {:.5g} s to {:.5g} s and jumps when it goes "
-                       "on: the sensor or the logger stuck, and this is left out",
-                       begin->output, recording.name, timeOf(begin->begin - 1), timeOf(begin->end - 1)));
-            ++begin;
-            continue;
-        }
-        const auto end = std::find_if(begin, faults.end(), [&](const FaultySamples& f) {
-            return f.isStuck || f.isMoving || f.recording != begin->recording || f.output != begin->output;
-        });
-        const auto count = static_cast<std::size_t>(end - begin);
-        std::string when;
-        for (auto f = begin; f != begin + static_cast<std::ptrdiff_t>(std::min(count, mostTold)); ++f)
-            when += fmt::format("{}{:.5g} s", f == begin ? "" : ", ", timeOf(f->begin));
-        if (count > mostTold) when += ", …";
-        remarks.push_back(
-            phrase("output '{}' of '{}': single samples far from their neighbours and from the model are taken for "
-                   "faults of the measurement and left out ({} of them: {})",
-                   begin->output, recording.name, count, when));
+        const auto isAnother = [&](const FaultySamples& f) {
+            return begin->isStuck || begin->isMoving || f.isStuck || f.isMoving || f.recording != begin->recording ||
+                   f.output != begin->output;
+        };
+        const auto end = std::find_if(begin + 1, faults.end(), isAnother);
+        words.emplace_back(begin->recording,
+                           wordsOf(recordings[static_cast<std::size_t>(begin->recording)], begin, end));
         begin = end;
+    }
+    return words;
+}
+
+}  // namespace
+
+std::vector<Text> faultRemarks(const std::vector<Recording>& recordings, const std::vector<FaultySamples>& faults) {
+    std::vector<Text> remarks;
+    for (const auto& [recording, words] : faultWords(recordings, faults))
+        remarks.push_back(phrase("{}; these samples are left out", words));
+    return remarks;
+}
+
+std::vector<Text> faultRemarks(const std::vector<Recording>& recordings, const std::vector<FaultySamples>& faults,
+                               const ModelState& state, const ModelState& sound) {
+    std::vector<Text> remarks;
+    for (const auto& [recording, words] : faultWords(recordings, faults)) {
+        const auto r = static_cast<std::size_t>(recording);
+        remarks.push_back(
+            phrase("{}; the error that is reported of '{}' is over all samples, {:.3g} %: without those at fault it is "
+                   "{:.3g} %",
+                   words, recordings[r].name, state.experiments[r].errorPercent, sound.experiments[r].errorPercent));
     }
     return remarks;
 }

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/effect/finding.hpp"
 #include "core/effect/null_model.hpp"
 
 /// What a recording holds that is a fault of the measurement (a spark, a telegram that was lost, a reading that stuck)
@@ -26,13 +27,25 @@ struct FaultySamples {
 /// and has soon caught up: a current, say, has no start value of its own.
 std::vector<FaultySamples> faultySamples(const NullModel& model);
 
+/// The same of the recordings that are not fitted, by what a model leaves of them: samples that stand alone, and
+/// readings that stuck. `recordings`: those that the state was told of.
+std::vector<FaultySamples> faultySamples(const std::vector<Recording>& recordings, const ModelState& state);
+
 /// Runs of samples, [begin, end), that read exactly the same, where a channel hardly ever does so elsewhere.
 std::vector<std::pair<int, int>> runsAlike(const Eigen::VectorXd& values);
 
 /// Takes them for not measured.
 void leaveOut(EstimationTask& task, const std::vector<FaultySamples>& faults);
 
-/// What people should know of them; `task`: with these samples as they were read, or without.
-std::vector<Text> faultRemarks(const EstimationTask& task, const std::vector<FaultySamples>& faults);
+/// A state whose errors are those without them.
+ModelState withoutFaults(ModelState state, const std::vector<FaultySamples>& faults);
+
+/// What people should know of them; `recordings`: with these samples as they were read, or without.
+std::vector<Text> faultRemarks(const std::vector<Recording>& recordings, const std::vector<FaultySamples>& faults);
+
+/// The same of those of recordings that are not fitted, which the errors that are reported are with: `sound` is the
+/// state without them.
+std::vector<Text> faultRemarks(const std::vector<Recording>& recordings, const std::vector<FaultySamples>& faults,
+                               const ModelState& state, const ModelState& sound);
 
 }  // namespace analogon

@@ -96,6 +96,7 @@ struct CandidateResult {
     std::vector<std::string> absorbedBy;  // parameters
     int round{};
     Text failure{};  // why it could not be tried
+    Text reason{};   // why it is not in the model; empty: it is, or the run is of before reasons were kept
 };
 
 struct Correlate {
@@ -139,6 +140,7 @@ struct Finding {
     std::vector<Remainder> remainders;
     Text nextExperiment;
     std::vector<Text> warnings;
+    Text notSearched{};  // why no effect was looked for; empty: they were
     bool interrupted{};
     double seconds{};
 };

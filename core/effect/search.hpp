@@ -13,6 +13,7 @@
 #include "core/effect/input_edge.hpp"
 #include "core/effect/input_noise.hpp"
 #include "core/effect/judgement.hpp"
+#include "core/effect/mistaken_unit.hpp"
 #include "core/effect/start_value.hpp"
 
 namespace analogon {
@@ -43,7 +44,7 @@ private:
     /// Every effect at every place, of what the options ask for.
     Outcome<std::vector<Candidate>> candidatesIn(const Variant& variant) const;
     std::vector<Screened> screenAll(const NullModel& null);
-    std::vector<Trial> tryBest(const NullModel& null, std::vector<Screened>& screened);
+    std::vector<Trial> tryBest(const NullModel& null, std::vector<Screened>& screened, double leastScore);
     std::vector<Trial> tryThese(const NullModel& null, const std::vector<const Screened*>& chosen, int iterations,
                                 int starts);
     void continueBest(const NullModel& null, std::vector<Trial>& trials);
@@ -55,7 +56,14 @@ private:
         std::optional<std::size_t> chosen;  // of the trials
         std::vector<std::size_t> members;   // of its class
         std::set<std::size_t> failsHeldOut;
+        std::map<std::size_t, Text> refused;  // of the trials, why
+        Text behind;                          // what the trials that no test refused came second to
+        double leastScore{};                  // for a trial
         Acceptance acceptance;
+
+        const Candidate& candidate(std::size_t trial) const { return trials[trial].screened.candidate; }
+        /// Sets the choice aside.
+        void passOver(const Text& why);
     };
     /// A named effect that was not needed any more beside a proposed equation.
     struct Displaced {
@@ -109,7 +117,7 @@ private:
                                          std::size_t best) const;
     std::optional<NullModel> without(const NullModel& null, std::size_t effect);
     std::optional<NullModel> withoutOnAll(const NullModel& last, std::size_t effect);
-    bool takeOut(NullModel& null, std::size_t effect);
+    bool takeOut(NullModel& null, std::size_t effect, const Text& why);
     std::optional<NullModel> refittedWith(const NullModel& null, const std::vector<PlacedEffect>& effects);
     bool reconsider(NullModel& null);
     std::vector<Remainder> takeOutProposals(NullModel& null, std::vector<Text>& sameByName);
@@ -126,7 +134,8 @@ private:
     Conclusion conclude(NullModel& null, const NullModel& base, bool mayAddLaw);
     bool leaveOutFaults(const NullModel& fitted);
     bool beginElsewhere(NullModel& null);
-    void takeOutAll(NullModel& null, const NullModel& base);
+    Finding besideMistake(Finding finding, const NullModel& null, const MistakenUnit& mistake) const;
+    void takeOutAll(NullModel& null, const NullModel& base, const Text& why);
     std::optional<ModelState> backToLastWhole(NullModel& null, const NullModel& base);
     bool onlyImitate(const NullModel& base, const NullModel& null) const;
     void removeUnneeded(NullModel& null, std::size_t least, bool isLast = false);
@@ -165,14 +174,17 @@ private:
     HeldValues heldValues(const NullModel& null);
     std::vector<HeldInstead> takeOutForHeld(NullModel& null, const HeldValues& held);
     std::vector<HeldInstead> takeOutAllForHeld(NullModel& null, const NullModel& base);
-    void setVerdict(const std::string& kind, const std::string& at, Verdict verdict);
-    void note(const Screened& s, Verdict verdict, std::optional<double> deltaBic, const Text& failure);
+    void setVerdict(const Candidate& candidate, Verdict verdict, const Text& why);
+    void setVerdict(const PlacedEffect& placed, Verdict verdict, const Text& why);
+    void note(const Screened& s, Verdict verdict, const Text& why, std::optional<double> deltaBic, const Text& failure);
+    Text whyUnneeded(const NullModel& null, std::size_t effect, const NullModel& without, const Acceptance& missed,
+                     bool isLast, std::optional<BesideDisturbance>& beside);
     void retryNames(const NullModel& null, std::vector<Trial>& trials);
     void retryFrom(const NullModel& null, const std::vector<ParameterValue>& values,
                    const std::vector<std::size_t>& chosen, int iterations, std::vector<Trial>& trials);
     void retryNear(const NullModel& null, const std::vector<ParameterValue>& values, double sumOfSquares,
                    std::vector<Trial>& trials);
-    void settleVerdicts(const std::vector<AddedEffect>& effects);
+    void settleVerdicts(const Finding& finding);
     bool dropIndistinct(const NullModel& last, const ModelState& state, NullModel& null);
     bool dropUnmissed(const NullModel& last, NullModel& null);
     AddedEffect describe(const NullModel& last, const ModelState& state, const PlacedEffect& placed,

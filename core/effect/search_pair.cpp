@@ -64,6 +64,8 @@ Search::Round Search::withPairMembers(const NullModel& null, Round round) {
     round.chosen.reset();
     round.members.clear();
     round.failsHeldOut.clear();
+    round.refused.clear();
+    round.behind = phrase("explains less together with another than the pair with which the search began");
     rank(null, round.trials);
     return round;
 }

@@ -5,6 +5,7 @@
 
 #include "core/base/parallel.hpp"
 #include "core/effect/model_state.hpp"
+#include "core/effect/reason.hpp"
 #include "core/effect/remainder.hpp"
 #include "core/effect/search.hpp"
 #include "core/effect/twin.hpp"
@@ -63,10 +64,8 @@ void Search::goOn(Path& path, Round first) {
         if (round_ > 1) decide(path.null, round);
         beginsAnew_ = round_ > 1 && allowForRecordings(path.null, round);
         if (beginsAnew_) break;
-        if (round.chosen && isWithinForms(std::max(round.acceptance.evidence, round.acceptance.effective))) {
-            round.chosen.reset();
-            round.members.clear();
-        }
+        if (round.chosen && isWithinForms(std::max(round.acceptance.evidence, round.acceptance.effective)))
+            round.passOver(phrase("explains no more than the forms of the effects that were found may be wrong by"));
         noteAll(round);
         if (!round.chosen) break;
         Step step = stepOf(round);
@@ -77,8 +76,8 @@ void Search::goOn(Path& path, Round first) {
         if (!next) next = fitNull(wider, path.null.noise, NoiseLevel::Keep, search_.fit, progress_);
         if (!next) {
             // the model without it stands
-            const Candidate& failed = steps_.back().winner.screened.candidate;
-            setVerdict(failed.effect.kind, failed.place.at, Verdict::NotSignificant);
+            setVerdict(steps_.back().winner.screened.candidate, Verdict::NotSignificant,
+                       phrase("could not be fitted: {}", next.diagnostics().front().message));
             steps_.pop_back();
             break;
         }
@@ -143,6 +142,7 @@ Outcome<Search::Path> Search::bestPath(NullModel& base) {
 
 /// The path that begins with another of the first trials.
 Search::Path Search::pathFrom(const NullModel& base, Round round, std::size_t begin) {
+    round.passOver(phrase("the search came to a better end from {}", nameOf(round.candidate(begin))));
     round.chosen = begin;
     round.members = equivalents(base, round.trials, begin);
     round.acceptance = examine(base, round.trials[begin].fit, round.trials[begin].freed(), round.threshold);
@@ -160,10 +160,8 @@ Search::Round Search::firstRound(NullModel& base) {
         first = tryAll(base);
         decide(base, first);
     }
-    if (first.chosen && !isClearlyMissed(first.acceptance) && isColouredNoise(base)) {
-        first.chosen.reset();
-        first.members.clear();
-    }
+    if (first.chosen && !isClearlyMissed(first.acceptance) && isColouredNoise(base))
+        first.passOver(phrase("what is left is noise with a memory, and this explains too little of it"));
     return first;
 }
 
@@ -239,8 +237,7 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
 
 /// The path before its first choice, with what was tried.
 Search::Path Search::bareOf(const NullModel& base, Round first) {
-    first.chosen.reset();
-    first.members.clear();
+    first.passOver(phrase("an equation without a name explains more in its place"));
     Path bare{base, {}, {}, {}, {}};
     exchange(bare);
     noteAll(first);
@@ -330,11 +327,10 @@ std::optional<NullModel> Search::refittedWith(const NullModel& null, const std::
 }
 
 /// Takes an effect out of the model of the search; false where the rest cannot be fitted.
-bool Search::takeOut(NullModel& null, std::size_t effect) {
+bool Search::takeOut(NullModel& null, std::size_t effect, const Text& why) {
     std::optional<NullModel> rest = without(null, effect);
     if (!rest) return false;
-    const PlacedEffect& unneeded = null.variant.effects[effect];
-    setVerdict(unneeded.effect.kind, unneeded.place.at, Verdict::NotSignificant);
+    setVerdict(null.variant.effects[effect], Verdict::NotSignificant, takenOut(why));
     null = std::move(*rest);
     steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(effect));
     return true;
@@ -444,8 +440,9 @@ bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted) {
             step.rivals.push_back(c);
     step.rivals.push_back({old.effect, old.place});
     step.winner = std::move(best);
-    setVerdict(old.effect.kind, old.place.at, Verdict::Weaker);
-    setVerdict(step.winner.screened.candidate.effect.kind, step.winner.screened.candidate.place.at, Verdict::Chosen);
+    const Candidate& winner = step.winner.screened.candidate;
+    setVerdict(old, Verdict::Weaker, phrase("beside the other effects {} explains more in its place", nameOf(winner)));
+    setVerdict(winner, Verdict::Chosen, {});
     if (hasProposal(*next) && old.effect.proposal.empty()) displaced_.push_back({old, steps_[effect]});
     null = std::move(*next);
     steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(effect));
@@ -480,12 +477,23 @@ void Search::completeClasses(NullModel& null) {
         if (!replace(null, i, Rivals::New)) ++i;  // what takes a place stands at the end
 }
 
-void Search::setVerdict(const std::string& kind, const std::string& at, Verdict verdict) {
-    for (auto c = candidates_.rbegin(); c != candidates_.rend(); ++c)
-        if (c->kind == kind && c->at == at) {
-            c->verdict = verdict;
-            return;
-        }
+/// Of the last line of the table that is of this candidate; what is taken out was chosen there.
+void Search::setVerdict(const Candidate& candidate, Verdict verdict, const Text& why) {
+    const auto isIt = [&](const CandidateResult& c) {
+        return c.className == candidate.effect.className && c.at == candidate.place.at;
+    };
+    auto line = candidates_.rend();
+    if (verdict != Verdict::Chosen)
+        line = std::find_if(candidates_.rbegin(), candidates_.rend(),
+                            [&](const CandidateResult& c) { return isIt(c) && c.verdict == Verdict::Chosen; });
+    if (line == candidates_.rend()) line = std::find_if(candidates_.rbegin(), candidates_.rend(), isIt);
+    if (line == candidates_.rend()) return;
+    line->verdict = verdict;
+    line->reason = why;
+}
+
+void Search::setVerdict(const PlacedEffect& placed, Verdict verdict, const Text& why) {
+    setVerdict(Candidate{placed.effect, placed.place}, verdict, why);
 }
 
 /// The error that is left without the effect of a step, by the model refitted without it.
@@ -495,8 +503,35 @@ void Search::tellErrorWithout(Step& step, const NullModel& without) const {
         step.errorWithout = errorPercentOf(*state, Role::Fit);
 }
 
-/// Takes each effect out again and keeps only those that are missed. At the last, where something is left that nothing
-/// explains, they must be more than what a disturbance takes over; where noise is left, a weak one must be likelier.
+/// Why an effect, missed by so much, need not stay; empty: it has to. `beside`: of the model as it stands, once it is
+/// asked for. At the last, where something is left that nothing explains, the effect must be more than what a
+/// disturbance takes over; where noise is left, a weak one must be likelier.
+Text Search::whyUnneeded(const NullModel& null, std::size_t effect, const NullModel& without, const Acceptance& missed,
+                         bool isLast, std::optional<BesideDisturbance>& beside) {
+    const PlacedEffect& placed = null.variant.effects[effect];
+    const bool leavesNoise = isNoise(null);
+    if (!isMissed(missed)) return whyRefused(missed, 0);
+    if (!isTold(placed, null.fit.estimates, missed, leavesNoise)) return indistinct();
+    if (isAtBound(placed, null.fit)) return atBound();
+    if (!isLast) return {};
+    if (!leavesNoise && drivesToBound(without.fit, null.fit))
+        return phrase(
+            "with it a parameter of the model rests at a bound: it does the work of what is known to be there");
+    if (!(missed.heldOut > leastHeldOut)) return whyRefused(missed, leastHeldOut);
+    if (leavesNoise && !(missed.evidence < beyondDoubt)) return {};
+    // what is constant hardly differs from a flow that varies slowly, and noise with a memory is noise as well
+    const bool isNoiseLeft = leavesNoise || isColouredNoise(null);
+    const std::size_t most = isNoiseLeft ? 1 : mostDisturbances;
+    if (!beside) beside = besideDisturbance(null, search_.fit.simulation, progress_, most);
+    const BesideDisturbance disturbed = besideDisturbance(without, search_.fit.simulation, progress_, most);
+    const Eigen::Index rows = null.fit.optimum.residuals.size();
+    const int freed = static_cast<int>(placed.freed.size());
+    if (isNoiseLeft ? isLikelier(disturbed, *beside, rows, freed) : isBorneOut(disturbed, *beside, rows, freed))
+        return {};
+    return noMoreThanDisturbance();
+}
+
+/// Takes each effect out again and keeps only those that are missed.
 void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
     std::optional<BesideDisturbance> beside;  // of the model as it stands
     for (std::size_t i = 0; i < steps_.size() && steps_.size() > least && !progress_.stopRequested();) {
@@ -508,22 +543,8 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
         }
         const int freed = static_cast<int>(null.variant.effects[i].freed.size());
         const Acceptance missed = examine(*refitted, null.fit, freed, 0);
-        const bool leavesNoise = isNoise(null);
-        const bool isDoubtful = isLast && (!leavesNoise || missed.evidence < beyondDoubt);
-        const auto isMore = [&] {
-            // what is constant hardly differs from a flow that varies slowly, and noise with a memory is noise as well
-            const bool isNoiseLeft = leavesNoise || isColouredNoise(null);
-            const std::size_t most = isNoiseLeft ? 1 : mostDisturbances;
-            if (!beside) beside = besideDisturbance(null, search_.fit.simulation, progress_, most);
-            const BesideDisturbance without = besideDisturbance(*refitted, search_.fit.simulation, progress_, most);
-            const Eigen::Index rows = null.fit.optimum.residuals.size();
-            return isNoiseLeft ? isLikelier(without, *beside, rows, freed) : isBorneOut(without, *beside, rows, freed);
-        };
-        const bool isItself = !isAtBound(null.variant.effects[i], null.fit) &&
-                              (!isLast || leavesNoise || !drivesToBound(refitted->fit, null.fit));
-        const bool holds = !isLast || missed.heldOut > leastHeldOut;
-        if (isMissed(missed) && isTold(null.variant.effects[i], null.fit.estimates, missed, leavesNoise) && isItself &&
-            holds && (!isDoubtful || isMore())) {
+        const Text why = whyUnneeded(null, i, *refitted, missed, isLast, beside);
+        if (why.empty()) {
             steps_[i].acceptance = missed;
             steps_[i].fall = refitted->sumOfSquares() - null.sumOfSquares();
             tellErrorWithout(steps_[i], *refitted);
@@ -531,7 +552,7 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
             continue;
         }
         const PlacedEffect& unneeded = null.variant.effects[i];
-        setVerdict(unneeded.effect.kind, unneeded.place.at, Verdict::NotSignificant);
+        setVerdict(unneeded, Verdict::NotSignificant, takenOut(why));
         if (hasProposal(null) && unneeded.effect.proposal.empty()) displaced_.push_back({unneeded, steps_[i]});
         null = std::move(*refitted);
         beside.reset();
@@ -548,7 +569,8 @@ void Search::removeOutweighed(NullModel& null, double share) {
         for (std::size_t i = 0; i < steps_.size(); ++i)
             if (null.variant.effects[i].effect.proposal.empty() && (!least || steps_[i].fall < steps_[*least].fall))
                 least = i;
-        if (!least || outweighsRest(steps_[*least].fall, null, share) || !takeOut(null, *least)) return;
+        const Text why = explainsLittle();
+        if (!least || outweighsRest(steps_[*least].fall, null, share) || !takeOut(null, *least, why)) return;
         removeUnneeded(null, 0, true);
     }
 }
@@ -562,7 +584,9 @@ bool Search::dropIndistinct(const NullModel& last, const ModelState& state, Null
         return false;
     const std::vector<PlacedEffect>& effects = last.variant.effects;
     for (std::size_t i = 0; i < effects.size(); ++i) {
-        if (!isTold(effects[i], state.parameters, steps_[i].acceptance, isNoise(last)) && takeOut(null, i)) return true;
+        if (!isTold(effects[i], state.parameters, steps_[i].acceptance, isNoise(last)) &&
+            takeOut(null, i, indistinct()))
+            return true;
     }
     return false;
 }
@@ -571,6 +595,7 @@ bool Search::dropIndistinct(const NullModel& last, const ModelState& state, Null
 /// each must be missed as well; true: one was not, and is taken out of the model of the search.
 bool Search::dropUnmissed(const NullModel& last, NullModel& null) {
     std::optional<std::size_t> least;
+    Text why;
     double leastEvidence = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < steps_.size() && !progress_.stopRequested(); ++i) {
         say("remove", phrase("{} at {}", last.variant.effects[i].effect.kind, last.variant.effects[i].place.at), -1);
@@ -582,10 +607,11 @@ bool Search::dropUnmissed(const NullModel& last, NullModel& null) {
             tellErrorWithout(steps_[i], *rest);
         } else if (missed.evidence < leastEvidence) {
             least = i;
+            why = phrase("on all samples instead of means of them: {}", whyRefused(missed, 0));
             leastEvidence = missed.evidence;
         }
     }
-    return least && !progress_.stopRequested() && takeOut(null, *least);
+    return least && !progress_.stopRequested() && takeOut(null, *least, why);
 }
 
 /// What the newest effect rounds off for the sake of the integration (the change of sign of a friction, the corner of a

@@ -9,6 +9,7 @@
 #include "core/effect/law.hpp"
 #include "core/effect/model_state.hpp"
 #include "core/effect/next_experiment.hpp"
+#include "core/effect/reason.hpp"
 #include "core/effect/search.hpp"
 
 namespace analogon {
@@ -18,6 +19,8 @@ constexpr int mostExperiments = 2;      // proposed to tell effects apart
 constexpr double clearSeparation = 20;  // squared, in standard deviations
 constexpr double leastAgainstRest = 5;  // times what is left above the noise
 constexpr double farLess = 0.1;         // of what is left above the noise
+
+Text otherValue(const HeldInstead& held) { return phrase("another value of {} is the better account", held.parameter); }
 
 /// The best of them, and what the data do not tell from it.
 std::vector<HeldInstead> equalToFirst(std::vector<HeldInstead> values) {
@@ -115,6 +118,8 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null, std::vector<Tex
                     sameByName.push_back(
                         phrase("{} at {} explains as much with more parameters: {}", a.kind, a.at, r.proposedEquation));
             found.push_back(std::move(r));
+        } else {
+            setVerdict(placed, Verdict::NotSignificant, takenOut(noMoreThanDisturbance()));
         }
         null = std::move(*rest);
         steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
@@ -140,7 +145,8 @@ void Search::setAsideBehindProposal(NullModel& null) {
             steps.push_back(steps_[i]);
         } else {
             aside.push_back({all[i], steps_[i]});
-            setVerdict(all[i].effect.kind, all[i].place.at, Verdict::NotSignificant);
+            setVerdict(all[i], Verdict::NotSignificant,
+                       phrase("set aside behind an equation without a name that was chosen before it"));
         }
     }
     if (aside.empty()) return;
@@ -162,12 +168,22 @@ void Search::bringBackDisplaced(NullModel& null, double leftByProposals) {
         std::optional<NullModel> with = refittedWith(null, effects);
         if (!with) continue;
         const Acceptance missed = examine(null, with->fit, static_cast<int>(each.effect.freed.size()), 0);
-        if (!isMissed(missed) || !isDetermined(*with, effects.size() - 1) || fightsAnother(null, with->fit)) continue;
         const double fall = null.sumOfSquares() - with->sumOfSquares(), left = excess(*with);
-        if (fall < leastAgainstRest * left || leftByProposals < farLess * left) continue;
+        const auto whyNot = [&]() -> Text {
+            if (!isMissed(missed)) return whyRefused(missed, 0);
+            if (!isDetermined(*with, effects.size() - 1)) return indistinct();
+            if (fightsAnother(null, with->fit)) return fights();
+            if (fall < leastAgainstRest * left) return explainsLittle();
+            if (leftByProposals < farLess * left) return phrase("leaves far more than an equation without a name");
+            return {};
+        };
+        if (const Text why = whyNot(); !why.empty()) {
+            setVerdict(each.effect, Verdict::NotSignificant, takenOut(why));
+            continue;
+        }
         null = std::move(*with);
         each.step.acceptance = missed;
-        setVerdict(each.effect.effect.kind, each.effect.place.at, Verdict::Chosen);
+        setVerdict(each.effect, Verdict::Chosen, {});
         steps_.push_back(std::move(each.step));
     }
     displaced_.clear();
@@ -245,7 +261,7 @@ std::vector<HeldInstead> Search::takeOutForHeld(NullModel& null, const HeldValue
     // what the effect leaves may be correlated just because it is not the cause: noise beside the value speaks for
     // itself
     const double share = best.leavesNoise && !isNoise(null) ? 1 : independentShare(null, null.fit);
-    if (!(share * best.gain > 3 * equivalenceMargin) || !takeOut(null, 0)) return {};
+    if (!(share * best.gain > 3 * equivalenceMargin) || !takeOut(null, 0, otherValue(best))) return {};
     return equalToFirst(known->second);
 }
 
@@ -262,7 +278,7 @@ std::vector<HeldInstead> Search::takeOutAllForHeld(NullModel& null, const NullMo
     std::vector<HeldInstead> alone = equalToFirst(heldInstead(*without, null, search_.fit, progress_));
     if (alone.empty() || !(alone[0].leavesNoise || !isNoise(null))) return {};
     if (steps_.empty() && !(alone[0].gain > 3 * equivalenceMargin)) return {};
-    takeOutAll(null, *without);
+    takeOutAll(null, *without, otherValue(alone[0]));
     if (!asRecorded_.empty()) takeRecordingsAsGiven();
     return alone;
 }

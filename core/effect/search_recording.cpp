@@ -312,7 +312,7 @@ void Search::holdUnneededStarts(NullModel& null) {
 
 /// What people should know of what was allowed for in the recordings.
 std::vector<Text> Search::recordingRemarks(const NullModel& null) const {
-    std::vector<Text> remarks = faultRemarks(full_.task, faults_);
+    std::vector<Text> remarks = faultRemarks(full_.task.recordings, faults_);
     for (const NoisyInput& input : noisyInputs_)
         remarks.push_back(
             phrase("the input '{}' of '{}' is recorded with noise ({:.2g} rms) that drives the model and not the "

@@ -5,6 +5,7 @@
 
 #include "core/base/parallel.hpp"
 #include "core/effect/caution.hpp"
+#include "core/effect/reason.hpp"
 #include "core/effect/search.hpp"
 
 namespace analogon {
@@ -134,12 +135,12 @@ std::vector<Trial> Search::tryThese(const NullModel& null, const std::vector<con
 }
 
 /// Refits the candidates that promise most by either score; where the residual is large against the noise, all. Beside
-/// noise alone, what promises less than would tell it apart is not worth a trial. Ranked.
-std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>& screened) {
-    const double least = isNoise(null) ? equivalenceMargin : 0;
+/// noise alone, what promises less than would tell it apart (`leastScore`) is not worth a trial. Ranked.
+std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>& screened, double leastScore) {
     std::vector<const Screened*> order;
     for (const Screened& s : screened)
-        if (s.failure.empty() && s.score() > 0 && std::max(s.score(), s.whitenedScore()) > least) order.push_back(&s);
+        if (s.failure.empty() && s.score() > 0 && std::max(s.score(), s.whitenedScore()) > leastScore)
+            order.push_back(&s);
     std::stable_sort(order.begin(), order.end(),
                      [](const Screened* a, const Screened* b) { return a->score() > b->score(); });
     std::vector<const Screened*> byWhitened = order;
@@ -280,7 +281,8 @@ std::vector<std::size_t> Search::equivalents(const NullModel& null, const std::v
     return members;
 }
 
-void Search::note(const Screened& s, Verdict verdict, std::optional<double> deltaBic, const Text& failure) {
+void Search::note(const Screened& s, Verdict verdict, const Text& why, std::optional<double> deltaBic,
+                  const Text& failure) {
     CandidateResult c;
     c.kind = s.candidate.effect.kind;
     c.at = s.candidate.place.at;
@@ -292,6 +294,7 @@ void Search::note(const Screened& s, Verdict verdict, std::optional<double> delt
     c.absorbedBy = s.absorbedBy;
     c.round = round_;
     c.failure = failure;
+    c.reason = why;
     candidates_.push_back(std::move(c));
 }
 
@@ -305,7 +308,8 @@ Search::Round Search::tryAll(const NullModel& null) {
         if (!s.probes.empty() && !s.isAbsorbed()) directions.push_back(s.probes.front().plain.directions);
     const double logRows = std::log(static_cast<double>(null.fit.optimum.residuals.size()));
     round.threshold = noiseThreshold(directions, logRows, falseAlarmQuantile, 1);
-    round.trials = tryBest(null, round.screened);
+    round.leastScore = isNoise(null) ? equivalenceMargin : 0;
+    round.trials = tryBest(null, round.screened, round.leastScore);
     return round;
 }
 
@@ -319,23 +323,33 @@ void Search::decide(const NullModel& null, Round& round) const {
     std::optional<Judged> proposal, unconfirmed;
     for (std::size_t i = 0; i < trials.size() && !round.chosen; ++i) {
         if (!trials[i].ok || trials[i].evidence < equivalenceMargin) break;
+        if (isAtBound(trials[i]))
+            round.refused[i] = atBound();
+        else if (isProposal(trials[i]) && proposal)
+            round.refused[i] = phrase("explains less than {}", nameOf(round.candidate(proposal->trial)));
+        else if (!isProposal(trials[i]) && fightsAnother(null, trials[i].fit))
+            round.refused[i] = fights();
+        if (round.refused.contains(i)) continue;
+        const Judged judged{i, examine(null, trials[i].fit, trials[i].freed(), round.threshold)};
+        const Acceptance& acceptance = judged.acceptance;
+        if (!acceptance.accepted()) round.refused[i] = whyRefused(acceptance, acceptance.leastHeldOutAsked);
         if (isProposal(trials[i])) {
-            if (proposal || isAtBound(trials[i])) continue;
-            const Judged judged{i, examine(null, trials[i].fit, trials[i].freed(), round.threshold)};
-            if (judged.acceptance.accepted())
+            if (acceptance.accepted())
                 proposal = judged;
-            else if (!unconfirmed && judged.acceptance.isSignificant && levelOf(trials[i].fit) <= largeResidual)
+            else if (!unconfirmed && acceptance.isSignificant && levelOf(trials[i].fit) <= largeResidual)
                 unconfirmed = judged;
             continue;
         }
-        if (isAtBound(trials[i]) || fightsAnother(null, trials[i].fit)) continue;
-        round.acceptance = examine(null, trials[i].fit, trials[i].freed(), round.threshold);
-        if (round.acceptance.accepted())
+        round.acceptance = acceptance;
+        if (acceptance.accepted())
             round.chosen = i;
-        else if (round.acceptance.isSignificant)
+        else if (acceptance.isSignificant && !acceptance.holdsOut)
             round.failsHeldOut.insert(i);
     }
-    if (round.chosen) preferSimple(null, round);
+    if (round.chosen) {
+        round.behind = phrase("explains less than {}", nameOf(round.candidate(*round.chosen)));
+        preferSimple(null, round);
+    }
     // An equation that leaves next to nothing refutes the names that explain far less, even where only one part of the
     // record tells of it. So does what happens once, where no name passes and it leaves noise.
     if (!proposal && unconfirmed) {
@@ -346,8 +360,12 @@ void Search::decide(const NullModel& null, Round& round) const {
                                 : share * equation.evidence > leastOfOnce && isNoise(null.channels, equation.fit);
         if (stands) proposal = unconfirmed;
     }
+    if (!proposal) return;
     // Where an equation without a name explains clearly more than any name, none of the names fits.
-    if (proposal && beatsNames(null, trials, proposal->trial, round.chosen)) {
+    if (beatsNames(null, trials, proposal->trial, round.chosen)) {
+        if (round.chosen)
+            round.refused[*round.chosen] = phrase("{}, an equation without a name, is the better account",
+                                                  nameOf(round.candidate(proposal->trial)));
         round.chosen = proposal->trial;
         round.acceptance = proposal->acceptance;
         round.members = equivalents(null, trials, proposal->trial);
@@ -355,7 +373,18 @@ void Search::decide(const NullModel& null, Round& round) const {
         std::erase_if(round.members, [&](std::size_t i) {
             return i != proposal->trial && trials[i].freed() <= trials[proposal->trial].freed();
         });
+    } else {
+        round.refused[proposal->trial] =
+            round.chosen ? phrase("an equation without a name, and not clearly a better account than {}",
+                                  nameOf(round.candidate(*round.chosen)))
+                         : withinChance(trials[proposal->trial].evidence, 2 * equivalenceMargin);
     }
+}
+
+void Search::Round::passOver(const Text& why) {
+    if (chosen) refused[*chosen] = why;
+    chosen.reset();
+    members.clear();
 }
 
 /// While much is left whatever is taken, one step explains with its flexible parameters what belongs to others: the
@@ -382,7 +411,14 @@ void Search::preferSimple(const NullModel& null, Round& round) const {
                      [&](std::size_t a, std::size_t b) { return trials[a].freed() < trials[b].freed(); });
     for (const std::size_t i : simpler) {
         const Acceptance a = examine(null, trials[i].fit, trials[i].freed(), round.threshold);
-        if (!a.accepted()) continue;
+        if (!a.accepted()) {
+            round.refused[i] = whyRefused(a, a.leastHeldOutAsked);
+            continue;
+        }
+        round.refused[*round.chosen] =
+            trials[i].freed() < best.freed()
+                ? phrase("{} explains nearly as much with fewer parameters", nameOf(round.candidate(i)))
+                : phrase("{} explains nearly as much, and is met more often", nameOf(round.candidate(i)));
         round.chosen = i;
         round.acceptance = a;
         round.members = equivalents(null, trials, i);
@@ -438,17 +474,27 @@ void Search::noteAll(const Round& round) {
         const Trial& t = round.trials[i];
         refitted.insert(key(t.screened.candidate));
         Verdict verdict = Verdict::NotSignificant;
-        if (!t.ok)
+        const auto refused = round.refused.find(i);
+        Text why = refused != round.refused.end()   ? refused->second
+                   : t.evidence < equivalenceMargin ? withinChance(t.evidence, equivalenceMargin)
+                                                    : round.behind;
+        if (!t.ok) {
             verdict = Verdict::Failed;
-        else if (round.chosen && i == *round.chosen)
+            why =
+                t.failure.empty() ? phrase("no fit with it could begin") : phrase("could not be fitted: {}", t.failure);
+        } else if (round.chosen && i == *round.chosen) {
             verdict = Verdict::Chosen;
-        else if (std::find(round.members.begin(), round.members.end(), i) != round.members.end())
+            why = {};
+        } else if (std::find(round.members.begin(), round.members.end(), i) != round.members.end()) {
             verdict = Verdict::Equivalent;
-        else if (round.failsHeldOut.contains(i))
+            why = phrase("the data cannot tell it from {}", nameOf(round.candidate(*round.chosen)));
+        } else if (round.failsHeldOut.contains(i)) {
             verdict = Verdict::FailsHeldOut;
-        else if (round.chosen && t.evidence > equivalenceMargin)
+        } else if (round.chosen && t.evidence > equivalenceMargin) {
             verdict = Verdict::Weaker;
-        note(t.screened, verdict, t.ok ? std::optional<double>(-t.evidence) : std::nullopt, t.ok ? Text() : t.failure);
+        }
+        note(t.screened, verdict, why, t.ok ? std::optional<double>(-t.evidence) : std::nullopt,
+             t.ok ? Text() : t.failure);
     }
     for (const Screened& s : round.screened) {
         if (refitted.contains(key(s.candidate))) continue;
@@ -457,23 +503,34 @@ void Search::noteAll(const Round& round) {
                                 : s.isWrongSign()                                   ? Verdict::WrongSign
                                 : round.chosen && s.score() > 2 * equivalenceMargin ? Verdict::Weaker
                                                                                     : Verdict::NotSignificant;
-        note(s, verdict, std::nullopt, s.failure);
+        note(s, verdict, whyNotRefitted(s, round.leastScore), std::nullopt, s.failure);
     }
 }
 
 /// What was chosen on the way and is not in the end is no choice, nor are its equals.
-void Search::settleVerdicts(const std::vector<AddedEffect>& effects) {
+void Search::settleVerdicts(const Finding& finding) {
     const auto isAmong = [](const auto& all, const CandidateResult& c) {
         return std::any_of(all.begin(), all.end(), [&](const auto& x) { return x.kind == c.kind && x.at == c.at; });
     };
+    const auto isThere = [&](const CandidateResult& c) {
+        return isAmong(finding.effects, c) ||
+               std::any_of(finding.remainders.begin(), finding.remainders.end(),
+                           [&](const Remainder& r) { return r.proposedClass == c.className && r.node == c.at; });
+    };
     const auto isEqual = [&](const CandidateResult& c) {
-        return isAmong(effects, c) || std::any_of(effects.begin(), effects.end(),
-                                                  [&](const AddedEffect& e) { return isAmong(e.alternatives, c); });
+        return isAmong(finding.effects, c) ||
+               std::any_of(finding.effects.begin(), finding.effects.end(),
+                           [&](const AddedEffect& e) { return isAmong(e.alternatives, c); });
     };
     for (CandidateResult& c : candidates_) {
-        if (c.kind.starts_with("proposal.")) continue;
-        if (c.verdict == Verdict::Chosen && !isAmong(effects, c)) c.verdict = Verdict::NotSignificant;
-        if (c.verdict == Verdict::Equivalent && !isEqual(c)) c.verdict = Verdict::Weaker;
+        if (c.verdict == Verdict::Chosen && !isThere(c)) {
+            c.verdict = Verdict::NotSignificant;
+            c.reason = phrase("was not kept to the end of the search");
+        }
+        if (c.verdict == Verdict::Equivalent && !isEqual(c)) {
+            c.verdict = Verdict::Weaker;
+            c.reason = phrase("is no equal of anything that was kept: {}", c.reason);
+        }
     }
 }
 

@@ -409,15 +409,14 @@ Acceptance examine(const NullModel& null, const FitResult& with, int freed, doub
     const bool leavesStructure = !isNoise(null.channels, with);
     const bool isFirst = null.variant.effects.empty();
     const double least = !isFirst ? leastBesideOthers : leavesStructure ? leastOfStructure : leastEvidence;
-    a.isSignificant =
-        std::max(a.evidence, a.effective) > std::max(least, threshold * (leavesStructure ? structureFactor : 1));
-    if (a.isSignificant && std::max(a.evidence, a.effective) < leastAtEdges && happensAtEdges(null, with))
-        a.isSignificant = false;
+    a.leastEvidence = std::max(least, threshold * (leavesStructure ? structureFactor : 1));
+    const double best = std::max(a.evidence, a.effective);
+    a.isAtEdges = best > a.leastEvidence && best < leastAtEdges && happensAtEdges(null, with);
+    a.isSignificant = best > a.leastEvidence && !a.isAtEdges;
     const double left = with.optimum.residuals.squaredNorm(), unexplained = left - rows;
     const bool explainsAll = !leavesStructure && std::min(a.evidence, a.effective) > farMore;
-    a.holdsOut = a.heldOut > (explainsAll              ? leastHeldOutOfAll
-                              : left > muchLeft * rows ? leastHeldOutOfMuch
-                                                       : leastHeldOut);
+    a.leastHeldOutAsked = explainsAll ? leastHeldOutOfAll : left > muchLeft * rows ? leastHeldOutOfMuch : leastHeldOut;
+    a.holdsOut = a.heldOut > a.leastHeldOutAsked;
     a.share = unexplained > 0 ? (null.sumOfSquares() - left) / unexplained : std::numeric_limits<double>::infinity();
     a.isWorthwhile = a.share > leastShare;
     return a;

@@ -83,6 +83,8 @@ struct Acceptance {
     double heldOut{};    // H on blocks left out in turn
     double share{};      // fall in the sum of squares over what stays unexplained (above the noise)
     bool isSignificant{}, holdsOut{}, isWorthwhile{};
+    bool isAtEdges{};                             // not significant for that alone, see happensAtEdges
+    double leastEvidence{}, leastHeldOutAsked{};  // for these
 
     bool accepted() const { return isSignificant && holdsOut && isWorthwhile; }
 };

@@ -18,6 +18,14 @@ struct RecordingStart {
     std::string parameter;  // "element.T_start"
     double value{};
     bool isFitted{};
+    std::string column{};  // from whose first cell the value was read; empty: it was told
+};
+
+/// The unit that a recording gives for the numbers of a channel, where nothing else was done to them.
+struct ChannelUnit {
+    std::string channel;  // an input or an output
+    std::string column;
+    std::string unit, modelUnit;
 };
 
 /// An output that was recorded by a logger with a clock of its own (core/fit/clock.hpp). Where the task has a parameter
@@ -46,6 +54,7 @@ struct Recording {
     std::vector<RecordingStart> starts;
     std::vector<SpareChannel> spares;
     std::vector<RecordingClock> clocks{};
+    std::vector<ChannelUnit> units{};
 
     /// One more top-level input, with a value for each sample.
     void addInput(std::string input, const Eigen::VectorXd& values);

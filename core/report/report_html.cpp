@@ -511,7 +511,7 @@ private:
                 number(fmt::format("{}", candidate->round)), unbroken(candidate->kind), unbroken(candidate->at),
                 number(html(numberText(candidate->score, 3))), number(html(numberText(candidate->strength, 3))),
                 number(candidate->deltaBic ? html(numberText(*candidate->deltaBic, 4)) : ""),
-                chip(name(candidate->verdict), tone), escapeHtml(verdictWords(*candidate)));
+                chip(name(candidate->verdict), tone), escapeHtml(verdictWords(*candidate).english()));
         }
         out_ += "</tbody></table>";
     }

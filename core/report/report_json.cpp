@@ -126,6 +126,7 @@ Json candidateJson(const CandidateResult& candidate) {
               {"score", number(candidate.score)},
               {"strength", number(candidate.strength)},
               {"verdict", name(candidate.verdict == Verdict::Failed ? Verdict::NotSignificant : candidate.verdict)}};
+    if (candidate.verdict != Verdict::Chosen) json["reason"] = verdictWords(candidate).english();
     if (candidate.verdict == Verdict::Failed) json["failure"] = candidate.failure;
     if (candidate.deltaBic) json["delta_bic"] = number(*candidate.deltaBic);
     if (candidate.verdict == Verdict::Absorbed) json["absorbed_by"] = candidate.absorbedBy;

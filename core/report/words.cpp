@@ -112,8 +112,10 @@ std::string summaryWords(const Finding& finding, const std::string& command) {
             text += "; what is left still has a structure that nothing known here explains.";
             break;
         case FindingKind::Unexplained:
-            text =
-                "What the model leaves over is not noise, and no known effect explains it. " + plainErrorWords(state);
+            text = (finding.notSearched.empty()
+                        ? "What the model leaves over is not noise, and no known effect explains it. "
+                        : "What the model leaves over is not noise, and no effect was looked for. ") +
+                   plainErrorWords(state);
             break;
     }
     std::set<std::string> values;
@@ -126,26 +128,27 @@ std::string summaryWords(const Finding& finding, const std::string& command) {
     return text;
 }
 
-std::string verdictWords(const CandidateResult& candidate) {
+Text verdictWords(const CandidateResult& candidate) {
+    if (!candidate.reason.empty()) return candidate.reason;
     switch (candidate.verdict) {
         case Verdict::Chosen:
-            return "explains the residual best and passes every check";
+            return phrase("explains the residual best and passes every check");
         case Verdict::Equivalent:
-            return "explains it as well: this data cannot tell it from the chosen one";
+            return phrase("explains it as well: this data cannot tell it from the chosen one");
         case Verdict::Weaker:
-            return "explains part of it, less than the chosen one";
+            return phrase("explains part of it, less than the chosen one");
         case Verdict::NotSignificant:
-            return "gains no more than chance would";
+            return phrase("gains no more than chance would");
         case Verdict::Absorbed:
             return candidate.absorbedBy.empty()
-                       ? "the data cannot show it: it only shifts parameters"
-                       : "the data cannot show it: it only shifts " + listed(candidate.absorbedBy).english();
+                       ? phrase("the data cannot show it: it only shifts parameters")
+                       : phrase("the data cannot show it: it only shifts {}", listed(candidate.absorbedBy));
         case Verdict::WrongSign:
-            return "would need a strength of the wrong physical sign";
+            return phrase("would need a strength of the wrong physical sign");
         case Verdict::FailsHeldOut:
-            return "does not predict the parts of the data that were left out";
+            return phrase("does not predict the parts of the data that were left out");
         case Verdict::Failed:
-            return "could not be simulated or fitted";
+            return phrase("could not be simulated or fitted");
     }
     return {};
 }

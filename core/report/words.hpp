@@ -20,8 +20,8 @@ std::string summaryWords(const Finding& finding, const std::string& command);
 /// "friction.coulomb at rotor.flange_a (dry friction)"
 std::string effectWords(const AddedEffect& effect);
 
-/// Why a candidate was taken or not.
-std::string verdictWords(const CandidateResult& candidate);
+/// Why a candidate was taken or not: its reason, or, where a run kept none, what its verdict means.
+Text verdictWords(const CandidateResult& candidate);
 
 std::string remainderWords(const Remainder& remainder);
 

@@ -238,6 +238,7 @@ void members(Of& of, CandidateResult& c) {
     of.member("absorbed_by", c.absorbedBy);
     of.member("round", c.round);
     of.member("failure", c.failure);
+    of.member("reason", c.reason);
 }
 
 template <class Of>
@@ -273,6 +274,7 @@ void members(Of& of, Finding& f) {
     of.member("remainders", f.remainders);
     of.member("next_experiment", f.nextExperiment);
     of.member("warnings", f.warnings);
+    of.member("not_searched", f.notSearched);
     of.member("interrupted", f.interrupted);
     of.member("seconds", f.seconds);
 }

@@ -266,9 +266,9 @@ private:
         recording.inputNames = mapped(experiment.inputs, signals_.inputNames);
         recording.outputNames = mapped(experiment.outputs, signals_.outputNames);
         const bool read = readRows(table, experiment, recording.inputNames, experiment.inputs, signals_.inputs,
-                                   pointer + "/inputs", EmptyCells::Fault, recording.inputs) &
+                                   pointer + "/inputs", EmptyCells::Fault, recording.inputs, recording.units) &
                           readRows(table, experiment, recording.outputNames, experiment.outputs, signals_.outputs,
-                                   pointer + "/outputs", EmptyCells::NotMeasured, recording.outputs);
+                                   pointer + "/outputs", EmptyCells::NotMeasured, recording.outputs, recording.units);
         recording.weights.resize(static_cast<Eigen::Index>(recording.outputNames.size()));
         for (std::size_t i = 0; i < recording.outputNames.size(); ++i)
             recording.weights[static_cast<Eigen::Index>(i)] = experiment.outputs.at(recording.outputNames[i]).weight;
@@ -354,7 +354,7 @@ private:
     bool readRows(const Table& table, const StudyExperiment& experiment, const std::vector<std::string>& names,
                   const std::map<std::string, ChannelMapping>& mappings,
                   const std::map<std::string, std::string>& units, const std::string& pointer, EmptyCells empty,
-                  Eigen::MatrixXd& rows) {
+                  Eigen::MatrixXd& rows, std::vector<ChannelUnit>& given) {
         rows.resize(static_cast<Eigen::Index>(names.size()), static_cast<Eigen::Index>(table.rows()));
         bool complete = true;
         for (std::size_t i = 0; i < names.size(); ++i) {
@@ -377,6 +377,9 @@ private:
                 complete = false;
                 continue;
             }
+            const std::string& unit = mapping.unit.empty() ? table.find(mapping.column)->unit : mapping.unit;
+            if (mapping.scale == 1 && mapping.offset == 0 && !unit.empty() && !units.at(names[i]).empty())
+                given.push_back({names[i], mapping.column, unit, units.at(names[i])});
             rows.row(static_cast<Eigen::Index>(i)) =
                 Eigen::Map<const Eigen::RowVectorXd>(values->data(), static_cast<Eigen::Index>(values->size()));
         }
@@ -397,7 +400,7 @@ private:
                 if (!hasColumn(table, column->column, experiment, place)) continue;
                 const ChannelMapping mapping = mappingOf(column->column, experiment);
                 const Outcome<std::vector<double>> first = readChannel(table.slice(0, 1), mapping, variable->unit);
-                if (keep(first)) recording.starts.push_back({name, first->front(), false});
+                if (keep(first)) recording.starts.push_back({name, first->front(), false, column->column});
             } else {
                 const auto own = model_.parameterValue(model_.find(name));
                 const auto given = study_.parameters.find(name);

@@ -3950,24 +3950,12 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Damit und neu angepasst bleibt Struktur, die kein Kandidat erklärt.</translation>
     </message>
     <message>
+        <source>Numbers in another unit</source>
+        <translation>Zahlen in einer anderen Einheit</translation>
+    </message>
+    <message>
         <source>Unexplained structure</source>
         <translation>Unerklärte Struktur</translation>
-    </message>
-    <message>
-        <source>The data cannot show it: it only shifts %1</source>
-        <translation>Die Daten können es nicht zeigen: Es verschiebt nur %1</translation>
-    </message>
-    <message>
-        <source>This data cannot tell it from the chosen effect</source>
-        <translation>Diese Daten können es vom gewählten Effekt nicht unterscheiden</translation>
-    </message>
-    <message>
-        <source>It does not help on data that was left out of the fit</source>
-        <translation>Es hilft nicht auf Daten, die bei der Anpassung ausgelassen waren</translation>
-    </message>
-    <message>
-        <source>It would need a strength of the wrong physical sign</source>
-        <translation>Seine Stärke hätte das physikalisch falsche Vorzeichen</translation>
     </message>
     <message>
         <source>output %1</source>
@@ -4411,18 +4399,6 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>{}, though a start value is fitted there: another one may be wrong, that of a part which an effect has added, too</source>
         <translation>{}, obwohl dort ein Startwert angepasst wird: Ein anderer kann falsch sein, auch der eines Teils, den ein Effekt hinzugefügt hat</translation>
-    </message>
-    <message>
-        <source>'{}' begins in motion: the model of output '{}' begins at rest and has caught up at {:.5g} s, what is before is left out</source>
-        <translation>„{}“ beginnt in Bewegung: das Modell des Ausgangs „{}“ beginnt in Ruhe und hat bei {} s aufgeholt, was davor liegt, ist ausgelassen</translation>
-    </message>
-    <message>
-        <source>output '{}' of '{}': single samples far from their neighbours and from the model are taken for faults of the measurement and left out ({} of them: {})</source>
-        <translation>Ausgang „{}“ von „{}“: Einzelne Abtastwerte weit weg von ihren Nachbarn und vom Modell gelten als Fehler der Messung und bleiben weg ({} Stück: {})</translation>
-    </message>
-    <message>
-        <source>output '{}' of '{}' reads exactly the same from {:.5g} s to {:.5g} s and jumps when it goes on: the sensor or the logger stuck, and this is left out</source>
-        <translation>Ausgang „{}“ von „{}“ zeigt von {} s bis {} s genau dasselbe und springt, wenn es weitergeht: Der Sensor oder die Aufzeichnung hing, das bleibt weg</translation>
     </message>
     <message>
         <source>output '{}' of '{}' reads {:.5g} from {:.4g} s to {:.4g} s without any change, and hardly ever twice the same elsewhere: did the sensor or the logger stick?</source>
@@ -7167,6 +7143,242 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>names hold ASCII letters, digits and _; others stand in quotes: 'T_α'</source>
         <translation>Namen bestehen aus ASCII-Buchstaben, Ziffern und _; andere stehen in Hochkommas: 'T_α'</translation>
+    </message>
+    <message>
+        <source>explains the residual best and passes every check</source>
+        <translation>erklärt den Rest am besten und besteht jede Prüfung</translation>
+    </message>
+    <message>
+        <source>explains it as well: this data cannot tell it from the chosen one</source>
+        <translation>erklärt ihn ebenso: Diese Daten unterscheiden beide nicht</translation>
+    </message>
+    <message>
+        <source>explains part of it, less than the chosen one</source>
+        <translation>erklärt einen Teil davon, weniger als der gewählte</translation>
+    </message>
+    <message>
+        <source>gains no more than chance would</source>
+        <translation>bringt nicht mehr als der Zufall</translation>
+    </message>
+    <message>
+        <source>the data cannot show it: it only shifts parameters</source>
+        <translation>die Daten können es nicht zeigen: Es verschiebt nur Parameter</translation>
+    </message>
+    <message>
+        <source>the data cannot show it: it only shifts {}</source>
+        <translation>die Daten können es nicht zeigen: Es verschiebt nur {}</translation>
+    </message>
+    <message>
+        <source>would need a strength of the wrong physical sign</source>
+        <translation>seine Stärke hätte das physikalisch falsche Vorzeichen</translation>
+    </message>
+    <message>
+        <source>does not predict the parts of the data that were left out</source>
+        <translation>sagt die ausgelassenen Teile der Daten nicht voraus</translation>
+    </message>
+    <message>
+        <source>could not be simulated or fitted</source>
+        <translation>ließ sich nicht simulieren oder anpassen</translation>
+    </message>
+    <message>
+        <source>does not lower the error by more than chance may: evidence {:.3g}, and {:.3g} is asked for</source>
+        <translation>senkt den Fehler nicht mehr, als Zufall es kann: Evidenz {}, verlangt sind {}</translation>
+    </message>
+    <message>
+        <source>what it explains lies right behind changes of an input, and how that ran between its samples may be all there is to it</source>
+        <translation>was er erklärt, liegt gleich hinter Änderungen eines Eingangs, und wie der zwischen seinen Abtastwerten lief, kann schon alles sein</translation>
+    </message>
+    <message>
+        <source>held-out blocks contradict it: they bear out {:.0f} % of what it explains, and more than {:.0f} % is asked for</source>
+        <translation>ausgelassene Abschnitte widersprechen: Sie bestätigen {} % dessen, was er erklärt, verlangt sind mehr als {} %</translation>
+    </message>
+    <message>
+        <source>explains {:.2g} % of what stays unexplained beside it, which is too little to count</source>
+        <translation>erklärt {} % dessen, was daneben unerklärt bleibt; das ist zu wenig</translation>
+    </message>
+    <message>
+        <source>could not be tried: {}</source>
+        <translation>ließ sich nicht erproben: {}</translation>
+    </message>
+    <message>
+        <source>explains nothing of what is left</source>
+        <translation>erklärt nichts von dem, was übrig ist</translation>
+    </message>
+    <message>
+        <source>promises no more than chance may bring (score {:.3g}), and was not refitted</source>
+        <translation>verspricht nicht mehr, als Zufall bringen kann (Wert {}), und wurde nicht angepasst</translation>
+    </message>
+    <message>
+        <source>others promise more and were refitted instead (score {:.3g})</source>
+        <translation>andere versprechen mehr und wurden statt seiner angepasst (Wert {})</translation>
+    </message>
+    <message>
+        <source>its strength, or what shapes it, rests at a bound: it stands for something else</source>
+        <translation>seine Stärke oder seine Form liegt an einer Grenze: Er steht für etwas anderes</translation>
+    </message>
+    <message>
+        <source>its strength is not distinguishable from 0</source>
+        <translation>seine Stärke ist von 0 nicht zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>grows against an effect of the model: two that cancel explain what neither does</source>
+        <translation>wächst gegen einen Effekt des Modells an: Zwei, die sich aufheben, erklären, was keiner tut</translation>
+    </message>
+    <message>
+        <source>explains little against what is left beside it</source>
+        <translation>erklärt wenig gegen das, was daneben bleibt</translation>
+    </message>
+    <message>
+        <source>a flow that nobody measured, and that varies slowly, accounts for as much</source>
+        <translation>ein langsam veränderlicher Fluss, den niemand gemessen hat, erklärt ebenso viel</translation>
+    </message>
+    <message>
+        <source>taken out again: {}</source>
+        <translation>wieder herausgenommen: {}</translation>
+    </message>
+    <message>
+        <source>explains less than {}</source>
+        <translation>erklärt weniger als {}</translation>
+    </message>
+    <message>
+        <source>{}, an equation without a name, is the better account</source>
+        <translation>{}, eine Gleichung ohne Namen, erklärt es besser</translation>
+    </message>
+    <message>
+        <source>an equation without a name, and not clearly a better account than {}</source>
+        <translation>eine Gleichung ohne Namen, die es nicht deutlich besser erklärt als {}</translation>
+    </message>
+    <message>
+        <source>{} explains nearly as much with fewer parameters</source>
+        <translation>{} erklärt fast so viel mit weniger Parametern</translation>
+    </message>
+    <message>
+        <source>{} explains nearly as much, and is met more often</source>
+        <translation>{} erklärt fast so viel und kommt öfter vor</translation>
+    </message>
+    <message>
+        <source>no fit with it could begin</source>
+        <translation>keine Anpassung damit konnte beginnen</translation>
+    </message>
+    <message>
+        <source>could not be fitted: {}</source>
+        <translation>ließ sich nicht anpassen: {}</translation>
+    </message>
+    <message>
+        <source>the data cannot tell it from {}</source>
+        <translation>die Daten unterscheiden es nicht von {}</translation>
+    </message>
+    <message>
+        <source>explains less together with another than the pair with which the search began</source>
+        <translation>erklärt mit einem anderen zusammen weniger als das Paar, mit dem die Suche begann</translation>
+    </message>
+    <message>
+        <source>was not kept to the end of the search</source>
+        <translation>blieb nicht bis zum Ende der Suche</translation>
+    </message>
+    <message>
+        <source>is no equal of anything that was kept: {}</source>
+        <translation>kommt keinem gleich, der blieb: {}</translation>
+    </message>
+    <message>
+        <source>explains no more than the forms of the effects that were found may be wrong by</source>
+        <translation>erklärt nicht mehr, als die Formen der gefundenen Effekte ungenau sein können</translation>
+    </message>
+    <message>
+        <source>the search came to a better end from {}</source>
+        <translation>die Suche kam von {} aus zu einem besseren Ende</translation>
+    </message>
+    <message>
+        <source>what is left is noise with a memory, and this explains too little of it</source>
+        <translation>was übrig ist, ist Rauschen mit Gedächtnis, und dies erklärt zu wenig davon</translation>
+    </message>
+    <message>
+        <source>an equation without a name explains more in its place</source>
+        <translation>eine Gleichung ohne Namen erklärt an seiner Stelle mehr</translation>
+    </message>
+    <message>
+        <source>beside the other effects {} explains more in its place</source>
+        <translation>neben den anderen Effekten erklärt {} an seiner Stelle mehr</translation>
+    </message>
+    <message>
+        <source>with it a parameter of the model rests at a bound: it does the work of what is known to be there</source>
+        <translation>mit ihm liegt ein Parameter des Modells an einer Grenze: Er tut die Arbeit dessen, was bekanntermaßen da ist</translation>
+    </message>
+    <message>
+        <source>on all samples instead of means of them: {}</source>
+        <translation>auf allen Abtastwerten statt auf ihren Mitteln: {}</translation>
+    </message>
+    <message>
+        <source>set aside behind an equation without a name that was chosen before it</source>
+        <translation>zurückgestellt hinter eine Gleichung ohne Namen, die vor ihm gewählt war</translation>
+    </message>
+    <message>
+        <source>leaves far more than an equation without a name</source>
+        <translation>lässt weit mehr übrig als eine Gleichung ohne Namen</translation>
+    </message>
+    <message>
+        <source>another value of {} is the better account</source>
+        <translation>ein anderer Wert von {} erklärt es besser</translation>
+    </message>
+    <message>
+        <source>the search was stopped before it was borne out</source>
+        <translation>die Suche wurde beendet, bevor er bestätigt war</translation>
+    </message>
+    <message>
+        <source>of several effects that explain much together none is missed: they only imitate it</source>
+        <translation>von mehreren Effekten, die zusammen viel erklären, fehlt keiner sehr: Sie ahmen es nur nach</translation>
+    </message>
+    <message>
+        <source>{} that changes in mid run is the better account</source>
+        <translation>{}, das sich mitten im Lauf ändert, erklärt es besser</translation>
+    </message>
+    <message>
+        <source>{} that moves with a recorded channel is the better account</source>
+        <translation>{}, das sich mit einem aufgezeichneten Kanal bewegt, erklärt es besser</translation>
+    </message>
+    <message>
+        <source>'{}' begins in motion: the model of output '{}' begins at rest and has caught up at {:.5g} s</source>
+        <translation>„{}“ beginnt in Bewegung: Das Modell des Ausgangs „{}“ beginnt in Ruhe und hat bei {} s aufgeholt</translation>
+    </message>
+    <message>
+        <source>output '{}' of '{}' reads exactly the same from {:.5g} s to {:.5g} s and jumps when it goes on: the sensor or the logger stuck</source>
+        <translation>Ausgang „{}“ von „{}“ zeigt von {} s bis {} s genau dasselbe und springt, wenn er weitergeht: Der Sensor oder der Logger hing</translation>
+    </message>
+    <message>
+        <source>output '{}' of '{}' reads exactly the same from {:.5g} s to its end, where the model moves on: the sensor or the logger stuck</source>
+        <translation>Ausgang „{}“ von „{}“ zeigt von {} s bis zum Ende genau dasselbe, während das Modell sich weiter bewegt: Der Sensor oder der Logger hing</translation>
+    </message>
+    <message>
+        <source>output '{}' of '{}': single samples far from their neighbours and from the model are taken for faults of the measurement ({} of them: {})</source>
+        <translation>Ausgang „{}“ von „{}“: Einzelne Abtastwerte weitab von ihren Nachbarn und vom Modell gelten als Fehler der Messung ({}: {})</translation>
+    </message>
+    <message>
+        <source>{}; these samples are left out</source>
+        <translation>{}; diese Abtastwerte bleiben außer Betracht</translation>
+    </message>
+    <message>
+        <source>{}; the error that is reported of '{}' is over all samples, {:.3g} %: without those at fault it is {:.3g} %</source>
+        <translation>{}; der berichtete Fehler von „{}“ ist der über alle Abtastwerte, {} %: Ohne die fehlerhaften ist er {} %</translation>
+    </message>
+    <message>
+        <source>{} in '{}'</source>
+        <translation>{} in „{}“</translation>
+    </message>
+    <message>
+        <source>the numbers of {} look like {} and not like the {} that is told</source>
+        <translation>die Zahlen von {} sehen nach {} aus und nicht nach {}, wie angegeben</translation>
+    </message>
+    <message>
+        <source>read so, the model as it is leaves an error of {:.3g} % instead of {:.3g} %</source>
+        <translation>so gelesen lässt das Modell, wie es ist, einen Fehler von {} % statt {} %</translation>
+    </message>
+    <message>
+        <source>, and of {:.3g} % instead of {:.3g} % on recordings that were not fitted</source>
+        <translation>, und von {} % statt {} % auf Aufzeichnungen, die nicht angepasst wurden</translation>
+    </message>
+    <message>
+        <source>{}: {}; correct the header, or give the unit in the study, and search again</source>
+        <translation>{}: {}; die Kopfzeile berichtigen oder die Einheit in der Studie angeben und noch einmal suchen</translation>
     </message>
 </context>
 <context>

@@ -996,6 +996,18 @@ TEST_F(Panels, SaysWhatToMindWhatIsProposedAndWhatToMeasureNext) {
     EXPECT_TRUE(facts.front().contains("0.31 %") && facts.front().contains("0.44 %")) << facts.front().toStdString();
 }
 
+TEST_F(Panels, SaysOfWhatWasTriedWhyItIsNotInTheModel) {
+    openLambda();
+    RunResult result = sampleFinding(document(), "thermal.radiation", "Analogon.Effects.Thermal.Radiation",
+                                     "Radiation to constant surroundings", "heater.heatPort", "port", "k_r");
+    result.finding.candidates[2].reason = phrase("explains less than {}", "thermal.radiation at heater.heatPort");
+    document().setResult(RunKind::Discover, std::move(result), document().study());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel<ResultPanel>()->candidates() != nullptr; }, 5000));
+    const auto tipOf = [&](int row) { return panel<ResultPanel>()->candidates()->topLevelItem(row)->toolTip(4); };
+    EXPECT_EQ(tipOf(2), "explains less than thermal.radiation at heater.heatPort");
+    EXPECT_EQ(tipOf(5), "the data cannot show it: it only shifts motor.k") << "of a run that kept no reasons";
+}
+
 TEST_F(Panels, LeadsFromAProblemOfAFileToItsRow) {
     QFile file(directory.filePath("long.csv"));
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));

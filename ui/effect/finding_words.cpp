@@ -100,6 +100,7 @@ FindingWords findingWords(const Finding& finding, RunKind kind) {
         case FindingKind::Unexplained:
             break;
     }
+    if (!finding.notSearched.empty()) return {tr("Numbers in another unit"), inWords(finding.notSearched), false};
     return {tr("Unexplained structure"), tr("The residual is not noise, and no effect of the library explains it."),
             false};
 }

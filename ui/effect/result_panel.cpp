@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "core/report/number_text.hpp"
+#include "core/report/words.hpp"
 #include "ui/document/document.hpp"
 #include "ui/document/mention.hpp"
 #include "ui/effect/finding_words.hpp"
@@ -57,21 +58,6 @@ void fitHeight(QTreeWidget* table) {
 
 void alignRight(QTreeWidgetItem* item, std::initializer_list<int> columns) {
     for (const int c : columns) item->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
-}
-
-QString verdictTip(const CandidateResult& candidate) {
-    switch (candidate.verdict) {
-        case Verdict::Absorbed:
-            return ResultPanel::tr("The data cannot show it: it only shifts %1").arg(joined(candidate.absorbedBy));
-        case Verdict::Equivalent:
-            return ResultPanel::tr("This data cannot tell it from the chosen effect");
-        case Verdict::FailsHeldOut:
-            return ResultPanel::tr("It does not help on data that was left out of the fit");
-        case Verdict::WrongSign:
-            return ResultPanel::tr("It would need a strength of the wrong physical sign");
-        default:
-            return {};
-    }
 }
 
 }  // namespace
@@ -358,7 +344,7 @@ void ResultPanel::addCandidates(const Finding& finding) {
         item->setToolTip(0, QStringList{item->text(0), text(c.kind), text(c.className)}.join('\n'));
         item->setToolTip(1, item->text(1));
         alignRight(item, {2, 3});
-        item->setToolTip(4, verdictTip(c));
+        item->setToolTip(4, inWords(verdictWords(c)));
         if (c.verdict == Verdict::Chosen) {
             for (int i = 0; i < 5; ++i) {
                 QFont bold = item->font(i);

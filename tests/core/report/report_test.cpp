@@ -354,3 +354,18 @@ TEST(ReportJson, SaysOfACandidateThatCouldNotBeTriedWhyAndNamesNoVerdictOfItsOwn
     EXPECT_EQ(json["candidates"][0]["verdict"], "not significant");
     EXPECT_EQ(json["candidates"][0]["failure"], "no simulation with this effect succeeded");
 }
+
+TEST(Reports, SayOfEachCandidateThatWasNotTakenWhy) {
+    Finding finding = sampleFinding();
+    finding.candidates[1].reason = phrase("explains less than {}", "thermal.radiation at <element.solid>");
+    const auto json = nlohmann::json::parse(reportJson(finding, discoverContext));
+    ASSERT_EQ(json["candidates"].size(), finding.candidates.size());
+    for (std::size_t i = 0; i < finding.candidates.size(); ++i)
+        EXPECT_EQ(json["candidates"][i].value("reason", "").empty(), finding.candidates[i].verdict == Verdict::Chosen)
+            << finding.candidates[i].kind << ", also of a run that kept none";
+    EXPECT_EQ(json["candidates"][1]["reason"], "explains less than thermal.radiation at <element.solid>");
+    EXPECT_EQ(json["candidates"][5]["reason"], "the data cannot show it: it only shifts element.C and heater.R");
+    const std::string html = reportHtml(finding, discoverContext);
+    EXPECT_NE(html.find("explains less than thermal.radiation at &lt;element.solid&gt;"), std::string::npos);
+    EXPECT_EQ(html.find("explains part of it"), std::string::npos) << "the decision that was made, not what is usual";
+}

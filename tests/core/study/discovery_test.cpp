@@ -171,6 +171,8 @@ end Rotor;
                 << e.kind;
             EXPECT_TRUE(e.evidence.score < 200 || e.evidence.pValue < 1e-20) << e.kind;
         }
+        for (const CandidateResult& c : result->finding.candidates)  // and what is not, is not for a reason
+            EXPECT_EQ(c.reason.empty(), c.verdict == Verdict::Chosen) << c.kind << " at " << c.at << ": " << c.reason;
         return std::move(result->finding);
     }
 
@@ -237,6 +239,21 @@ TEST_F(Discovery, TakesAnInputThatIsStampedLateForNoEffect) {
                                       [](const FitEstimate& e) { return e.name == "rotor.J"; });
     ASSERT_NE(inertia, finding.final.parameters.end());
     EXPECT_NEAR(inertia->value, 0.02, 0.0003);
+}
+
+TEST_F(Discovery, SaysWhyWhatWasTriedIsNotInTheModel) {
+    const Finding finding = search({0.02, [](double, double w, double) { return 0.03 * w + 0.05 * signOf(w); }});
+    ASSERT_EQ(finding.effects.size(), 1u);
+    ASSERT_EQ(finding.effects[0].kind, "friction.coulomb");
+    const auto reasonOf = [&](const std::string& kind, const std::string& at) {
+        for (const CandidateResult& c : finding.candidates)
+            if (c.kind == kind && c.at == at && c.round == 1) return c.reason.english();
+        return std::string("not tried");
+    };
+    const std::string chosen = "friction.coulomb at " + finding.effects[0].at;
+    EXPECT_EQ(reasonOf("friction.coulomb", finding.effects[0].at), "");
+    EXPECT_EQ(reasonOf("drag.quadratic", finding.effects[0].at), "explains less than " + chosen);
+    EXPECT_EQ(reasonOf("inertia.added", finding.effects[0].at), "the data cannot show it: it only shifts rotor.J");
 }
 
 TEST_F(Discovery, FindsAnEffectBesideAnInputThatIsStampedLate) {

@@ -56,7 +56,8 @@ protected:
                                       Verdict::FailsHeldOut,
                                       {"R", "C"},
                                       2,
-                                      phrase("the range ends at {:.3g}", 0.1 + 0.2)});
+                                      phrase("the range ends at {:.3g}", 0.1 + 0.2),
+                                      phrase("explains less than {}", phrase("{} at {}", "thermal.loss", "x"))});
         finding.remainders.push_back({"i",
                                       "element.solid",
                                       7,
@@ -117,6 +118,8 @@ TEST_F(RunHistory, ReadsBackToTheLastDigit) {
     EXPECT_EQ(finding.effects[0].way, Way::Specialise);
     EXPECT_EQ(finding.candidates[0].verdict, Verdict::FailsHeldOut);
     EXPECT_EQ(finding.candidates[0].failure.pattern(), "the range ends at {:.3g}") << "it can be said in German";
+    EXPECT_EQ(finding.candidates[0].reason, "explains less than thermal.loss at x");
+    EXPECT_EQ(finding.candidates[0].reason.pattern(), "explains less than {}");
     EXPECT_EQ(finding.final.experiments[0].outputs[0].simulated,
               discovery.result->finding.final.experiments[0].outputs[0].simulated);
     EXPECT_EQ(runs[1].ranOn->models, fit.ranOn->models);
