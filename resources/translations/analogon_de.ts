@@ -2869,6 +2869,13 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     </message>
 </context>
 <context>
+    <name>Language</name>
+    <message>
+        <source>en</source>
+        <translation>de</translation>
+    </message>
+</context>
+<context>
     <name>LibraryPanel</name>
     <message>
         <source>Search blocks</source>
@@ -6930,7 +6937,7 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     </message>
     <message>
         <source>the largest is about 1.8e308</source>
-        <translation>die größte ist etwa 1.8e308</translation>
+        <translation>die größte ist etwa 1,8e308</translation>
     </message>
     <message>
         <source>unknown escape in a string</source>
@@ -7167,6 +7174,218 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>names hold ASCII letters, digits and _; others stand in quotes: 'T_α'</source>
         <translation>Namen bestehen aus ASCII-Buchstaben, Ziffern und _; andere stehen in Hochkommas: 'T_α'</translation>
+    </message>
+    <message>
+        <source>{} = {:.4g}{}</source>
+        <translation>{} = {}{}</translation>
+    </message>
+    <message>
+        <source>{} = {:.5g}{}</source>
+        <translation>{} = {}{}</translation>
+    </message>
+    <message>
+        <source>{} = {:.5g}</source>
+        <translation>{} = {}</translation>
+    </message>
+    <message>
+        <source>{:.5g} s</source>
+        <translation>{} s</translation>
+    </message>
+    <message>
+        <source>{:.3g}{}</source>
+        <translation>{}{}</translation>
+    </message>
+    <message>
+        <source>no measurement was given</source>
+        <translation>es wurde keine Messung angegeben</translation>
+    </message>
+    <message>
+        <source>no column of the measurement can be the time</source>
+        <translation>keine Spalte der Messung kann die Zeit sein</translation>
+    </message>
+    <message>
+        <source>Its values must rise from row to row: name one 't [s]'.</source>
+        <translation>Ihre Werte müssen von Zeile zu Zeile steigen: eine „t [s]“ nennen.</translation>
+    </message>
+    <message>
+        <source>the time column '{}' has no unit in its header</source>
+        <translation>die Zeitspalte „{}“ hat keine Einheit in ihrer Kopfzeile</translation>
+    </message>
+    <message>
+        <source>Write it as '{} [{}]': a time without a unit is read in seconds.</source>
+        <translation>Als „{} [{}]“ schreiben: Eine Zeit ohne Einheit wird in Sekunden gelesen.</translation>
+    </message>
+    <message>
+        <source>'{}' is the time.</source>
+        <translation>„{}“ ist die Zeit.</translation>
+    </message>
+    <message>
+        <source>no domain was given</source>
+        <translation>es wurde keine Domäne angegeben</translation>
+    </message>
+    <message>
+        <source>Known are: {}.</source>
+        <translation>Bekannt sind: {}.</translation>
+    </message>
+    <message>
+        <source>no connector joins {} to the rest of the chain</source>
+        <translation>kein Anschluss verbindet {} mit dem Rest der Kette</translation>
+    </message>
+    <message>
+        <source>A domain that both have in common is missing between them.</source>
+        <translation>Zwischen ihnen fehlt eine Domäne, die beide gemeinsam haben.</translation>
+    </message>
+    <message>
+        <source>{} and {} are joined by {} and {}.</source>
+        <translation>{} und {} sind über {} und {} verbunden.</translation>
+    </message>
+    <message>
+        <source>{} is compared with '{}'.</source>
+        <translation>{} wird mit „{}“ verglichen.</translation>
+    </message>
+    <message>
+        <source>nothing is known that could drive {} [{}]</source>
+        <translation>es ist nichts bekannt, das {} [{}] speisen könnte</translation>
+    </message>
+    <message>
+        <source>{} gets the same voltage.</source>
+        <translation>{} erhält dieselbe Spannung.</translation>
+    </message>
+    <message>
+        <source>{} drives {}.</source>
+        <translation>{} treibt {}.</translation>
+    </message>
+    <message>
+        <source>no column can drive {}: a voltage [V] is needed</source>
+        <translation>keine Spalte kann {} speisen: Nötig ist eine Spannung [V]</translation>
+    </message>
+    <message>
+        <source>Give the column a unit in its header, as 'u [V]'.</source>
+        <translation>Der Spalte in der Kopfzeile eine Einheit geben, etwa „u [V]“.</translation>
+    </message>
+    <message>
+        <source>{} switches a supply of {:.3g} V to {}.</source>
+        <translation>{} schaltet eine Versorgung von {} V auf {}.</translation>
+    </message>
+    <message>
+        <source>{} is left free: no torque acts on it.</source>
+        <translation>{} bleibt frei: Kein Drehmoment wirkt darauf.</translation>
+    </message>
+    <message>
+        <source>An inertia turns with {}: the basic class of a motor has none.</source>
+        <translation>Mit {} dreht sich eine Trägheit: Die Grundklasse eines Motors hat keine.</translation>
+    </message>
+    <message>
+        <source>A load that grows with the square of the speed (pump, fan) hangs on {}.</source>
+        <translation>An {} hängt eine Last, die mit dem Quadrat der Drehzahl wächst (Pumpe, Lüfter).</translation>
+    </message>
+    <message>
+        <source>{} heats {}.</source>
+        <translation>{} heizt {}.</translation>
+    </message>
+    <message>
+        <source>{} is the temperature at {}.</source>
+        <translation>{} ist die Temperatur an {}.</translation>
+    </message>
+    <message>
+        <source>The temperature at {} is 293.15 K: no column of the surroundings was found.</source>
+        <translation>Die Temperatur an {} ist 293,15 K: Es wurde keine Spalte der Umgebung gefunden.</translation>
+    </message>
+    <message>
+        <source>the measurement has no column that the model could be compared with</source>
+        <translation>die Messung hat keine Spalte, mit der das Modell verglichen werden könnte</translation>
+    </message>
+    <message>
+        <source>Wanted is a current [A], a speed [rad/s], an angle [rad] or a temperature [K] that the model does not already take as its input; give the columns their units in the header.</source>
+        <translation>Gesucht ist ein Strom [A], eine Drehzahl [rad/s], ein Winkel [rad] oder eine Temperatur [K], die das Modell nicht schon als Eingang erhält; den Spalten in der Kopfzeile ihre Einheiten geben.</translation>
+    </message>
+    <message>
+        <source>{}.L is 0: the inductance is left out until the data call for it.</source>
+        <translation>{}.L ist 0: Die Induktivität bleibt weg, bis die Daten sie verlangen.</translation>
+    </message>
+    <message>
+        <source>{0}.J2 is 0 and {0}.r is 1: all inertia is in J1, there is no gear.</source>
+        <translation>{0}.J2 ist 0 und {0}.r ist 1: Alle Trägheit steckt in J1, ein Getriebe gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>{0}.A is {1:.3g} m2 and stays: only the product of {0}.A and {0}.c_o shows in the data.</source>
+        <translation>{0}.A ist {1} m2 und bleibt so: Nur das Produkt aus {0}.A und {0}.c_o zeigt sich in den Daten.</translation>
+    </message>
+    <message>
+        <source>{} starts at the temperature of its surroundings ('{}').</source>
+        <translation>{} beginnt bei der Temperatur der Umgebung („{}“).</translation>
+    </message>
+    <message>
+        <source>{} is fitted from {:.3g} ({}) within {:.3g} … {:.3g}.</source>
+        <translation>{} wird angepasst, ausgehend von {} ({}), im Bereich {} … {}.</translation>
+    </message>
+    <message>
+        <source>'{}' is in {}: its header gives no unit, its name does.</source>
+        <translation>„{}“ ist in {}: Die Kopfzeile nennt keine Einheit, der Name schon.</translation>
+    </message>
+    <message>
+        <source>The recording up to {:.3g} s is fitted, the rest validates{}.</source>
+        <translation>Die Aufzeichnung bis {} s wird angepasst, der Rest validiert{}.</translation>
+    </message>
+    <message>
+        <source>: there it stands as at its beginning</source>
+        <translation>: dort steht das Bauteil wie an ihrem Beginn</translation>
+    </message>
+    <message>
+        <source>, although the model starts it at rest and the component does not; a recording of its own for the validation is better</source>
+        <translation>, obwohl das Modell dort in Ruhe beginnt und das Bauteil nicht; eine eigene Aufzeichnung zur Validierung ist besser</translation>
+    </message>
+    <message>
+        <source>a usual value</source>
+        <translation>ein üblicher Wert</translation>
+    </message>
+    <message>
+        <source>a metal</source>
+        <translation>ein Metall</translation>
+    </message>
+    <message>
+        <source>voltage over current</source>
+        <translation>Spannung durch Strom</translation>
+    </message>
+    <message>
+        <source>voltage over current where the current is high</source>
+        <translation>Spannung durch Strom, wo der Strom groß ist</translation>
+    </message>
+    <message>
+        <source>v = R*i + k*w over the recording</source>
+        <translation>v = R*i + k*w über die Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>how fast it follows</source>
+        <translation>wie schnell es folgt</translation>
+    </message>
+    <message>
+        <source>torque over the square of the speed</source>
+        <translation>Drehmoment durch Quadrat der Drehzahl</translation>
+    </message>
+    <message>
+        <source>torque over speed</source>
+        <translation>Drehmoment durch Drehzahl</translation>
+    </message>
+    <message>
+        <source>power over temperature difference</source>
+        <translation>Leistung durch Temperaturunterschied</translation>
+    </message>
+    <message>
+        <source>the domain '{}' is not known</source>
+        <translation>die Domäne „{}“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Did you mean '{}'? </source>
+        <translation>Ist „{}“ gemeint? </translation>
+    </message>
+    <message>
+        <source>'{}' cannot be the name of a model</source>
+        <translation>„{}“ kann nicht der Name eines Modells sein</translation>
+    </message>
+    <message>
+        <source>A name is a letter followed by letters, digits and underscores.</source>
+        <translation>Ein Name ist ein Buchstabe, gefolgt von Buchstaben, Ziffern und Unterstrichen.</translation>
     </message>
 </context>
 <context>
