@@ -41,7 +41,7 @@ int generate(const Options& options, std::ostream& out, std::ostream& err) {
         return fails(written.diagnostics());
     const std::string directory = options.out.string();
     out << "study: " << directory << "\n\nassumed\n";
-    for (const std::string& assumption : generated->assumptions) out << "  - " << assumption << '\n';
+    for (const Text& assumption : generated->assumptions) out << "  - " << assumption << '\n';
     out << "\nnext: analogon-cli discover " << directory << " --out " << directory << "-result" << std::endl;
     return done;
 }

@@ -185,8 +185,8 @@ Outcome<Done> writeZip(const fs::path& directory, const fs::path& target, const 
     zip.close();
     isWritten = isWritten && zip.getZipError() == ZIP_OK && file.flush() && fsync(file.handle()) == 0;
     if (!isWritten)
-        return cannotWrite(shown,
-                           file.error() == QFile::NoError ? "the disk may be full" : file.errorString().toStdString());
+        return cannotWrite(shown, file.error() == QFile::NoError ? phrase("the disk may be full")
+                                                                 : Text(file.errorString().toStdString()));
     return Done{};
 }
 

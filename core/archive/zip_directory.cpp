@@ -57,18 +57,19 @@ bool isInvisible(std::uint32_t c) {
 }
 
 /// What is wrong with a name; empty: nothing.
-std::string nameFault(const std::string& name) {
-    if (name.empty()) return "an entry has no name";
-    if (name.size() > longestName) return fmt::format("a name has {} bytes, more than {}", name.size(), longestName);
-    const auto of = [&](const char* what) { return fmt::format("the entry \"{}\" {}", escapedName(name), what); };
-    if (name.find('\0') != std::string::npos) return of("holds a NUL in its name");
-    if (name.find('\\') != std::string::npos) return of("holds a backslash in its name");
-    if (name.front() == '/' || (name.size() > 1 && name[1] == ':')) return of("has an absolute path");
+Text nameFault(const std::string& name) {
+    if (name.empty()) return phrase("an entry has no name");
+    if (name.size() > longestName) return phrase("a name has {} bytes, more than {}", name.size(), longestName);
+    const std::string shown = escapedName(name);
+    if (name.find('\0') != std::string::npos) return phrase("the entry \"{}\" holds a NUL in its name", shown);
+    if (name.find('\\') != std::string::npos) return phrase("the entry \"{}\" holds a backslash in its name", shown);
+    if (name.front() == '/' || (name.size() > 1 && name[1] == ':'))
+        return phrase("the entry \"{}\" has an absolute path", shown);
     for (std::size_t at = 0; at <= name.size();) {
         const std::size_t end = std::min(name.find('/', at), name.size());
         const std::string part = name.substr(at, end - at);
-        if (part == ".." || part == ".") return of("leads out of the archive");
-        if (part.empty() && end != name.size()) return of("has an empty part in its path");
+        if (part == ".." || part == ".") return phrase("the entry \"{}\" leads out of the archive", shown);
+        if (part.empty() && end != name.size()) return phrase("the entry \"{}\" has an empty part in its path", shown);
         at = end + 1;
     }
     return {};
@@ -79,27 +80,29 @@ public:
     explicit ZipReader(const fs::path& file) : file_(file), stream_(file, std::ios::binary) {}
 
     Outcome<std::vector<ZipEntry>> read() {
-        if (!stream_) return fault("the file cannot be opened", "Check its name and its access rights.");
+        if (!stream_)
+            return fault(phrase("the file cannot be opened"), phrase("Check its name and its access rights."));
         stream_.seekg(0, std::ios::end);
         size_ = static_cast<std::uint64_t>(stream_.tellg());
-        if (size_ == 0) return fault("the file is empty");
+        if (size_ == 0) return fault(phrase("the file is empty"));
         if (!findEnd())
-            return fault("this is no zip archive, or it is cut off", "Get the file again from where it came from.");
-        if (const std::string wrong = readCentral(); !wrong.empty()) return fault(wrong);
-        if (const std::string wrong = compareLocal(); !wrong.empty()) return fault(wrong);
+            return fault(phrase("this is no zip archive, or it is cut off"),
+                         phrase("Get the file again from where it came from."));
+        if (const Text wrong = readCentral(); !wrong.empty()) return fault(wrong);
+        if (const Text wrong = compareLocal(); !wrong.empty()) return fault(wrong);
         Diagnostics warnings;
         for (const ZipEntry& e : entries_)
             if (escapedName(e.name) != e.name) {
-                warnings.push_back(asWarning(fault(
-                    fmt::format("an entry has invisible characters in its name: \"{}\"", escapedName(e.name)), {})));
+                warnings.push_back(asWarning(
+                    fault(phrase("an entry has invisible characters in its name: \"{}\"", escapedName(e.name)), {})));
             }
         std::erase_if(entries_, [](const ZipEntry& e) { return e.name.ends_with('/'); });
         return {std::move(entries_), std::move(warnings)};
     }
 
 private:
-    Diagnostic fault(const std::string& message,
-                     const std::string& hint = "Do not trust this file: it was damaged or made by hand.") const {
+    Diagnostic fault(const Text& message,
+                     const Text& hint = phrase("Do not trust this file: it was damaged or made by hand.")) const {
         return fileError(message, file_.string(), 0, 0, hint);
     }
 
@@ -130,21 +133,23 @@ private:
         return false;
     }
 
-    std::string readCentral() {
-        if (!isOneDisk_) return "the archive is split over several files";
+    Text readCentral() {
+        if (!isOneDisk_) return phrase("the archive is split over several files");
         if (count_ == 0xffff || centralAt_ == 0xffffffff)
-            return "the archive is in the format for more than 4 GB, which a study does not use";
-        if (centralAt_ + centralBytes_ > endAt_) return "the list of its entries lies outside the file";
-        if (centralAt_ + centralBytes_ < endAt_) return "there is data before or between the parts of the archive";
+            return phrase("the archive is in the format for more than 4 GB, which a study does not use");
+        if (centralAt_ + centralBytes_ > endAt_) return phrase("the list of its entries lies outside the file");
+        if (centralAt_ + centralBytes_ < endAt_)
+            return phrase("there is data before or between the parts of the archive");
         const std::string text = bytesAt(centralAt_, centralBytes_);
         const Bytes bytes(text);
         std::set<std::string> seen;
         std::size_t at = 0;
         for (unsigned i = 0; i < count_; ++i) {
             if (!bytes.has(at, centralSize) || bytes.u32(at) != centralSignature)
-                return "the list of its entries is damaged";
+                return phrase("the list of its entries is damaged");
             const std::size_t nameSize = bytes.u16(at + 28), extra = bytes.u16(at + 30), comment = bytes.u16(at + 32);
-            if (!bytes.has(at, centralSize + nameSize + extra + comment)) return "the list of its entries is cut off";
+            if (!bytes.has(at, centralSize + nameSize + extra + comment))
+                return phrase("the list of its entries is cut off");
             ZipEntry entry;
             entry.name = bytes.text(at + centralSize, nameSize);
             entry.method = static_cast<int>(bytes.u16(at + 10));
@@ -152,43 +157,42 @@ private:
             entry.packedSize = bytes.u32(at + 20);
             entry.size = bytes.u32(at + 24);
             entry.offset = bytes.u32(at + 42);
-            if (const std::string wrong = nameFault(entry.name); !wrong.empty()) return wrong;
+            if (const Text wrong = nameFault(entry.name); !wrong.empty()) return wrong;
             const std::string shown = escapedName(entry.name);
-            if (!seen.insert(entry.name).second) return fmt::format("the entry \"{}\" stands twice", shown);
-            if (bytes.u16(at + 8) & 1) return fmt::format("the entry \"{}\" is encrypted", shown);
+            if (!seen.insert(entry.name).second) return phrase("the entry \"{}\" stands twice", shown);
+            if (bytes.u16(at + 8) & 1) return phrase("the entry \"{}\" is encrypted", shown);
             if (entry.method != 0 && entry.method != 8)
-                return fmt::format("the entry \"{}\" is compressed by method {}, which is not known", shown,
-                                   entry.method);
+                return phrase("the entry \"{}\" is compressed by method {}, which is not known", shown, entry.method);
             if (entry.method == 0 && entry.size != entry.packedSize)
-                return fmt::format("the entry \"{}\" has two different sizes", shown);
+                return phrase("the entry \"{}\" has two different sizes", shown);
             entries_.push_back(std::move(entry));
             at += centralSize + nameSize + extra + comment;
         }
-        return at == text.size() ? std::string{} : "the list of its entries has data behind its end";
+        return at == text.size() ? Text() : phrase("the list of its entries has data behind its end");
     }
 
     /// Local headers must say the same, and no two entries may share bytes.
-    std::string compareLocal() {
+    Text compareLocal() {
         std::vector<std::pair<std::uint64_t, std::uint64_t>> ranges;
         for (const ZipEntry& entry : entries_) {
             const std::string shown = escapedName(entry.name);
             const std::string text = bytesAt(entry.offset, localSize + entry.name.size());
             const Bytes bytes(text);
             if (!bytes.has(0, localSize) || bytes.u32(0) != localSignature)
-                return fmt::format("the entry \"{}\" is not where the list says", shown);
+                return phrase("the entry \"{}\" is not where the list says", shown);
             const std::size_t nameSize = bytes.u16(26), extra = bytes.u16(28);
             if (nameSize != entry.name.size() || bytes.text(localSize, nameSize) != entry.name)
-                return fmt::format("the entry \"{}\" has another name at its data", shown);
+                return phrase("the entry \"{}\" has another name at its data", shown);
             if (static_cast<int>(bytes.u16(8)) != entry.method)
-                return fmt::format("the entry \"{}\" has two different methods of compression", shown);
+                return phrase("the entry \"{}\" has two different methods of compression", shown);
             const std::uint64_t end = entry.offset + localSize + nameSize + extra + entry.packedSize;
-            if (end > centralAt_) return fmt::format("the data of \"{}\" is cut off", shown);
+            if (end > centralAt_) return phrase("the data of \"{}\" is cut off", shown);
             ranges.emplace_back(entry.offset, end);
         }
         std::sort(ranges.begin(), ranges.end());
         for (std::size_t i = 1; i < ranges.size(); ++i)
-            if (ranges[i].first < ranges[i - 1].second) return "entries share their data";
-        if (!ranges.empty() && ranges.front().first != 0) return "there is data before the archive";
+            if (ranges[i].first < ranges[i - 1].second) return phrase("entries share their data");
+        if (!ranges.empty() && ranges.front().first != 0) return phrase("there is data before the archive");
         return {};
     }
 

@@ -4,7 +4,7 @@
 
 namespace analogon {
 
-Diagnostic cannotWrite(const std::filesystem::path& file, const std::string& reason) {
+Diagnostic cannotWrite(const std::filesystem::path& file, const Text& reason) {
     return fileError(phrase("this cannot be written: {}", reason), file.string(), 0, 0,
                      phrase("Check that the directory exists, may be written and has room."));
 }

@@ -9,7 +9,7 @@
 namespace analogon {
 
 /// "this cannot be written: No space left on device", with what to check.
-Diagnostic cannotWrite(const std::filesystem::path& file, const std::string& reason);
+Diagnostic cannotWrite(const std::filesystem::path& file, const Text& reason);
 Diagnostic cannotWrite(const std::filesystem::path& file, const std::error_code& code);
 
 /// A fault that costs no more than what it is about: what else was read is good.

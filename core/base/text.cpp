@@ -15,6 +15,12 @@ void replaceIn(std::string& words, std::string_view from, std::string_view to) {
 
 }  // namespace
 
+Text Text::number(std::string digits) {
+    Text text(std::move(digits));
+    text.isNumber_ = true;
+    return text;
+}
+
 Text& Text::operator+=(const Text& next) {
     if (next.empty()) return *this;
     if (empty()) return *this = next;
@@ -22,6 +28,7 @@ Text& Text::operator+=(const Text& next) {
     if (!isSequence) {
         Text first = *this;
         pattern_.clear();
+        isNumber_ = false;
         arguments_ = {std::move(first)};
     }
     english_ += next.english_;

@@ -5,16 +5,18 @@
 #include <iosfwd>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace analogon {
 
 /// Words for people: the English text, and how it was made, so that a screen can say the same in another language. A
 /// text is one of three things:
-///   words as they are      names and numbers                 pattern and arguments empty
+///   words as they are      a name, or a number               pattern and arguments empty
 ///   a sentence             "the range ends at {}" and "3"    made by phrase()
 ///   a sequence             sentences one behind the other    made by +=
-/// Arguments are texts again; numbers among them keep the format of the English pattern.
+/// Arguments are texts again; numbers among them keep the format of the English pattern, and are known as numbers:
+/// their decimal sign is the language's, that of a name ("heater.R2.1") is not.
 class Text {
 public:
     Text() = default;
@@ -23,12 +25,15 @@ public:
     Text(const char* words) : english_(words) {}
     Text(std::string pattern, std::vector<Text> arguments, std::string english)
         : english_(std::move(english)), pattern_(std::move(pattern)), arguments_(std::move(arguments)) {}
+    /// "3.14", "2e-5": digits with a decimal point.
+    static Text number(std::string digits);
 
     const std::string& english() const { return english_; }
     operator const std::string&() const { return english_; }
     /// "the range ends at {} before it begins at {}"; empty: words as they are, or a sequence.
     const std::string& pattern() const { return pattern_; }
     const std::vector<Text>& arguments() const { return arguments_; }
+    bool isNumber() const { return isNumber_; }
 
     bool empty() const { return english_.empty(); }
     std::size_t find(std::string_view part) const { return english_.find(part); }
@@ -48,6 +53,7 @@ private:
     std::string english_;
     std::string pattern_;
     std::vector<Text> arguments_;
+    bool isNumber_{};
 };
 
 std::ostream& operator<<(std::ostream& stream, const Text& text);
@@ -74,7 +80,9 @@ inline Text argumentOf(const Text& text, const std::string&) { return text; }
 
 template <class Value>
 Text argumentOf(const Value& value, const std::string& format) {
-    return fmt::format(fmt::runtime(format.empty() ? "{}" : "{:" + format + "}"), value);
+    std::string words = fmt::format(fmt::runtime(format.empty() ? "{}" : "{:" + format + "}"), value);
+    if constexpr (std::is_floating_point_v<Value>) return Text::number(std::move(words));
+    return words;
 }
 
 /// A sentence with its arguments, in English by fmt. Every pattern has its translations in resources/translations,

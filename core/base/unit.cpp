@@ -360,23 +360,25 @@ private:
 
     Diagnostic unknown(std::string_view unit) const {
         if (!system_) {
-            return error("the unit table udunits2.xml could not be read", {},
-                         "install libudunits2-data or set UDUNITS2_XML_PATH");
+            return error(phrase("the unit table udunits2.xml could not be read"), {},
+                         phrase("install libudunits2-data or set UDUNITS2_XML_PATH"));
         }
         static const std::vector<std::string> common{
             "degC",     "degF", "rad/s", "rpm", "1/min", "Ohm",   "N.m",  "N.m/rad", "N.m.s/rad", "kg.m2", "W/K",
             "W/(m2.K)", "J/K",  "km/h",  "m/s", "deg",   "deg/s", "mbar", "hPa",     "kPa",       "l/min", "kg/h",
             "mA",       "mV",   "ms",    "min", "Hz",    "kHz",   "Volt", "Ampere",  "Kelvin",    "Watt",  "Celsius"};
         const std::string near = suggestion(unit, common);
-        return error(fmt::format("unknown unit \"{}\"", unit), {},
-                     near.empty() ? "write it as in \"degC\", \"rad/s\", \"N.m\", \"W/(m2.K)\"; \"1\" has no dimension"
-                                  : fmt::format("did you mean \"{}\"?", near));
+        return error(phrase("unknown unit \"{}\"", unit), {},
+                     near.empty()
+                         ? phrase("write it as in \"degC\", \"rad/s\", \"N.m\", \"W/(m2.K)\"; \"1\" has no dimension")
+                         : phrase("did you mean \"{}\"?", near));
     }
 
-    static std::string mismatchHint(std::string_view from, std::string_view to) {
-        if (from == "C" || to == "C") return "\"C\" is the coulomb; write \"degC\" for a temperature";
-        if (from == "F" || to == "F") return "\"F\" is the farad; write \"degF\" for a temperature";
-        if (from.empty() || to.empty()) return "state the unit on both sides; \"1\" says that there is no dimension";
+    static Text mismatchHint(std::string_view from, std::string_view to) {
+        if (from == "C" || to == "C") return phrase("\"C\" is the coulomb; write \"degC\" for a temperature");
+        if (from == "F" || to == "F") return phrase("\"F\" is the farad; write \"degF\" for a temperature");
+        if (from.empty() || to.empty())
+            return phrase("state the unit on both sides; \"1\" says that there is no dimension");
         return {};
     }
 
@@ -385,7 +387,7 @@ private:
         if (from.empty() || to.empty()) {
             const std::string_view given = from.empty() ? to : from;
             if (!parse(given, Reading::AsWritten)) return unknown(given);
-            return error(fmt::format("no unit is given on one side, \"{}\" on the other", given), {},
+            return error(phrase("no unit is given on one side, \"{}\" on the other", given), {},
                          mismatchHint(from, to));
         }
         UnitPtr source = parse(from, Reading::AsWritten);
@@ -395,9 +397,8 @@ private:
         readTurns(from, source, to, target);
         const ConverterPtr converter = lineBetween(source.get(), target.get());
         if (!converter) {
-            return error(
-                fmt::format("\"{}\" cannot be converted to \"{}\": they measure different quantities", from, to), {},
-                mismatchHint(from, to));
+            return error(phrase("\"{}\" cannot be converted to \"{}\": they measure different quantities", from, to),
+                         {}, mismatchHint(from, to));
         }
         return lineOf(*converter);
     }

@@ -436,8 +436,8 @@ Outcome<Diagram> readDiagram(const Library& library, std::string_view className)
     const LibraryClass* cls = library.find(className);
     if (!cls) {
         const std::string like = suggestion(className, library.names());
-        return error(fmt::format("there is no class \"{}\"", className), {},
-                     like.empty() ? std::string{} : fmt::format("did you mean \"{}\"?", like));
+        return error(phrase("there is no class \"{}\"", className), {},
+                     like.empty() ? Text() : phrase("did you mean \"{}\"?", like));
     }
     Diagram diagram;
     diagram.className = cls->qualifiedName;

@@ -88,9 +88,8 @@ ModelEdit::ComponentChange* ModelEdit::ownChange(std::string_view component) {
 ModelEdit::ComponentChange* ModelEdit::change(std::string_view component) {
     if (ComponentChange* own = ownChange(component)) return own;
     const std::string like = suggestion(component, componentNames());
-    faults_.push_back(error(fmt::format("model {} has no component \"{}\"", definition_->name, component),
-                            definition_->nameSpan,
-                            like.empty() ? std::string{} : fmt::format("did you mean \"{}\"?", like)));
+    faults_.push_back(error(phrase("model {} has no component \"{}\"", definition_->name, component),
+                            definition_->nameSpan, like.empty() ? Text() : phrase("did you mean \"{}\"?", like)));
     return nullptr;
 }
 
@@ -100,7 +99,7 @@ ModelEdit& ModelEdit::addComponent(const NewComponent& component) {
 }
 
 ModelEdit& ModelEdit::removeComponent(std::string_view name) {
-    if (!ownChange(name) && refuseInherited(name, "removed")) return *this;
+    if (!ownChange(name) && refuseInherited(name, phrase("removed"))) return *this;
     if (ComponentChange* c = change(name)) {
         c->isRemoved = true;
         for (const Connect& connect : connects_)
@@ -111,7 +110,7 @@ ModelEdit& ModelEdit::removeComponent(std::string_view name) {
 }
 
 ModelEdit& ModelEdit::renameComponent(std::string_view from, const std::string& to) {
-    if (!ownChange(from) && refuseInherited(from, "renamed")) return *this;
+    if (!ownChange(from) && refuseInherited(from, phrase("renamed"))) return *this;
     if (change(from)) renames_[std::string(from)] = to;
     return *this;
 }
@@ -157,7 +156,7 @@ ModelEdit& ModelEdit::setPlacement(std::string_view component, const Placement& 
                                     [&](const NewComponent& n) { return n.name == component; });
     if (added != newComponents_.end())
         added->placement = placement;
-    else if (!ownChange(component) && refuseInherited(component, "moved"))
+    else if (!ownChange(component) && refuseInherited(component, phrase("moved")))
         return *this;
     else if (ComponentChange* c = change(component))
         c->placement = placement;
@@ -175,9 +174,8 @@ std::vector<const Equation*> ModelEdit::connectionsBetween(std::string_view from
     for (const auto& [equation, left, right] : connects_)
         if ((left == from && right == to) || (left == to && right == from)) result.push_back(equation);
     if (result.empty())
-        faults_.push_back(
-            error(fmt::format("model {} has no connection of \"{}\" with \"{}\"", definition_->name, from, to),
-                  definition_->nameSpan));
+        faults_.push_back(error(phrase("model {} has no connection of \"{}\" with \"{}\"", definition_->name, from, to),
+                                definition_->nameSpan));
     return result;
 }
 
@@ -193,11 +191,12 @@ ModelEdit& ModelEdit::replaceInConnections(std::string_view connector, const std
         if (right == connector) connections_[equation].right = by, found = true;
     }
     if (!found)
-        faults_.push_back(error(fmt::format("no connection of model {} ends at \"{}\"", definition_->name, connector),
+        faults_.push_back(error(phrase("no connection of model {} ends at \"{}\"", definition_->name, connector),
                                 definition_->nameSpan,
                                 definition_->bases.empty() && !definition_->isShort
-                                    ? ""
-                                    : "an inherited connection can only be changed in the class that holds it"));
+                                    ? Text()
+                                    : phrase("an inherited connection can only be changed in the class that holds "
+                                             "it")));
     return *this;
 }
 

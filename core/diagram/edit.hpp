@@ -109,7 +109,7 @@ private:
     // Each is false, and does nothing, when nothing of the name is inherited.
     bool changeInherited(std::string_view component, std::string name, const std::string& value);
     bool redeclareInherited(std::string_view component, const std::string& className);
-    bool refuseInherited(std::string_view component, std::string_view what);
+    bool refuseInherited(std::string_view component, const Text& what);
     std::vector<const syntax::Equation*> connectionsBetween(std::string_view from, std::string_view to);
     Diagram diagramWithNewBlocks() const;
     void writeComponents(Replacements& edits) const;

@@ -75,11 +75,10 @@ std::string ModelEdit::arrayText(const ArrayName& name, std::vector<int>& index,
 void ModelEdit::setElement(std::string_view flatName, const std::string& value) {
     const ArrayName name(flatName);
     if (!elementValue(name, name.index)) {
-        faults_.push_back(
-            error(fmt::format("\"{}\" of model {} cannot be set: the values of the other elements are not "
-                              "known",
-                              name.at(name.index), definition_->name),
-                  definition_->nameSpan, "set the whole array"));
+        faults_.push_back(error(phrase("\"{}\" of model {} cannot be set: the values of the other elements are not "
+                                       "known",
+                                       name.at(name.index), definition_->name),
+                                definition_->nameSpan, phrase("set the whole array")));
         return;
     }
     elements_[name.at(name.index)] = value;

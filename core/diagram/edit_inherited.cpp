@@ -98,21 +98,21 @@ bool ModelEdit::redeclareInherited(std::string_view component, const std::string
     const std::optional<Inherited> found = inherited(component);
     if (!found) return false;
     if (found->declaration && !found->declaration->isReplaceable)
-        faults_.push_back(error(fmt::format("the class of \"{}\" cannot change in model {}: it is inherited from {}, "
-                                            "where it is not replaceable",
-                                            component, definition_->name, found->owner),
-                                found->declaration->nameSpan, "declare it as \"replaceable\" there"));
+        faults_.push_back(error(phrase("the class of \"{}\" cannot change in model {}: it is inherited from {}, "
+                                       "where it is not replaceable",
+                                       component, definition_->name, found->owner),
+                                found->declaration->nameSpan, phrase("declare it as \"replaceable\" there")));
     inherited_[found->base].classes.emplace_back(std::string(component), className);
     return true;
 }
 
-bool ModelEdit::refuseInherited(std::string_view component, std::string_view what) {
+bool ModelEdit::refuseInherited(std::string_view component, const Text& what) {
     const std::optional<Inherited> found = inherited(component);
     if (found)
-        faults_.push_back(error(fmt::format("\"{}\" is inherited from {} and cannot be {} in model {}", component,
-                                            found->owner, what, definition_->name),
+        faults_.push_back(error(phrase("\"{}\" is inherited from {} and cannot be {} in model {}", component,
+                                       found->owner, what, definition_->name),
                                 found->declaration ? found->declaration->nameSpan : definition_->nameSpan,
-                                "change the class it comes from"));
+                                phrase("change the class it comes from")));
     return found.has_value();
 }
 

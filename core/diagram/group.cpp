@@ -86,23 +86,20 @@ public:
     }
 
 private:
-    Diagnostic fault(const std::string& text, const std::string& hint = {}) const {
-        return error(text, definition_.nameSpan, hint);
-    }
+    Diagnostic fault(const Text& text, const Text& hint = {}) const { return error(text, definition_.nameSpan, hint); }
 
     bool isInside(const std::string& component) const { return inside_.contains(component); }
 
     /// What the components are made of may move.
     Diagnostics check() const {
-        if (definition_.isShort || inside_.empty()) return {fault("there is nothing to be grouped")};
+        if (definition_.isShort || inside_.empty()) return {fault(phrase("there is nothing to be grouped"))};
         for (const std::string& name : group_.components) {
             const Block* block = diagram_.find(name);
             const auto declared = std::find_if(definition_.components.begin(), definition_.components.end(),
                                                [&](const Component& c) { return c.name == name; });
             if (!block || declared == definition_.components.end())
-                return {fault(fmt::format("{} is not declared in {} itself", name, definition_.name))};
-            if (block->isConnector)
-                return {fault(fmt::format("{} is a connector of the model and stays outside", name))};
+                return {fault(phrase("{} is not declared in {} itself", name, definition_.name))};
+            if (block->isConnector) return {fault(phrase("{} is a connector of the model and stays outside", name))};
             FirstNames names;
             names.visit(*declared);
             for (const syntax::Name* used : names.found) {
@@ -110,8 +107,8 @@ private:
                 if (isInside(first) || first == "time" || library_.lookup(used->text(), diagram_.className) ||
                     library_.lookup(first, diagram_.className))
                     continue;
-                return {fault(fmt::format("{} refers to {}, which would stay outside", name, used->text()),
-                              "write the value itself, or move both")};
+                return {fault(phrase("{} refers to {}, which would stay outside", name, used->text()),
+                              phrase("write the value itself, or move both"))};
             }
         }
         for (const syntax::EquationSection& section : definition_.equationSections)
@@ -121,8 +118,7 @@ private:
                 names.visit(e);
                 for (const syntax::Name* used : names.found)
                     if (isInside(used->parts.front().identifier))
-                        return {fault(
-                            fmt::format("{} is connected within an if or a for", used->parts.front().identifier))};
+                        return {fault(phrase("{} is connected within an if or a for", used->parts.front().identifier))};
             }
         return {};
     }
@@ -154,7 +150,7 @@ private:
             const auto port = std::find_if(block->ports.begin(), block->ports.end(),
                                            [&](const Port& p) { return block->name + "." + p.name == own; });
             if (port == block->ports.end()) {
-                faults.push_back(fault(fmt::format("{} is no plain connector", own), "leave its block outside"));
+                faults.push_back(fault(phrase("{} is no plain connector", own), phrase("leave its block outside")));
                 return;
             }
             Border border{own, port->name, port->className, units(*block, port->name), true, 0, {}, 0};
@@ -270,10 +266,10 @@ private:
         const std::string name = scope().empty() ? group_.className : scope() + "." + group_.className;
         const LibraryClass* cls = grouped_.find(name);
         const Outcome<Diagram> diagram = readDiagram(grouped_, name);
-        if (!cls || !diagram) return fault(fmt::format("the components cannot be put into {}", group_.className));
+        if (!cls || !diagram) return fault(phrase("the components cannot be put into {}", group_.className));
         for (const Block& block : diagram->blocks)
             if (!block.isResolved)
-                return fault(fmt::format("the class of {} is only known within {}", block.name, definition_.name));
+                return fault(phrase("the class of {} is only known within {}", block.name, definition_.name));
         ModelEdit edit(*cls->definition, &*diagram, &grouped_);
         for (const Border& b : borders_)
             edit.addConnection(b.inside, b.name, {}, domainColour(diagram->domain(b.inside)));
@@ -315,7 +311,7 @@ private:
 
         const auto parsed = syntax::parse(std::make_shared<const Source>(definition_.source->name(), text));
         const ClassDefinition* again = hasError(parsed.diagnostics) ? nullptr : same(parsed.definition.classes);
-        if (!again) return fault(fmt::format("the components cannot be put into {}", group_.className));
+        if (!again) return fault(phrase("the components cannot be put into {}", group_.className));
         ModelEdit removal(*again);
         for (const std::string& name : group_.components) removal.removeComponent(name);
         const Outcome<syntax::TextEdit> removed = removal.finish("remove");

@@ -25,12 +25,11 @@ public:
     std::string text(const Modification& effect, std::string_view name, bool isRequired) {
         const Modification* m = child(effect, name);
         if (m == nullptr) {
-            if (isRequired)
-                complain(effect.span, fmt::format("the effect annotation of {} lacks '{}'", className_, name));
+            if (isRequired) complain(effect.span, phrase("the effect annotation of {} lacks '{}'", className_, name));
             return {};
         }
         if (!m->value || m->value->kind != Expression::Kind::String) {
-            complain(m->span, fmt::format("'{}' must be a text in quotes", name));
+            complain(m->span, phrase("'{}' must be a text in quotes", name));
             return {};
         }
         return m->value->text;
@@ -40,7 +39,7 @@ public:
         const Modification* m = child(effect, name);
         if (m == nullptr) return false;
         if (!m->value || m->value->kind != Expression::Kind::Boolean) {
-            complain(m->span, fmt::format("'{}' must be true or false", name));
+            complain(m->span, phrase("'{}' must be true or false", name));
             return false;
         }
         return m->value->number != 0;
@@ -54,7 +53,7 @@ public:
 
     double number(const Expression& value, std::string_view name) {
         if (value.kind == Expression::Kind::Number) return value.number;
-        complain(value.span, fmt::format("'{}' must be a number", name));
+        complain(value.span, phrase("'{}' must be a number", name));
         return 0;
     }
 
@@ -64,21 +63,21 @@ public:
         if (value.kind == Expression::Kind::Array)
             for (const Expression& e : value.operands) {
                 if (e.kind != Expression::Kind::String) {
-                    complain(e.span, fmt::format("'{}' must be a list of texts in quotes", name));
+                    complain(e.span, phrase("'{}' must be a list of texts in quotes", name));
                     return {};
                 }
                 result.push_back(e.text);
             }
         else
-            complain(value.span, fmt::format("'{}' must be a list of texts in braces", name));
+            complain(value.span, phrase("'{}' must be a list of texts in braces", name));
         return result;
     }
 
 private:
-    void complain(const Span& span, std::string message) {
+    void complain(const Span& span, Text message) {
         ok_ = false;
         warnings_.push_back(warning(std::move(message), span,
-                                    "the class takes no part in the search for effects until this is mended"));
+                                    phrase("the class takes no part in the search for effects until this is mended")));
     }
 
     const std::string& className_;
@@ -154,7 +153,7 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
             if (m.value) e.shape[m.name.text()] = read.texts(*m.value, m.name.text());
     if (!read.ok()) return warnings;
 
-    const auto refuse = [&](std::string message, std::string hint) {
+    const auto refuse = [&](Text message, Text hint) {
         return Outcome<EffectClass>(warning(std::move(message), annotation.span, std::move(hint)));
     };
     if (way == "attach")
@@ -164,19 +163,19 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
     else if (way == "specialise")
         e.way = Way::Specialise;
     else
-        return refuse(fmt::format("unknown way '{}' of the effect {}", way, of.qualifiedName),
-                      "use \"attach\", \"insert\" or \"specialise\"");
+        return refuse(phrase("unknown way '{}' of the effect {}", way, of.qualifiedName),
+                      phrase("use \"attach\", \"insert\" or \"specialise\""));
     const std::size_t wanted = e.way == Way::Attach ? 1 : e.way == Way::Insert ? 2 : 0;
     if (e.ports.size() != wanted)
-        return refuse(fmt::format("the effect {} names {} connectors, '{}' takes {}", of.qualifiedName, e.ports.size(),
-                                  way, wanted),
-                      "list them as ports = {\"…\"}");
+        return refuse(
+            phrase("the effect {} names {} connectors, '{}' takes {}", of.qualifiedName, e.ports.size(), way, wanted),
+            phrase("list them as ports = {{\"…\"}}"));
     if (e.way == Way::Specialise) {
         if (of.definition->bases.empty())
-            return refuse(fmt::format("{} specialises nothing: it inherits from no class", of.qualifiedName),
-                          "let it extend the base class of the components it may replace");
+            return refuse(phrase("{} specialises nothing: it inherits from no class", of.qualifiedName),
+                          phrase("let it extend the base class of the components it may replace"));
         const LibraryClass* base = library.lookup(of.definition->bases.front().base, of.qualifiedName);
-        if (base == nullptr) return refuse(fmt::format("the base class of {} is not known", of.qualifiedName), "");
+        if (base == nullptr) return refuse(phrase("the base class of {} is not known", of.qualifiedName), "");
         e.base = base->qualifiedName;
     }
     collectParameters(library, of, e.units);
@@ -195,8 +194,8 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
     for (const auto& [parameter, values] : e.shape) named.push_back(parameter);
     for (const std::string& n : named)
         if (!e.units.contains(n))
-            return refuse(fmt::format("the effect {} has no parameter '{}'", of.qualifiedName, n),
-                          "declare it, or mend the name in the annotation");
+            return refuse(phrase("the effect {} has no parameter '{}'", of.qualifiedName, n),
+                          phrase("declare it, or mend the name in the annotation"));
     return e;
 }
 

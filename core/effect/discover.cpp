@@ -69,7 +69,7 @@ void offerAlone(Remainder change, const std::vector<ColouredNoise>& noise, const
 }
 
 /// A parameter of another value, or one that changes, as a proposal at its component.
-Remainder changing(const std::string& parameter, double evidence, std::string equation) {
+Remainder changing(const std::string& parameter, double evidence, Text equation) {
     Remainder r;
     r.node = parameter.substr(0, parameter.rfind('.'));
     r.evidence = evidence;
@@ -115,7 +115,7 @@ Text remarkOfEqual(const HeldInstead& h) {
 }
 
 Remainder remainderOf(const HeldInstead& h, const ModelState& without) {
-    Remainder r = changing(h.parameter, h.explained, fmt::format("{} = {:.5g}", h.parameter, h.value));
+    Remainder r = changing(h.parameter, h.explained, phrase("{} = {:.5g}", h.parameter, h.value));
     r.errorFitWith = h.errorFitWith;
     r.errorValidateWith = h.errorValidateWith;
     if (r.errorValidateWith >= 0) r.errorValidateWithout = errorPercentOf(without, Role::Validate);

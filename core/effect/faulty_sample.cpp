@@ -1,7 +1,5 @@
 #include "core/effect/faulty_sample.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -327,9 +325,11 @@ Text wordsOf(const Recording& recording, std::vector<FaultySamples>::const_itera
             "sensor or the logger stuck",
             begin->output, recording.name, timeOf(begin->begin - 1), timeOf(begin->end - 1));
     const auto count = static_cast<std::size_t>(end - begin);
-    std::string when;
-    for (auto f = begin; f != begin + static_cast<std::ptrdiff_t>(std::min(count, mostTold)); ++f)
-        when += fmt::format("{}{:.5g} s", f == begin ? "" : ", ", timeOf(f->begin));
+    Text when;
+    for (auto f = begin; f != begin + static_cast<std::ptrdiff_t>(std::min(count, mostTold)); ++f) {
+        if (!when.empty()) when += ", ";
+        when += phrase("{:.5g} s", timeOf(f->begin));
+    }
     if (count > mostTold) when += ", …";
     return phrase(
         "output '{}' of '{}': single samples far from their neighbours and from the model are taken for faults of the "

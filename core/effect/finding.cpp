@@ -1,9 +1,8 @@
 #include "core/effect/finding.hpp"
 
-#include <fmt/format.h>
-
 #include <cctype>
-#include <utility>
+
+#include "core/base/unit.hpp"
 
 namespace analogon {
 
@@ -56,7 +55,7 @@ const char* name(FindingKind kind) {
 }
 
 /// An equation with the values of what it names: "y = min(u, y_max) with y_max = 4.2".
-std::string withValues(const std::string& equation, const std::vector<EffectValue>& values) {
+Text withValues(const std::string& equation, const std::vector<EffectValue>& values) {
     const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.'; };
     const auto names = [&](const std::string& name) {
         for (std::size_t at = equation.find(name); at != std::string::npos; at = equation.find(name, at + 1)) {
@@ -66,15 +65,13 @@ std::string withValues(const std::string& equation, const std::vector<EffectValu
         }
         return false;
     };
-    std::string text = equation;
-    const char* before = " with ";
+    Text list;
     for (const EffectValue& v : values) {
         if (!names(v.name)) continue;
-        const bool hasUnit = !v.unit.empty() && v.unit != "1";
-        text += fmt::format("{}{} = {:.4g}{}{}", std::exchange(before, ", "), v.name, v.value, hasUnit ? " " : "",
-                            hasUnit ? v.unit : "");
+        if (!list.empty()) list += ", ";
+        list += phrase("{} = {:.4g}{}", v.name, v.value, behindNumber(v.unit));
     }
-    return text;
+    return list.empty() ? Text(equation) : phrase("{} with {}", equation, list);
 }
 
 }  // namespace analogon

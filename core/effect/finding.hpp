@@ -81,7 +81,7 @@ struct AddedEffect {
     Evidence evidence;
     std::vector<Alternative> alternatives;
     /// Values of parameters that the study holds or bounds and that would explain as much: "core.C = 302 J/K".
-    std::vector<std::string> valuesInstead{};
+    std::vector<Text> valuesInstead{};
 };
 
 enum class Verdict { Chosen, Equivalent, Weaker, NotSignificant, Absorbed, WrongSign, FailsHeldOut, Failed };
@@ -126,7 +126,7 @@ struct Remainder {
 };
 
 /// An equation with the values of what it names: "y = min(u, y_max) with y_max = 4.2".
-std::string withValues(const std::string& equation, const std::vector<EffectValue>& values);
+Text withValues(const std::string& equation, const std::vector<EffectValue>& values);
 
 enum class FindingKind { Adequate, Effect, Partial, Unexplained };
 const char* name(FindingKind kind);  // "adequate" …

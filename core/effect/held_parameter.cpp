@@ -1,7 +1,5 @@
 #include "core/effect/held_parameter.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -115,7 +113,7 @@ std::vector<Likely> likely(const NullModel& without, const std::vector<FitParame
 
 }  // namespace
 
-std::string HeldInstead::text() const { return fmt::format("{} = {:.5g}{}", parameter, value, behindNumber(unit)); }
+Text HeldInstead::text() const { return phrase("{} = {:.5g}{}", parameter, value, behindNumber(unit)); }
 
 std::vector<HeldInstead> heldInstead(const NullModel& without, const NullModel& with, const FitOptions& options,
                                      const Progress& progress) {

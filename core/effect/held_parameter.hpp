@@ -18,7 +18,7 @@ struct HeldInstead {
     double errorFitWith{-1}, errorValidateWith{-1};  // [%] with this value instead; negative: not known
 
     /// "core.C = 302 J/K"
-    std::string text() const;
+    Text text() const;
 };
 
 /// A value that is known wrongly is answered by an effect that imitates its correction (a torque constant by a gain of

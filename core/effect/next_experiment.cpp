@@ -1,7 +1,5 @@
 #include "core/effect/next_experiment.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -18,7 +16,7 @@ constexpr int mostSamples = 2000;
 
 /// Values of an input that a shape runs between, with their unit.
 struct Ends {
-    std::string low, high, middle;
+    Text low, high, middle;
 };
 
 /// A shape between 0 and 1 over a time between 0 and 1; the words name its ends.
@@ -121,7 +119,7 @@ double leastMisfit(const Linearisation& onNew, const FitProblem& problem, const 
 }
 
 Text inWords(const Shape& shape, const InputRange& range, const std::string& unit) {
-    const auto value = [&](double u) { return fmt::format("{:.3g}{}", u, behindNumber(unit)); };
+    const auto value = [&](double u) { return phrase("{:.3g}{}", u, behindNumber(unit)); };
     return shape.words({value(range.low), value(range.high), value(0.5 * (range.low + range.high))});
 }
 

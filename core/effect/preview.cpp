@@ -17,7 +17,7 @@ Outcome<Candidate> candidateOf(const Variant& variant, const EffectChoice& choic
     if (!candidates) return candidates.diagnostics();
     for (Candidate& c : *candidates)
         if (c.place.at == choice.at) return std::move(c);
-    return error("this effect has no such place in the model");
+    return error(phrase("this effect has no such place in the model"));
 }
 
 }  // namespace

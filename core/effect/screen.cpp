@@ -584,7 +584,7 @@ Screened screen(const NullModel& null, const Candidate& candidate, const Simulat
             Outcome<std::vector<std::map<std::string, double>>> shapes = shapesOf(effect, context, secant);
             if (!shapes) return shapes.diagnostics();
             for (const std::map<std::string, double>& shape : *shapes) {
-                if (progress.stopRequested()) return error("cancelled");
+                if (progress.stopRequested()) return error(phrase("cancelled"));
                 Probe probe;
                 if (with.take(shape, secant, probe)) result.probes.push_back(std::move(probe));
             }
@@ -600,7 +600,7 @@ Screened screen(const NullModel& null, const Candidate& candidate, const Simulat
         if (along.compile())
             if (Outcome<Done> probed = probeAll(along); !probed) return fail(probed.diagnostics());
     }
-    if (result.probes.empty()) return fail({error("no simulation with this effect succeeded")});
+    if (result.probes.empty()) return fail({error(phrase("no simulation with this effect succeeded"))});
     std::stable_sort(result.probes.begin(), result.probes.end(),
                      [](const Probe& a, const Probe& b) { return scoreOf(a.plain) > scoreOf(b.plain); });
     if (result.isAbsorbed()) result.absorbedBy = prober.imitators(result.probes.front().column);

@@ -35,7 +35,7 @@ private:
         std::size_t tried{1};                   // candidates from which it was chosen
         std::vector<Alternative> alternatives;  // deltaBic: by how much they are worse than the chosen one
         std::vector<Candidate> rivals;          // what else explained a good part of the same
-        std::string equation;                   // without a name, that explained as much at its place; empty: none did
+        Text equation;                          // without a name, that explained as much at its place; empty: none did
         int order{};                            // of all choices
         double fall{};                          // in the sum of squares, that it alone is missed for
         double errorWithout{-1};  // [%] of the fitted data when this effect alone is left out; -1: not known

@@ -60,9 +60,9 @@ Outcome<double> shapeValue(const std::string& text, const ShapeContext& context)
     if (!expression) return expression.diagnostics();
     const double value = evaluate(*expression, context);
     if (!std::isfinite(value))
-        return error(
-            fmt::format("'{}' has no value here", text), {},
-            "it may use sample, duration and range(v), maxabs(v), rms(v), mean(v), start(v) of the effect's variables");
+        return error(phrase("'{}' has no value here", text), {},
+                     phrase("it may use sample, duration and range(v), maxabs(v), rms(v), mean(v), start(v) of the "
+                            "effect's variables"));
     return value;
 }
 

@@ -80,7 +80,7 @@ const Recording& fittedRecording(const EstimationTask& task, int experiment) {
 Outcome<Variant> withEffect(const Variant& variant, const EffectClass& effect, const EffectPlace& place,
                             const std::map<std::string, double>& values) {
     const LibraryClass* model = modelOf(variant.task);
-    if (model == nullptr) return error(fmt::format("unknown class '{}'", variant.task.className));
+    if (model == nullptr) return error(phrase("unknown class '{}'", variant.task.className));
     Outcome<WiredEffect> wired = wireIn(variant.task.library, *model->definition, effect, place, values, effect.bound);
     if (!wired) return wired.diagnostics();
     Outcome<EstimationTask> task = withText(variant.task, syntax::apply(variant.task.model->text(), wired->edit).text);
@@ -198,7 +198,7 @@ std::vector<GridPlan> stepsOf(const FitResult& result) {
 
 Outcome<std::string> textWithValues(const Variant& variant) {
     const LibraryClass* model = modelOf(variant.task);
-    if (model == nullptr) return error(fmt::format("unknown class '{}'", variant.task.className));
+    if (model == nullptr) return error(phrase("unknown class '{}'", variant.task.className));
     ModelEdit edit(*model->definition, nullptr, &variant.task.library);
     const bool setsElements = std::any_of(variant.values.begin(), variant.values.end(), [](const ParameterValue& v) {
         return v.experiment < 0 && v.name.find('[') != std::string::npos;

@@ -177,9 +177,9 @@ void Builder::lowerDerivative() {
     for (const int number : lower.usedTapDelays()) {
         const DelaySlot& delay = out_.layout.delays[static_cast<std::size_t>(number)];
         const std::string text = pool().print(delay.signal, [this](VariableId id) { return nameOf(id); });
-        faults_.push_back(error(fmt::format("The delayed signal {} acts on a state of the model.", text), {},
-                                "Only inputs of the model can be delayed there; delays of other signals may lead to "
-                                "outputs alone."));
+        faults_.push_back(error(phrase("The delayed signal {} acts on a state of the model.", text), {},
+                                phrase("Only inputs of the model can be delayed there; delays of other signals may "
+                                       "lead to outputs alone.")));
     }
     usedBlocks_ = lower.usedBlocks();
     out_.derivative = lower.end();
@@ -260,9 +260,9 @@ void Builder::lowerDelayTimes() {
     for (const DelaySlot& delay : out_.layout.delays) {
         for (const ExpressionId leaf : collect.leaves(delay.time))
             if ((*s().model)[pool()[leaf].variable].variability == FlatVariability::Continuous) {
-                faults_.push_back(error(
-                    fmt::format("A delay time depends on '{}', which varies in time.", nameOf(pool()[leaf].variable)),
-                    {}, "Use a parameter as the delay time."));
+                faults_.push_back(
+                    error(phrase("A delay time depends on '{}', which varies in time.", nameOf(pool()[leaf].variable)),
+                          {}, phrase("Use a parameter as the delay time.")));
                 return;
             }
         delayTimes_[static_cast<std::size_t>(delay.slot - sampled)] = lower.registerOf(delay.time);

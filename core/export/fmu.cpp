@@ -13,6 +13,7 @@
 #include <fstream>
 
 #include "core/archive/archive.hpp"
+#include "core/base/file_fault.hpp"
 #include "core/base/unit.hpp"
 #include "core/export/fmi2_text.hpp"
 #include "core/export/fmu_model.hpp"
@@ -223,16 +224,16 @@ Outcome<Done> writeFiles(const Fmu& fmu, const fs::path& directory) {
         std::ofstream stream(directory / name, std::ios::binary);
         stream << content;
         stream.close();
-        if (!stream) return fileError("this cannot be written", (directory / name).string(), 0, 0, "Is the disk full?");
+        if (!stream) return cannotWrite(directory / name, phrase("the disk may be full"));
     }
     return Done{};
 }
 
-Diagnostic sourcesOnly(const std::string& why) {
+Diagnostic sourcesOnly(const Text& why) {
     Diagnostic note;
     note.severity = Severity::Note;
-    note.message = fmt::format("the FMU holds C sources and no binary: {}", why);
-    note.hint = "The importing tool must compile it; documentation/index.html says how.";
+    note.message = phrase("the FMU holds C sources and no binary: {}", why);
+    note.hint = phrase("The importing tool must compile it; documentation/index.html says how.");
     return note;
 }
 
@@ -268,16 +269,17 @@ std::optional<Diagnostic> addBinary(const Fmu& fmu, const fs::path& directory, c
                    messages);
     if (status == 0) return std::nullopt;
     fs::remove_all(directory / "binaries", code);
-    if (status == -1 || status == 127) return sourcesOnly("no C compiler (cc) is on PATH");
+    if (status == -1 || status == 127) return sourcesOnly(phrase("no C compiler (cc) is on PATH"));
     std::ifstream stream(messages);
     std::string line;
     std::getline(stream, line);
-    return sourcesOnly(fmt::format("the C compiler (cc) failed{}{}", line.empty() ? "" : ": ", line));
+    return sourcesOnly(line.empty() ? phrase("the C compiler (cc) failed")
+                                    : phrase("the C compiler (cc) failed: {}", line));
 #else
     (void)fmu;
     (void)directory;
     (void)messages;
-    return sourcesOnly("on this platform none is made");
+    return sourcesOnly(phrase("on this platform none is made"));
 #endif
 }
 

@@ -159,8 +159,7 @@ Outcome<std::string> modelicaText(const Study& given) {
     const Outcome<Library> library = studyLibrary(*study);
     if (!library) return library.diagnostics();
     if (!library->find(study->className))
-        return fileError(fmt::format("the study's class {} is in none of its files", study->className),
-                         study->modelFile);
+        return fileError(phrase("the study's class {} is in none of its files", study->className), study->modelFile);
     const std::set<std::string> needed = neededBy(*library, {study->className});
     const Reduced reduced(*library, needed);
 

@@ -15,11 +15,10 @@ namespace analogon {
 namespace {
 
 /// Says what a wrong name may have meant.
-std::string didYouMean(const std::string& name, const std::vector<std::string>& known, const char* what) {
+Text didYouMean(const std::string& name, const std::vector<std::string>& known, const Text& none) {
     const std::string like = suggestion(name, known);
-    if (!like.empty()) return fmt::format("did you mean {}?", like);
-    if (known.empty()) return fmt::format("the model has no {}", what);
-    return {};
+    if (!like.empty()) return phrase("did you mean {}?", like);
+    return known.empty() ? none : Text();
 }
 
 std::vector<std::string> namesOf(const std::vector<SignalInfo>& signals) {
@@ -56,26 +55,25 @@ Diagnostics checkNames(const FlatModel& model, const std::vector<std::string>& n
     for (const std::string& name : names) {
         const VariableId id = model.find(name);
         if (!id.valid()) {
-            faults.push_back(error(fmt::format("{} has no parameter {}", model.name, name), {},
-                                   didYouMean(name, known, "parameters")));
+            faults.push_back(error(phrase("{} has no parameter {}", model.name, name), {},
+                                   didYouMean(name, known, phrase("the model has no parameters"))));
             continue;
         }
         const FlatVariable& variable = model[id];
         if (variable.variability != FlatVariability::Parameter) {
-            faults.push_back(error(fmt::format("{} is no parameter and cannot be fitted or set", name),
-                                   variable.declared, didYouMean(name, known, "parameters")));
+            faults.push_back(error(phrase("{} is no parameter and cannot be fitted or set", name), variable.declared,
+                                   didYouMean(name, known, phrase("the model has no parameters"))));
         } else if (variable.type != FlatType::Real) {
             faults.push_back(
-                error(fmt::format("{} is not a Real parameter and cannot be fitted or set", name), variable.declared));
+                error(phrase("{} is not a Real parameter and cannot be fitted or set", name), variable.declared));
         } else if (variable.isFinal) {
-            faults.push_back(error(fmt::format("{} is final and cannot be fitted or set", name),
+            faults.push_back(error(phrase("{} is final and cannot be fitted or set", name),
                                    variable.value.valid() ? variable.value : variable.declared));
         } else if (variable.isStructural) {
-            faults.push_back(
-                error(fmt::format("{} has shaped the equations (an array size or a condition) and cannot be "
-                                  "fitted or set for one experiment",
-                                  name),
-                      variable.value.valid() ? variable.value : variable.declared));
+            faults.push_back(error(phrase("{} has shaped the equations (an array size or a condition) and cannot be "
+                                          "fitted or set for one experiment",
+                                          name),
+                                   variable.value.valid() ? variable.value : variable.declared));
         }
     }
     return faults;
@@ -137,8 +135,8 @@ public:
         const Recording& recording = task_.recordings[static_cast<std::size_t>(index)];
         const System& system = *prepared_.system;
         const std::size_t faultsBefore = faults_.size();
-        checkChannels(recording, "input", recording.inputNames, recording.inputs, system.inputs());
-        checkChannels(recording, "output", recording.outputNames, recording.outputs, system.outputs());
+        checkChannels(recording, true, recording.inputNames, recording.inputs, system.inputs());
+        checkChannels(recording, false, recording.outputNames, recording.outputs, system.outputs());
         if (faults_.size() > faultsBefore) return;
 
         FitExperiment experiment;
@@ -147,7 +145,7 @@ public:
         for (const SignalInfo& input : system.inputs())
             if (std::find(recording.inputNames.begin(), recording.inputNames.end(), input.name) ==
                 recording.inputNames.end())
-                fault(recording, fmt::format("input {} has no channel", input.name), "map a column to it");
+                fault(recording, phrase("input {} has no channel", input.name), phrase("map a column to it"));
         setSignals(experiment, recording);
         experiment.weights = Eigen::VectorXd::Zero(system.outputCount());
         for (std::size_t i = 0; i < recording.outputNames.size(); ++i) {
@@ -171,23 +169,28 @@ public:
     }
 
 private:
-    void fault(const Recording& recording, const std::string& text, const std::string& hint = {}) {
-        faults_.push_back(error(fmt::format("experiment '{}': {}", recording.name, text), {}, hint));
+    void fault(const Recording& recording, const Text& text, const Text& hint = {}) {
+        faults_.push_back(error(phrase("experiment '{}': {}", recording.name, text), {}, hint));
     }
 
-    void checkChannels(const Recording& recording, const char* what, const std::vector<std::string>& names,
+    void checkChannels(const Recording& recording, bool isInput, const std::vector<std::string>& names,
                        const Eigen::MatrixXd& values, const std::vector<SignalInfo>& signals) {
         const std::vector<std::string> known = namesOf(signals);
         for (const std::string& name : names) {
             if (std::find(known.begin(), known.end(), name) == known.end()) {
-                fault(recording, fmt::format("the model has no {} {}", what, name),
-                      didYouMean(name, known, fmt::format("{}s", what).c_str()));
+                fault(recording,
+                      isInput ? phrase("the model has no input {}", name) : phrase("the model has no output {}", name),
+                      didYouMean(name, known,
+                                 isInput ? phrase("the model has no inputs") : phrase("the model has no outputs")));
             }
         }
         if (values.rows() != static_cast<Eigen::Index>(names.size()) ||
             (!names.empty() && values.cols() != static_cast<Eigen::Index>(recording.time.size()))) {
-            fault(recording, fmt::format("{} {}s over {} samples are named, but {} x {} values are given", names.size(),
-                                         what, recording.time.size(), values.rows(), values.cols()));
+            const std::size_t samples = recording.time.size();
+            fault(recording, isInput ? phrase("{} inputs over {} samples are named, but {} x {} values are given",
+                                              names.size(), samples, values.rows(), values.cols())
+                                     : phrase("{} outputs over {} samples are named, but {} x {} values are given",
+                                              names.size(), samples, values.rows(), values.cols()));
         }
     }
 
@@ -220,10 +223,10 @@ private:
             const int index = system.parameterIndex(start.parameter);
             if (isShared) {
                 fault(recording,
-                      fmt::format("{} is fitted for all experiments and has a start of its own here", start.parameter),
-                      "remove one of the two");
+                      phrase("{} is fitted for all experiments and has a start of its own here", start.parameter),
+                      phrase("remove one of the two"));
             } else if (!std::isfinite(start.value)) {
-                fault(recording, fmt::format("the start value of {} is not a number", start.parameter));
+                fault(recording, phrase("the start value of {} is not a number", start.parameter));
             } else {
                 experiment.parameters[static_cast<std::size_t>(index)] = start.value;
                 if (!start.isFitted) continue;

@@ -19,58 +19,55 @@ bool isIncreasing(const std::vector<double>& time) {
 }
 
 void checkExperiment(const FitExperiment& experiment, Diagnostics& faults) {
-    const auto fault = [&](const std::string& text, const std::string& hint = {}) {
-        faults.push_back(error(fmt::format("experiment '{}': {}", experiment.name, text), {}, hint));
+    const auto fault = [&](const Text& text, const Text& hint = {}) {
+        faults.push_back(error(phrase("experiment '{}': {}", experiment.name, text), {}, hint));
     };
-    if (!experiment.system) return fault("there is no model");
+    if (!experiment.system) return fault(phrase("there is no model"));
     const System& system = *experiment.system;
     const auto samples = static_cast<Eigen::Index>(experiment.inputs.time.size());
-    if (samples == 0) return fault("the recording is empty");
-    if (!isIncreasing(experiment.inputs.time)) return fault("the time stamps do not increase");
+    if (samples == 0) return fault(phrase("the recording is empty"));
+    if (!isIncreasing(experiment.inputs.time)) return fault(phrase("the time stamps do not increase"));
     if (experiment.inputs.values.rows() != system.inputCount() ||
         (system.inputCount() > 0 && experiment.inputs.values.cols() != samples)) {
-        return fault(fmt::format("the model has {} inputs over {} samples, but {} x {} values are given",
-                                 system.inputCount(), samples, experiment.inputs.values.rows(),
-                                 experiment.inputs.values.cols()));
+        return fault(phrase("the model has {} inputs over {} samples, but {} x {} values are given",
+                            system.inputCount(), samples, experiment.inputs.values.rows(),
+                            experiment.inputs.values.cols()));
     }
-    if (!experiment.inputs.values.allFinite()) fault("an input has values that are no numbers");
+    if (!experiment.inputs.values.allFinite()) fault(phrase("an input has values that are no numbers"));
     if (experiment.measured.rows() != system.outputCount() || experiment.measured.cols() != samples) {
-        return fault(fmt::format("the model has {} outputs over {} samples, but {} x {} measured values are given",
-                                 system.outputCount(), samples, experiment.measured.rows(),
-                                 experiment.measured.cols()));
+        return fault(phrase("the model has {} outputs over {} samples, but {} x {} measured values are given",
+                            system.outputCount(), samples, experiment.measured.rows(), experiment.measured.cols()));
     }
-    if (experiment.measured.array().isInf().any()) fault("a measured value is infinite");
+    if (experiment.measured.array().isInf().any()) fault(phrase("a measured value is infinite"));
     if (experiment.weights.size() != system.outputCount()) {
-        fault(fmt::format("{} weights are given for {} outputs", experiment.weights.size(), system.outputCount()));
+        fault(phrase("{} weights are given for {} outputs", experiment.weights.size(), system.outputCount()));
     } else if (!experiment.weights.allFinite() || (experiment.weights.array() < 0.0).any()) {
-        fault("a weight is negative or not a number");
+        fault(phrase("a weight is negative or not a number"));
     }
     if (static_cast<int>(experiment.parameters.size()) != system.parameterCount()) {
-        fault(fmt::format("{} parameter values are given for {} parameters", experiment.parameters.size(),
-                          system.parameterCount()));
+        fault(phrase("{} parameter values are given for {} parameters", experiment.parameters.size(),
+                     system.parameterCount()));
     }
 }
 
 void checkParameter(const FitProblem& problem, const FitParameter& p, Diagnostics& faults) {
-    const auto fault = [&](const std::string& text, const std::string& hint = {}) {
-        faults.push_back(error(text, {}, hint));
-    };
-    if (!std::isfinite(p.start)) fault(fmt::format("{}: the start value is not a number", p.name));
+    const auto fault = [&](const Text& text, const Text& hint = {}) { faults.push_back(error(text, {}, hint)); };
+    if (!std::isfinite(p.start)) fault(phrase("{}: the start value is not a number", p.name));
     if (std::isnan(p.min) || std::isnan(p.max) || !(p.min < p.max)) {
-        fault(fmt::format("{}: the lower bound {:.6g} is not below the upper bound {:.6g}", p.name, p.min, p.max),
-              "a parameter that is known need not be fitted");
+        fault(phrase("{}: the lower bound {:.6g} is not below the upper bound {:.6g}", p.name, p.min, p.max),
+              phrase("a parameter that is known need not be fitted"));
     } else if (p.start < p.min || p.start > p.max) {
-        fault(fmt::format("{}: the start value {:.6g} is outside its bounds {:.6g} to {:.6g}", p.name, p.start, p.min,
-                          p.max));
+        fault(
+            phrase("{}: the start value {:.6g} is outside its bounds {:.6g} to {:.6g}", p.name, p.start, p.min, p.max));
     }
     if (p.scale == ParameterScale::Logarithmic && p.start <= 0.0) {
-        fault(fmt::format("{}: a logarithmic scale needs a start value above 0, not {:.6g}", p.name, p.start));
+        fault(phrase("{}: a logarithmic scale needs a start value above 0, not {:.6g}", p.name, p.start));
     }
     if (p.prior && !(std::isfinite(p.prior->mean) && p.prior->deviation > 0.0 && std::isfinite(p.prior->deviation)))
-        fault(fmt::format("{}: the prior {:.6g} ± {:.6g} is none", p.name, p.prior->mean, p.prior->deviation),
-              "a prior has a mean and a standard deviation above 0");
+        fault(phrase("{}: the prior {:.6g} ± {:.6g} is none", p.name, p.prior->mean, p.prior->deviation),
+              phrase("a prior has a mean and a standard deviation above 0"));
     if (p.experiment >= static_cast<int>(problem.experiments.size())) {
-        fault(fmt::format("{}: there is no experiment number {}", p.name, p.experiment));
+        fault(phrase("{}: there is no experiment number {}", p.name, p.experiment));
         return;
     }
     bool isKnown = false;
@@ -86,8 +83,8 @@ void checkParameter(const FitProblem& problem, const FitParameter& p, Diagnostic
     }
     if (isKnown) return;
     const std::string like = suggestion(p.name, names);
-    fault(fmt::format("{} is no free parameter of the model", p.name),
-          like.empty() ? std::string{} : fmt::format("did you mean {}?", like));
+    fault(phrase("{} is no free parameter of the model", p.name),
+          like.empty() ? Text() : phrase("did you mean {}?", like));
 }
 
 }  // namespace
@@ -95,12 +92,12 @@ void checkParameter(const FitProblem& problem, const FitParameter& p, Diagnostic
 Diagnostics validate(const FitProblem& problem) {
     Diagnostics faults;
     if (problem.experiments.empty())
-        faults.push_back(error("there is no experiment to fit", {}, "give one the role fit"));
+        faults.push_back(error(phrase("there is no experiment to fit"), {}, phrase("give one the role fit")));
     for (const FitExperiment& experiment : problem.experiments) checkExperiment(experiment, faults);
     std::set<std::pair<std::string, int>> seen;
     for (const FitParameter& p : problem.parameters) {
         if (!seen.emplace(p.name, p.experiment).second) {
-            faults.push_back(error(fmt::format("{} is to be fitted twice", p.name)));
+            faults.push_back(error(phrase("{} is to be fitted twice", p.name)));
         }
         checkParameter(problem, p, faults);
     }
@@ -109,11 +106,11 @@ Diagnostics validate(const FitProblem& problem) {
     const auto known = static_cast<int>(
         std::count_if(problem.parameters.begin(), problem.parameters.end(), [](const auto& p) { return p.prior; }));
     if (count == 0) {
-        faults.push_back(error("nothing is measured: no output has values and a weight above 0"));
+        faults.push_back(error(phrase("nothing is measured: no output has values and a weight above 0")));
     } else if (count + known < static_cast<int>(problem.parameters.size())) {
         faults.push_back(
-            error(fmt::format("{} measured values cannot determine {} parameters", count, problem.parameters.size()),
-                  {}, "fix some parameters or add measurements"));
+            error(phrase("{} measured values cannot determine {} parameters", count, problem.parameters.size()), {},
+                  phrase("fix some parameters or add measurements")));
     }
     return faults;
 }

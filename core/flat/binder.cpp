@@ -347,10 +347,10 @@ void Binder::checkRange(VariableId id) {
     if (!value) return;
     const bool isBelow = variable.min && *value < *variable.min, isAbove = variable.max && *value > *variable.max;
     if (!isBelow && !isAbove) return;
-    work_.messages.warning(isBelow ? phrase("the parameter '{}' is {}, below its min {}", variable.name,
-                                            syntax::printNumber(*value), syntax::printNumber(*variable.min))
-                                   : phrase("the parameter '{}' is {}, above its max {}", variable.name,
-                                            syntax::printNumber(*value), syntax::printNumber(*variable.max)),
+    const Text given = Text::number(syntax::printNumber(*value)),
+               bound = Text::number(syntax::printNumber(isBelow ? *variable.min : *variable.max));
+    work_.messages.warning(isBelow ? phrase("the parameter '{}' is {}, below its min {}", variable.name, given, bound)
+                                   : phrase("the parameter '{}' is {}, above its max {}", variable.name, given, bound),
                            variable.value, phrase("change the value, or the range where the parameter is declared"));
 }
 

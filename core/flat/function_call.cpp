@@ -81,11 +81,11 @@ public:
     }
 
 private:
-    std::nullopt_t fail(const std::string& message, const Span& span, const std::string& hint = {}) {
+    std::nullopt_t fail(const Text& message, const Span& span, const Text& hint = {}) {
         work_.messages.error(message, span, hint);
         return std::nullopt;
     }
-    std::nullopt_t fail(const std::string& message) { return fail(message, call_.span); }
+    std::nullopt_t fail(const Text& message) { return fail(message, call_.span); }
 
     /// Arguments by position and by these names; false when they do not fit (reported).
     bool take(std::initializer_list<const char*> names, std::size_t required) {
@@ -99,7 +99,7 @@ private:
                 ++i;
             }
             if (i == names.size() || expressions_[i]) {
-                fail(fmt::format("'{}' has no free argument '{}'", name_, argument.name), argument.span);
+                fail(phrase("'{}' has no free argument '{}'", name_, argument.name), argument.span);
                 return false;
             }
             expressions_[i] = &argument.value;
@@ -110,9 +110,10 @@ private:
     }
 
     bool wrongCount(std::size_t required, std::size_t most) {
-        const std::string count = required == most ? fmt::format("{}", most) : fmt::format("{} to {}", required, most);
-        fail(fmt::format("'{}' takes {} argument{}, not {}", name_, count, most == 1 ? "" : "s",
-                         call_.operands.size() + call_.named.size()));
+        const std::size_t given = call_.operands.size() + call_.named.size();
+        fail(required < most ? phrase("'{}' takes {} to {} arguments, not {}", name_, required, most, given)
+             : most == 1     ? phrase("'{}' takes 1 argument, not {}", name_, given)
+                             : phrase("'{}' takes {} arguments, not {}", name_, most, given));
         return false;
     }
 
@@ -121,14 +122,14 @@ private:
     std::optional<Value> numeric(std::size_t i) {
         auto value = any(i);
         if (value && !value->isNumeric())
-            return fail(fmt::format("'{}' needs numbers, not {}", name_, typeText(*value)), expressions_[i]->span);
+            return fail(phrase("'{}' needs numbers, not {}", name_, typeText(*value)), expressions_[i]->span);
         return value;
     }
 
     std::optional<Value> numericScalar(std::size_t i) {
         auto value = numeric(i);
         if (value && !value->isScalar())
-            return fail(fmt::format("'{}' needs a single number here, not {}", name_, typeText(*value)),
+            return fail(phrase("'{}' needs a single number here, not {}", name_, typeText(*value)),
                         expressions_[i]->span);
         return value;
     }
@@ -141,16 +142,16 @@ private:
             for (ExpressionId element : value->elements)
                 if (const auto number = work_.translator->constantNumber(element, true)) numbers.push_back(*number);
         if (value->dimensions.size() == 1 && numbers.size() == value->elements.size()) return numbers;
-        return fail(fmt::format("the table of '{}' must be a list of numbers known before the simulation", name_),
+        return fail(phrase("the table of '{}' must be a list of numbers known before the simulation", name_),
                     expressions_[i]->span);
     }
 
     std::optional<int> constantSize(std::size_t i) {
         const auto extent =
-            work_.translator->constantInteger(*expressions_[i], scope_, fmt::format("an argument of '{}'", name_));
+            work_.translator->constantInteger(*expressions_[i], scope_, phrase("an argument of '{}'", name_));
         if (!extent) return std::nullopt;
         if (*extent < 0 || static_cast<std::size_t>(*extent) > Instantiator::mostScalars)
-            return fail(fmt::format("{} is not a possible size", *extent), expressions_[i]->span);
+            return fail(phrase("{} is not a possible size", *extent), expressions_[i]->span);
         return extent;
     }
 
@@ -185,8 +186,8 @@ private:
         auto value = numeric(0);
         if (!value) return value;
         if (value->type != FlatType::Real)
-            return fail("der needs a Real variable: an Integer does not vary continuously", expressions_[0]->span,
-                        "declare the variable as Real");
+            return fail(phrase("der needs a Real variable: an Integer does not vary continuously"),
+                        expressions_[0]->span, phrase("declare the variable as Real"));
         for (ExpressionId& element : value->elements) element = work_.translator->derivative(element, call_.span);
         return value;
     }
@@ -197,8 +198,8 @@ private:
         const auto time = numericScalar(1);
         if (!signal || !time) return std::nullopt;
         if (!work_.translator->isParametric(time->elements[0]))
-            return fail("the delay time must be a parameter", expressions_[1]->span,
-                        "a delay that changes while the model runs is not supported");
+            return fail(phrase("the delay time must be a parameter"), expressions_[1]->span,
+                        phrase("a delay that changes while the model runs is not supported"));
         if (expressions_[2] && !numericScalar(2)) return std::nullopt;
         signal->type = FlatType::Real;
         for (ExpressionId& element : signal->elements) element = pool_.delay(element, time->elements[0]);
@@ -240,7 +241,7 @@ private:
     std::optional<Value> reduction() { return reduce(name_ == "sum" ? Operation::Add : Operation::Multiply); }
 
     std::optional<Value> reduce(Operation operation) {
-        if (call_.operands.size() != 1) return fail(fmt::format("'{}' takes one array", name_));
+        if (call_.operands.size() != 1) return fail(phrase("'{}' takes one array", name_));
         std::optional<Value> array;
         if (call_.iterators.empty()) {
             array = work_.translator->translate(call_.operands[0], scope_);
@@ -249,10 +250,10 @@ private:
         }
         if (!array) return array;
         if (!array->isNumeric() || array->isScalar())
-            return fail(fmt::format("'{}' needs an array of numbers, not {}", name_, typeText(*array)),
+            return fail(phrase("'{}' needs an array of numbers, not {}", name_, typeText(*array)),
                         call_.operands[0].span);
         const bool isExtremum = operation == Operation::Min || operation == Operation::Max;
-        if (array->elements.empty() && isExtremum) return fail(fmt::format("'{}' of an empty array", name_));
+        if (array->elements.empty() && isExtremum) return fail(phrase("'{}' of an empty array", name_));
         ExpressionId result = isExtremum ? array->elements[0] : pool_.constant(operation == Operation::Add ? 0 : 1);
         for (ExpressionId element : array->elements) result = pool_.binary(operation, result, element);
         return Value::scalar(array->type, result);
@@ -285,19 +286,19 @@ private:
         const auto i = constantSize(1);
         if (!i) return std::nullopt;
         if (*i < 1 || static_cast<std::size_t>(*i) > array->dimensions.size())
-            return fail(fmt::format("{} has no dimension {}", typeText(*array), *i), expressions_[1]->span);
+            return fail(phrase("{} has no dimension {}", typeText(*array), *i), expressions_[1]->span);
         return Value::scalar(FlatType::Integer, pool_.constant(array->dimensions[static_cast<std::size_t>(*i) - 1]));
     }
 
     std::optional<Value> filled() {
         const std::size_t first = name_ == "fill" ? 1 : 0;
         if (call_.operands.size() <= first || !call_.named.empty())
-            return fail(fmt::format("'{}' needs the sizes of the array", name_));
+            return fail(phrase("'{}' needs the sizes of the array", name_));
         for (const auto& operand : call_.operands) expressions_.push_back(&operand);
         std::optional<Value> value = Value::scalar(FlatType::Integer, pool_.constant(name_ == "ones" ? 1 : 0));
         if (name_ == "fill") value = any(0);
         if (!value) return value;
-        if (!value->isScalar()) return fail("'fill' needs a single value", expressions_[0]->span);
+        if (!value->isScalar()) return fail(phrase("'fill' needs a single value"), expressions_[0]->span);
         Value result = *value;
         std::size_t count = 1;
         for (std::size_t i = first; i < expressions_.size(); ++i) {
@@ -306,7 +307,7 @@ private:
             result.dimensions.push_back(*extent);
             count *= static_cast<std::size_t>(*extent);
             if (count > Instantiator::mostScalars)
-                return fail(fmt::format("an array of more than {} elements", Instantiator::mostScalars));
+                return fail(phrase("an array of more than {} elements", Instantiator::mostScalars));
         }
         if (!work_.translator->spend(count, call_.span)) return std::nullopt;
         if (result.type == FlatType::String)
@@ -321,7 +322,7 @@ private:
         const auto first = numericScalar(0), last = numericScalar(1);
         const auto count = constantSize(2);
         if (!first || !last || !count) return std::nullopt;
-        if (*count < 2) return fail("'linspace' needs 2 points or more", expressions_[2]->span);
+        if (*count < 2) return fail(phrase("'linspace' needs 2 points or more"), expressions_[2]->span);
         Value result;
         result.dimensions = {*count};
         const ExpressionId span = pool_.subtract(last->elements[0], first->elements[0]);
@@ -336,7 +337,7 @@ private:
         auto array = any(0);
         if (!array) return array;
         if (name_ == "scalar" && array->size() != 1)
-            return fail(fmt::format("'scalar' needs one element, not {}", typeText(*array)));
+            return fail(phrase("'scalar' needs one element, not {}", typeText(*array)));
         array->dimensions.clear();
         if (name_ == "vector") array->dimensions.push_back(static_cast<int>(array->size()));
         return array;
@@ -347,7 +348,7 @@ private:
         auto value = any(0);
         if (!value) return value;
         if (value->enumeration.empty())
-            return fail(fmt::format("'Integer' needs an enumeration, not {}", typeText(*value)), expressions_[0]->span);
+            return fail(phrase("'Integer' needs an enumeration, not {}", typeText(*value)), expressions_[0]->span);
         value->enumeration.clear();
         return value;
     }
@@ -369,10 +370,10 @@ private:
         const auto xs = constantVector(abscissas), ys = constantVector(ordinates);
         if (!x || !xs || !ys) return std::nullopt;
         if (xs->empty() || xs->size() != ys->size())
-            return fail(fmt::format("the table has {} abscissas and {} ordinates", xs->size(), ys->size()));
+            return fail(phrase("the table has {} abscissas and {} ordinates", xs->size(), ys->size()));
         for (std::size_t i = 1; i < xs->size(); ++i)
             if (!((*xs)[i] > (*xs)[i - 1]))
-                return fail(fmt::format("the abscissas of the table must rise: {} follows {}", (*xs)[i], (*xs)[i - 1]),
+                return fail(phrase("the abscissas of the table must rise: {} follows {}", (*xs)[i], (*xs)[i - 1]),
                             expressions_[abscissas]->span);
         LookupTable lookup;
         lookup.x = *xs;
@@ -391,13 +392,12 @@ private:
         if (qualified == "Analogon.Tables.linear") return table(LookupTable::Interpolation::Linear);
         if (qualified == "Analogon.Tables.monotoneCubic") return table(LookupTable::Interpolation::MonotoneCubic);
         const Span& span = call_.name.span.valid() ? call_.name.span : call_.span;
-        if (contains(refusedFunctions, name_))
-            return fail(fmt::format("the function '{}' is not supported", name_), span);
+        if (contains(refusedFunctions, name_)) return fail(phrase("the function '{}' is not supported", name_), span);
         if (definition)
-            return fail(fmt::format("'{}' is a {}; calling it is not supported", qualified,
-                                    keyword(definition->definition->restriction)),
-                        span, "write its equations where they are needed");
-        return fail(fmt::format("the function '{}' is not known", name_), span, didYouMean(name_, functionNames()));
+            return fail(phrase("'{}' is a {}; calling it is not supported", qualified,
+                               keyword(definition->definition->restriction)),
+                        span, phrase("write its equations where they are needed"));
+        return fail(phrase("the function '{}' is not known", name_), span, didYouMean(name_, functionNames()));
     }
 
     Flattening& work_;

@@ -76,12 +76,11 @@ std::optional<Value> arithmetic(Flattening& work, const std::string& text, const
     using enum Operation;
     if (a.type == FlatType::String && b.type == FlatType::String && a.isScalar() && b.isScalar() && text == "+")
         return Value::text(a.texts[0] + b.texts[0]);
-    const auto refuse = [&](const std::string& hint) {
-        work.messages.error(fmt::format("'{}' cannot be applied to {} and {}", text, typeText(a), typeText(b)), span,
-                            hint);
+    const auto refuse = [&](const Text& hint) {
+        work.messages.error(phrase("'{}' cannot be applied to {} and {}", text, typeText(a), typeText(b)), span, hint);
         return std::nullopt;
     };
-    if (!a.isNumeric() || !b.isNumeric()) return refuse("both sides must be numbers");
+    if (!a.isNumeric() || !b.isNumeric()) return refuse(phrase("both sides must be numbers"));
     if (!work.translator->spend(std::max(a.size(), b.size()), span)) return std::nullopt;
     const bool integer = a.type == FlatType::Integer && b.type == FlatType::Integer;
     const bool staysInteger = symbol.operation != Divide && symbol.operation != Power;
@@ -91,24 +90,24 @@ std::optional<Value> arithmetic(Flattening& work, const std::string& text, const
     if (symbol.elementwise) {
         if (a.isScalar() || b.isScalar() || a.dimensions == b.dimensions)
             return elementwise(work.pool, symbol.operation, a, b, type);
-        return refuse("the sizes must agree");
+        return refuse(phrase("the sizes must agree"));
     }
     switch (symbol.operation) {
         case Add:
         case Subtract:
             if (a.dimensions == b.dimensions) return elementwise(work.pool, symbol.operation, a, b, type);
-            return refuse(a.isScalar() || b.isScalar() ? fmt::format("to apply it to each element write '.{}'", text)
-                                                       : std::string("the sizes must agree"));
+            return refuse(a.isScalar() || b.isScalar() ? phrase("to apply it to each element write '.{}'", text)
+                                                       : phrase("the sizes must agree"));
         case Multiply:
             if (a.isScalar() || b.isScalar()) return elementwise(work.pool, Multiply, a, b, type);
             if (a.dimensions.size() <= 2 && b.dimensions.size() <= 2 && a.dimensions.back() == b.dimensions.front())
                 return product(work, span, a, b, type);
-            return refuse("the inner sizes of a product must agree; '.*' multiplies element by element");
+            return refuse(phrase("the inner sizes of a product must agree; '.*' multiplies element by element"));
         case Divide:
             if (b.isScalar()) return elementwise(work.pool, Divide, a, b, type);
-            return refuse("to divide element by element write './'");
+            return refuse(phrase("to divide element by element write './'"));
         default:
-            return refuse("to apply it to each element write '.^'");
+            return refuse(phrase("to apply it to each element write '.^'"));
     }
 }
 
@@ -120,7 +119,7 @@ std::optional<Value> relation(Flattening& work, const std::string& text, const S
     }
     const bool comparable = (a.isNumeric() && b.isNumeric()) || (a.type == b.type && a.enumeration == b.enumeration);
     if (!comparable || !a.isScalar() || !b.isScalar()) {
-        work.messages.error(fmt::format("'{}' cannot compare {} with {}", text, typeText(a), typeText(b)), span);
+        work.messages.error(phrase("'{}' cannot compare {} with {}", text, typeText(a), typeText(b)), span);
         return std::nullopt;
     }
     return Value::scalar(FlatType::Boolean, work.pool.binary(symbol.operation, a.elements[0], b.elements[0]));
@@ -132,14 +131,14 @@ std::optional<Value> combine(Flattening& work, const std::string& operation, con
                              const Span& span) {
     const auto symbol = symbolOf(operation);
     if (!symbol) {
-        work.messages.error(fmt::format("the operator '{}' is not supported", operation), span);
+        work.messages.error(phrase("the operator '{}' is not supported", operation), span);
         return std::nullopt;
     }
     if (symbol->family == Symbol::Family::Arithmetic) return arithmetic(work, operation, *symbol, a, b, span);
     if (symbol->family == Symbol::Family::Relation) return relation(work, operation, *symbol, a, b, span);
     if (a.type != FlatType::Boolean || b.type != FlatType::Boolean || a.dimensions != b.dimensions) {
-        work.messages.error(
-            fmt::format("'{}' needs Boolean values, not {} and {}", operation, typeText(a), typeText(b)), span);
+        work.messages.error(phrase("'{}' needs Boolean values, not {} and {}", operation, typeText(a), typeText(b)),
+                            span);
         return std::nullopt;
     }
     return elementwise(work.pool, symbol->operation, a, b, FlatType::Boolean);

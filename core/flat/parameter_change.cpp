@@ -76,7 +76,7 @@ void replaceEverywhere(FlatModel& model, VariableId parameter, ExpressionId inst
 }
 
 Diagnostic noParameter(const FlatModel& model, const std::string& name) {
-    return error(fmt::format("{} has no parameter {} that could change", model.name, name));
+    return error(phrase("{} has no parameter {} that could change", model.name, name));
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ Outcome<FlatModel> withChange(FlatModel model, const std::string& parameter, dou
 Outcome<FlatModel> withDependence(FlatModel model, const std::string& parameter, const std::string& input) {
     const VariableId changed = realParameter(model, parameter);
     if (!changed.valid()) return noParameter(model, parameter);
-    if (model.find(input).valid()) return error(fmt::format("{} has a variable {} already", model.name, input));
+    if (model.find(input).valid()) return error(phrase("{} has a variable {} already", model.name, input));
     const VariableId slope = addParameter(model, slopeOf(parameter), model[changed].unit);
     const VariableId moving = addInput(model, input);
     ExpressionPool& pool = *model.pool;
@@ -114,14 +114,14 @@ Outcome<FlatModel> withDependence(FlatModel model, const std::string& parameter,
 
 Outcome<FlatModel> withImposed(FlatModel model, const std::string& variable, const std::string& input) {
     const VariableId imposed = model.find(variable);
-    if (model.find(input).valid()) return error(fmt::format("{} has a variable {} already", model.name, input));
+    if (model.find(input).valid()) return error(phrase("{} has a variable {} already", model.name, input));
     for (FlatEquation& e : model.equations) {
         const ExpressionNode& left = (*model.pool)[e.left];
         if (left.operation != Operation::Variable || !imposed.valid() || left.variable != imposed) continue;
         e.right = model.pool->variable(addInput(model, input));
         return model;
     }
-    return error(fmt::format("no equation of {} sets {} alone", model.name, variable));
+    return error(phrase("no equation of {} sets {} alone", model.name, variable));
 }
 
 }  // namespace analogon

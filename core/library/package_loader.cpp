@@ -39,7 +39,7 @@ void PackageLoader::load(const fs::path& path) {
     } else if (fs::exists(path, problem)) {
         if (const SourcePtr source = read(path)) loadSource(source);
     } else {
-        diagnostics_.push_back(fileError("no such file or directory", path.string()));
+        diagnostics_.push_back(fileError(phrase("no such file or directory"), path.string()));
     }
 }
 
@@ -51,7 +51,7 @@ void PackageLoader::loadSource(SourcePtr source) {
     for (const syntax::ClassPtr& definition : parsed.definition.classes) {
         if (!names.insert(definition->name).second) {
             diagnostics_.push_back(
-                error(fmt::format("the class \"{}\" is defined twice", definition->name), definition->nameSpan));
+                error(phrase("the class \"{}\" is defined twice", definition->name), definition->nameSpan));
         }
         add(definition, scope);
     }
@@ -61,12 +61,12 @@ void PackageLoader::loadDirectory(const fs::path& directory, const std::string& 
     const fs::path packageFile = directory / "package.mo";
     std::error_code problem;
     if (!fs::exists(packageFile, problem)) {
-        diagnostics_.push_back(fileError("the directory holds no package.mo", directory.string(), 0, 0,
-                                         "give the directory of a package, or one .mo file"));
+        diagnostics_.push_back(fileError(phrase("the directory holds no package.mo"), directory.string(), 0, 0,
+                                         phrase("give the directory of a package, or one .mo file")));
         return;
     }
     if (depth > deepestPackage) {
-        diagnostics_.push_back(fileError("packages are nested too deep", directory.string()));
+        diagnostics_.push_back(fileError(phrase("packages are nested too deep"), directory.string()));
         return;
     }
     // The directory names the package; only a top one may be kept under another name (say, with a version).
@@ -111,15 +111,14 @@ std::vector<std::string> PackageLoader::packageOrder(const fs::path& directory, 
     known.insert(entries.files.begin(), entries.files.end());
     for (const syntax::ClassPtr& nested : package.classes) {
         if (!known.insert(nested->name).second) {
-            diagnostics_.push_back(
-                error(fmt::format("\"{}\" stands in package.mo and in a file of its own", nested->name),
-                      nested->nameSpan, "keep one of the two"));
+            diagnostics_.push_back(error(phrase("\"{}\" stands in package.mo and in a file of its own", nested->name),
+                                         nested->nameSpan, phrase("keep one of the two")));
         }
     }
     std::set<std::string> others;  // constants of the package may be listed too
     for (const syntax::Component& component : package.components) others.insert(component.name);
 
-    const auto warn = [&](std::string message, int line, std::string hint) {
+    const auto warn = [&](Text message, int line, Text hint) {
         Diagnostic diagnostic =
             fileError(std::move(message), (directory / "package.order").string(), line, 0, std::move(hint));
         diagnostic.severity = Severity::Warning;
@@ -136,10 +135,10 @@ std::vector<std::string> PackageLoader::packageOrder(const fs::path& directory, 
         if (entry.empty() || others.count(entry)) continue;
         if (!known.count(entry)) {
             const std::string near = suggestion(entry, {known.begin(), known.end()});
-            warn(fmt::format("\"{}\" is listed but not there", entry), line,
-                 near.empty() ? std::string{} : fmt::format("did you mean \"{}\"?", near));
+            warn(phrase("\"{}\" is listed but not there", entry), line,
+                 near.empty() ? Text() : phrase("did you mean \"{}\"?", near));
         } else if (!listed.insert(entry).second) {
-            warn(fmt::format("\"{}\" is listed twice", entry), line, {});
+            warn(phrase("\"{}\" is listed twice", entry), line, {});
         } else {
             order.push_back(entry);
         }
@@ -147,7 +146,7 @@ std::vector<std::string> PackageLoader::packageOrder(const fs::path& directory, 
     for (const std::string& name : known) {
         if (listed.count(name)) continue;
         order.push_back(name);
-        if (isGiven) warn(fmt::format("\"{}\" is not listed", name), 0, "add a line with its name");
+        if (isGiven) warn(phrase("\"{}\" is not listed", name), 0, phrase("add a line with its name"));
     }
     return order;
 }
@@ -166,13 +165,14 @@ syntax::ClassPtr PackageLoader::parseOne(const fs::path& file, const std::string
     if (parsed.definition.classes.empty()) return nullptr;
     const syntax::ClassPtr definition = parsed.definition.classes.front();
     if (parsed.definition.classes.size() > 1) {
-        diagnostics_.push_back(error("a file of a package holds one class", parsed.definition.classes[1]->nameSpan,
-                                     "give the second class a file of its own"));
+        diagnostics_.push_back(error(phrase("a file of a package holds one class"),
+                                     parsed.definition.classes[1]->nameSpan,
+                                     phrase("give the second class a file of its own")));
     }
     if (!expectedName.empty() && definition->name != expectedName) {
-        diagnostics_.push_back(error(
-            fmt::format("the class is called \"{}\", its place on the disk \"{}\"", definition->name, expectedName),
-            definition->nameSpan, "rename one of the two"));
+        diagnostics_.push_back(
+            error(phrase("the class is called \"{}\", its place on the disk \"{}\"", definition->name, expectedName),
+                  definition->nameSpan, phrase("rename one of the two")));
         return nullptr;
     }
     const std::string within = parsed.definition.within ? parsed.definition.within->text() : std::string{};
@@ -180,9 +180,9 @@ syntax::ClassPtr PackageLoader::parseOne(const fs::path& file, const std::string
         const Span span =
             parsed.definition.within && !within.empty() ? parsed.definition.within->span : Span{source.get(), 0, 0};
         diagnostics_.push_back(
-            error(scope.empty() ? fmt::format("a top package stands within no other, not within \"{}\"", within)
-                                : fmt::format("the file belongs to \"{}\" and must say so", scope),
-                  span, scope.empty() ? "write \"within ;\"" : fmt::format("write \"within {};\"", scope)));
+            error(scope.empty() ? phrase("a top package stands within no other, not within \"{}\"", within)
+                                : phrase("the file belongs to \"{}\" and must say so", scope),
+                  span, scope.empty() ? phrase("write \"within ;\"") : phrase("write \"within {};\"", scope)));
     }
     return definition;
 }
@@ -192,7 +192,7 @@ SourcePtr PackageLoader::read(const fs::path& file) {
     std::ostringstream text;
     if (stream && fs::file_size(file) > 0) text << stream.rdbuf();
     if (!stream || !text) {
-        diagnostics_.push_back(fileError("the file cannot be read", file.string()));
+        diagnostics_.push_back(fileError(phrase("the file cannot be read"), file.string()));
         return nullptr;
     }
     return std::make_shared<const Source>(file.string(), std::move(text).str());

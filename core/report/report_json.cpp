@@ -115,7 +115,7 @@ Json effectJson(const AddedEffect& effect) {
               {"error_percent_before", number(evidence.errorPercentBefore)},
               {"error_percent_after", number(evidence.errorPercentAfter)}}},
             {"alternatives", alternatives},
-            {"values_instead", effect.valuesInstead}};
+            {"values_instead", std::vector<std::string>(effect.valuesInstead.begin(), effect.valuesInstead.end())}};
 }
 
 Json candidateJson(const CandidateResult& candidate) {

@@ -35,10 +35,10 @@ private:
     std::optional<Row> rowOf(const Equation& equation);
     bool addTerms(ExpressionId of, double scale, Row& row);
     void process(Row& row);
-    void refuse(const Equation& equation, const std::string& why);
+    void refuse(const Equation& equation, const Text& why);
     void addLeftEquations();
     void closeInputs();
-    std::string slopesOf(int derivativeClass);
+    Text slopesOf(int derivativeClass);
     void chooseRepresentatives();
     int score(VariableId id, const Signed& root) const;
     ExpressionId signedNode(ExpressionId node, int sign) { return sign < 0 ? pool_.negate(node) : node; }
@@ -137,9 +137,9 @@ std::optional<Row> AliasElimination::rowOf(const Equation& equation) {
     return row;
 }
 
-void AliasElimination::refuse(const Equation& equation, const std::string& why) {
-    faults_.push_back(error(fmt::format("The equation {} {}.", system_.textOf(equation), why), equation.span,
-                            "Two sources or fixed values act on the same quantity; remove one of them."));
+void AliasElimination::refuse(const Equation& equation, const Text& why) {
+    faults_.push_back(
+        error(why, equation.span, phrase("Two sources or fixed values act on the same quantity; remove one of them.")));
 }
 
 /// Looks at a row through the classes as they are now, and takes it out when it is an alias or a constant.
@@ -191,11 +191,14 @@ void AliasElimination::process(Row& row) {
             break;
         case AliasClasses::Merge::Contradiction:
             row.isOpen = false;
-            refuse(equation, "cannot hold: other equations fix the same quantities to different values");
+            refuse(equation, phrase("The equation {} cannot hold: other equations fix the same quantities to different "
+                                    "values.",
+                                    system_.textOf(equation)));
             break;
         case AliasClasses::Merge::BothKnown:
             row.isOpen = false;
-            refuse(equation, "fixes an input of the model, which is given from outside");
+            refuse(equation, phrase("The equation {} fixes an input of the model, which is given from outside.",
+                                    system_.textOf(equation)));
             break;
         case AliasClasses::Merge::Cycle:
             break;  // stays an equation
@@ -255,7 +258,7 @@ void AliasElimination::addLeftEquations() {
 }
 
 /// ", as the derivative of 'J.w'": the variables that are an input's slope.
-std::string AliasElimination::slopesOf(int derivativeClass) {
+Text AliasElimination::slopesOf(int derivativeClass) {
     constexpr int most = 3;
     std::string names;
     int count = 0;
@@ -263,9 +266,9 @@ std::string AliasElimination::slopesOf(int derivativeClass) {
         if (!isUnknownVariable(system_.model->variables[i])) continue;
         const int entity = entityOf(pool_.variable({i}));
         if (entity < 0 || classes_.find(entity).entity != derivativeClass) continue;
-        names += fmt::format("{}'{}'", count++ == 0 ? "" : ", ", system_.model->variables[i].name);
+        names += (count++ == 0 ? "'" : ", '") + system_.model->variables[i].name + "'";
     }
-    return names.empty() ? names : ", as the derivative of " + names;
+    return names.empty() ? Text() : phrase(", as the derivative of {}", names);
 }
 
 /// The derivative of an input is known as well: it is a further input of the program.
@@ -280,12 +283,12 @@ void AliasElimination::closeInputs() {
         AliasClasses::Class& c = classes_.of(classes_.find(derivative).entity);
         if (c.constant || c.known >= 0) {
             faults_.push_back(
-                error(fmt::format("The derivative of the input '{}' is fixed by the equations.", variable.name),
+                error(phrase("The derivative of the input '{}' is fixed by the equations.", variable.name),
                       variable.declared));
         } else if (c.derivative.entity >= 0) {
-            faults_.push_back(error(fmt::format("The model needs the second derivative of the input '{}'{}.",
-                                                variable.name, slopesOf(classes_.find(derivative).entity)),
-                                    variable.declared, noSecondDerivative));
+            faults_.push_back(error(phrase("The model needs the second derivative of the input '{}'{}.", variable.name,
+                                           slopesOf(classes_.find(derivative).entity)),
+                                    variable.declared, noSecondDerivative()));
         } else {
             c.known = derivative;
         }
@@ -427,13 +430,13 @@ void AliasElimination::mergeStart(VariableId id, int sign, Unknown& unknown, Var
         const std::string& first = (*system_.model)[fixedBy].name;
         if (pool_.isConstant(start) && pool_.isConstant(unknown.start)) {
             faults_.push_back(
-                error(fmt::format("'{}' and '{}' are the same quantity, but their start values are fixed to {} and {}.",
-                                  first, v.name, pool_[unknown.start].value, pool_[start].value),
-                      v.declared, "Give both the same start value, or free one of them (fixed = false)."));
+                error(phrase("'{}' and '{}' are the same quantity, but their start values are fixed to {} and {}.",
+                             first, v.name, pool_[unknown.start].value, pool_[start].value),
+                      v.declared, phrase("Give both the same start value, or free one of them (fixed = false).")));
         } else {
             folded_.warnings.push_back(
-                warning(fmt::format("'{}' and '{}' are the same quantity; the fixed start value of '{}' is used.",
-                                    first, v.name, first),
+                warning(phrase("'{}' and '{}' are the same quantity; the fixed start value of '{}' is used.", first,
+                               v.name, first),
                         v.declared));
         }
         return;
@@ -471,8 +474,8 @@ void AliasElimination::mergeAttributes() {
         if (u < 0) {  // an input stands for it
             if (v.isFixed)
                 folded_.warnings.push_back(
-                    warning(fmt::format("The fixed start value of '{}' is not used: the input '{}' prescribes it.",
-                                        v.name, system_.nameOf(stand)),
+                    warning(phrase("The fixed start value of '{}' is not used: the input '{}' prescribes it.", v.name,
+                                   system_.nameOf(stand)),
                             v.declared));
             continue;
         }

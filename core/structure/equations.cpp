@@ -18,13 +18,12 @@ std::string EquationSystem::nameOf(ExpressionId node) const {
     return n.operation == Operation::Derivative ? fmt::format("der({})", name) : name;
 }
 
-std::string EquationSystem::textOf(const Equation& equation) const {
+Text EquationSystem::textOf(const Equation& equation) const {
     const auto name = [this](VariableId id) { return (*model)[id].name; };
     std::string text = fmt::format("{} = {}", pool->print(equation.left, name), pool->print(equation.right, name));
     constexpr std::size_t longest = 160;
     if (text.size() > longest) text = text.substr(0, longest) + " …";
-    if (!equation.component.empty()) text += fmt::format(" (in {})", equation.component);
-    return text;
+    return equation.component.empty() ? Text(text) : phrase("{} (in {})", text, equation.component);
 }
 
 }  // namespace analogon

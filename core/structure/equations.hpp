@@ -49,15 +49,16 @@ struct EquationSystem {
     std::string nameOf(ExpressionId node) const;
     std::string nameOf(int unknown) const { return nameOf(unknowns[static_cast<std::size_t>(unknown)].node); }
     /// "J*der(w) = tau (in rotor)", shortened for messages.
-    std::string textOf(const Equation& equation) const;
+    Text textOf(const Equation& equation) const;
     ExpressionId residual(const Equation& equation) const { return pool->subtract(equation.left, equation.right); }
 };
 
 /// What to do about an input whose second derivative is asked for.
-inline constexpr const char* noSecondDerivative =
-    "A recorded signal runs linearly between its samples: it has a slope and no second derivative. Leave out the "
-    "inertia "
-    "that follows it rigidly, drive it through a spring and damper, or pass the signal through Signals.FirstOrder "
-    "twice.";
+inline Text noSecondDerivative() {
+    return phrase(
+        "A recorded signal runs linearly between its samples: it has a slope and no second derivative. Leave out the "
+        "inertia that follows it rigidly, drive it through a spring and damper, or pass the signal through "
+        "Signals.FirstOrder twice.");
+}
 
 }  // namespace analogon

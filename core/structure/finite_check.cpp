@@ -1,7 +1,5 @@
 #include "core/structure/finite_check.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
 
@@ -85,32 +83,36 @@ std::string FiniteCheck::text(ExpressionId of) const {
     return pool_.print(of, [this](VariableId v) { return model_[v].name; });
 }
 
-std::string FiniteCheck::whatIsWrong(ExpressionId source) {
+Text FiniteCheck::whatIsWrong(ExpressionId source) {
     const ExpressionId value = rewrite_(source);
     const ExpressionNode node = pool_[source];
     if (node.operation == Operation::Variable)
-        return fmt::format("'{}' is {}", model_[node.variable].name, isInfinite(value) ? "infinite" : "not a number");
+        return isInfinite(value) ? phrase("'{}' is infinite", model_[node.variable].name)
+                                 : phrase("'{}' is not a number", model_[node.variable].name);
     if (node.operation == Operation::Constant)
-        return isInfinite(value) ? "it holds a constant that is infinite" : "it holds a constant that is not a number";
-    std::string values;
+        return isInfinite(value) ? phrase("it holds a constant that is infinite")
+                                 : phrase("it holds a constant that is not a number");
+    Text values;
     LeafCollector collect(pool_);
     for (const ExpressionId leaf : collect.leaves(source))
-        if (const ExpressionId number = rewrite_(leaf); number != leaf && pool_.isConstant(number))
-            values += fmt::format("{}{} = {}", values.empty() ? "" : ", ", text(leaf), text(number));
-    if (values.empty() && owner_.valid()) values = fmt::format("the value of '{}'", model_[owner_].name);
-    return fmt::format("{} {}{}", text(source),
-                       node.operation == Operation::Divide && pool_.isConstant(rewrite_(node.b), 0)
-                           ? "divides by 0"
-                           : (isInfinite(value) ? "is infinite" : "is not a number"),
-                       values.empty() ? "" : " (" + values + ")");
+        if (const ExpressionId number = rewrite_(leaf); number != leaf && pool_.isConstant(number)) {
+            if (!values.empty()) values += ", ";
+            values += phrase("{} = {}", text(leaf), Text::number(text(number)));
+        }
+    if (values.empty() && owner_.valid()) values = phrase("the value of '{}'", model_[owner_].name);
+    if (!values.empty()) values = " (" + values + ")";
+    if (node.operation == Operation::Divide && pool_.isConstant(rewrite_(node.b), 0))
+        return phrase("{} divides by 0{}", text(source), values);
+    return isInfinite(value) ? phrase("{} is infinite{}", text(source), values)
+                             : phrase("{} is not a number{}", text(source), values);
 }
 
 std::optional<Diagnostic> FiniteCheck::operator()(const FlatEquation& equation) {
     for (const ExpressionId side : {equation.left, equation.right})
         if (isSenseless(rewrite_(side)))
-            return error(fmt::format("The equation {} = {} cannot hold: {}.", text(equation.left), text(equation.right),
-                                     whatIsWrong(sourceIn(side))),
-                         equation.span, "Give the parameter another value, or write the equation without it.");
+            return error(phrase("The equation {} = {} cannot hold: {}.", text(equation.left), text(equation.right),
+                                whatIsWrong(sourceIn(side))),
+                         equation.span, phrase("Give the parameter another value, or write the equation without it."));
     return std::nullopt;
 }
 

@@ -25,7 +25,7 @@ private:
     bool isInfinite(ExpressionId id) const;
     bool judge(const ExpressionNode& node) const;
     ExpressionId sourceIn(ExpressionId original);
-    std::string whatIsWrong(ExpressionId source);
+    Text whatIsWrong(ExpressionId source);
     std::string text(ExpressionId of) const;
 
     const FlatModel& model_;

@@ -139,8 +139,8 @@ ExpressionId IndexReduction::derivativeOfLeaf(const ExpressionNode& node) {
         return system_.unknowns[static_cast<std::size_t>(u)].derivative;
     }
     if (node.operation == Operation::Variable) return pool.derivativeOf(node.variable);  // an input
-    faults_.push_back(error(fmt::format("The model needs the second derivative of the input '{}'.", variable.name),
-                            variable.declared, noSecondDerivative));
+    faults_.push_back(error(phrase("The model needs the second derivative of the input '{}'.", variable.name),
+                            variable.declared, noSecondDerivative()));
     return pool.constant(0);
 }
 
@@ -152,11 +152,14 @@ bool IndexReduction::differentiate(int equation) {
     const ExpressionId sides[] = {original.left, original.right};
     collect.leaves(sides);
     if (original.order >= highestOrder || !collect.delays().empty()) {
-        const char* why = collect.delays().empty() ? "too often; the equations constrain each other in a circle"
-                                                   : "although it holds a delayed signal";
-        faults_.push_back(
-            error(fmt::format("The equation {} would have to be differentiated {}.", system_.textOf(original), why),
-                  original.span));
+        const Text text = system_.textOf(original);
+        faults_.push_back(error(
+            collect.delays().empty()
+                ? phrase("The equation {} would have to be differentiated too often; the equations constrain "
+                         "each other in a circle.",
+                         text)
+                : phrase("The equation {} would have to be differentiated although it holds a delayed signal.", text),
+            original.span));
         return false;
     }
     const auto leaf = [this](const ExpressionNode& node) { return derivativeOfLeaf(node); };
@@ -305,8 +308,8 @@ std::vector<char> IndexReduction::dummiesOf(const Level& level) {
     for (std::size_t i = 0; i < level.constraints.size(); ++i) {
         if (matching.rowOf(static_cast<int>(i)) >= 0) continue;
         const Equation& equation = system_.equations[static_cast<std::size_t>(level.constraints[i])];
-        faults_.push_back(error(
-            fmt::format("No state can be eliminated by the constraint {}.", system_.textOf(equation)), equation.span));
+        faults_.push_back(
+            error(phrase("No state can be eliminated by the constraint {}.", system_.textOf(equation)), equation.span));
     }
     return isDummy;
 }

@@ -1,6 +1,3 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 
 #include "core/structure/index_reduction.hpp"
@@ -10,11 +7,13 @@ namespace {
 
 constexpr std::size_t mostNamed = 6;
 
-std::string listOf(std::vector<std::string> items, const char* separator) {
-    const std::size_t all = items.size();
-    if (all > mostNamed) items.resize(mostNamed);
-    std::string text = fmt::format("{}", fmt::join(items, separator));
-    if (all > mostNamed) text += fmt::format("{}and {} more", separator, all - mostNamed);
+Text listOf(const std::vector<Text>& items, const char* separator) {
+    Text text;
+    for (std::size_t i = 0; i < std::min(items.size(), mostNamed); ++i) {
+        if (i > 0) text += separator;
+        text += items[i];
+    }
+    if (items.size() > mostNamed) text += separator + phrase("and {} more", items.size() - mostNamed);
     return text;
 }
 
@@ -23,7 +22,7 @@ std::string listOf(std::vector<std::string> items, const char* separator) {
 Diagnostic singularSystem(const EquationSystem& system, const std::vector<Equation>& allEquations,
                           const std::vector<int>& surplusEquations, const std::vector<int>& undeterminedUnknowns,
                           const std::vector<Equation>& redundant) {
-    std::vector<std::string> equations, unknowns, repeated;
+    std::vector<Text> equations, unknowns, repeated;
     Span place;
     for (const int e : surplusEquations) {
         const Equation& equation = allEquations[static_cast<std::size_t>(e)];

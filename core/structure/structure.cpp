@@ -48,8 +48,8 @@ Diagnostics unnamedStates(const ReducedSystem& reduced) {
     for (std::size_t u = 0; u < reduced.isState.size(); ++u)
         if (reduced.isState[u] &&
             (*reduced.system.pool)[reduced.system.unknowns[u].node].operation != Operation::Variable)
-            faults.push_back(error(fmt::format("{} would have to be a state; give it a name of its own in the model.",
-                                               reduced.system.nameOf(static_cast<int>(u))),
+            faults.push_back(error(phrase("{} would have to be a state; give it a name of its own in the model.",
+                                          reduced.system.nameOf(static_cast<int>(u))),
                                    reduced.system.unknowns[u].declared));
     return faults;
 }

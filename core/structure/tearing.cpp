@@ -209,10 +209,14 @@ void ComponentSolver::tear() {
 }
 
 Diagnostic ComponentSolver::noInfluence() const {
-    std::string names, texts;
+    std::string names;
     for (const ExpressionId u : unknowns_) names += (names.empty() ? "" : ", ") + system_.nameOf(u);
-    for (const Equation& e : equations_) texts += (texts.empty() ? "" : "; ") + system_.textOf(e);
-    return error(fmt::format("The equations {} do not determine {}: what they say of it cancels.", texts, names),
+    Text texts;
+    for (const Equation& e : equations_) {
+        if (!texts.empty()) texts += "; ";
+        texts += system_.textOf(e);
+    }
+    return error(phrase("The equations {} do not determine {}: what they say of it cancels.", texts, names),
                  equations_.front().span);
 }
 

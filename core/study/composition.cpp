@@ -17,8 +17,8 @@ Outcome<std::string> edited(const Library& library, const std::string& className
     const auto source = std::make_shared<const Source>("model.mo", text);
     const syntax::ParseResult parsed = syntax::parse(source);
     if (hasError(parsed.diagnostics) || parsed.definition.classes.empty())
-        return fileError(fmt::format("'{}' cannot be the name of a model", className), "", 0, 0,
-                         "A name is a letter followed by letters, digits and underscores.");
+        return fileError(phrase("'{}' cannot be the name of a model", className), "", 0, 0,
+                         phrase("A name is a letter followed by letters, digits and underscores."));
     const Outcome<Library> extended = library.withSource(source);
     if (!extended) return extended.diagnostics();
     const Outcome<Diagram> diagram = readDiagram(*extended, className);

@@ -63,9 +63,9 @@ Diagnostics checkProfiled(const EstimationTask& task, const std::vector<std::str
     for (const std::string& name : names) {
         if (name == everyOne || std::find(known.begin(), known.end(), name) != known.end()) continue;
         const std::string like = suggestion(name, known);
-        faults.push_back(error(
-            fmt::format("{} is not fitted: it has no profile", name), {},
-            like.empty() ? fmt::format("fitted: {}", fmt::join(known, ", ")) : fmt::format("did you mean {}?", like)));
+        faults.push_back(
+            error(phrase("{} is not fitted: it has no profile", name), {},
+                  like.empty() ? phrase("fitted: {}", fmt::join(known, ", ")) : phrase("did you mean {}?", like)));
     }
     return faults;
 }

@@ -56,9 +56,9 @@ std::string instanceName(const std::string& package) {
 Diagnostic unknownDomain(const Library& library, const std::string& domain) {
     const std::vector<std::string> known = knownDomains(library);
     const std::string alike = suggestion(domain, known);
-    return fileError(fmt::format("the domain '{}' is not known", domain), "", 0, 0,
-                     (alike.empty() ? "" : fmt::format("Did you mean '{}'? ", alike)) +
-                         fmt::format("Known are: {}.", fmt::join(known, ", ")));
+    return fileError(phrase("the domain '{}' is not known", domain), "", 0, 0,
+                     (alike.empty() ? Text() : phrase("Did you mean '{}'? ", alike)) +
+                         phrase("Known are: {}.", fmt::join(known, ", ")));
 }
 
 }  // namespace

@@ -42,32 +42,29 @@ public:
     }
 
 private:
-    bool fault(std::string message, std::string hint = {}, const std::string& file = {}) {
+    bool fault(Text message, Text hint = {}, const std::string& file = {}) {
         faults_.push_back(fileError(std::move(message), file, 0, 0, std::move(hint)));
         return false;
     }
-    template <class... Arguments>
-    void assume(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
-        result_.assumptions.push_back(fmt::format(text, std::forward<Arguments>(arguments)...));
-    }
+    void assume(Text text) { result_.assumptions.push_back(std::move(text)); }
 
     // What is measured ------------------------------------------------------------------------------------------
 
     bool readColumns() {
-        if (request_.recordings.empty()) return fault("no measurement was given");
+        if (request_.recordings.empty()) return fault(phrase("no measurement was given"));
         const Table& table = *request_.recordings.front();
         columns_ = guessColumns(table);
         isUsed_.assign(columns_.size(), false);
         if (columns_.empty() || columns_.front().quantity != Quantity::Time)
-            return fault("no column of the measurement can be the time",
-                         "Its values must rise from row to row: name one 't [s]'.", table.file);
+            return fault(phrase("no column of the measurement can be the time"),
+                         phrase("Its values must rise from row to row: name one 't [s]'."), table.file);
         const GuessedColumn& time = columns_.front();
         if (time.isUnitAssumed && time.unit != "s")
             return fault(
-                fmt::format("the time column '{}' has no unit in its header", time.name),
-                fmt::format("Write it as '{} [{}]': a time without a unit is read in seconds.", time.name, time.unit),
+                phrase("the time column '{}' has no unit in its header", time.name),
+                phrase("Write it as '{} [{}]': a time without a unit is read in seconds.", time.name, time.unit),
                 table.file);
-        assume("'{}' is the time.", time.name);
+        assume(phrase("'{}' is the time.", time.name));
         return true;
     }
 
@@ -97,7 +94,8 @@ private:
 
     bool makeParts() {
         if (request_.domains.empty())
-            return fault("no domain was given", fmt::format("Known are: {}.", fmt::join(knownDomains(library_), ", ")));
+            return fault(phrase("no domain was given"),
+                         phrase("Known are: {}.", fmt::join(knownDomains(library_), ", ")));
         for (const std::string& domain : request_.domains) {
             Outcome<DomainPart> part = readDomainPart(library_, domain);
             if (!part) {
@@ -134,9 +132,9 @@ private:
                     }
         for (int i = 1; i < count; ++i)
             if (group[static_cast<std::size_t>(i)] != group[0])
-                return fault(fmt::format("no connector joins {} to the rest of the chain",
-                                         request_.domains[static_cast<std::size_t>(i)]),
-                             "A domain that both have in common is missing between them.");
+                return fault(phrase("no connector joins {} to the rest of the chain",
+                                    request_.domains[static_cast<std::size_t>(i)]),
+                             phrase("A domain that both have in common is missing between them."));
         return true;
     }
 
@@ -150,8 +148,8 @@ private:
                                          (domain == Domain::Rotational && composition_.isConnected(inName));
                     if (!fits || isTaken) continue;
                     composition_.connect(outName, inName, domain);
-                    assume("{} and {} are joined by {} and {}.", parts_[static_cast<std::size_t>(from)].name,
-                           parts_[static_cast<std::size_t>(to)].name, outName, inName);
+                    assume(phrase("{} and {} are joined by {} and {}.", parts_[static_cast<std::size_t>(from)].name,
+                                  parts_[static_cast<std::size_t>(to)].name, outName, inName));
                     return true;
                 }
         return false;
@@ -196,7 +194,7 @@ private:
                              {{"unit", '"' + unit + '"'}});
         outputs_[name] = columnIndex;
         composition_.connect(from, name, Domain::RealOutput);
-        assume("{} is compared with '{}'.", from, column(columnIndex).name);
+        assume(phrase("{} is compared with '{}'.", from, column(columnIndex).name));
     }
 
     // Signals ---------------------------------------------------------------------------------------------------
@@ -222,18 +220,18 @@ private:
     bool wireInput(const DomainPart& part, const SignalPort& input) {
         const std::string to = part.name + '.' + input.name;
         if (!areConvertible(input.unit, "V"))
-            return fault(fmt::format("nothing is known that could drive {} [{}]", to, input.unit));
+            return fault(phrase("nothing is known that could drive {} [{}]", to, input.unit));
         int index = take(Quantity::Voltage, likingOfVoltage);
         if (index < 0 && voltageInput_.empty()) return wireDuty(to);
         if (index < 0) {
             composition_.connect(voltageInput_, to, Domain::RealInput);
-            assume("{} gets the same voltage.", to);
+            assume(phrase("{} gets the same voltage.", to));
             return true;
         }
         voltageInput_ = addInput(input.name, index, input.unit);
         composition_.connect(voltageInput_, to, Domain::RealInput);
         data_.voltage = column(index).values;
-        assume("{} drives {}.", column(index).label(), to);
+        assume(phrase("{} drives {}.", column(index).label(), to));
         return true;
     }
 
@@ -251,8 +249,9 @@ private:
         for (int i = 0; i < static_cast<int>(columns_.size()); ++i)
             if (column(i).unit == "%" && index < 0) index = i;
         if (index < 0)
-            return fault(fmt::format("no column can drive {}: a voltage [V] is needed", to),
-                         "Give the column a unit in its header, as 'u [V]'.", request_.recordings.front()->file);
+            return fault(phrase("no column can drive {}: a voltage [V] is needed", to),
+                         phrase("Give the column a unit in its header, as 'u [V]'."),
+                         request_.recordings.front()->file);
         isUsed_[static_cast<std::size_t>(index)] = true;
         const std::string input = addInput("duty", index, "1");
         const std::string gain =
@@ -262,7 +261,7 @@ private:
         voltageInput_ = gain + ".y";
         data_.voltage = column(index).values;
         for (double& value : data_.voltage) value *= 0.01 * supply;
-        assume("{} switches a supply of {} V to {}.", column(index).label(), rounded(supply), to);
+        assume(phrase("{} switches a supply of {:.3g} V to {}.", column(index).label(), supply, to));
         return true;
     }
 
@@ -272,14 +271,14 @@ private:
         for (const Place& place : open(Domain::Rotational, false)) {
             const int torque = take(Quantity::Torque);
             if (torque < 0) {
-                assume("{} is left free: no torque acts on it.", connector(place));
+                assume(phrase("{} is left free: no torque acts on it.", connector(place)));
                 continue;
             }
             const Point at{parts_.front().centre.x - 40, -60};
             const std::string source = composition_.add("Sources.PrescribedTorque", "drive", at, "measured torque");
             composition_.connect(addInput("tau", torque, "N.m"), source + ".tau", Domain::RealInput);
             composition_.connect(source + ".flange", connector(place), Domain::Rotational);
-            assume("{} drives {}.", column(torque).label(), connector(place));
+            assume(phrase("{} drives {}.", column(torque).label(), connector(place)));
         }
         for (const Place& place : open(Domain::Rotational, true)) wireShaftEnd(place);
         return true;
@@ -297,12 +296,12 @@ private:
             nextRight_.x += 60;
             rotor_ = composition_.add("Mechanics.Inertia", "rotor", at, "what turns");
             composition_.connect(end, rotor_ + ".flange_a", Domain::Rotational);
-            assume("An inertia turns with {}: the basic class of a motor has none.", end);
+            assume(phrase("An inertia turns with {}: the basic class of a motor has none.", end));
             end = rotor_ + ".flange_b";
         }
         load_ = composition_.add("Mechanics.QuadraticLoad", "load", right(), "load");
         composition_.connect(end, load_ + ".flange", Domain::Rotational);
-        assume("A load that grows with the square of the speed (pump, fan) hangs on {}.", end);
+        assume(phrase("A load that grows with the square of the speed (pump, fan) hangs on {}.", end));
         if (const int speed = take(Quantity::Speed); speed >= 0) {
             const Point at = right();
             const std::string sensor = composition_.add("Sensors.SpeedSensor", "speedSensor", at, "");
@@ -355,7 +354,7 @@ private:
         const std::string source = composition_.add("Sources.PrescribedHeatFlow", "heating", at, "measured heat");
         composition_.connect(addInput("Q_flow", heat, "W"), source + ".Q_flow", Domain::RealInput);
         composition_.connect(source + ".port", connector(body), Domain::Heat);
-        assume("{} heats {}.", column(heat).label(), connector(body));
+        assume(phrase("{} heats {}.", column(heat).label(), connector(body)));
     }
 
     void wireSurroundings(const std::vector<Place>& ends) {
@@ -384,9 +383,10 @@ private:
         for (const Place& end : ends) {
             composition_.connect(connector(end), source + ".port", Domain::Heat);
             if (index >= 0) {
-                assume("{} is the temperature at {}.", column(index).label(), connector(end));
+                assume(phrase("{} is the temperature at {}.", column(index).label(), connector(end)));
             } else {
-                assume("The temperature at {} is 293.15 K: no column of the surroundings was found.", connector(end));
+                assume(phrase("The temperature at {} is 293.15 K: no column of the surroundings was found.",
+                              connector(end)));
             }
         }
     }
@@ -400,9 +400,9 @@ private:
     bool checkOutputs() {
         if (!outputs_.empty()) return true;
         return fault(
-            "the measurement has no column that the model could be compared with",
-            "Wanted is a current [A], a speed [rad/s], an angle [rad] or a temperature [K] that the model does "
-            "not already take as its input; give the columns their units in the header.",
+            phrase("the measurement has no column that the model could be compared with"),
+            phrase("Wanted is a current [A], a speed [rad/s], an angle [rad] or a temperature [K] that the model does "
+                   "not already take as its input; give the columns their units in the header."),
             request_.recordings.front()->file);
     }
 
@@ -414,13 +414,13 @@ private:
         for (DomainPart& part : parts_) {
             if (part.package == "ElectricThermal") {
                 fit(part, "R", guessResistance(data_));
-                fit(part, "alpha", {0.004, 0, 0.02, "a metal"}, ParameterScale::Linear);
+                fit(part, "alpha", {0.004, 0, 0.02, phrase("a metal")}, ParameterScale::Linear);
             } else if (part.package == "ElectricMechanical") {
                 const auto [resistance, k] = guessMotor(data_);
                 fit(part, "R", resistance);
                 fit(part, "k", k);
                 part.values["L"] = "0";
-                assume("{}.L is 0: the inductance is left out until the data call for it.", part.name);
+                assume(phrase("{}.L is 0: the inductance is left out until the data call for it.", part.name));
                 torqueConstant = k.value;
             }
         }
@@ -429,7 +429,7 @@ private:
             if (part.package == "Mechanics") {
                 fit(part, "J1", guessInertia(data_, resistance, torqueConstant));
                 part.values["J2"] = "0";
-                assume("{0}.J2 is 0 and {0}.r is 1: all inertia is in J1, there is no gear.", part.name);
+                assume(phrase("{0}.J2 is 0 and {0}.r is 1: all inertia is in J1, there is no gear.", part.name));
             } else if (part.package == "MechanicThermal") {
                 fit(part, "b", guessFriction(data_, torqueConstant));
             } else if (part.package == "ThermalFluid") {
@@ -447,8 +447,8 @@ private:
             data_.surroundingTemperature.empty() ? usualTemperature : median(data_.surroundingTemperature);
         const double perCoefficient = surface * std::pow(fluid / 3.6, 0.78);  // the law of BasicThermalFluid
         part.values["A"] = rounded(surface);
-        assume("{0}.A is {1} m2 and stays: only the product of {0}.A and {0}.c_o shows in the data.", part.name,
-               rounded(surface));
+        assume(phrase("{0}.A is {1:.3g} m2 and stays: only the product of {0}.A and {0}.c_o shows in the data.",
+                      part.name, surface));
         fit(part, "C", guessHeatCapacity(data_, conductance.value));
         fit(part, "c_o",
             {conductance.value / perCoefficient, conductance.min / perCoefficient, conductance.max / perCoefficient,
@@ -458,7 +458,7 @@ private:
             starts_[start] = bodyColumn_;
         } else if (!surroundingColumn_.empty()) {
             starts_[start] = surroundingColumn_;
-            assume("{} starts at the temperature of its surroundings ('{}').", part.name, surroundingColumn_);
+            assume(phrase("{} starts at the temperature of its surroundings ('{}').", part.name, surroundingColumn_));
         }
     }
 
@@ -479,8 +479,8 @@ private:
         parameter.max = std::stod(rounded(guess.max));
         parameter.scale = scale;
         result_.study.parameters[name] = parameter;
-        assume("{} is fitted from {} ({}) within {} … {}.", name, rounded(guess.value),
-               guess.reason.empty() ? "a usual value" : guess.reason, rounded(guess.min), rounded(guess.max));
+        assume(phrase("{} is fitted from {:.3g} ({}) within {:.3g} … {:.3g}.", name, guess.value,
+                      guess.reason.empty() ? phrase("a usual value") : guess.reason, guess.min, guess.max));
     }
 
     // The study -------------------------------------------------------------------------------------------------
@@ -518,7 +518,8 @@ private:
         if (count == 1) splitExperiment();
         for (std::size_t i = 0; i < columns_.size(); ++i)
             if (columns_[i].isUnitAssumed && (isUsed_[i] || i == 0))
-                assume("'{}' is in {}: its header gives no unit, its name does.", columns_[i].name, columns_[i].unit);
+                assume(phrase("'{}' is in {}: its header gives no unit, its name does.", columns_[i].name,
+                              columns_[i].unit));
     }
 
     /// The first part of one recording is fitted, the rest validates.
@@ -536,11 +537,12 @@ private:
         experiments[1].name = name + " (second part)";
         experiments[1].role = Role::Validate;
         experiments[1].range = {time[cut], time.back()};
-        assume("The recording up to {} s is fitted, the rest validates{}.", rounded(time[cut]),
-               rest > 0
-                   ? ": there it stands as at its beginning"
-                   : ", although the model starts it at rest and the component does not; a recording of its own for "
-                     "the validation is better");
+        assume(phrase(
+            "The recording up to {:.3g} s is fitted, the rest validates{}.", time[cut],
+            rest > 0
+                ? phrase(": there it stands as at its beginning")
+                : phrase(", although the model starts it at rest and the component does not; a recording of its own "
+                         "for the validation is better")));
     }
 
     std::size_t restingCut() const {

@@ -18,7 +18,7 @@ struct GenerateRequest {
 
 struct GeneratedStudy {
     Study study;
-    std::vector<std::string> assumptions;  // in plain words, one each
+    std::vector<Text> assumptions;  // in plain words, one each
 };
 
 /// Composes a first model from a classification: the basic class of each domain, joined through connectors that fit,

@@ -306,16 +306,20 @@ double numberOf(const Json& json) {
 
 /// A sentence keeps how it was made, so that a screen in another language can say it.
 Json textJson(const Text& text) {
-    if (text.pattern().empty() && text.arguments().empty()) return text.english();
+    const bool isPlain = text.pattern().empty() && text.arguments().empty();
+    if (isPlain && !text.isNumber()) return text.english();
     Json arguments = Json::array();
     for (const Text& argument : text.arguments()) arguments.push_back(textJson(argument));
-    return {{"text", text.english()}, {"pattern", text.pattern()}, {"arguments", arguments}};
+    Json json{{"text", text.english()}, {"pattern", text.pattern()}, {"arguments", arguments}};
+    if (text.isNumber()) json["number"] = true;
+    return json;
 }
 
 Text textOf(const Json& json, int depth = 0) {
     constexpr int deepest = 40;  // no sentence of ours: a text made to exhaust the stack
     if (depth > deepest) throw std::runtime_error("a text has too many parts within parts");
     if (json.is_string()) return json.get<std::string>();
+    if (json.value("number", false)) return Text::number(json.at("text").get<std::string>());
     std::vector<Text> arguments;
     for (const Json& argument : json.at("arguments")) arguments.push_back(textOf(argument, depth + 1));
     return {json.at("pattern").get<std::string>(), std::move(arguments), json.at("text").get<std::string>()};

@@ -12,7 +12,7 @@ namespace {
 constexpr double measuredFactor = 30;  // bounds of a value that was read from data
 constexpr double usualFactor = 1000;   // and of one that was not
 
-StartGuess around(double value, std::string reason) {
+StartGuess around(double value, Text reason) {
     const double factor = reason.empty() ? usualFactor : measuredFactor;
     return {value, value / factor, value * factor, std::move(reason)};
 }
@@ -79,7 +79,7 @@ double changeTime(const std::vector<double>& time, const std::vector<double>& si
 
 StartGuess guessResistance(const GuessData& data) {
     const std::vector<double> all = resistances(data);
-    return all.empty() ? around(1, "") : around(median(all), "voltage over current");
+    return all.empty() ? around(1, "") : around(median(all), phrase("voltage over current"));
 }
 
 MotorGuess guessMotor(const GuessData& data) {
@@ -87,7 +87,7 @@ MotorGuess guessMotor(const GuessData& data) {
     const double highest = std::max(largest(data.voltage), 1e-6);
     MotorGuess guess{around(1, ""), around(highest / usualSpeed, "")};
     if (const std::vector<double> all = resistances(data); !all.empty())
-        guess.resistance = around(quantile(all, 0.1), "voltage over current where the current is high");
+        guess.resistance = around(quantile(all, 0.1), phrase("voltage over current where the current is high"));
     if (data.voltage.empty() || data.current.empty() || data.speed.empty()) return guess;
     double ii = 0, iw = 0, ww = 0, iv = 0, wv = 0;
     for (std::size_t n = 0; n < data.speed.size(); ++n) {
@@ -97,7 +97,8 @@ MotorGuess guessMotor(const GuessData& data) {
     const double determinant = ii * ww - iw * iw;
     const double r = (iv * ww - wv * iw) / determinant, k = (wv * ii - iv * iw) / determinant;
     if (r > 0 && k > 0 && std::isfinite(r + k))
-        guess = {around(r, "v = R*i + k*w over the recording"), around(k, "v = R*i + k*w over the recording")};
+        guess = {around(r, phrase("v = R*i + k*w over the recording")),
+                 around(k, phrase("v = R*i + k*w over the recording"))};
     return guess;
 }
 
@@ -105,7 +106,7 @@ StartGuess guessInertia(const GuessData& data, double resistance, double torqueC
     const std::vector<double>& signal = data.speed.empty() ? data.current : data.speed;
     if (signal.empty()) return around(1e-4, "");
     StartGuess guess = around(changeTime(data.time, signal) * torqueConstant * torqueConstant / resistance, "");
-    guess.reason = "how fast it follows";
+    guess.reason = phrase("how fast it follows");
     return guess;
 }
 
@@ -116,7 +117,7 @@ StartGuess guessQuadraticLoad(const GuessData& data, double torqueConstant) {
     }));
     if (!(k > 0)) return around(1e-6, "");
     StartGuess guess = around(k, "");  // friction may take most of the torque: wide bounds
-    guess.reason = "torque over the square of the speed";
+    guess.reason = phrase("torque over the square of the speed");
     return guess;
 }
 
@@ -126,7 +127,7 @@ StartGuess guessFriction(const GuessData& data, double torqueConstant) {
         median(whereFast(data, [&](std::size_t n) { return torqueConstant * data.current[n] / data.speed[n]; }));
     if (!(b > 0)) return around(1e-4, "");
     StartGuess guess = around(b, "");
-    guess.reason = "torque over speed";
+    guess.reason = phrase("torque over speed");
     return guess;
 }
 
@@ -139,7 +140,7 @@ StartGuess guessConductance(const GuessData& data) {
     if (!(heat > 0)) return around(0.1, "");
     const double warmer = mean(data.bodyTemperature) - mean(data.surroundingTemperature);
     if (!data.bodyTemperature.empty() && !data.surroundingTemperature.empty() && warmer > 0.1)
-        return around(heat / warmer, "power over temperature difference");
+        return around(heat / warmer, phrase("power over temperature difference"));
     return around(heat / usualDifference, "");
 }
 
@@ -147,7 +148,7 @@ StartGuess guessHeatCapacity(const GuessData& data, double conductance) {
     const std::vector<double>& signal = data.bodyTemperature.empty() ? data.current : data.bodyTemperature;
     const double seconds = signal.empty() ? 10 : changeTime(data.time, signal);
     StartGuess guess = around(conductance * seconds, "");
-    if (!signal.empty()) guess.reason = "how fast it follows";
+    if (!signal.empty()) guess.reason = phrase("how fast it follows");
     return guess;
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <string>
 #include <vector>
+
+#include "core/base/text.hpp"
 
 namespace analogon {
 
@@ -14,7 +15,7 @@ struct GuessData {
 struct StartGuess {
     double value{};
     double min{}, max{};
-    std::string reason;  // "from voltage over current"; empty: a usual value
+    Text reason;  // "from voltage over current"; empty: a usual value
 };
 
 /// Order of magnitude of the time in which a signal changes by its own spread, in s.

@@ -2869,6 +2869,13 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     </message>
 </context>
 <context>
+    <name>Language</name>
+    <message>
+        <source>en</source>
+        <translation>de</translation>
+    </message>
+</context>
+<context>
     <name>LibraryPanel</name>
     <message>
         <source>Search blocks</source>
@@ -6906,7 +6913,7 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     </message>
     <message>
         <source>the largest is about 1.8e308</source>
-        <translation>die größte ist etwa 1.8e308</translation>
+        <translation>die größte ist etwa 1,8e308</translation>
     </message>
     <message>
         <source>unknown escape in a string</source>
@@ -7379,6 +7386,1134 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>{}: {}; correct the header, or give the unit in the study, and search again</source>
         <translation>{}: {}; die Kopfzeile berichtigen oder die Einheit in der Studie angeben und noch einmal suchen</translation>
+    </message>
+    <message>
+        <source>{} = {:.4g}{}</source>
+        <translation>{} = {}{}</translation>
+    </message>
+    <message>
+        <source>{} = {:.5g}{}</source>
+        <translation>{} = {}{}</translation>
+    </message>
+    <message>
+        <source>{} = {:.5g}</source>
+        <translation>{} = {}</translation>
+    </message>
+    <message>
+        <source>{:.5g} s</source>
+        <translation>{} s</translation>
+    </message>
+    <message>
+        <source>{:.3g}{}</source>
+        <translation>{}{}</translation>
+    </message>
+    <message>
+        <source>no measurement was given</source>
+        <translation>es wurde keine Messung angegeben</translation>
+    </message>
+    <message>
+        <source>no column of the measurement can be the time</source>
+        <translation>keine Spalte der Messung kann die Zeit sein</translation>
+    </message>
+    <message>
+        <source>Its values must rise from row to row: name one 't [s]'.</source>
+        <translation>Ihre Werte müssen von Zeile zu Zeile steigen: eine „t [s]“ nennen.</translation>
+    </message>
+    <message>
+        <source>the time column '{}' has no unit in its header</source>
+        <translation>die Zeitspalte „{}“ hat keine Einheit in ihrer Kopfzeile</translation>
+    </message>
+    <message>
+        <source>Write it as '{} [{}]': a time without a unit is read in seconds.</source>
+        <translation>Als „{} [{}]“ schreiben: Eine Zeit ohne Einheit wird in Sekunden gelesen.</translation>
+    </message>
+    <message>
+        <source>'{}' is the time.</source>
+        <translation>„{}“ ist die Zeit.</translation>
+    </message>
+    <message>
+        <source>no domain was given</source>
+        <translation>es wurde keine Domäne angegeben</translation>
+    </message>
+    <message>
+        <source>Known are: {}.</source>
+        <translation>Bekannt sind: {}.</translation>
+    </message>
+    <message>
+        <source>no connector joins {} to the rest of the chain</source>
+        <translation>kein Anschluss verbindet {} mit dem Rest der Kette</translation>
+    </message>
+    <message>
+        <source>A domain that both have in common is missing between them.</source>
+        <translation>Zwischen ihnen fehlt eine Domäne, die beide gemeinsam haben.</translation>
+    </message>
+    <message>
+        <source>{} and {} are joined by {} and {}.</source>
+        <translation>{} und {} sind über {} und {} verbunden.</translation>
+    </message>
+    <message>
+        <source>{} is compared with '{}'.</source>
+        <translation>{} wird mit „{}“ verglichen.</translation>
+    </message>
+    <message>
+        <source>nothing is known that could drive {} [{}]</source>
+        <translation>es ist nichts bekannt, das {} [{}] speisen könnte</translation>
+    </message>
+    <message>
+        <source>{} gets the same voltage.</source>
+        <translation>{} erhält dieselbe Spannung.</translation>
+    </message>
+    <message>
+        <source>{} drives {}.</source>
+        <translation>{} treibt {}.</translation>
+    </message>
+    <message>
+        <source>no column can drive {}: a voltage [V] is needed</source>
+        <translation>keine Spalte kann {} speisen: Nötig ist eine Spannung [V]</translation>
+    </message>
+    <message>
+        <source>Give the column a unit in its header, as 'u [V]'.</source>
+        <translation>Der Spalte in der Kopfzeile eine Einheit geben, etwa „u [V]“.</translation>
+    </message>
+    <message>
+        <source>{} switches a supply of {:.3g} V to {}.</source>
+        <translation>{} schaltet eine Versorgung von {} V auf {}.</translation>
+    </message>
+    <message>
+        <source>{} is left free: no torque acts on it.</source>
+        <translation>{} bleibt frei: Kein Drehmoment wirkt darauf.</translation>
+    </message>
+    <message>
+        <source>An inertia turns with {}: the basic class of a motor has none.</source>
+        <translation>Mit {} dreht sich eine Trägheit: Die Grundklasse eines Motors hat keine.</translation>
+    </message>
+    <message>
+        <source>A load that grows with the square of the speed (pump, fan) hangs on {}.</source>
+        <translation>An {} hängt eine Last, die mit dem Quadrat der Drehzahl wächst (Pumpe, Lüfter).</translation>
+    </message>
+    <message>
+        <source>{} heats {}.</source>
+        <translation>{} heizt {}.</translation>
+    </message>
+    <message>
+        <source>{} is the temperature at {}.</source>
+        <translation>{} ist die Temperatur an {}.</translation>
+    </message>
+    <message>
+        <source>The temperature at {} is 293.15 K: no column of the surroundings was found.</source>
+        <translation>Die Temperatur an {} ist 293,15 K: Es wurde keine Spalte der Umgebung gefunden.</translation>
+    </message>
+    <message>
+        <source>the measurement has no column that the model could be compared with</source>
+        <translation>die Messung hat keine Spalte, mit der das Modell verglichen werden könnte</translation>
+    </message>
+    <message>
+        <source>Wanted is a current [A], a speed [rad/s], an angle [rad] or a temperature [K] that the model does not already take as its input; give the columns their units in the header.</source>
+        <translation>Gesucht ist ein Strom [A], eine Drehzahl [rad/s], ein Winkel [rad] oder eine Temperatur [K], die das Modell nicht schon als Eingang erhält; den Spalten in der Kopfzeile ihre Einheiten geben.</translation>
+    </message>
+    <message>
+        <source>{}.L is 0: the inductance is left out until the data call for it.</source>
+        <translation>{}.L ist 0: Die Induktivität bleibt weg, bis die Daten sie verlangen.</translation>
+    </message>
+    <message>
+        <source>{0}.J2 is 0 and {0}.r is 1: all inertia is in J1, there is no gear.</source>
+        <translation>{0}.J2 ist 0 und {0}.r ist 1: Alle Trägheit steckt in J1, ein Getriebe gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>{0}.A is {1:.3g} m2 and stays: only the product of {0}.A and {0}.c_o shows in the data.</source>
+        <translation>{0}.A ist {1} m2 und bleibt so: Nur das Produkt aus {0}.A und {0}.c_o zeigt sich in den Daten.</translation>
+    </message>
+    <message>
+        <source>{} starts at the temperature of its surroundings ('{}').</source>
+        <translation>{} beginnt bei der Temperatur der Umgebung („{}“).</translation>
+    </message>
+    <message>
+        <source>{} is fitted from {:.3g} ({}) within {:.3g} … {:.3g}.</source>
+        <translation>{} wird angepasst, ausgehend von {} ({}), im Bereich {} … {}.</translation>
+    </message>
+    <message>
+        <source>'{}' is in {}: its header gives no unit, its name does.</source>
+        <translation>„{}“ ist in {}: Die Kopfzeile nennt keine Einheit, der Name schon.</translation>
+    </message>
+    <message>
+        <source>The recording up to {:.3g} s is fitted, the rest validates{}.</source>
+        <translation>Die Aufzeichnung bis {} s wird angepasst, der Rest validiert{}.</translation>
+    </message>
+    <message>
+        <source>: there it stands as at its beginning</source>
+        <translation>: dort steht das Bauteil wie an ihrem Beginn</translation>
+    </message>
+    <message>
+        <source>, although the model starts it at rest and the component does not; a recording of its own for the validation is better</source>
+        <translation>, obwohl das Modell dort in Ruhe beginnt und das Bauteil nicht; eine eigene Aufzeichnung zur Validierung ist besser</translation>
+    </message>
+    <message>
+        <source>a usual value</source>
+        <translation>ein üblicher Wert</translation>
+    </message>
+    <message>
+        <source>a metal</source>
+        <translation>ein Metall</translation>
+    </message>
+    <message>
+        <source>voltage over current</source>
+        <translation>Spannung durch Strom</translation>
+    </message>
+    <message>
+        <source>voltage over current where the current is high</source>
+        <translation>Spannung durch Strom, wo der Strom groß ist</translation>
+    </message>
+    <message>
+        <source>v = R*i + k*w over the recording</source>
+        <translation>v = R*i + k*w über die Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>how fast it follows</source>
+        <translation>wie schnell es folgt</translation>
+    </message>
+    <message>
+        <source>torque over the square of the speed</source>
+        <translation>Drehmoment durch Quadrat der Drehzahl</translation>
+    </message>
+    <message>
+        <source>torque over speed</source>
+        <translation>Drehmoment durch Drehzahl</translation>
+    </message>
+    <message>
+        <source>power over temperature difference</source>
+        <translation>Leistung durch Temperaturunterschied</translation>
+    </message>
+    <message>
+        <source>the domain '{}' is not known</source>
+        <translation>die Domäne „{}“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Did you mean '{}'? </source>
+        <translation>Ist „{}“ gemeint? </translation>
+    </message>
+    <message>
+        <source>'{}' cannot be the name of a model</source>
+        <translation>„{}“ kann nicht der Name eines Modells sein</translation>
+    </message>
+    <message>
+        <source>A name is a letter followed by letters, digits and underscores.</source>
+        <translation>Ein Name ist ein Buchstabe, gefolgt von Buchstaben, Ziffern und Unterstrichen.</translation>
+    </message>
+    <message>
+        <source>the disk may be full</source>
+        <translation>der Datenträger ist vielleicht voll</translation>
+    </message>
+    <message>
+        <source>an entry has no name</source>
+        <translation>ein Eintrag hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>a name has {} bytes, more than {}</source>
+        <translation>ein Name hat {} Bytes, mehr als {}</translation>
+    </message>
+    <message>
+        <source>the entry &quot;{}&quot; holds a NUL in its name</source>
+        <translation>der Eintrag „{}“ hat ein NUL-Zeichen im Namen</translation>
+    </message>
+    <message>
+        <source>the entry &quot;{}&quot; holds a backslash in its name</source>
+        <translation>der Eintrag „{}“ hat einen umgekehrten Schrägstrich im Namen</translation>
+    </message>
+    <message>
+        <source>the entry &quot;{}&quot; has an absolute path</source>
+        <translation>der Eintrag „{}“ hat einen absoluten Pfad</translation>
+    </message>
+    <message>
+        <source>the entry &quot;{}&quot; leads out of the archive</source>
+        <translation>der Eintrag „{}“ führt aus dem Archiv hinaus</translation>
+    </message>
+    <message>
+        <source>the entry &quot;{}&quot; has an empty part in its path</source>
+        <translation>der Eintrag „{}“ hat einen leeren Teil in seinem Pfad</translation>
+    </message>
+    <message>
+        <source>this is no zip archive, or it is cut off</source>
+        <translation>dies ist kein Zip-Archiv, oder es ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>an entry has invisible characters in its name: &quot;{}&quot;</source>
+        <translation>ein Eintrag hat unsichtbare Zeichen im Namen: „{}“</translation>
+    </message>
+    <message>
+        <source>Do not trust this file: it was damaged or made by hand.</source>
+        <translation>Dieser Datei nicht trauen: Sie wurde beschädigt oder von Hand gemacht.</translation>
+    </message>
+    <message>
+        <source>the archive is split over several files</source>
+        <translation>das Archiv ist auf mehrere Dateien verteilt</translation>
+    </message>
+    <message>
+        <source>the archive is in the format for more than 4 GB, which a study does not use</source>
+        <translation>das Archiv hat das Format für mehr als 4 GB, das eine Studie nicht verwendet</translation>
+    </message>
+    <message>
+        <source>the list of its entries lies outside the file</source>
+        <translation>das Verzeichnis der Einträge liegt außerhalb der Datei</translation>
+    </message>
+    <message>
+        <source>there is data before or between the parts of the archive</source>
+        <translation>vor oder zwischen den Teilen des Archivs stehen Daten</translation>
+    </message>
+    <message>
+        <source>the list of its entries is damaged</source>
+        <translation>das Verzeichnis der Einträge ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the list of its entries is cut off</source>
+        <translation>das Verzeichnis der Einträge ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the entry &quot;{}&quot; stands twice</source>
+        <translation>der Eintrag „{}“ steht zweimal darin</translation>
+    </message>
+    <message>
+        <source>the entry &quot;{}&quot; is encrypted</source>
+        <translation>der Eintrag „{}“ ist verschlüsselt</translation>
+    </message>
+    <message>
+        <source>the entry &quot;{}&quot; is compressed by method {}, which is not known</source>
+        <translation>der Eintrag „{}“ ist mit dem Verfahren {} komprimiert, das nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>the entry &quot;{}&quot; has two different sizes</source>
+        <translation>der Eintrag „{}“ hat zwei verschiedene Größen</translation>
+    </message>
+    <message>
+        <source>the list of its entries has data behind its end</source>
+        <translation>hinter dem Ende des Verzeichnisses der Einträge stehen Daten</translation>
+    </message>
+    <message>
+        <source>the entry &quot;{}&quot; is not where the list says</source>
+        <translation>der Eintrag „{}“ ist nicht dort, wo das Verzeichnis ihn nennt</translation>
+    </message>
+    <message>
+        <source>the entry &quot;{}&quot; has another name at its data</source>
+        <translation>der Eintrag „{}“ hat bei seinen Daten einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>the entry &quot;{}&quot; has two different methods of compression</source>
+        <translation>der Eintrag „{}“ hat zwei verschiedene Kompressionsverfahren</translation>
+    </message>
+    <message>
+        <source>the data of &quot;{}&quot; is cut off</source>
+        <translation>die Daten von „{}“ sind abgeschnitten</translation>
+    </message>
+    <message>
+        <source>entries share their data</source>
+        <translation>Einträge teilen sich Daten</translation>
+    </message>
+    <message>
+        <source>there is data before the archive</source>
+        <translation>vor dem Archiv stehen Daten</translation>
+    </message>
+    <message>
+        <source>the unit table udunits2.xml could not be read</source>
+        <translation>die Einheitentabelle udunits2.xml konnte nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>install libudunits2-data or set UDUNITS2_XML_PATH</source>
+        <translation>libudunits2-data installieren oder UDUNITS2_XML_PATH setzen</translation>
+    </message>
+    <message>
+        <source>unknown unit &quot;{}&quot;</source>
+        <translation>unbekannte Einheit „{}“</translation>
+    </message>
+    <message>
+        <source>write it as in &quot;degC&quot;, &quot;rad/s&quot;, &quot;N.m&quot;, &quot;W/(m2.K)&quot;; &quot;1&quot; has no dimension</source>
+        <translation>sie schreiben wie in „degC“, „rad/s“, „N.m“, „W/(m2.K)“; „1“ hat keine Dimension</translation>
+    </message>
+    <message>
+        <source>&quot;C&quot; is the coulomb; write &quot;degC&quot; for a temperature</source>
+        <translation>„C“ ist das Coulomb; für eine Temperatur „degC“ schreiben</translation>
+    </message>
+    <message>
+        <source>&quot;F&quot; is the farad; write &quot;degF&quot; for a temperature</source>
+        <translation>„F“ ist das Farad; für eine Temperatur „degF“ schreiben</translation>
+    </message>
+    <message>
+        <source>state the unit on both sides; &quot;1&quot; says that there is no dimension</source>
+        <translation>die Einheit auf beiden Seiten angeben; „1“ besagt, dass es keine Dimension gibt</translation>
+    </message>
+    <message>
+        <source>no unit is given on one side, &quot;{}&quot; on the other</source>
+        <translation>auf der einen Seite steht keine Einheit, auf der anderen „{}“</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; cannot be converted to &quot;{}&quot;: they measure different quantities</source>
+        <translation>„{}“ lässt sich nicht in „{}“ umrechnen: Sie messen verschiedene Größen</translation>
+    </message>
+    <message>
+        <source>there is no class &quot;{}&quot;</source>
+        <translation>es gibt keine Klasse „{}“</translation>
+    </message>
+    <message>
+        <source>model {} has no component &quot;{}&quot;</source>
+        <translation>Modell {} hat keine Komponente „{}“</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>entfernt</translation>
+    </message>
+    <message>
+        <source>renamed</source>
+        <translation>umbenannt</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>verschoben</translation>
+    </message>
+    <message>
+        <source>model {} has no connection of &quot;{}&quot; with &quot;{}&quot;</source>
+        <translation>Modell {} hat keine Verbindung von „{}“ mit „{}“</translation>
+    </message>
+    <message>
+        <source>no connection of model {} ends at &quot;{}&quot;</source>
+        <translation>keine Verbindung von Modell {} endet an „{}“</translation>
+    </message>
+    <message>
+        <source>an inherited connection can only be changed in the class that holds it</source>
+        <translation>eine geerbte Verbindung lässt sich nur in der Klasse ändern, in der sie steht</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; of model {} cannot be set: the values of the other elements are not known</source>
+        <translation>„{}“ von Modell {} lässt sich nicht setzen: Die Werte der anderen Elemente sind nicht bekannt</translation>
+    </message>
+    <message>
+        <source>set the whole array</source>
+        <translation>das ganze Feld setzen</translation>
+    </message>
+    <message>
+        <source>the class of &quot;{}&quot; cannot change in model {}: it is inherited from {}, where it is not replaceable</source>
+        <translation>die Klasse von „{}“ kann sich in Modell {} nicht ändern: Sie ist von {} geerbt und dort nicht „replaceable“</translation>
+    </message>
+    <message>
+        <source>declare it as &quot;replaceable&quot; there</source>
+        <translation>sie dort als „replaceable“ deklarieren</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is inherited from {} and cannot be {} in model {}</source>
+        <translation>„{0}“ ist von {1} geerbt und kann in Modell {3} nicht {2} werden</translation>
+    </message>
+    <message>
+        <source>change the class it comes from</source>
+        <translation>die Klasse ändern, aus der es stammt</translation>
+    </message>
+    <message>
+        <source>there is nothing to be grouped</source>
+        <translation>es gibt nichts zusammenzufassen</translation>
+    </message>
+    <message>
+        <source>{} is not declared in {} itself</source>
+        <translation>{} ist nicht in {} selbst deklariert</translation>
+    </message>
+    <message>
+        <source>{} is a connector of the model and stays outside</source>
+        <translation>{} ist ein Anschluss des Modells und bleibt außerhalb</translation>
+    </message>
+    <message>
+        <source>{} refers to {}, which would stay outside</source>
+        <translation>{} bezieht sich auf {}, das außerhalb bliebe</translation>
+    </message>
+    <message>
+        <source>write the value itself, or move both</source>
+        <translation>den Wert selbst schreiben oder beide zusammenfassen</translation>
+    </message>
+    <message>
+        <source>{} is connected within an if or a for</source>
+        <translation>{} ist innerhalb eines if oder for verbunden</translation>
+    </message>
+    <message>
+        <source>{} is no plain connector</source>
+        <translation>{} ist kein einfacher Anschluss</translation>
+    </message>
+    <message>
+        <source>leave its block outside</source>
+        <translation>seinen Block außerhalb lassen</translation>
+    </message>
+    <message>
+        <source>the components cannot be put into {}</source>
+        <translation>die Komponenten lassen sich nicht in {} unterbringen</translation>
+    </message>
+    <message>
+        <source>the class of {} is only known within {}</source>
+        <translation>die Klasse von {} ist nur innerhalb von {} bekannt</translation>
+    </message>
+    <message>
+        <source>the effect annotation of {} lacks '{}'</source>
+        <translation>der Effekt-Annotation von {} fehlt „{}“</translation>
+    </message>
+    <message>
+        <source>'{}' must be a text in quotes</source>
+        <translation>„{}“ muss ein Text in Anführungszeichen sein</translation>
+    </message>
+    <message>
+        <source>'{}' must be true or false</source>
+        <translation>„{}“ muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>'{}' must be a number</source>
+        <translation>„{}“ muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>'{}' must be a list of texts in quotes</source>
+        <translation>„{}“ muss eine Liste von Texten in Anführungszeichen sein</translation>
+    </message>
+    <message>
+        <source>'{}' must be a list of texts in braces</source>
+        <translation>„{}“ muss eine Liste von Texten in geschweiften Klammern sein</translation>
+    </message>
+    <message>
+        <source>the class takes no part in the search for effects until this is mended</source>
+        <translation>die Klasse nimmt an der Suche nach Effekten nicht teil, bis das behoben ist</translation>
+    </message>
+    <message>
+        <source>unknown way '{}' of the effect {}</source>
+        <translation>unbekannter Weg „{}“ des Effekts {}</translation>
+    </message>
+    <message>
+        <source>use &quot;attach&quot;, &quot;insert&quot; or &quot;specialise&quot;</source>
+        <translation>„attach“, „insert“ oder „specialise“ verwenden</translation>
+    </message>
+    <message>
+        <source>the effect {} names {} connectors, '{}' takes {}</source>
+        <translation>der Effekt {} nennt {} Anschlüsse, „{}“ braucht {}</translation>
+    </message>
+    <message>
+        <source>list them as ports = {{&quot;…&quot;}}</source>
+        <translation>sie als ports = {{&quot;…&quot;}} aufführen</translation>
+    </message>
+    <message>
+        <source>{} specialises nothing: it inherits from no class</source>
+        <translation>{} spezialisiert nichts: Es erbt von keiner Klasse</translation>
+    </message>
+    <message>
+        <source>let it extend the base class of the components it may replace</source>
+        <translation>die Basisklasse der Komponenten erweitern lassen, die es ersetzen darf</translation>
+    </message>
+    <message>
+        <source>the base class of {} is not known</source>
+        <translation>die Basisklasse von {} ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the effect {} has no parameter '{}'</source>
+        <translation>der Effekt {} hat keinen Parameter „{}“</translation>
+    </message>
+    <message>
+        <source>declare it, or mend the name in the annotation</source>
+        <translation>ihn deklarieren oder den Namen in der Annotation berichtigen</translation>
+    </message>
+    <message>
+        <source>this effect has no such place in the model</source>
+        <translation>diesen Ort hat der Effekt in dem Modell nicht</translation>
+    </message>
+    <message>
+        <source>no simulation with this effect succeeded</source>
+        <translation>keine Simulation mit diesem Effekt gelang</translation>
+    </message>
+    <message>
+        <source>'{}' has no value here</source>
+        <translation>„{}“ hat hier keinen Wert</translation>
+    </message>
+    <message>
+        <source>it may use sample, duration and range(v), maxabs(v), rms(v), mean(v), start(v) of the effect's variables</source>
+        <translation>erlaubt sind sample, duration und range(v), maxabs(v), rms(v), mean(v), start(v) der Variablen des Effekts</translation>
+    </message>
+    <message>
+        <source>unknown class '{}'</source>
+        <translation>unbekannte Klasse „{}“</translation>
+    </message>
+    <message>
+        <source>The delayed signal {} acts on a state of the model.</source>
+        <translation>Das verzögerte Signal {} wirkt auf einen Zustand des Modells.</translation>
+    </message>
+    <message>
+        <source>Only inputs of the model can be delayed there; delays of other signals may lead to outputs alone.</source>
+        <translation>Dort lassen sich nur Eingänge des Modells verzögern; Totzeiten anderer Signale dürfen nur zu Ausgängen führen.</translation>
+    </message>
+    <message>
+        <source>A delay time depends on '{}', which varies in time.</source>
+        <translation>Eine Totzeit hängt von „{}“ ab, das sich mit der Zeit ändert.</translation>
+    </message>
+    <message>
+        <source>Use a parameter as the delay time.</source>
+        <translation>Einen Parameter als Totzeit verwenden.</translation>
+    </message>
+    <message>
+        <source>did you mean {}?</source>
+        <translation>ist {} gemeint?</translation>
+    </message>
+    <message>
+        <source>{} has no parameter {}</source>
+        <translation>{} hat keinen Parameter {}</translation>
+    </message>
+    <message>
+        <source>the model has no parameters</source>
+        <translation>das Modell hat keine Parameter</translation>
+    </message>
+    <message>
+        <source>{} is no parameter and cannot be fitted or set</source>
+        <translation>{} ist kein Parameter und kann weder angepasst noch gesetzt werden</translation>
+    </message>
+    <message>
+        <source>{} is not a Real parameter and cannot be fitted or set</source>
+        <translation>{} ist kein reeller Parameter und kann weder angepasst noch gesetzt werden</translation>
+    </message>
+    <message>
+        <source>{} is final and cannot be fitted or set</source>
+        <translation>{} ist „final“ und kann weder angepasst noch gesetzt werden</translation>
+    </message>
+    <message>
+        <source>{} has shaped the equations (an array size or a condition) and cannot be fitted or set for one experiment</source>
+        <translation>{} hat die Gleichungen geformt (eine Feldgröße oder eine Bedingung) und kann weder angepasst noch für einen Versuch allein gesetzt werden</translation>
+    </message>
+    <message>
+        <source>input {} has no channel</source>
+        <translation>Eingang {} hat keinen Kanal</translation>
+    </message>
+    <message>
+        <source>map a column to it</source>
+        <translation>ihm eine Spalte zuordnen</translation>
+    </message>
+    <message>
+        <source>the model has no input {}</source>
+        <translation>das Modell hat keinen Eingang {}</translation>
+    </message>
+    <message>
+        <source>the model has no output {}</source>
+        <translation>das Modell hat keinen Ausgang {}</translation>
+    </message>
+    <message>
+        <source>the model has no inputs</source>
+        <translation>das Modell hat keine Eingänge</translation>
+    </message>
+    <message>
+        <source>the model has no outputs</source>
+        <translation>das Modell hat keine Ausgänge</translation>
+    </message>
+    <message>
+        <source>{} inputs over {} samples are named, but {} x {} values are given</source>
+        <translation>genannt sind {} Eingänge über {} Abtastwerte, gegeben aber {} x {} Werte</translation>
+    </message>
+    <message>
+        <source>{} outputs over {} samples are named, but {} x {} values are given</source>
+        <translation>genannt sind {} Ausgänge über {} Abtastwerte, gegeben aber {} x {} Werte</translation>
+    </message>
+    <message>
+        <source>{} is fitted for all experiments and has a start of its own here</source>
+        <translation>{} wird für alle Versuche angepasst und hat hier einen eigenen Startwert</translation>
+    </message>
+    <message>
+        <source>remove one of the two</source>
+        <translation>eines von beiden entfernen</translation>
+    </message>
+    <message>
+        <source>the start value of {} is not a number</source>
+        <translation>der Startwert von {} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>there is no model</source>
+        <translation>es gibt kein Modell</translation>
+    </message>
+    <message>
+        <source>the recording is empty</source>
+        <translation>die Aufzeichnung ist leer</translation>
+    </message>
+    <message>
+        <source>the time stamps do not increase</source>
+        <translation>die Zeitstempel steigen nicht</translation>
+    </message>
+    <message>
+        <source>the model has {} inputs over {} samples, but {} x {} values are given</source>
+        <translation>das Modell hat {} Eingänge über {} Abtastwerte, gegeben sind aber {} x {} Werte</translation>
+    </message>
+    <message>
+        <source>an input has values that are no numbers</source>
+        <translation>ein Eingang hat Werte, die keine Zahlen sind</translation>
+    </message>
+    <message>
+        <source>the model has {} outputs over {} samples, but {} x {} measured values are given</source>
+        <translation>das Modell hat {} Ausgänge über {} Abtastwerte, gegeben sind aber {} x {} Messwerte</translation>
+    </message>
+    <message>
+        <source>a measured value is infinite</source>
+        <translation>ein Messwert ist unendlich</translation>
+    </message>
+    <message>
+        <source>{} weights are given for {} outputs</source>
+        <translation>gegeben sind {} Gewichte für {} Ausgänge</translation>
+    </message>
+    <message>
+        <source>a weight is negative or not a number</source>
+        <translation>ein Gewicht ist negativ oder keine Zahl</translation>
+    </message>
+    <message>
+        <source>{} parameter values are given for {} parameters</source>
+        <translation>gegeben sind {} Parameterwerte für {} Parameter</translation>
+    </message>
+    <message>
+        <source>{}: the start value is not a number</source>
+        <translation>{}: Der Startwert ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{}: the lower bound {:.6g} is not below the upper bound {:.6g}</source>
+        <translation>{}: Die untere Grenze {} liegt nicht unter der oberen Grenze {}</translation>
+    </message>
+    <message>
+        <source>a parameter that is known need not be fitted</source>
+        <translation>ein Parameter, der bekannt ist, muss nicht angepasst werden</translation>
+    </message>
+    <message>
+        <source>{}: the start value {:.6g} is outside its bounds {:.6g} to {:.6g}</source>
+        <translation>{}: Der Startwert {} liegt außerhalb der Grenzen {} bis {}</translation>
+    </message>
+    <message>
+        <source>{}: a logarithmic scale needs a start value above 0, not {:.6g}</source>
+        <translation>{}: Eine logarithmische Skala braucht einen Startwert über 0, nicht {}</translation>
+    </message>
+    <message>
+        <source>{}: the prior {:.6g} ± {:.6g} is none</source>
+        <translation>{}: {} ± {} ist kein Vorwissen</translation>
+    </message>
+    <message>
+        <source>a prior has a mean and a standard deviation above 0</source>
+        <translation>Vorwissen hat einen Mittelwert und eine Standardabweichung über 0</translation>
+    </message>
+    <message>
+        <source>{}: there is no experiment number {}</source>
+        <translation>{}: Einen Versuch Nummer {} gibt es nicht</translation>
+    </message>
+    <message>
+        <source>{} is no free parameter of the model</source>
+        <translation>{} ist kein freier Parameter des Modells</translation>
+    </message>
+    <message>
+        <source>there is no experiment to fit</source>
+        <translation>es gibt keinen Versuch zum Anpassen</translation>
+    </message>
+    <message>
+        <source>give one the role fit</source>
+        <translation>einem die Rolle „fit“ geben</translation>
+    </message>
+    <message>
+        <source>{} is to be fitted twice</source>
+        <translation>{} soll zweimal angepasst werden</translation>
+    </message>
+    <message>
+        <source>nothing is measured: no output has values and a weight above 0</source>
+        <translation>nichts ist gemessen: Kein Ausgang hat Werte und ein Gewicht über 0</translation>
+    </message>
+    <message>
+        <source>{} measured values cannot determine {} parameters</source>
+        <translation>{} Messwerte können {} Parameter nicht bestimmen</translation>
+    </message>
+    <message>
+        <source>fix some parameters or add measurements</source>
+        <translation>einige Parameter festhalten oder Messungen hinzufügen</translation>
+    </message>
+    <message>
+        <source>'{}' has no free argument '{}'</source>
+        <translation>„{}“ hat kein freies Argument „{}“</translation>
+    </message>
+    <message>
+        <source>'{}' takes {} to {} arguments, not {}</source>
+        <translation>„{}“ braucht {} bis {} Argumente, nicht {}</translation>
+    </message>
+    <message>
+        <source>'{}' takes 1 argument, not {}</source>
+        <translation>„{}“ braucht 1 Argument, nicht {}</translation>
+    </message>
+    <message>
+        <source>'{}' takes {} arguments, not {}</source>
+        <translation>„{}“ braucht {} Argumente, nicht {}</translation>
+    </message>
+    <message>
+        <source>'{}' needs numbers, not {}</source>
+        <translation>„{}“ braucht Zahlen, nicht {}</translation>
+    </message>
+    <message>
+        <source>'{}' needs a single number here, not {}</source>
+        <translation>„{}“ braucht hier eine einzelne Zahl, nicht {}</translation>
+    </message>
+    <message>
+        <source>the table of '{}' must be a list of numbers known before the simulation</source>
+        <translation>die Tabelle von „{}“ muss eine Liste von Zahlen sein, die vor der Simulation bekannt sind</translation>
+    </message>
+    <message>
+        <source>an argument of '{}'</source>
+        <translation>ein Argument von „{}“</translation>
+    </message>
+    <message>
+        <source>{} is not a possible size</source>
+        <translation>{} ist keine mögliche Größe</translation>
+    </message>
+    <message>
+        <source>der needs a Real variable: an Integer does not vary continuously</source>
+        <translation>der braucht eine Real-Variable: Eine Integer-Variable ändert sich nicht stetig</translation>
+    </message>
+    <message>
+        <source>declare the variable as Real</source>
+        <translation>die Variable als Real deklarieren</translation>
+    </message>
+    <message>
+        <source>the delay time must be a parameter</source>
+        <translation>die Totzeit muss ein Parameter sein</translation>
+    </message>
+    <message>
+        <source>a delay that changes while the model runs is not supported</source>
+        <translation>eine Totzeit, die sich ändert, während das Modell läuft, wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>'{}' takes one array</source>
+        <translation>„{}“ braucht ein Feld</translation>
+    </message>
+    <message>
+        <source>'{}' needs an array of numbers, not {}</source>
+        <translation>„{}“ braucht ein Feld von Zahlen, nicht {}</translation>
+    </message>
+    <message>
+        <source>'{}' of an empty array</source>
+        <translation>„{}“ eines leeren Feldes</translation>
+    </message>
+    <message>
+        <source>{} has no dimension {}</source>
+        <translation>{} hat keine Dimension {}</translation>
+    </message>
+    <message>
+        <source>'{}' needs the sizes of the array</source>
+        <translation>„{}“ braucht die Größen des Feldes</translation>
+    </message>
+    <message>
+        <source>'fill' needs a single value</source>
+        <translation>„fill“ braucht einen einzelnen Wert</translation>
+    </message>
+    <message>
+        <source>an array of more than {} elements</source>
+        <translation>ein Feld mit mehr als {} Elementen</translation>
+    </message>
+    <message>
+        <source>'linspace' needs 2 points or more</source>
+        <translation>„linspace“ braucht 2 Punkte oder mehr</translation>
+    </message>
+    <message>
+        <source>'scalar' needs one element, not {}</source>
+        <translation>„scalar“ braucht ein Element, nicht {}</translation>
+    </message>
+    <message>
+        <source>'Integer' needs an enumeration, not {}</source>
+        <translation>„Integer“ braucht eine Aufzählung, nicht {}</translation>
+    </message>
+    <message>
+        <source>the table has {} abscissas and {} ordinates</source>
+        <translation>die Tabelle hat {} Abszissen und {} Ordinaten</translation>
+    </message>
+    <message>
+        <source>the abscissas of the table must rise: {} follows {}</source>
+        <translation>die Abszissen der Tabelle müssen steigen: {} folgt auf {}</translation>
+    </message>
+    <message>
+        <source>the function '{}' is not supported</source>
+        <translation>die Funktion „{}“ wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>'{}' is a {}; calling it is not supported</source>
+        <translation>„{}“ ist ein {}; der Aufruf wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>write its equations where they are needed</source>
+        <translation>seine Gleichungen dort schreiben, wo sie gebraucht werden</translation>
+    </message>
+    <message>
+        <source>the function '{}' is not known</source>
+        <translation>die Funktion „{}“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>'{}' cannot be applied to {} and {}</source>
+        <translation>„{}“ lässt sich nicht auf {} und {} anwenden</translation>
+    </message>
+    <message>
+        <source>both sides must be numbers</source>
+        <translation>beide Seiten müssen Zahlen sein</translation>
+    </message>
+    <message>
+        <source>the sizes must agree</source>
+        <translation>die Größen müssen übereinstimmen</translation>
+    </message>
+    <message>
+        <source>to apply it to each element write '.{}'</source>
+        <translation>für jedes Element einzeln „.{}“ schreiben</translation>
+    </message>
+    <message>
+        <source>the inner sizes of a product must agree; '.*' multiplies element by element</source>
+        <translation>die inneren Größen eines Produkts müssen übereinstimmen; „.*“ multipliziert Element für Element</translation>
+    </message>
+    <message>
+        <source>to divide element by element write './'</source>
+        <translation>zum Teilen Element für Element „./“ schreiben</translation>
+    </message>
+    <message>
+        <source>to apply it to each element write '.^'</source>
+        <translation>für jedes Element einzeln „.^“ schreiben</translation>
+    </message>
+    <message>
+        <source>'{}' cannot compare {} with {}</source>
+        <translation>„{}“ kann {} nicht mit {} vergleichen</translation>
+    </message>
+    <message>
+        <source>the operator '{}' is not supported</source>
+        <translation>der Operator „{}“ wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>'{}' needs Boolean values, not {} and {}</source>
+        <translation>„{}“ braucht Boolean-Werte, nicht {} und {}</translation>
+    </message>
+    <message>
+        <source>{} has no parameter {} that could change</source>
+        <translation>{} hat keinen Parameter {}, der sich ändern könnte</translation>
+    </message>
+    <message>
+        <source>{} has a variable {} already</source>
+        <translation>{} hat schon eine Variable {}</translation>
+    </message>
+    <message>
+        <source>no equation of {} sets {} alone</source>
+        <translation>keine Gleichung von {} bestimmt {} allein</translation>
+    </message>
+    <message>
+        <source>no such file or directory</source>
+        <translation>Datei oder Verzeichnis gibt es nicht</translation>
+    </message>
+    <message>
+        <source>the class &quot;{}&quot; is defined twice</source>
+        <translation>die Klasse „{}“ ist zweimal definiert</translation>
+    </message>
+    <message>
+        <source>the directory holds no package.mo</source>
+        <translation>das Verzeichnis enthält keine package.mo</translation>
+    </message>
+    <message>
+        <source>give the directory of a package, or one .mo file</source>
+        <translation>das Verzeichnis eines Pakets oder eine einzelne .mo-Datei angeben</translation>
+    </message>
+    <message>
+        <source>packages are nested too deep</source>
+        <translation>Pakete sind zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; stands in package.mo and in a file of its own</source>
+        <translation>„{}“ steht in package.mo und in einer eigenen Datei</translation>
+    </message>
+    <message>
+        <source>keep one of the two</source>
+        <translation>eines von beiden behalten</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is listed but not there</source>
+        <translation>„{}“ ist aufgeführt, aber nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is listed twice</source>
+        <translation>„{}“ ist zweimal aufgeführt</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is not listed</source>
+        <translation>„{}“ ist nicht aufgeführt</translation>
+    </message>
+    <message>
+        <source>add a line with its name</source>
+        <translation>eine Zeile mit seinem Namen hinzufügen</translation>
+    </message>
+    <message>
+        <source>a file of a package holds one class</source>
+        <translation>eine Datei eines Pakets enthält eine Klasse</translation>
+    </message>
+    <message>
+        <source>give the second class a file of its own</source>
+        <translation>der zweiten Klasse eine eigene Datei geben</translation>
+    </message>
+    <message>
+        <source>the class is called &quot;{}&quot;, its place on the disk &quot;{}&quot;</source>
+        <translation>die Klasse heißt „{}“, ihr Platz auf dem Datenträger „{}“</translation>
+    </message>
+    <message>
+        <source>rename one of the two</source>
+        <translation>eines von beiden umbenennen</translation>
+    </message>
+    <message>
+        <source>a top package stands within no other, not within &quot;{}&quot;</source>
+        <translation>ein oberstes Paket steht in keinem anderen, auch nicht in „{}“</translation>
+    </message>
+    <message>
+        <source>the file belongs to &quot;{}&quot; and must say so</source>
+        <translation>die Datei gehört zu „{}“ und muss das angeben</translation>
+    </message>
+    <message>
+        <source>write &quot;within ;&quot;</source>
+        <translation>„within ;“ schreiben</translation>
+    </message>
+    <message>
+        <source>write &quot;within {};&quot;</source>
+        <translation>„within {};“ schreiben</translation>
+    </message>
+    <message>
+        <source>Two sources or fixed values act on the same quantity; remove one of them.</source>
+        <translation>Zwei Quellen oder feste Werte wirken auf dieselbe Größe; eine davon entfernen.</translation>
+    </message>
+    <message>
+        <source>The equation {} cannot hold: other equations fix the same quantities to different values.</source>
+        <translation>Die Gleichung {} kann nicht gelten: Andere Gleichungen legen dieselben Größen auf andere Werte fest.</translation>
+    </message>
+    <message>
+        <source>The equation {} fixes an input of the model, which is given from outside.</source>
+        <translation>Die Gleichung {} legt einen Eingang des Modells fest, der von außen vorgegeben ist.</translation>
+    </message>
+    <message>
+        <source>, as the derivative of {}</source>
+        <translation>, als Ableitung von {}</translation>
+    </message>
+    <message>
+        <source>The derivative of the input '{}' is fixed by the equations.</source>
+        <translation>Die Ableitung des Eingangs „{}“ ist durch die Gleichungen festgelegt.</translation>
+    </message>
+    <message>
+        <source>The model needs the second derivative of the input '{}'{}.</source>
+        <translation>Das Modell braucht die zweite Ableitung des Eingangs „{}“{}.</translation>
+    </message>
+    <message>
+        <source>'{}' and '{}' are the same quantity, but their start values are fixed to {} and {}.</source>
+        <translation>„{}“ und „{}“ sind dieselbe Größe, aber ihre Startwerte sind auf {} und {} festgelegt.</translation>
+    </message>
+    <message>
+        <source>Give both the same start value, or free one of them (fixed = false).</source>
+        <translation>Beiden denselben Startwert geben oder einen freigeben (fixed = false).</translation>
+    </message>
+    <message>
+        <source>'{}' and '{}' are the same quantity; the fixed start value of '{}' is used.</source>
+        <translation>„{}“ und „{}“ sind dieselbe Größe; verwendet wird der feste Startwert von „{}“.</translation>
+    </message>
+    <message>
+        <source>The fixed start value of '{}' is not used: the input '{}' prescribes it.</source>
+        <translation>Der feste Startwert von „{}“ wird nicht verwendet: Der Eingang „{}“ gibt ihn vor.</translation>
+    </message>
+    <message>
+        <source>{} (in {})</source>
+        <translation>{} (in {})</translation>
+    </message>
+    <message>
+        <source>A recorded signal runs linearly between its samples: it has a slope and no second derivative. Leave out the inertia that follows it rigidly, drive it through a spring and damper, or pass the signal through Signals.FirstOrder twice.</source>
+        <translation>Ein aufgezeichnetes Signal verläuft zwischen seinen Abtastwerten linear: Es hat eine Steigung und keine zweite Ableitung. Die Trägheit, die ihm starr folgt, weglassen, sie über Feder und Dämpfer antreiben oder das Signal zweimal durch Signals.FirstOrder führen.</translation>
+    </message>
+    <message>
+        <source>'{}' is infinite</source>
+        <translation>„{}“ ist unendlich</translation>
+    </message>
+    <message>
+        <source>'{}' is not a number</source>
+        <translation>„{}“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>it holds a constant that is infinite</source>
+        <translation>sie enthält eine Konstante, die unendlich ist</translation>
+    </message>
+    <message>
+        <source>it holds a constant that is not a number</source>
+        <translation>sie enthält eine Konstante, die keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>{} = {}</source>
+        <translation>{} = {}</translation>
+    </message>
+    <message>
+        <source>the value of '{}'</source>
+        <translation>der Wert von „{}“</translation>
+    </message>
+    <message>
+        <source>{} divides by 0{}</source>
+        <translation>{} teilt durch 0{}</translation>
+    </message>
+    <message>
+        <source>{} is infinite{}</source>
+        <translation>{} ist unendlich{}</translation>
+    </message>
+    <message>
+        <source>{} is not a number{}</source>
+        <translation>{} ist keine Zahl{}</translation>
+    </message>
+    <message>
+        <source>The equation {} = {} cannot hold: {}.</source>
+        <translation>Die Gleichung {} = {} kann nicht gelten: {}.</translation>
+    </message>
+    <message>
+        <source>Give the parameter another value, or write the equation without it.</source>
+        <translation>Dem Parameter einen anderen Wert geben oder die Gleichung ohne ihn schreiben.</translation>
+    </message>
+    <message>
+        <source>The model needs the second derivative of the input '{}'.</source>
+        <translation>Das Modell braucht die zweite Ableitung des Eingangs „{}“.</translation>
+    </message>
+    <message>
+        <source>The equation {} would have to be differentiated too often; the equations constrain each other in a circle.</source>
+        <translation>Die Gleichung {} müsste zu oft abgeleitet werden; die Gleichungen binden einander im Kreis.</translation>
+    </message>
+    <message>
+        <source>The equation {} would have to be differentiated although it holds a delayed signal.</source>
+        <translation>Die Gleichung {} müsste abgeleitet werden, obwohl sie ein verzögertes Signal enthält.</translation>
+    </message>
+    <message>
+        <source>No state can be eliminated by the constraint {}.</source>
+        <translation>Durch die Bindung {} lässt sich kein Zustand eliminieren.</translation>
+    </message>
+    <message>
+        <source>and {} more</source>
+        <translation>und {} weitere</translation>
+    </message>
+    <message>
+        <source>{} would have to be a state; give it a name of its own in the model.</source>
+        <translation>{} müsste ein Zustand sein; ihm im Modell einen eigenen Namen geben.</translation>
+    </message>
+    <message>
+        <source>The equations {} do not determine {}: what they say of it cancels.</source>
+        <translation>Die Gleichungen {} bestimmen {} nicht: Was sie darüber sagen, hebt sich auf.</translation>
+    </message>
+    <message>
+        <source>{} is not fitted: it has no profile</source>
+        <translation>{} wird nicht angepasst: Es gibt kein Profil davon</translation>
+    </message>
+    <message>
+        <source>fitted: {}</source>
+        <translation>angepasst werden: {}</translation>
+    </message>
+    <message>
+        <source>the FMU holds C sources and no binary: {}</source>
+        <translation>die FMU enthält C-Quelltexte und kein Binärprogramm: {}</translation>
+    </message>
+    <message>
+        <source>The importing tool must compile it; documentation/index.html says how.</source>
+        <translation>Das importierende Werkzeug muss sie übersetzen; documentation/index.html sagt, wie.</translation>
+    </message>
+    <message>
+        <source>no C compiler (cc) is on PATH</source>
+        <translation>kein C-Compiler (cc) liegt im PATH</translation>
+    </message>
+    <message>
+        <source>the C compiler (cc) failed</source>
+        <translation>der C-Compiler (cc) scheiterte</translation>
+    </message>
+    <message>
+        <source>the C compiler (cc) failed: {}</source>
+        <translation>der C-Compiler (cc) scheiterte: {}</translation>
+    </message>
+    <message>
+        <source>on this platform none is made</source>
+        <translation>auf dieser Plattform wird keines erzeugt</translation>
+    </message>
+    <message>
+        <source>the study's class {} is in none of its files</source>
+        <translation>die Klasse {} der Studie steht in keiner ihrer Dateien</translation>
     </message>
 </context>
 <context>

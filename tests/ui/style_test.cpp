@@ -9,8 +9,6 @@
 #include <QStyleOption>
 #include <cstdlib>
 
-#include "core/report/number_text.hpp"
-
 namespace analogon::ui::style {
 namespace {
 
@@ -63,13 +61,6 @@ TEST(Style, LinesAreSeenOnALightAndOnADarkGround) {
             << "between the cells of a table";
     }
     apply(*qApp, Theme::Light);
-}
-
-TEST(Style, NumbersHaveTheExponentsOfTheReport) {
-    EXPECT_EQ(numberText(5e-5), "5e-5");
-    EXPECT_EQ(numberText(-1.4e-12, 3), "-1.4e-12");
-    for (const double value : {5e-5, 1.6918e-11, 2e7, 0.49, 293.15, 0.0})
-        EXPECT_EQ(numberText(value).toStdString(), analogon::numberText(value, 5)) << value;
 }
 
 }  // namespace

@@ -20,6 +20,7 @@
 
 #include "core/flat/flat_model.hpp"
 #include "core/measure/table.hpp"
+#include "core/study/generate.hpp"
 #include "core/study/study.hpp"
 #include "core/syntax/parser.hpp"
 #include "ui/style/translator.hpp"
@@ -43,11 +44,20 @@ TEST(Words, AreEnglishWithoutATranslation) {
 }
 
 TEST_F(GermanWords, SayPatternArgumentsAndWhatFollows) {
-    EXPECT_EQ(inWords(phrase("{} rests at its lower bound {:.6g}", "R", 0.25)), "R liegt an der unteren Grenze 0.25");
+    EXPECT_EQ(inWords(phrase("{} rests at its lower bound {:.6g}", "R", 0.25)), "R liegt an der unteren Grenze 0,25");
     EXPECT_EQ(inWords(phrase("{} cannot be told apart from these data: fix one", listed({"R", "k"}))),
               "R und k lassen sich mit diesen Daten nicht unterscheiden: einen festhalten");
     EXPECT_EQ(inWords(phrase("Map the output as {{\"column\": …, \"clock\": \"fit\"}}.")),
               QString::fromUtf8("Den Ausgang als {\"column\": …, \"clock\": \"fit\"} zuordnen."));
+    EXPECT_EQ(inWords(phrase("{} rests at its lower bound {:.6g}", "stage.2.5", 0.25)),
+              "stage.2.5 liegt an der unteren Grenze 0,25")
+        << "a name is no number";
+    EXPECT_EQ(inWords(phrase("{} with {}", "y = 0.5*u", phrase("{} = {:.4g}{}", "k", 1.5, " V"))),
+              "y = 0.5*u mit k = 1,5 V")
+        << "a formula is text of a model";
+    EXPECT_EQ(linkedWords(phrase("{} rests at its lower bound {:.6g}", "R", 0.25),
+                          [](const QString& name) { return name == "R" ? QString("there") : QString(); }),
+              "<a href=\"there\">R</a> liegt an der unteren Grenze 0,25");
     Text two = phrase("The model is singular.");
     two += phrase(" No equation determines {}.", "x");
     EXPECT_EQ(inWords(two), "Das Modell ist singulär. Keine Gleichung bestimmt x.");
@@ -152,6 +162,32 @@ TEST_F(GermanWords, NameFaultsOfAModel) {
         QString::fromUtf8("Modell „M“ hat 1 Gleichung für 2 Unbekannte: 1 zu wenig | in keiner Gleichung steht y"));
     EXPECT_EQ(said("model M\n  parameter Real gain = 2;\n  Real x;\nequation\n  x = gian;\nend M;\n"),
               QString::fromUtf8("„gian“ ist in Modell „M“ nicht deklariert | ist „gain“ gemeint?"));
+}
+
+/// What was assumed for a first model: every sentence, and no number with a point.
+TEST_F(GermanWords, SayWhatAGeneratedStudyAssumes) {
+    const Outcome<Library> library = builtInLibrary();
+    ASSERT_TRUE(library);
+    const auto table = [](const char* text) {
+        Outcome<Table> read = readCsvText(text, "run.csv");
+        EXPECT_TRUE(read);
+        return std::make_shared<const Table>(std::move(*read));
+    };
+    const GenerateRequest heater{{"electric-thermal", "thermal-fluid"},
+                                 {table("t_s,u [V],i [A],T_air [degC]\n0,0,0,20\n0.15,12,1.5,20\n0.3,12,1.4,20\n"
+                                        "0.45,12,1.35,20\n0.6,12,1.3,20\n")}},
+        motor{{"electric-mechanical", "mechanics"},
+              {table("t [s],duty [%],i [A],n [rpm]\n0,0,0,0\n0.1,50,1,900\n0.2,50,1.1,950\n0.3,50,1.2,1000\n")}};
+    for (const GenerateRequest& request : {heater, motor}) {
+        const Outcome<GeneratedStudy> made = generateStudy(*library, request);
+        ASSERT_TRUE(made) << format(made.diagnostics());
+        EXPECT_GT(made->assumptions.size(), 8u);
+        for (const Text& assumption : made->assumptions) {
+            const QString said = inWords(assumption);
+            EXPECT_NE(said.toStdString(), assumption.english());
+            EXPECT_FALSE(said.contains(QRegularExpression(R"(\d\.\d)"))) << said.toStdString();
+        }
+    }
 }
 
 /// Faults of the text itself, as they come up while a model is typed.

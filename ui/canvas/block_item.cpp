@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "ui/canvas/icon_painter.hpp"
+#include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {
@@ -32,6 +33,14 @@ double zoomOf(const QTransform& toView) { return std::sqrt(std::abs(toView.deter
 
 constexpr double sideGap = 3;  // [diagram units] between the middle of a block and a text beside it
 
+/// A value that is a number, for reading; an expression as it stands in the model.
+QString valueText(const std::string& text, int digits = 5) {
+    const QString value = QString::fromStdString(text);
+    bool isNumber = false;
+    const double number = value.toDouble(&isNumber);
+    return isNumber ? style::numberText(number, digits) : value;
+}
+
 /// The values a block was given, rounded for reading; the first few.
 QStringList valueLines(const Block& block) {
     constexpr int most = 3;
@@ -43,9 +52,7 @@ QStringList valueLines(const Block& block) {
             lines.back() += QStringLiteral(" …");
             break;
         }
-        QString value = QString::fromStdString(text);
-        bool isNumber = false;
-        if (const double number = value.toDouble(&isNumber); isNumber) value = style::numberText(number);
+        QString value = valueText(text);
         constexpr qsizetype longest = 16;
         if (value.size() > longest) value = value.left(longest - 1) + QStringLiteral("…");
         lines << QString::fromStdString(name) + " = " + value;
@@ -170,7 +177,7 @@ QString BlockItem::macro(const QString& name) const {
     if (name == "name") return QString::fromStdString(block_.name);
     if (name == "class") return QString::fromStdString(block_.className).section('.', -1);
     for (const auto& [parameter, text] : block_.parameters)
-        if (name == QString::fromStdString(parameter)) return QString::fromStdString(text);
+        if (name == QString::fromStdString(parameter)) return valueText(text);
     return name;
 }
 
@@ -332,7 +339,9 @@ QString BlockItem::tooltip(const PortShape* port) const {
     if (!block_.isResolved) tip += "<br>" + QObject::tr("This class is not known.");
     if (!block_.description.empty())
         tip += "<br>" + QCoreApplication::translate("Library", block_.description.c_str()).toHtmlEscaped();
-    for (const auto& [name, value] : block_.parameters) tip += "<br>" + text(name) + " = " + text(value);
+    constexpr int digits = 12;  // as many as were written
+    for (const auto& [name, value] : block_.parameters)
+        tip += "<br>" + text(name) + " = " + valueText(value, digits).toHtmlEscaped();
     return tip;
 }
 

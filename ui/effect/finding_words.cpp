@@ -4,6 +4,7 @@
 #include <QRegularExpression>
 
 #include "ui/effect/result_panel.hpp"
+#include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
 
@@ -112,8 +113,9 @@ QString equivalentWords(const AddedEffect& effect) {
     QStringList words;
     if (!equivalent.isEmpty())
         words << ResultPanel::tr("This data cannot tell it from: %1.").arg(equivalent.join("; "));
-    if (!effect.valuesInstead.empty())
-        words << ResultPanel::tr("Another value would explain as much: %1.").arg(joined(effect.valuesInstead));
+    QStringList values;
+    for (const Text& value : effect.valuesInstead) values << inWords(value);
+    if (!values.isEmpty()) words << ResultPanel::tr("Another value would explain as much: %1.").arg(values.join("; "));
     return words.join(' ');
 }
 

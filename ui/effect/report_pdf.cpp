@@ -2,7 +2,6 @@
 
 #include <QDate>
 #include <QFile>
-#include <QLocale>
 #include <QPageSize>
 #include <QPdfWriter>
 #include <QTextDocument>
@@ -13,6 +12,7 @@
 #include "core/report/words.hpp"
 #include "ui/effect/finding_words.hpp"
 #include "ui/effect/result_panel.hpp"
+#include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
 
@@ -50,8 +50,9 @@ private:
 }  // namespace
 
 QString reportBody(const QString& title, RunKind kind, const Finding& finding, std::size_t pictures) {
-    QString html = QStringLiteral("<h1>%1</h1><p>%2</p>")
-                       .arg(title.toHtmlEscaped(), QLocale().toString(QDate::currentDate(), QLocale::LongFormat));
+    QString html =
+        QStringLiteral("<h1>%1</h1><p>%2</p>")
+            .arg(title.toHtmlEscaped(), style::windowLocale().toString(QDate::currentDate(), QLocale::LongFormat));
     const FindingWords verdict = findingWords(finding, kind);
     html += "<h2>" + verdict.title.toHtmlEscaped() + "</h2><p>";
     if (finding.effects.size() > 1)
@@ -75,14 +76,14 @@ QString reportBody(const QString& title, RunKind kind, const Finding& finding, s
     HtmlTable parameters({tr("Parameter"), tr("Value"), tr("Unit")});
     for (const auto& [e, experiment] : estimatesOf(finding.final))
         parameters.add({text(experiment.empty() ? e->name : e->name + " (" + experiment + ")"),
-                        QString::fromStdString(valueText(e->value, e->standardError)), text(e->unit)});
+                        style::withDecimalSign(valueText(e->value, e->standardError)), text(e->unit)});
     html += parameters.html();
     for (const AddedEffect& e : finding.effects) {
         html += "<h2>" + effectTitle(e).toHtmlEscaped() + "</h2>";
         HtmlTable evidence({text(e.kind), QString()});
         for (const EffectValue& p : e.parameters)
             evidence.add(
-                {text(p.name), QString::fromStdString(valueText(p.value, p.standardError)) + " " + text(p.unit)});
+                {text(p.name), style::withDecimalSign(valueText(p.value, p.standardError)) + " " + text(p.unit)});
         evidence.add({tr("Score"), number(e.evidence.score)});
         evidence.add({tr("ΔBIC"), number(e.evidence.deltaBic)});
         evidence.add({tr("Held out"), number(e.evidence.heldOut, 2)});

@@ -16,6 +16,7 @@
 #include "ui/document/document.hpp"
 #include "ui/document/mention.hpp"
 #include "ui/effect/finding_words.hpp"
+#include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
 
@@ -28,8 +29,8 @@ QString text(const std::string& s) { return QString::fromStdString(s); }
 /// Three digits at most: evidence spans many powers of ten, and nobody reads its fourth digit.
 QString evidenceText(double value) {
     if (!std::isfinite(value)) return QStringLiteral("–");
-    if (std::abs(value) < 9999.5) return QString::number(value, 'f', std::abs(value) < 99.5 ? 1 : 0);
-    return QString::number(value, 'e', 1).remove("+0").remove('+');
+    if (std::abs(value) < 9999.5) return style::fixedText(value, std::abs(value) < 99.5 ? 1 : 0);
+    return style::withDecimalSign(QString::number(value, 'e', 1).remove("+0").remove('+').toStdString());
 }
 
 /// A table that is as high as its rows and scrolls with the page.
@@ -249,7 +250,7 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
         const bool isEstimate = std::isfinite(p.standardError) && p.standardError > 0;
         // what is given is shown as it is given
         const QString value =
-            isEstimate ? QString::fromStdString(valueText(p.value, p.standardError)) : style::numberText(p.value, 5);
+            isEstimate ? style::withDecimalSign(valueText(p.value, p.standardError)) : style::numberText(p.value, 5);
         add(text(p.name), value + " " + text(p.unit));
     }
     const Evidence& e = effect.evidence;

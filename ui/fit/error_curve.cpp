@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {
@@ -49,9 +50,9 @@ void ErrorCurve::paintEvent(QPaintEvent*) {
                        area.bottom() - (std::log10(p.y()) - low) / (high - low) * area.height());
     };
     painter.drawText(QRectF(rect()).adjusted(style::margin, style::unit / 2.0, -style::margin, 0),
-                     Qt::AlignTop | Qt::AlignLeft, tr("error %1 %").arg(points_.back().y(), 0, 'g', 3));
+                     Qt::AlignTop | Qt::AlignLeft, tr("error %1 %").arg(style::numberText(points_.back().y(), 3)));
     painter.drawText(QRectF(rect()).adjusted(style::margin, 0, -style::margin, -style::unit / 2.0),
-                     Qt::AlignBottom | Qt::AlignRight, tr("%1 s").arg(last, 0, 'f', 1));
+                     Qt::AlignBottom | Qt::AlignRight, tr("%1 s").arg(style::fixedText(last, 1)));
     painter.setPen(style::hairline(palette()));
     painter.drawLine(area.bottomLeft(), area.bottomRight());
     QPolygonF line;

@@ -18,6 +18,7 @@
 #include "ui/effect/result_panel.hpp"
 #include "ui/fit/error_curve.hpp"
 #include "ui/fit/run_controller.hpp"
+#include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {
@@ -32,7 +33,7 @@ QString percentOf(const ModelState& state, Role role) {
             sum += e.errorPercent * e.errorPercent;
             ++count;
         }
-    return count == 0 ? QStringLiteral("–") : QStringLiteral("%1 %").arg(std::sqrt(sum / count), 0, 'f', 2);
+    return count == 0 ? QStringLiteral("–") : style::fixedText(std::sqrt(sum / count), 2) + QStringLiteral(" %");
 }
 
 QTreeWidget* makeTable(const QStringList& headers, QWidget* parent) {
@@ -57,7 +58,7 @@ const FitEstimate* estimateOf(const RunRecord& run, const std::string& name) {
 }
 
 QString estimateText(const FitEstimate* e) {
-    return e ? QString::fromStdString(valueText(e->value, e->standardError)) : QStringLiteral("–");
+    return e ? style::withDecimalSign(valueText(e->value, e->standardError)) : QStringLiteral("–");
 }
 
 }  // namespace
@@ -152,7 +153,7 @@ FitPanel::FitPanel(Document& document, RunController& controller, QWidget* paren
         const double seconds = static_cast<double>(clock_.elapsed()) / 1000, fraction = report.fraction;
         if (report.error > 0) curve_->add(seconds, report.error);
         if (fraction > 0.05 && seconds > 1)
-            left_->setText(tr("about %1 s left").arg(seconds * (1 - fraction) / fraction, 0, 'f', 0));
+            left_->setText(tr("about %1 s left").arg(style::fixedText(seconds * (1 - fraction) / fraction, 0)));
     });
     connect(&document, &Document::liveTracesChanged, this, [this] {
         if (const SimulatedTraces* live = document_.liveTraces())
@@ -185,7 +186,7 @@ void FitPanel::refresh() {
                                                         percentOf(run.result->finding.final, Role::Validate)});
             item->setData(0, Qt::UserRole, static_cast<qulonglong>(run.number));
             for (int c = 1; c < 4; ++c) item->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
-            item->setToolTip(0, tr("took %1 s").arg(run.seconds, 0, 'g', 3));
+            item->setToolTip(0, tr("took %1 s").arg(style::numberText(run.seconds, 3)));
         }
     }
     compare();

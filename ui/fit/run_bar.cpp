@@ -6,6 +6,7 @@
 #include <QToolButton>
 
 #include "ui/fit/run_controller.hpp"
+#include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
 
@@ -75,7 +76,7 @@ RunBar::RunBar(RunController& controller, QWidget* parent)
         if (isSearching_ && report.stage == "fit") return;
         QString text = stageText(QString::fromStdString(report.stage));
         if (!report.detail.empty()) text += QStringLiteral(" · ") + inWords(report.detail);
-        if (report.error >= 0) text += QStringLiteral(" · ") + tr("error %1 %").arg(report.error, 0, 'g', 3);
+        if (report.error >= 0) text += QStringLiteral(" · ") + tr("error %1 %").arg(style::numberText(report.error, 3));
         text_->setText(text_->fontMetrics().elidedText(text, Qt::ElideMiddle, text_->width()));
         text_->setToolTip(text);
         bar_->setRange(0, report.fraction < 0 ? 0 : 1000);

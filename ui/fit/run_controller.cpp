@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/study/measured.hpp"
+#include "ui/style/number.hpp"
 
 namespace analogon::ui {
 
@@ -239,7 +240,7 @@ void RunController::conclude(RunKind kind, const Study& ranOn, unsigned long rev
     document_.setResult(kind, std::move(*outcome), ranOn, seconds);
     document_.setRunMessages(std::move(messages));
     Q_EMIT concluded(interrupted ? tr("%1 stopped; best result so far is shown.").arg(name)
-                                 : tr("%1 done in %2 s.").arg(name).arg(seconds, 0, 'g', 3));
+                                 : tr("%1 done in %2 s.").arg(name, style::numberText(seconds, 3)));
 }
 
 void RunController::preview() {

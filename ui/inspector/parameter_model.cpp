@@ -2,7 +2,6 @@
 
 #include <QFont>
 #include <QGuiApplication>
-#include <QLocale>
 #include <QPalette>
 #include <algorithm>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include "core/report/number_text.hpp"
 #include "ui/document/mention.hpp"
 #include "ui/inspector/prior_text.hpp"
+#include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
 
@@ -240,7 +240,7 @@ QVariant ParameterModel::display(const Row& row, int column) const {
             const double value = shown(row.estimate->value), error = row.estimate->standardError;
             if (row.estimate->atBound) return style::numberText(value, 4) + "  " + boundText(row);
             if (!std::isfinite(error)) return style::numberText(value, 4) + tr("  not determined");
-            return QString::fromStdString(valueText(value, std::abs(shown.factor) * error));
+            return style::withDecimalSign(valueText(value, std::abs(shown.factor) * error));
         }
         default:
             return {};
@@ -277,10 +277,10 @@ QString ParameterModel::tooltip(const Row& row, int column) const {
             tip += "\n" + hint;
         else if (row.estimate->value != 0)
             tip += tr("\nRelative standard error %1 %")
-                       .arg(std::abs(row.estimate->standardError / row.estimate->value) * 100, 0, 'g', 2);
+                       .arg(style::numberText(std::abs(row.estimate->standardError / row.estimate->value) * 100, 2));
         if (const auto& prior = row.estimate->prior)
             tip += tr("\n%1 standard deviations from what was known beforehand")
-                       .arg(std::abs(prior->distance(row.estimate->value)), 0, 'f', 1);
+                       .arg(style::fixedText(std::abs(prior->distance(row.estimate->value)), 1));
         if (const Text* remark = remarkOn(row)) tip += "\n" + inWords(*remark);
     }
     if (column == Bounds && !bar(row).isEmpty())
@@ -387,19 +387,17 @@ StudyParameter ParameterModel::settingOf(const Row& row) const {
 }
 
 bool ParameterModel::setNumber(const Row& row, int column, const QString& text) {
-    const QString trimmed = QString(text).trimmed().replace(',', '.');
     StudyParameter setting = settingOf(row);
     const std::string name = row.name;
-    if (column != Value && trimmed.isEmpty()) {
+    if (column != Value && text.trimmed().isEmpty()) {
         (column == Min ? setting.min : setting.max).reset();
         document_.setStudyParameter(name, setting, tr("Free the bound of %1").arg(QString::fromStdString(name)));
         return true;
     }
-    bool isNumber = false;
-    const double typed = QLocale::c().toDouble(trimmed, &isNumber);
-    if (!isNumber || !std::isfinite(typed)) return false;
+    const std::optional<double> typed = style::readNumber(text);
+    if (!typed) return false;
     const UnitConversion shown = shownAs(row);
-    const double number = (typed - shown.offset) / shown.factor;
+    const double number = (*typed - shown.offset) / shown.factor;
     if (column == Value) {
         if (row.value == number) return false;
         document_.setParameterValue(name, number);

@@ -16,6 +16,7 @@
 #include "ui/document/mention.hpp"
 #include "ui/inspector/parameter_model.hpp"
 #include "ui/inspector/prior_text.hpp"
+#include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {
@@ -107,7 +108,7 @@ public:
             if (!isRight && isPrior)
                 isRight = readPrior(text).has_value();
             else if (!isRight)
-                QString(text).trimmed().replace(',', '.').toDouble(&isRight);
+                isRight = style::readNumber(text).has_value();
             QPalette palette = editor->parentWidget()->palette();
             if (!isRight) palette.setColor(QPalette::Text, style::fault(palette));
             editor->setPalette(palette);

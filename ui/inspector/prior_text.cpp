@@ -1,11 +1,9 @@
 #include "ui/inspector/prior_text.hpp"
 
-#include <QLocale>
 #include <QRegularExpression>
 #include <QStringList>
-#include <cmath>
 
-#include "ui/style/style.hpp"
+#include "ui/style/number.hpp"
 
 namespace analogon::ui {
 
@@ -17,12 +15,10 @@ QString priorText(const NormalPrior& prior, int digits) {
 std::optional<NormalPrior> readPrior(const QString& typed) {
     // Not every keyboard has the sign.
     static const QRegularExpression between(QStringLiteral(R"(\s*(?:±|\+/?-|;)\s*|\s+)"));
-    const QStringList parts = QString(typed).trimmed().replace(',', '.').split(between, Qt::SkipEmptyParts);
+    const QStringList parts = typed.trimmed().split(between, Qt::SkipEmptyParts);
     if (parts.size() != 2) return std::nullopt;
-    bool isMean = false, isDeviation = false;
-    const NormalPrior prior{QLocale::c().toDouble(parts[0], &isMean), QLocale::c().toDouble(parts[1], &isDeviation)};
-    const bool isPrior = isMean && isDeviation && std::isfinite(prior.mean) && std::isfinite(prior.deviation);
-    return isPrior && prior.deviation > 0 ? std::optional(prior) : std::nullopt;
+    const std::optional<double> mean = style::readNumber(parts[0]), deviation = style::readNumber(parts[1]);
+    return mean && deviation && *deviation > 0 ? std::optional(NormalPrior{*mean, *deviation}) : std::nullopt;
 }
 
 }  // namespace analogon::ui

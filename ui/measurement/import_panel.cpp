@@ -17,6 +17,7 @@
 #include "ui/document/document.hpp"
 #include "ui/measurement/mapping.hpp"
 #include "ui/measurement/table_model.hpp"
+#include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 #include "ui/words/words.hpp"
 

@@ -5,7 +5,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QMenu>
 #include <QRegularExpression>
 #include <QScrollBar>
@@ -19,6 +18,7 @@
 #include "core/base/unit.hpp"
 #include "ui/document/document.hpp"
 #include "ui/measurement/mapping.hpp"
+#include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {
@@ -44,16 +44,16 @@ QString clockTip(bool isOutput) {
 
 QString mappingTip(const ChannelMapping& mapping, const QString& file) {
     QString tip = MeasurementPanel::tr("Column %1 of %2").arg(QString::fromStdString(mapping.column), file);
-    if (mapping.scale != 1) tip += MeasurementPanel::tr("\nscaled by %1").arg(mapping.scale);
-    if (mapping.offset != 0) tip += MeasurementPanel::tr("\nshifted by %1").arg(mapping.offset);
-    if (mapping.weight != 1) tip += MeasurementPanel::tr("\nweight %1").arg(mapping.weight);
+    if (mapping.scale != 1) tip += MeasurementPanel::tr("\nscaled by %1").arg(style::numberText(mapping.scale, 6));
+    if (mapping.offset != 0) tip += MeasurementPanel::tr("\nshifted by %1").arg(style::numberText(mapping.offset, 6));
+    if (mapping.weight != 1) tip += MeasurementPanel::tr("\nweight %1").arg(style::numberText(mapping.weight, 6));
     return tip;
 }
 
 bool hasOwnClock(const ChannelMapping& mapping) { return mapping.fitsClock || mapping.clock != 0; }
 
 QString clockText(const ChannelMapping& mapping) {
-    return mapping.fitsClock ? MeasurementPanel::tr("fit") : QStringLiteral("%1 s").arg(mapping.clock, 0, 'g', 6);
+    return mapping.fitsClock ? MeasurementPanel::tr("fit") : style::numberText(mapping.clock, 6) + QStringLiteral(" s");
 }
 
 /// "0.25", "-0,25 s", "37 ms" in seconds; empty: 0.
@@ -62,11 +62,20 @@ std::optional<double> readSeconds(const QString& typed) {
     const QString text = typed.trimmed();
     if (text.isEmpty()) return 0.0;
     const QRegularExpressionMatch match = form.match(text);
-    bool isNumber = false;
-    const double number = QLocale::c().toDouble(match.captured(1).replace(',', '.'), &isNumber);
+    const std::optional<double> number = style::readNumber(match.captured(1));
     const QString unit = match.captured(2).isEmpty() ? QStringLiteral("s") : match.captured(2);
     const Outcome<UnitConversion> toSeconds = convertUnit(unit.toStdString(), "s");
-    return isNumber && toSeconds ? std::optional((*toSeconds)(number)) : std::nullopt;
+    return number && toSeconds ? std::optional((*toSeconds)(*number)) : std::nullopt;
+}
+
+/// "0.5 … 2.5 s", "0,5 - 2,5", "0.5 2.5". A comma is a decimal sign and divides nothing: "1,5,3" is no range.
+std::optional<std::pair<double, double>> readRange(const QString& typed) {
+    static const QString number = QStringLiteral(R"(([-+]?[\d.,]*\d(?:[eE][-+]?\d+)?)\s*s?)"),
+                         between = QStringLiteral(R"((?:\s*(?:…|\.{2,3}|;|–|-\s)\s*|(?<=[\ds])-|\s+))");
+    static const QRegularExpression form('^' + number + between + number + '$');
+    const QRegularExpressionMatch match = form.match(typed.trimmed());
+    const std::optional<double> from = style::readNumber(match.captured(1)), to = style::readNumber(match.captured(2));
+    return from && to && *from < *to ? std::optional(std::pair(*from, *to)) : std::nullopt;
 }
 
 /// Length of a recording as people say it.
@@ -77,7 +86,7 @@ QString extentText(const Table& table, const StudyExperiment& experiment) {
         const double first = experiment.range ? experiment.range->first : time->values.front();
         const double last = experiment.range ? experiment.range->second : time->values.back();
         const QString unit = time->unit.empty() ? QStringLiteral("s") : QString::fromStdString(time->unit);
-        text += QStringLiteral(" · %1 %2").arg(last - first, 0, 'g', 5).arg(unit);
+        text += QStringLiteral(" · %1 %2").arg(style::numberText(last - first), unit);
     }
     return text;
 }
@@ -301,18 +310,9 @@ void MeasurementPanel::setRole(const QTreeWidgetItem* item, bool isFit) {
 }
 
 void MeasurementPanel::setRange(const QTreeWidgetItem* item, const QString& text) {
-    static const QRegularExpression number(R"([-+]?\d+(?:[.,]\d*)?(?:[eE][-+]?\d+)?)");
-    std::vector<double> found;
-    for (auto it = number.globalMatch(text); it.hasNext();)
-        found.push_back(it.next().captured().replace(',', '.').toDouble());
-    const bool isRange = found.size() == 2 && found[0] < found[1];
-    if (!isRange && !text.trimmed().isEmpty() && text != tr("all")) return;
-    change(item, tr("Set the range"), [&](StudyExperiment& e) {
-        if (isRange)
-            e.range = {found[0], found[1]};
-        else
-            e.range.reset();
-    });
+    const std::optional<std::pair<double, double>> range = readRange(text);
+    if (!range && !text.trimmed().isEmpty() && text != tr("all")) return;
+    change(item, tr("Set the range"), [&](StudyExperiment& e) { e.range = range; });
 }
 
 void MeasurementPanel::removeExperiment() {
@@ -456,7 +456,8 @@ void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
         }
     QString range = tr("all");
     if (experiment.range)
-        range = QStringLiteral("%1 … %2 s").arg(experiment.range->first).arg(experiment.range->second);
+        range = QStringLiteral("%1 … %2 s")
+                    .arg(style::numberText(experiment.range->first, 6), style::numberText(experiment.range->second, 6));
     auto* rangeItem = addRow(top, Kind::Range, tr("range"), range);
     rangeItem->setFlags(rangeItem->flags() | Qt::ItemIsEditable);
     rangeItem->setIcon(0, style::icon("time"));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/unit.hpp"
+#include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {

@@ -3,6 +3,7 @@
 #include <QGuiApplication>
 #include <cmath>
 
+#include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {

@@ -10,6 +10,7 @@
 
 #include "ui/document/document.hpp"
 #include "ui/measurement/values_model.hpp"
+#include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/plot/plot_panel.hpp"
+#include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {

@@ -19,6 +19,7 @@
 #include "ui/document/document.hpp"
 #include "ui/plot/residual_plot.hpp"
 #include "ui/plot/run_comparison.hpp"
+#include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {

@@ -12,6 +12,7 @@
 
 #include "core/residual/noise.hpp"
 #include "ui/plot/decimate.hpp"
+#include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {

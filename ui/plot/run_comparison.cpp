@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
 
 namespace analogon::ui {

@@ -6,7 +6,6 @@
 #include <QHeaderView>
 #include <QIconEngine>
 #include <QLabel>
-#include <QLocale>
 #include <QPainter>
 #include <QPixmap>
 #include <QProxyStyle>
@@ -484,24 +483,6 @@ QColor onCanvas(const QColor& paper, const QPalette& palette) {
 }
 
 QIcon icon(const QString& name) { return QIcon(new TintedIcon(name)); }
-
-QString countText(qulonglong count) {
-    QString text = QString::number(count);
-    for (qsizetype at = text.size() - 3; at > 0 && text.size() > 4; at -= 3) text.insert(at, QChar(0x202F));
-    return text;
-}
-
-QString numberText(double value, int digits) {
-    if (!std::isfinite(value)) return QStringLiteral("–");
-    QLocale plain = QLocale::c();
-    plain.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::OmitLeadingZeroInExponent);
-    return plain.toString(value, 'g', digits).remove('+');
-}
-
-QString percentText(double value) {
-    if (!std::isfinite(value)) return QStringLiteral("–");
-    return QStringLiteral("%1 %").arg(value, 0, 'f', std::abs(value) < 9.995 ? 2 : 1);
-}
 
 void showWhenEmpty(QAbstractItemView* list, const QString& advice) {
     auto* label = new QLabel(advice, list->viewport());

@@ -45,15 +45,6 @@ QIcon icon(const QString& name);
 inline constexpr int unit = 4;  // [px] spacing comes in multiples of it
 inline constexpr int margin = 3 * unit;
 
-/// Groups of three with a narrow space, which every language reads the same: "12 345".
-QString countText(qulonglong count);
-
-/// A number as an engineer writes it: so many significant digits, no trailing zeros, an exponent as short as the
-/// reports write it ("5e-5"); a dash for what is no number.
-QString numberText(double value, int digits = 5);
-/// "8.61 %", "12.3 %"; a dash for what is no number.
-QString percentText(double value);
-
 /// What to do next, in the middle of a list while nothing is in it.
 void showWhenEmpty(QAbstractItemView* list, const QString& advice);
 

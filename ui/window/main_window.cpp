@@ -544,7 +544,7 @@ void MainWindow::connectPanels() {
     connect(generate_, &GeneratePage::generated, this, [this](const GeneratedStudy& made) {
         leaveThen([this, made] {
             Diagnostics assumed;
-            for (const std::string& text : made.assumptions) {
+            for (const Text& text : made.assumptions) {
                 Diagnostic note = warning(text);
                 note.severity = Severity::Note;
                 assumed.push_back(std::move(note));

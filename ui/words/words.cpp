@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 
+#include "ui/style/number.hpp"
+
 namespace analogon::ui {
 
 namespace {
@@ -37,6 +39,7 @@ QString filled(const QString& pattern, const std::vector<Text>& arguments, const
 }
 
 QString wordsOf(const Text& text, const ToWords& plain, const ToWords& name) {
+    if (text.isNumber()) return plain(style::withDecimalSign(text.english()));
     if (text.pattern().empty()) {
         QString words;
         for (const Text& part : text.arguments()) words += wordsOf(part, plain, name);

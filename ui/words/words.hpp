@@ -8,7 +8,8 @@
 namespace analogon::ui {
 
 /// What the core says, in the language of the screen: the translation of its pattern with its arguments, which are
-/// translated in their turn; the English text where there is no translation.
+/// translated in their turn (numbers have the decimal sign of the language); the English text where there is no
+/// translation.
 QString inWords(const Text& text);
 
 /// What the block library says of a class or a parameter, in the language of the screen.

@@ -20,6 +20,21 @@ TEST(Text, KeepsPatternAndArgumentsBesideTheEnglishWords) {
     EXPECT_TRUE(Text("heater.R").pattern().empty()) << "names are as they are";
 }
 
+TEST(Text, KnowsItsNumbers) {
+    const Text text = phrase("{} of {} lies {:.1f} from {}", "R2.1", 3, 3.14159, 0.5);
+    ASSERT_EQ(text.arguments().size(), 4u);
+    EXPECT_FALSE(text.arguments()[0].isNumber()) << "a name";
+    EXPECT_TRUE(text.arguments()[2].isNumber());
+    EXPECT_TRUE(text.arguments()[3].isNumber());
+    EXPECT_FALSE(text.isNumber());
+    Text sequence = Text::number("0.5");
+    EXPECT_TRUE(sequence.isNumber());
+    sequence += " V";
+    EXPECT_EQ(sequence, "0.5 V");
+    EXPECT_FALSE(sequence.isNumber());
+    EXPECT_TRUE(sequence.arguments().front().isNumber());
+}
+
 TEST(Text, KnowsTheFormatOfEachArgument) {
     EXPECT_EQ(formatsOf("{1:.2f} of {0} {{no}} {2:>3}", 3), (std::vector<std::string>{"", ".2f", ">3"}));
     EXPECT_EQ(formatsOf("plain", 0), std::vector<std::string>{});

@@ -120,6 +120,7 @@ TEST_F(RunHistory, ReadsBackToTheLastDigit) {
     EXPECT_EQ(finding.candidates[0].failure.pattern(), "the range ends at {:.3g}") << "it can be said in German";
     EXPECT_EQ(finding.candidates[0].reason, "explains less than thermal.loss at x");
     EXPECT_EQ(finding.candidates[0].reason.pattern(), "explains less than {}");
+    EXPECT_TRUE(finding.candidates[0].failure.arguments().front().isNumber()) << "with a decimal comma";
     EXPECT_EQ(finding.final.experiments[0].outputs[0].simulated,
               discovery.result->finding.final.experiments[0].outputs[0].simulated);
     EXPECT_EQ(runs[1].ranOn->models, fit.ranOn->models);
