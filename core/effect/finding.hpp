@@ -117,6 +117,7 @@ struct Remainder {
     std::string proposedBlock{};                     // its text, where it is not of the library
     double errorFitWith{-1}, errorValidateWith{-1};  // [%] with all that is proposed; negative: not known
     double errorValidateWithout{-1};                 // [%] of the model that is reported; negative: not known
+    std::vector<std::string> equalNodes{};           // at which the same equation explains as much
 
     /// Whether recordings that were not fitted speak against what is proposed.
     bool worsensValidation() const {

@@ -229,14 +229,28 @@ bool ModelNodes::keepsConnectors(const Block& block, const EffectClass& effect) 
     return block.isEffect || (!misses && left.empty());
 }
 
+const ModelNodes::Node* ModelNodes::nodeOf(const std::string& connector) const {
+    const auto found = std::find_if(nodes_.begin(), nodes_.end(), [&](const Node& n) {
+        return std::any_of(n.members.begin(), n.members.end(),
+                           [&](const Member& m) { return m.connector == connector; });
+    });
+    return found == nodes_.end() ? nullptr : &*found;
+}
+
 bool ModelNodes::isOneNode(const std::string& a, const std::string& b) const {
-    const auto potentialAt = [&](const std::string& connector) {
-        for (const Node& n : nodes_)
-            for (const Member& m : n.members)
-                if (m.connector == connector) return n.potential;
-        return connector;
-    };
-    return potentialAt(a) == potentialAt(b);
+    const Node *first = nodeOf(a), *second = nodeOf(b);
+    return (first ? first->potential : a) == (second ? second->potential : b);
+}
+
+std::size_t ModelNodes::blocksAt(const std::string& connector) const {
+    const Node* const own = nodeOf(connector);
+    std::set<std::string> blocks;
+    for (const Node& n : nodes_) {
+        if (own == nullptr || n.signature != own->signature || n.potential != own->potential) continue;
+        for (const Member& m : n.members)
+            if (!m.isEffect) blocks.insert(m.connector.substr(0, m.connector.rfind('.')));
+    }
+    return blocks.size();
 }
 
 std::vector<EffectPlace> ModelNodes::specialisePlaces(const EffectClass& effect,

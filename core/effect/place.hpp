@@ -40,6 +40,9 @@ public:
     /// Inputs of the model in a unit, as a place writes them: "input T_room".
     std::vector<std::string> inputsIn(const std::string& unit) const;
 
+    /// How many blocks of the model meet at the potential of a connector; 0: it is none.
+    std::size_t blocksAt(const std::string& connector) const;
+
     /// Unit of the input or output of the model at a signal's place; empty: unknown.
     std::string unitAt(const EffectPlace& place) const;
 
@@ -66,6 +69,7 @@ private:
     std::vector<EffectPlace> signalPlaces(const EffectClass& effect) const;
     /// Whether two connectors have one potential.
     bool isOneNode(const std::string& a, const std::string& b) const;
+    const Node* nodeOf(const std::string& connector) const;
     bool keepsConnectors(const Block& block, const EffectClass& effect) const;
     std::vector<EffectPlace> specialisePlaces(const EffectClass& effect, const std::vector<std::string>& spares) const;
     /// Signature of a connector that an effect class has; empty: it has none of that name.

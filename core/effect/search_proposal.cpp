@@ -114,7 +114,9 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null, std::vector<Tex
         };
         if (!isDoubtful || isMore()) {
             for (const Alternative& a : steps_[i].alternatives)
-                if (a.equivalent)
+                if (a.equivalent && a.kind == placed.effect.kind)
+                    r.equalNodes.push_back(a.at);
+                else if (a.equivalent)
                     sameByName.push_back(
                         phrase("{} at {} explains as much with more parameters: {}", a.kind, a.at, r.proposedEquation));
             found.push_back(std::move(r));

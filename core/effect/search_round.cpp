@@ -61,6 +61,28 @@ std::vector<TrialStarts*> contenders(const NullModel& null, const std::vector<st
     return all;
 }
 
+/// The trials of an equation at all places where it explains as much, `proposal` the best of them. First is that where
+/// most parts of the model meet: whatever it stands for may be in any of them.
+std::vector<std::size_t> equalPlaces(const NullModel& null, const std::vector<Trial>& trials, std::size_t proposal) {
+    const Trial& best = trials[proposal];
+    const double weight = independentShare(null, best.fit);
+    std::vector<std::size_t> equal;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        const Trial& t = trials[i];
+        if (!t.ok || isAtBound(t) || t.screened.candidate.effect.className != best.screened.candidate.effect.className)
+            continue;
+        if (weight * (best.evidence - t.evidence) < equivalenceMargin) equal.push_back(i);
+    }
+    Diagram diagram;
+    const Outcome<ModelNodes> nodes = nodesOf(null.variant, diagram);
+    if (nodes && equal.size() > 1)
+        std::stable_sort(equal.begin(), equal.end(), [&](std::size_t a, std::size_t b) {
+            return nodes->blocksAt(trials[a].screened.candidate.place.connector) >
+                   nodes->blocksAt(trials[b].screened.candidate.place.connector);
+        });
+    return equal;
+}
+
 /// Traces that the screening of a candidate takes.
 std::size_t tracesOf(const EffectClass& effect) {
     std::size_t count = std::max<std::size_t>(1, effect.secant.size());
@@ -366,13 +388,21 @@ void Search::decide(const NullModel& null, Round& round) const {
         if (round.chosen)
             round.refused[*round.chosen] = phrase("{}, an equation without a name, is the better account",
                                                   nameOf(round.candidate(proposal->trial)));
+        const std::vector<std::size_t> places = equalPlaces(null, trials, proposal->trial);
+        if (places.front() != proposal->trial) {
+            const Judged there{places.front(), examine(null, trials[places.front()].fit, trials[places.front()].freed(),
+                                                       round.threshold)};
+            if (there.acceptance.accepted() || !proposal->acceptance.accepted()) proposal = there;
+        }
         round.chosen = proposal->trial;
         round.acceptance = proposal->acceptance;
         round.members = equivalents(null, trials, proposal->trial);
-        // told beside it are the names that take more to explain as much
+        // told beside it are the names that take more to explain as much, and its other places
         std::erase_if(round.members, [&](std::size_t i) {
             return i != proposal->trial && trials[i].freed() <= trials[proposal->trial].freed();
         });
+        for (const std::size_t i : places)
+            if (i != proposal->trial) round.members.push_back(i);
     } else {
         round.refused[proposal->trial] =
             round.chosen ? phrase("an equation without a name, and not clearly a better account than {}",
@@ -520,7 +550,11 @@ void Search::settleVerdicts(const Finding& finding) {
     const auto isEqual = [&](const CandidateResult& c) {
         return isAmong(finding.effects, c) ||
                std::any_of(finding.effects.begin(), finding.effects.end(),
-                           [&](const AddedEffect& e) { return isAmong(e.alternatives, c); });
+                           [&](const AddedEffect& e) { return isAmong(e.alternatives, c); }) ||
+               std::any_of(finding.remainders.begin(), finding.remainders.end(), [&](const Remainder& r) {
+                   return r.proposedClass == c.className &&
+                          std::find(r.equalNodes.begin(), r.equalNodes.end(), c.at) != r.equalNodes.end();
+               });
     };
     for (CandidateResult& c : candidates_) {
         if (c.verdict == Verdict::Chosen && !isThere(c)) {

@@ -139,6 +139,7 @@ Json remainderJson(const Remainder& remainder) {
         correlates.push_back({{"variable", correlate.variable}, {"correlation", number(correlate.correlation)}});
     return {{"output", remainder.output},
             {"node", remainder.node},
+            {"equivalent_nodes", remainder.equalNodes},
             {"experiment", remainder.experiment},
             {"evidence", number(remainder.evidence)},
             {"from", number(remainder.from)},

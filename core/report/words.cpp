@@ -162,6 +162,7 @@ std::string remainderWords(const Remainder& remainder) {
     else
         text += " is not noise";
     if (!remainder.node.empty()) text += fmt::format("; it acts at {}", remainder.node);
+    if (!remainder.equalNodes.empty()) text += fmt::format(", or as well at {}", fmt::join(remainder.equalNodes, ", "));
     std::vector<std::string> variables;
     for (const Correlate& correlate : remainder.movesWith)
         if (correlate.isWorthAWord())

@@ -251,6 +251,7 @@ template <class Of>
 void members(Of& of, Remainder& r) {
     of.member("output", r.output);
     of.member("node", r.node);
+    of.member("equivalent_nodes", r.equalNodes);
     of.member("evidence", r.evidence);
     of.member("from", r.from);
     of.member("to", r.to);

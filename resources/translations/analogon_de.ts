@@ -4117,6 +4117,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>, wirkend an %1</translation>
     </message>
     <message>
+        <source>, or as well at %1</source>
+        <translation>, oder ebenso an %1</translation>
+    </message>
+    <message>
         <source>It moves with %1.</source>
         <translation>Es hängt zusammen mit %1.</translation>
     </message>

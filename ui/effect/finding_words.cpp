@@ -125,6 +125,9 @@ RemainderWords remainderWords(const Remainder& r, const std::function<QString(co
     words.where = ResultPanel::tr("Between %1 and %2 s").arg(style::numberText(r.from, 4), style::numberText(r.to, 4));
     if (!r.experiment.empty()) words.where += ResultPanel::tr(" of %1").arg(named(r.experiment));
     if (!r.node.empty()) words.where += ResultPanel::tr(", acting at %1").arg(named(r.node));
+    QStringList others;
+    for (const std::string& node : r.equalNodes) others << named(node);
+    if (!others.isEmpty()) words.where += ResultPanel::tr(", or as well at %1").arg(others.join(", "));
     words.where += ".";
     QStringList moves;
     for (const Correlate& c : r.movesWith)

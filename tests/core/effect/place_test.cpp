@@ -87,6 +87,16 @@ protected:
 
 TEST_F(Places, TakeOneRigidShaftForOnePlace) { EXPECT_THAT(placesOf("friction.coulomb"), SizeIs(1)); }
 
+TEST_F(Places, CountTheBlocksOnAShaftAlsoWhereWiresDoNotMeet) {
+    Outcome<FlatModel> flat = flatten(library, "Pump");
+    Outcome<Structure> structure = analyse(std::make_shared<FlatModel>(std::move(*flat)));
+    Outcome<Diagram> diagram = readDiagram(library, "Pump");
+    const ModelNodes nodes(library, *diagram, *structure);
+    EXPECT_EQ(nodes.blocksAt("motor.flange"), 5u);
+    EXPECT_EQ(nodes.blocksAt("load.flange"), 5u);
+    EXPECT_EQ(nodes.blocksAt("v"), 0u);
+}
+
 TEST_F(Places, OfSignalsAreTheInputsAndOutputsOfTheModel) {
     EXPECT_EQ(placesOf("sensor.lag"), std::vector<std::string>{"output w"});
     EXPECT_EQ(placesOf("actuator.deadzone"), std::vector<std::string>{"input v"});

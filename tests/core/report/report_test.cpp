@@ -286,6 +286,10 @@ TEST(Summary, LeavesOutWhatHardlyMovesWithTheResidual) {
     EXPECT_THAT(remainderWords(remainder), HasSubstr("moves with u (correlation 0.40)."));
     remainder.movesWith.erase(remainder.movesWith.begin());
     EXPECT_THAT(remainderWords(remainder), Not(HasSubstr("moves")));
+    remainder.node = "gear.flange_b";
+    EXPECT_THAT(remainderWords(remainder), Not(HasSubstr("as well")));
+    remainder.equalNodes = {"motor.flange"};
+    EXPECT_THAT(remainderWords(remainder), HasSubstr("it acts at gear.flange_b, or as well at motor.flange"));
 }
 
 TEST(Summary, NamesWhereASimulationStopped) {

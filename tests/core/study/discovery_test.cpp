@@ -1264,6 +1264,7 @@ protected:
         double lag{};     // [s] of its driver
         double offset{};  // [V] that it adds
         double spring{};  // [N.m/rad] that turns the window back
+        double cube{};    // [N.m.s3/rad3] of a drag at the window
         double noise{1};  // of the sensors
     };
 
@@ -1312,7 +1313,7 @@ end WindowDrive;
                 i += h * (driven + hidden.offset - R * i - k * w1) / L;
                 const double shaft = c * twist + d * (w1 / r - w2);
                 w1 += h * (k * i - shaft / r) / J1;
-                w2 += h * (shaft - b * w2 - hidden.spring * phi) / J2;
+                w2 += h * (shaft - b * w2 - hidden.cube * w2 * w2 * w2 - hidden.spring * phi) / J2;
                 twist += h * (w1 / r - w2);
                 phi += h * w2;
             }
@@ -1328,6 +1329,17 @@ TEST_F(DiscoveryInAWindowDrive, FindsALagFarBelowTheSampleIntervalThatParameters
     EXPECT_EQ(finding.effects.front().at, "input v") << finding.effects.front().kind;
     EXPECT_NEAR(finding.effects.front().parameters.front().value, 0.003, 0.0003);
     EXPECT_EQ(finding.kind, FindingKind::Effect);
+}
+
+TEST_F(DiscoveryInAWindowDrive, TellsBothSidesOfAGearWhereAnEquationMayStand) {
+    const Finding finding = searchDrive({.cube = 1e-3});
+    EXPECT_EQ(finding.kind, FindingKind::Unexplained);
+    ASSERT_FALSE(finding.remainders.empty());
+    const Remainder& first = finding.remainders.front();
+    EXPECT_NE(first.proposedEquation.find("a*w^3"), std::string::npos) << first.proposedEquation;
+    // more parts may be the cause on that side
+    EXPECT_EQ(first.node, "gear.flange_b");
+    EXPECT_EQ(first.equalNodes, std::vector<std::string>{"motor.flange"});
 }
 
 TEST_F(DiscoveryInAWindowDrive, TellsAnOffsetOfTheCommandFromThatOfASensorOnceASpringIsThere) {
