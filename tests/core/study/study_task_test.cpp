@@ -28,6 +28,11 @@ TEST_F(StudyTask, HoldsChannelsInTheUnitsOfTheModel) {
     EXPECT_THAT(recording.outputNames, ElementsAre("i"));
     EXPECT_NEAR(recording.outputs(0, 3), 0.667, 1e-12);
     EXPECT_EQ(recording.weights[0], 1);
+    ASSERT_EQ(recording.units.size(), 3u);
+    EXPECT_EQ(recording.units[1].channel, "T_amb");
+    EXPECT_EQ(recording.units[1].column, "T_air");
+    EXPECT_EQ(recording.units[1].unit, "degC");
+    EXPECT_EQ(recording.units[1].modelUnit, "K");
     EXPECT_THAT(result.model->text(), HasSubstr("model Heater"));
 }
 
@@ -96,6 +101,8 @@ TEST_F(StudyTask, ReadsStartValuesOfAnExperiment) {
     EXPECT_TRUE(starts[1].isFitted);
     EXPECT_DOUBLE_EQ(starts[1].value, 0.1);
     EXPECT_NEAR(starts[2].value, 293.15, 1e-9);
+    EXPECT_EQ(starts[2].column, "T_air");
+    EXPECT_EQ(starts[0].column, "") << "it was told";
 }
 
 TEST_F(StudyTask, TakesPriors) {
