@@ -18,8 +18,10 @@
 #include <QRegularExpression>
 #include <QTextBrowser>
 
+#include "core/base/unit.hpp"
 #include "core/flat/flat_model.hpp"
 #include "core/measure/table.hpp"
+#include "core/structure/structure.hpp"
 #include "core/study/generate.hpp"
 #include "core/study/study.hpp"
 #include "core/syntax/parser.hpp"
@@ -240,6 +242,47 @@ TEST_F(GermanWords, AreThereForEverySentenceOfTheCore) {
         }
     }
     EXPECT_GT(count, 400);
+}
+
+/// Words that were put together before a diagnostic is made of them have no pattern, and stay English.
+TEST_F(GermanWords, AreWhatEveryDiagnosticIsMadeOf) {
+    static const QRegularExpression english(
+        R"re(\b(?:error|warning|fileError|numericalError|refuse|complain|warn)\(\s*(?:fmt::format\(|"[A-Za-z{'])[^;]*)re");
+    for (QDirIterator files(ANALOGON_ROOT "/core", {"*.cpp", "*.hpp"}, QDir::Files, QDirIterator::Subdirectories);
+         files.hasNext();) {
+        QFile file(files.next());
+        ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+        for (auto found = english.globalMatch(QString::fromUtf8(file.readAll())); found.hasNext();)
+            ADD_FAILURE() << file.fileName().toStdString() << ": " << found.next().captured().toStdString();
+    }
+}
+
+/// Faults of the later stages: structure, fit, units, diagrams.
+TEST_F(GermanWords, NameWhatTheAnalysisFinds) {
+    const auto said = [](const char* text) {
+        Study study;
+        study.className = "M";
+        study.models[study.modelFile] = text;
+        const Outcome<Library> library = studyLibrary(study);
+        EXPECT_TRUE(library);
+        Outcome<FlatModel> model = flatten(*library, "M");
+        if (!model) return inWords(model.diagnostics().front().message);
+        const Outcome<Structure> structure = analyse(std::make_shared<const FlatModel>(std::move(*model)));
+        EXPECT_FALSE(structure);
+        return structure ? QString() : inWords(structure.diagnostics().front().message);
+    };
+    EXPECT_EQ(said("model M\n  Real x;\nequation\n  x = max(1, 2, 3);\nend M;\n"),
+              QString::fromUtf8("„max“ braucht 2 Argumente, nicht 3"));
+    EXPECT_EQ(said("model M\n  Real x = {1, 2} + 3;\nend M;\n").section("(", 0, 0),
+              QString::fromUtf8("„+“ lässt sich nicht auf Integer[2] und Integer anwenden"));
+    EXPECT_EQ(
+        said("model M\n  Real x(start = 0.5, fixed = true);\n  Real y(start = 1.5, fixed = true);\nequation\n"
+             "  x = y;\n  der(x) = 1;\nend M;\n"),
+        QString::fromUtf8("„x“ und „y“ sind dieselbe Größe, aber ihre Startwerte sind auf 0,5 und 1,5 festgelegt."));
+    const Outcome<UnitConversion> conversion = convertUnit("K", "V");
+    ASSERT_FALSE(conversion);
+    EXPECT_EQ(inWords(conversion.diagnostics().front().message),
+              QString::fromUtf8("„K“ lässt sich nicht in „V“ umrechnen: Sie messen verschiedene Größen"));
 }
 
 }  // namespace
