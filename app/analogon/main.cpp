@@ -4,6 +4,7 @@
 #include <QProcess>
 #include <QSettings>
 
+#include "core/base/memory.hpp"
 #include "ui/style/style.hpp"
 #include "ui/style/translator.hpp"
 #include "ui/window/main_window.hpp"
@@ -11,6 +12,7 @@
 
 int main(int argc, char** argv) {
     using namespace analogon;
+    growHeap();
     // Pictures need no screen; the platform is chosen before the application starts.
     for (int i = 1; i < argc; ++i)
         if (QByteArray(argv[i]).startsWith("--pictures") && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))

@@ -5,6 +5,7 @@
 #endif
 
 #include <cstdint>
+#include <cstdlib>
 
 namespace analogon {
 
@@ -16,6 +17,18 @@ void useHugePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t by
     const std::uintptr_t first = (begin + page - 1) & ~(page - 1), end = (begin + bytes) & ~(page - 1);
     // refused: small pages, as ever
     if (end > first) madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+#endif
+}
+
+void growHeap() {
+#ifdef __GLIBC__
+    constexpr std::size_t bytes = std::size_t{28} << 20;  // the heap takes blocks of at most 32 MB
+    // What was mapped and is freed comes from the heap the next time (mallopt(3), M_MMAP_THRESHOLD), and stays there.
+    void* volatile memory = std::malloc(bytes);
+    std::free(memory);
+    memory = std::malloc(bytes);
+    if (memory) useHugePages(memory, bytes);
+    std::free(memory);
 #endif
 }
 

@@ -9,6 +9,11 @@ namespace analogon {
 /// than a few megabytes and where the system has no such pages.
 void useHugePages(void* memory, std::size_t bytes);
 
+/// Grows the heap once, in huge pages, by what it takes to read the library and a study: half of the time to the first
+/// traces was spent on small pages. For the start of a program, before it has threads. Without effect where the C
+/// library is not glibc.
+void growHeap();
+
 /// `matrix.resize(rows, columns)` of an Eigen matrix or vector that may be large; its old values are lost.
 template <class Matrix>
 void resizeLarge(Matrix& matrix, std::ptrdiff_t rows, std::ptrdiff_t columns) {

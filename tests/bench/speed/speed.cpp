@@ -14,6 +14,7 @@
 #include <fstream>
 #include <functional>
 
+#include "core/base/memory.hpp"
 #include "core/fit/fit.hpp"
 #include "core/study/run.hpp"
 #include "tests/bench/speed/hand_fit.hpp"
@@ -271,6 +272,7 @@ void growThreads() {
 
 int main(int count, char** arguments) {
     using namespace analogon::speed;
+    analogon::growHeap();  // as the programs do
     const double budget = count > 1 ? std::atof(arguments[1]) : 0.5;
     for (const char* const example : {"lambda-sensor-heating", "water-pump"}) startUp(example);
     fmt::print("\n");

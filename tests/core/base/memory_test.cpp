@@ -49,6 +49,17 @@ TEST(LargeMemory, AsksForHugePages) {
     EXPECT_TRUE(*asksForHugePages(middle));
 }
 
+TEST(LargeMemory, IsWhatAHeapThatWasGrownHandsOut) {
+    if (!std::ifstream("/sys/kernel/mm/transparent_hugepage/enabled")) GTEST_SKIP() << "the system has no huge pages";
+    growHeap();
+    constexpr std::size_t bytes = 100'000, count = 160;  // no hole of the heap is as large
+    std::vector<std::unique_ptr<char[]>> blocks;
+    for (std::size_t i = 0; i < count; ++i) blocks.push_back(std::make_unique<char[]>(bytes));
+    const std::optional<bool> asks = asksForHugePages(blocks[count / 2].get());
+    if (!asks) GTEST_SKIP() << "the system does not tell how memory is mapped";
+    EXPECT_TRUE(*asks);
+}
+
 /// Of a matrix, only what resizeLarge() asks of it.
 struct Columns {
     using Scalar = double;
