@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "core/base/unit.hpp"
 #include "core/effect/trial.hpp"
@@ -45,16 +46,17 @@ std::optional<Eigen::Index> rowOf(const std::vector<std::string>& names, const s
     return at - names.begin();
 }
 
-void readAsLikely(Recording& recording, const std::vector<std::string>& columns, const std::string& unit,
-                  const std::string& likely) {
+void readAsLikely(Recording& recording, const MistakenUnit& mistake) {
+    std::set<std::string> columns;  // whose start values are done: several channels may be read from one
     for (const ChannelUnit& given : recording.units) {
-        if (given.unit != unit || !isAmong(columns, given.column)) continue;
-        const std::optional<UnitConversion> again = rereading(given, likely);
+        if (!mistake.concerns(given)) continue;
+        const std::optional<UnitConversion> again = rereading(given, mistake.likely);
         if (!again) continue;
         if (const auto row = rowOf(recording.inputNames, given.channel))
             recording.inputs.row(*row) = recording.inputs.row(*row).unaryExpr(*again).eval();
         if (const auto row = rowOf(recording.outputNames, given.channel))
             recording.outputs.row(*row) = recording.outputs.row(*row).unaryExpr(*again).eval();
+        if (!columns.insert(given.column).second) continue;
         for (RecordingStart& start : recording.starts)
             if (start.column == given.column) start.value = (*again)(start.value);
     }
@@ -109,7 +111,7 @@ std::vector<Eigen::VectorXd> noiseRead(const NullModel& null, const MistakenUnit
     if (!prepared) return noise;
     for (const int r : mistake.recordings)
         for (const ChannelUnit& given : null.variant.task.recordings[static_cast<std::size_t>(r)].units) {
-            if (given.unit != mistake.unit || !isAmong(mistake.columns, given.column)) continue;
+            if (!mistake.concerns(given)) continue;
             const std::optional<UnitConversion> again = rereading(given, mistake.likely);
             const int output = prepared->system->outputIndex(given.channel);
             Eigen::VectorXd& own = noise[static_cast<std::size_t>(r)];
@@ -120,9 +122,12 @@ std::vector<Eigen::VectorXd> noiseRead(const NullModel& null, const MistakenUnit
 
 }  // namespace
 
+bool MistakenUnit::concerns(const ChannelUnit& given) const {
+    return given.unit == unit && isAmong(columns, given.column);
+}
+
 EstimationTask readAsLikely(EstimationTask task, const MistakenUnit& mistake) {
-    for (const int r : mistake.recordings)
-        readAsLikely(task.recordings[static_cast<std::size_t>(r)], mistake.columns, mistake.unit, mistake.likely);
+    for (const int r : mistake.recordings) readAsLikely(task.recordings[static_cast<std::size_t>(r)], mistake);
     return task;
 }
 

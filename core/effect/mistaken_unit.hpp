@@ -15,6 +15,9 @@ struct MistakenUnit {
     std::vector<std::string> channels;  // of the model, that are read from them
     std::string unit, likely;
     NullModel read;  // the model as it stands, fitted to the numbers in the likely unit
+
+    /// Whether it is what one of these recordings says of a channel.
+    bool concerns(const ChannelUnit& given) const;
 };
 
 /// The unit with which the model as it stands leaves next to nothing of all that it leaves without; nothing where its

@@ -389,9 +389,8 @@ void Search::decide(const NullModel& null, Round& round) const {
             round.refused[*round.chosen] = phrase("{}, an equation without a name, is the better account",
                                                   nameOf(round.candidate(proposal->trial)));
         const std::vector<std::size_t> places = equalPlaces(null, trials, proposal->trial);
-        if (places.front() != proposal->trial) {
-            const Judged there{places.front(), examine(null, trials[places.front()].fit, trials[places.front()].freed(),
-                                                       round.threshold)};
+        if (const std::size_t first = places.front(); first != proposal->trial) {
+            const Judged there{first, examine(null, trials[first].fit, trials[first].freed(), round.threshold)};
             if (there.acceptance.accepted() || !proposal->acceptance.accepted()) proposal = there;
         }
         round.chosen = proposal->trial;

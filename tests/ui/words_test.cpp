@@ -147,14 +147,19 @@ TEST_F(GermanWords, NameFaultsOfARecordingAndOfAStudy) {
     for (const Diagnostic& fault : faults) EXPECT_NE(inWords(fault.message).toStdString(), fault.message.english());
 }
 
+/// The equations of the model M in a text.
+Outcome<FlatModel> flatM(const char* text) {
+    Study study;
+    study.className = "M";
+    study.models[study.modelFile] = text;
+    const Outcome<Library> library = studyLibrary(study);
+    EXPECT_TRUE(library);
+    return flatten(*library, "M");
+}
+
 TEST_F(GermanWords, NameFaultsOfAModel) {
     const auto said = [](const char* text) {
-        Study study;
-        study.className = "M";
-        study.models[study.modelFile] = text;
-        const Outcome<Library> library = studyLibrary(study);
-        EXPECT_TRUE(library);
-        const Outcome<FlatModel> model = flatten(*library, "M");
+        const Outcome<FlatModel> model = flatM(text);
         EXPECT_FALSE(model);
         const Diagnostic& fault = model.diagnostics().front();
         return inWords(fault.message) + " | " + inWords(fault.hint);
@@ -260,12 +265,7 @@ TEST_F(GermanWords, AreWhatEveryDiagnosticIsMadeOf) {
 /// Faults of the later stages: structure, fit, units, diagrams.
 TEST_F(GermanWords, NameWhatTheAnalysisFinds) {
     const auto said = [](const char* text) {
-        Study study;
-        study.className = "M";
-        study.models[study.modelFile] = text;
-        const Outcome<Library> library = studyLibrary(study);
-        EXPECT_TRUE(library);
-        Outcome<FlatModel> model = flatten(*library, "M");
+        Outcome<FlatModel> model = flatM(text);
         if (!model) return inWords(model.diagnostics().front().message);
         const Outcome<Structure> structure = analyse(std::make_shared<const FlatModel>(std::move(*model)));
         EXPECT_FALSE(structure);

@@ -105,5 +105,18 @@ TEST(MistakenUnit, IsAlsoThatOfAStartValueFromTheColumn) {
     EXPECT_EQ(read.recordings[0].inputs, r.inputs);
 }
 
+TEST(MistakenUnit, ConvertsAStartValueOnceHoweverManyChannelsAreReadFromItsColumn) {
+    Recording r = inCelsius(heated("run"));
+    r.starts = {{"body.T_start", r.outputs(0, 0), false, "T_body"}};
+    r.units.push_back({"T_wall", "T_body", "K", "K"});
+    MistakenUnit mistake;
+    mistake.recordings = {0};
+    mistake.columns = {"T_body"};
+    mistake.unit = "K";
+    mistake.likely = "degC";
+    const EstimationTask read = readAsLikely(taskOf({r}, 5), mistake);
+    EXPECT_NEAR(read.recordings[0].starts[0].value, 300, 0.1);
+}
+
 }  // namespace
 }  // namespace analogon
