@@ -404,7 +404,7 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Evolutionäre Suche (ESCH)</translation>
     </message>
     <message>
-        <source>plain squares</source>
+        <source>Plain squares</source>
         <translation>Fehlerquadrate</translation>
     </message>
     <message>
@@ -2891,7 +2891,7 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     </message>
     <message>
         <source>Drag a block onto the diagram, or choose one and press Enter.</source>
-        <translation>Einen Block auf das Diagramm ziehen oder auswählen und Eingabe drücken.</translation>
+        <translation>Einen Block auf das Diagramm ziehen oder auswählen und die Eingabetaste drücken.</translation>
     </message>
 </context>
 <context>
@@ -3511,7 +3511,7 @@ Relativer Standardfehler %1 %</translation>
     </message>
     <message>
         <source>Bounds</source>
-        <translation>Lage</translation>
+        <translation>Grenzen</translation>
     </message>
     <message>
         <source>Free the bound of %1</source>
@@ -3875,7 +3875,7 @@ Relativer Standardfehler %1 %</translation>
     </message>
     <message>
         <source>lag [samples]</source>
-        <translation>Lag [Werte]</translation>
+        <translation>Versatz [Werte]</translation>
     </message>
     <message>
         <source>Residual</source>
@@ -4006,7 +4006,7 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     </message>
     <message>
         <source>%1 at %2</source>
-        <translation>%1 an %2</translation>
+        <translation>%1 bei %2</translation>
     </message>
     <message>
         <source>&lt;b&gt;Fit&lt;/b&gt; estimates the parameters.&lt;br&gt;&lt;b&gt;Discover&lt;/b&gt; also asks what the model lacks, adds it and shows the evidence here.</source>
@@ -4311,7 +4311,7 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     </message>
     <message>
         <source>A planar lambda sensor must be hot before it measures, so it carries an electric heater. What is recorded is the voltage at the heater, its current, and the temperature of the exhaust gas. Since the resistance of the heater rises with its temperature, the current tells how warm the element is.</source>
-        <translation>Eine planare Lambdasonde misst erst, wenn sie heiß ist, und trägt deshalb einen elektrischen Heizer. Aufgezeichnet sind die Spannung am Heizer, sein Strom und die Temperatur des Abgases. Da der Widerstand des Heizers mit seiner Temperatur steigt, verrät der Strom, wie warm das Element ist.</translation>
+        <translation>Eine planare Lambdasonde misst erst, wenn sie heiß ist: Sie hat einen Heizer. Aufgezeichnet sind seine Spannung, sein Strom und die Temperatur des Abgases. Da der Widerstand des Heizers mit seiner Temperatur steigt, verrät der Strom, wie warm das Element ist.</translation>
     </message>
     <message>
         <source>Electric water pump</source>
@@ -4573,7 +4573,7 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     </message>
     <message>
         <source>{} at {} from {} at {}</source>
-        <translation>{} an {} von {} an {}</translation>
+        <translation>{} bei {} von {} bei {}</translation>
     </message>
     <message>
         <source>no programme of the inputs within their range tells {} with these sensors (at most {:.1f} standard deviations): another quantity has to be measured</source>
@@ -6453,11 +6453,11 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     </message>
     <message>
         <source>an equation without a name explains as much as {} at {}, and the data do not tell them apart: {}</source>
-        <translation>eine Gleichung ohne Namen erklärt so viel wie {} an {}, und die Daten unterscheiden beide nicht: {}</translation>
+        <translation>eine Gleichung ohne Namen erklärt so viel wie {} bei {}, und die Daten unterscheiden beide nicht: {}</translation>
     </message>
     <message>
         <source>{} at {} explains as much with more parameters: {}</source>
-        <translation>{} an {} erklärt so viel mit mehr Parametern: {}</translation>
+        <translation>{} bei {} erklärt so viel mit mehr Parametern: {}</translation>
     </message>
     <message>
         <source>Only outputs may have empty cells.</source>
@@ -6477,11 +6477,11 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     </message>
     <message>
         <source>{} at {} explains no more than another value of {}, which is held at {:.5g}: {:.5g} ± {:.2g}{} instead; hold it only if it is known for certain</source>
-        <translation>{} an {} erklärt nicht mehr als ein anderer Wert von {}, gehalten bei {}: stattdessen {} ± {}{}; nur halten, wenn er sicher bekannt ist</translation>
+        <translation>{} bei {} erklärt nicht mehr als ein anderer Wert von {}, gehalten bei {}: stattdessen {} ± {}{}; nur halten, wenn er sicher bekannt ist</translation>
     </message>
     <message>
         <source>{} at {} explains no more than {} beyond its bound of {:.5g}: {:.5g} ± {:.2g}{} instead; keep the bound only if it is known for certain</source>
-        <translation>{} an {} erklärt nicht mehr als {} jenseits seiner Grenze von {}: stattdessen {} ± {}{}; die Grenze nur behalten, wenn sie sicher bekannt ist</translation>
+        <translation>{} bei {} erklärt nicht mehr als {} jenseits seiner Grenze von {}: stattdessen {} ± {}{}; die Grenze nur behalten, wenn sie sicher bekannt ist</translation>
     </message>
     <message>
         <source>iteration {}</source>

@@ -364,6 +364,7 @@ TEST_F(Panels, KeepsEveryRunForComparison) {
     EXPECT_GE(runs->comparison()->topLevelItemCount(), 6) << "two errors and four parameters";
     QTest::qWait(50);
     const QTreeWidget* table = runs->comparison();
+    EXPECT_GT(table->height(), runs->history()->height()) << "the list of two runs takes no more than its rows";
     for (int c = 0; c < 3; ++c) {
         EXPECT_GT(table->columnWidth(c), 60) << "a long name of an effect pushes no column away";
         EXPECT_LE(table->columnViewportPosition(c) + table->columnWidth(c), table->viewport()->width());

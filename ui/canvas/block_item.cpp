@@ -82,7 +82,7 @@ public:
         const QRectF box = boundingRect();
         painter->setRenderHint(QPainter::Antialiasing);
         painter->setPen(Qt::NoPen);
-        painter->setBrush(style::accent(palette));
+        painter->setBrush(palette.color(QPalette::Active, QPalette::Highlight));
         painter->drawRoundedRect(box, box.height() / 2, box.height() / 2);
         painter->setFont(font());
         painter->setPen(palette.color(QPalette::Active, QPalette::HighlightedText));

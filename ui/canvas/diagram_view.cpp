@@ -255,15 +255,22 @@ void DiagramView::drawBackground(QPainter* painter, const QRectF& rect) {
     double step = gridStep;
     while (step * zoom() < 14) step *= 2;
     const QColor dot = style::mix(style::canvas(palette()), palette().color(QPalette::Text), 0.16);
-    const double side = 1 / zoom();  // of a dot: a pixel, on a dense screen as many as make up one
+    // whole pixels of the screen, at whole pixels: else some dots are larger than others
+    const double dense = devicePixelRatioF(), side = std::max(1.0, std::floor(dense)) / dense;
+    const QTransform toPixels = painter->worldTransform();
     QVector<QRectF> dots;
     for (double x = std::floor(rect.left() / step) * step; x <= rect.right(); x += step)
-        for (double y = std::floor(rect.top() / step) * step; y <= rect.bottom(); y += step)
-            dots << QRectF(x, y, side, side);
+        for (double y = std::floor(rect.top() / step) * step; y <= rect.bottom(); y += step) {
+            const QPointF at = toPixels.map(QPointF(x, y)) * dense;
+            dots << QRectF(std::round(at.x()) / dense, std::round(at.y()) / dense, side, side);
+        }
+    painter->save();
+    painter->resetTransform();
     painter->setRenderHint(QPainter::Antialiasing, false);
     painter->setPen(Qt::NoPen);
     painter->setBrush(dot);
     painter->drawRects(dots);
+    painter->restore();
 }
 
 void DiagramView::paintNote(QPainter& painter, QPointF at, const QString& text, const QColor& colour) const {

@@ -83,7 +83,7 @@ FitPanel::FitPanel(Document& document, RunController& controller, QWidget* paren
     method_->addItem(tr("Controlled random search (CRS2)"), static_cast<int>(FitMethod::Crs2));
     method_->addItem(tr("Stochastic ranking (ISRES)"), static_cast<int>(FitMethod::Isres));
     method_->addItem(tr("Evolutionary search (ESCH)"), static_cast<int>(FitMethod::Esch));
-    loss_->addItem(tr("plain squares"), static_cast<int>(RobustLoss::None));
+    loss_->addItem(tr("Plain squares"), static_cast<int>(RobustLoss::None));
     loss_->addItem(tr("Huber: outliers count less"), static_cast<int>(RobustLoss::Huber));
     loss_->addItem(tr("Cauchy: outliers hardly count"), static_cast<int>(RobustLoss::Cauchy));
     starts_->setRange(1, 500);
@@ -92,6 +92,7 @@ FitPanel::FitPanel(Document& document, RunController& controller, QWidget* paren
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(3 * style::unit);
     form->setVerticalSpacing(2 * style::unit);
+    form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
     for (QComboBox* box : {method_, loss_}) {
         box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -106,6 +107,7 @@ FitPanel::FitPanel(Document& document, RunController& controller, QWidget* paren
     style::makeCaption(hint_);
     hint_->setWordWrap(true);
     style::wrapColumn(history_, 0);
+    history_->header()->setMinimumSectionSize(15 * style::unit);
     history_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     history_->setAccessibleName(tr("Runs so far"));
     comparison_->setSelectionMode(QAbstractItemView::NoSelection);
@@ -126,7 +128,7 @@ FitPanel::FitPanel(Document& document, RunController& controller, QWidget* paren
     layout->addWidget(left_);
     layout->addWidget(history_, 3);
     layout->addLayout(row);
-    layout->addWidget(comparison_, 3);
+    layout->addWidget(comparison_, 5);
 
     for (QComboBox* box : {method_, loss_}) connect(box, &QComboBox::activated, this, &FitPanel::applyOptions);
     connect(starts_, &QSpinBox::valueChanged, this, &FitPanel::applyOptions);
@@ -200,6 +202,15 @@ std::vector<std::size_t> FitPanel::chosen() const {
     return rows;
 }
 
+/// What the list takes to show all runs, or the first few: beside a comparison it needs no more.
+int FitPanel::heightOfRuns() const {
+    constexpr int most = 6;
+    int height = history_->header()->height() + 2 * history_->frameWidth() + style::unit;
+    for (int i = 0; i < std::min(most, history_->topLevelItemCount()); ++i)
+        height += history_->visualItemRect(history_->topLevelItem(i)).height();
+    return height;
+}
+
 void FitPanel::compare() {
     const auto& runs = document_.history();
     std::vector<std::size_t> rows = chosen();
@@ -210,6 +221,7 @@ void FitPanel::compare() {
                    : rows.size() == 2 ? QString()
                                       : tr("Choose two runs to compare them."));
     hint_->setVisible(!hint_->text().isEmpty());
+    history_->setMaximumHeight(rows.size() == 2 ? heightOfRuns() : QWIDGETSIZE_MAX);
     comparison_->clear();
     if (rows.size() != 2) return document_.compareRuns(std::nullopt);
     const RunRecord &first = runs[rows[0]], &second = runs[rows[1]];

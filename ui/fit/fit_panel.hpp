@@ -34,6 +34,7 @@ private:
     void applyOptions();
     void refresh();
     void compare();
+    int heightOfRuns() const;
     void restore();
     std::vector<std::size_t> chosen() const;
 

@@ -140,6 +140,7 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent)
     chip_->hide();
     onlyFitted_->setText(tr("Fitted only"));
     onlyFitted_->setCheckable(true);
+    onlyFitted_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);  // as high as the field beside it
     onlyFitted_->setToolTip(tr("Hide parameters that are not fitted"));
 
     table_->setModel(model_);

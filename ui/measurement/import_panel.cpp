@@ -102,6 +102,8 @@ ImportPanel::ImportPanel(Document& document, QWidget* parent)
     const auto add = [&](const QString& text, QWidget* field) {
         auto* label = new QLabel(text, this);
         label->setBuddy(field);
+        if (cell >= 3)
+            label->setContentsMargins(0, 2 * style::unit, 0, 0);  // nearer to its own field than to the upper
         field->setMinimumWidth(110);
         // the label above its field: three columns fit into a narrow panel in any language
         grid->addWidget(label, cell / 3 * 2, cell % 3, Qt::AlignLeft | Qt::AlignBottom);

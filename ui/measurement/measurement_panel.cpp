@@ -403,7 +403,7 @@ void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
     top->setFont(0, bold);
     top->setToolTip(
         1, isFit ? tr("Used to fit and to choose effects") : tr("Only reported; never used to fit or to choose"));
-    top->setForeground(1, isFit ? style::accent(palette()) : muted);
+    top->setForeground(1, isFit ? style::accentText(palette()) : muted);
     const QString extent = table ? QStringLiteral(" · ") + extentText(*table, experiment) : QString();
     auto* info = addRow(top, Kind::Info, file + extent, {});
     info->setFirstColumnSpanned(true);
@@ -431,7 +431,7 @@ void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
             item->setData(1, columnRole, QString::fromStdString(mapping->column));
             item->setToolTip(1, mappingTip(*mapping, file));
             item->setText(Clock, clockText(*mapping));
-            item->setForeground(Clock, mapping->fitsClock      ? style::accent(palette())
+            item->setForeground(Clock, mapping->fitsClock      ? style::accentText(palette())
                                        : hasOwnClock(*mapping) ? palette().color(QPalette::Text)
                                                                : muted);
             item->setToolTip(Clock, clockTip(!isInput));

@@ -116,7 +116,7 @@ QVariant ValuesModel::headerData(int section, Qt::Orientation orientation, int r
     if (section >= columnCount()) return {};
     const Shown& shown = shown_[i];
     if (role == Qt::ToolTipRole) return shown.tip;
-    if (role == Qt::ForegroundRole && shown.conversion) return style::accent(QGuiApplication::palette());
+    if (role == Qt::ForegroundRole && shown.conversion) return style::accentText(QGuiApplication::palette());
     if (role != Qt::DisplayRole) return {};
     return shown.unit.isEmpty() ? shown.heading : shown.heading + QStringLiteral("\n[%1]").arg(shown.unit);
 }

@@ -146,7 +146,7 @@ PlotPanel::PlotPanel(Document& document, QWidget* parent)
 }
 
 QSize PlotPanel::minimumSizeHint() const {
-    return {buttons_->minimumSize().width() + 2 * style::unit, QWidget::minimumSizeHint().height()};
+    return {widthOfButtons() + 2 * style::unit, QWidget::minimumSizeHint().height()};
 }
 
 void PlotPanel::resizeEvent(QResizeEvent* event) {
@@ -160,10 +160,15 @@ bool PlotPanel::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
 }
 
+int PlotPanel::widthOfButtons() const { return buttons_->minimumSize().width() - buttons_->contentsMargins().left(); }
+
 /// Where tabs and buttons have no room side by side, the buttons stand below.
 void PlotPanel::arrangeBar() {
-    const bool fits = experiments_->sizeHint().width() + buttons_->minimumSize().width() + 20 <= width();
+    const bool fits = experiments_->sizeHint().width() + widthOfButtons() + 20 <= width();
     bar_->setDirection(fits ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    // below, off the edge of the panel
+    bar_->setContentsMargins(0, 0, fits ? 2 * style::unit : 0, 0);
+    buttons_->setContentsMargins(fits ? 0 : 2 * style::unit, 0, 0, 0);
 }
 
 void PlotPanel::showExperiment(const QString& name) {

@@ -114,6 +114,7 @@ private:
     void refresh();
     void rebuild();
     void arrangeBar();
+    int widthOfButtons() const;
     /// The best so far of a fit that runs, a few times a second: only the trace that moves is drawn anew.
     void showLive();
     void setTimeRange(double from, double to);

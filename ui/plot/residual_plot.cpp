@@ -188,7 +188,7 @@ private:
         const auto y = [&](double v) { return area.center().y() - v * area.height() / 2; };
         const double bound = 1.96 / std::sqrt(static_cast<double>(plot_.facts_.count));
         QColor band = style::good(palette());
-        band.setAlphaF(0.18f);
+        band.setAlphaF(style::isDark(palette()) ? 0.4f : 0.22f);
         painter.fillRect(QRectF(QPointF(area.left(), y(bound)), QPointF(area.right(), y(-bound))), band);
         painter.setPen(QPen(style::accent(palette()), 1.6));
         for (std::size_t k = 0; k < c.size(); ++k) {
@@ -210,10 +210,12 @@ private:
         paintFrame(painter, area, labels.againstY, labels.againstX, xs, ys, true);
         const std::size_t n = std::min(x.size(), r.size());
         QPolygonF points;
+        const QRectF inner =
+            area.adjusted(style::unit, style::unit, -style::unit, -style::unit);  // no dot on the frame
         for (std::size_t i = 0; i < n; ++i)
             if (std::isfinite(x[i]) && std::isfinite(r[i]))
-                points << QPointF(area.left() + (x[i] - xs.first) / (xs.second - xs.first) * area.width(),
-                                  area.bottom() - (r[i] - ys.first) / (ys.second - ys.first) * area.height());
+                points << QPointF(inner.left() + (x[i] - xs.first) / (xs.second - xs.first) * inner.width(),
+                                  inner.bottom() - (r[i] - ys.first) / (ys.second - ys.first) * inner.height());
         QColor ink = style::afterTrace(palette());
         ink.setAlphaF(style::isDark(palette()) ? 0.7f : 0.5f);
         painter.setPen(QPen(ink, 2, Qt::SolidLine, Qt::RoundCap));

@@ -13,6 +13,7 @@
 #include <QStyleOption>
 #include <QStyledItemDelegate>
 #include <QSvgRenderer>
+#include <QTabBar>
 #include <QTreeView>
 #include <QVBoxLayout>
 #include <QWidget>
@@ -70,7 +71,7 @@ QPalette darkPalette() {
     p.setColor(QPalette::BrightText, Qt::white);
     p.setColor(QPalette::ToolTipBase, QColor(0x3a, 0x41, 0x4b));
     p.setColor(QPalette::ToolTipText, text);
-    p.setColor(QPalette::Highlight, QColor(0x33, 0x7f, 0xd0));
+    p.setColor(QPalette::Highlight, QColor(0x2a, 0x73, 0xc2));
     p.setColor(QPalette::HighlightedText, Qt::white);
     p.setColor(QPalette::Link, QColor(0x6a, 0xad, 0xf0));
     p.setColor(QPalette::Light, QColor(0x3a, 0x41, 0x4a));
@@ -94,8 +95,10 @@ public:
         switch (metric) {
             case PM_ScrollBarExtent:
                 return 3 * unit;
-            case PM_HeaderMargin:
-                return unit + 2;
+            case PM_HeaderMargin:  // as the text of the cells below
+                return unit;
+            case PM_TabBarTabShiftVertical:
+                return 0;
             case PM_FocusFrameHMargin:  // beside the text of a cell
                 return unit - 1;
             case PM_DockWidgetSeparatorExtent:
@@ -137,7 +140,7 @@ public:
             case CT_ComboBox:
             case CT_LineEdit:
             case CT_SpinBox:
-                size.rheight() = std::max(size.height(), option->fontMetrics.height() + 2 * unit + 2);
+                size.rheight() = std::max(size.height(), option->fontMetrics.height() + 3 * unit);  // as a button
                 break;
             case CT_HeaderSection:
                 size.rheight() = std::max(size.height(), option->fontMetrics.height() + 2 * unit);
@@ -176,12 +179,17 @@ public:
                 return underline(*painter, option->rect, hairline(p), 1);
             case CE_MenuBarItem:
                 QProxyStyle::drawControl(element, option, painter, widget);
-                if (!(option->state & State_Sunken)) underline(*painter, option->rect, hairline(p), 1);
-                return;
+                if (option->state & State_Sunken) return;
+                underline(*painter, option->rect, p.color(QPalette::Window), 2);  // over a line of the base style
+                return underline(*painter, option->rect, hairline(p), 1);
             case CE_ProgressBarGroove:
                 return drawGroove(*option, *painter);
+            case CE_ProgressBarContents:
+                if (const auto& bar = *static_cast<const QStyleOptionProgressBar*>(option); bar.maximum > bar.minimum)
+                    return drawProgress(bar, *painter);
+                return QProxyStyle::drawControl(element, option, painter, widget);  // of no known end: it moves
             case CE_TabBarTabShape:
-                return drawTab(*static_cast<const QStyleOptionTab*>(option), *painter);
+                return drawTab(*static_cast<const QStyleOptionTab*>(option), *painter, widget);
             case CE_TabBarTabLabel: {
                 auto tab = *static_cast<const QStyleOptionTab*>(option);
                 if (!(tab.state & State_Selected)) tab.palette.setColor(QPalette::WindowText, mutedText(p));
@@ -226,12 +234,8 @@ public:
 
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                             const QWidget* widget) const override {
-        if (control == CC_SpinBox) {
-            QProxyStyle::drawComplexControl(control, option, painter, widget);
-            QStyleOption frame = *option;
-            frame.rect.adjust(0, 1, 0, -1);  // where the base style has its own
-            return drawField(frame, *painter);
-        }
+        if (control == CC_SpinBox)
+            return drawSpinBox(*static_cast<const QStyleOptionSpinBox*>(option), *painter, widget);
         if (control != CC_ScrollBar) return QProxyStyle::drawComplexControl(control, option, painter, widget);
         const auto& bar = *static_cast<const QStyleOptionSlider*>(option);
         painter->fillRect(bar.rect, bar.palette.base());
@@ -281,6 +285,12 @@ public:
         }
     }
 
+    /// Sharp at every scale, in a colour of ours.
+    QIcon standardIcon(StandardPixmap standard, const QStyleOption* option, const QWidget* widget) const override {
+        if (standard == SP_LineEditClearButton) return icon("close");
+        return QProxyStyle::standardIcon(standard, option, widget);
+    }
+
 private:
     static void underline(QPainter& painter, const QRect& rect, const QColor& colour, int width) {
         painter.fillRect(QRect(rect.left(), rect.bottom() - width + 1, rect.width(), width), colour);
@@ -303,6 +313,19 @@ private:
         painter.restore();
     }
 
+    static void drawProgress(const QStyleOptionProgressBar& bar, QPainter& painter) {
+        const double share = static_cast<double>(bar.progress - bar.minimum) / (bar.maximum - bar.minimum);
+        QRectF done = bar.rect;
+        done.setWidth(std::clamp(share, 0.0, 1.0) * done.width());
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(accent(bar.palette));
+        painter.setClipRect(done);  // its end is round where the groove is
+        painter.drawRoundedRect(bar.rect, 3, 3);
+        painter.restore();
+    }
+
     /// As the base style does, only where the keyboard leads.
     static void drawFocus(const QStyleOption& focus, QPainter& painter) {
         if (!(focus.state & State_KeyboardFocusChange)) return;
@@ -315,12 +338,14 @@ private:
         painter.restore();
     }
 
-    static void drawTab(const QStyleOptionTab& tab, QPainter& painter) {
+    static void drawTab(const QStyleOptionTab& tab, QPainter& painter, const QWidget* widget) {
         const QPalette& p = tab.palette;
+        const auto* bar = qobject_cast<const QTabBar*>(widget);
+        const bool hasBase = !bar || bar->drawBase();  // else a line under the others would end with the last of them
         const bool isChosen = tab.state & State_Selected;
         if (!isChosen && (tab.state & State_MouseOver) && (tab.state & State_Enabled))
             painter.fillRect(tab.rect, mix(p.color(QPalette::Window), p.color(QPalette::WindowText), 0.05));
-        underline(painter, tab.rect, isChosen ? accent(p) : hairline(p), isChosen ? 2 : 1);
+        if (isChosen || hasBase) underline(painter, tab.rect, isChosen ? accent(p) : hairline(p), isChosen ? 2 : 1);
         if (isChosen && (tab.state & State_HasFocus))
             painter.fillRect(QRect(tab.rect.left(), tab.rect.top(), tab.rect.width(), 1), accent(p));
     }
@@ -360,6 +385,32 @@ private:
         painter.restore();
     }
 
+    /// A field with two arrows as flat as all else.
+    void drawSpinBox(const QStyleOptionSpinBox& box, QPainter& painter, const QWidget* widget) const {
+        const QPalette& p = box.palette;
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(p.base());
+        painter.drawRoundedRect(QRectF(box.rect).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
+        for (const bool isUp : {true, false}) {
+            const SubControl part = isUp ? SC_SpinBoxUp : SC_SpinBoxDown;
+            const QRectF place = subControlRect(CC_SpinBox, &box, part, widget);
+            const bool isEnabled =
+                (box.state & State_Enabled) &&
+                (box.stepEnabled & (isUp ? QAbstractSpinBox::StepUpEnabled : QAbstractSpinBox::StepDownEnabled));
+            const bool isOver = isEnabled && (box.activeSubControls & part) && (box.state & State_MouseOver);
+            const QPointF middle = place.center() + QPointF(0, isUp ? 1 : -1);
+            const double height = isUp ? -2 : 2;
+            QPolygonF arrow{middle + QPointF(-3.5, -height), middle + QPointF(3.5, -height),
+                            middle + QPointF(0, height)};
+            painter.setBrush(!isEnabled ? hairline(p) : isOver ? p.color(QPalette::Text) : mutedText(p));
+            painter.drawPolygon(arrow);
+        }
+        painter.restore();
+        drawField(box, painter);
+    }
+
     static void drawFrame(const QStyleOption& frame, QPainter& painter) {
         const QPalette& p = frame.palette;
         painter.fillRect(frame.rect, mix(p.color(QPalette::Window), p.color(QPalette::WindowText), 0.25));
@@ -374,7 +425,9 @@ private:
         box.moveCenter(QRectF(option.rect).center());
         painter.save();
         painter.setRenderHint(QPainter::Antialiasing);
-        const QColor frame = isOn ? accent(p) : mix(p.color(QPalette::Base), p.color(QPalette::Text), 0.4);
+        const QColor frame = option.state & State_Selected ? p.color(QPalette::Active, QPalette::HighlightedText)
+                             : isOn                        ? accent(p)
+                                                           : mix(p.color(QPalette::Base), p.color(QPalette::Text), 0.4);
         painter.setPen(QPen(frame, 1));
         painter.setBrush(isOn ? accent(p) : p.color(QPalette::Base));
         painter.drawRoundedRect(box, 3, 3);
@@ -398,9 +451,11 @@ public:
         QFile file(":/icons/" + name_ + ".svg");
         if (!file.open(QIODevice::ReadOnly)) return;
         const QPalette palette = QGuiApplication::palette();
-        const QColor colour = mode == QIcon::Disabled ? palette.color(QPalette::Disabled, QPalette::ButtonText)
-                              : mode == QIcon::Selected
-                                  ? palette.color(QPalette::Active, QPalette::HighlightedText)
+        const QColor colour = mode == QIcon::Disabled   ? palette.color(QPalette::Disabled, QPalette::ButtonText)
+                              : mode == QIcon::Selected ? palette.color(QPalette::Active, QPalette::HighlightedText)
+                              : name_ == QLatin1String("error") ? fault(palette)
+                              : name_ == QLatin1String("warning")
+                                  ? caution(palette)
                                   : mix(palette.color(QPalette::ButtonText), palette.color(QPalette::Window), 0.15);
         const bool isOneColoured = mode == QIcon::Disabled || mode == QIcon::Selected;
         QByteArray svg = file.readAll();
@@ -442,7 +497,11 @@ QColor mix(const QColor& a, const QColor& b, double t) {
                             between(a.alphaF(), b.alphaF()));
 }
 
-QColor accent(const QPalette& palette) { return palette.color(QPalette::Active, QPalette::Highlight); }
+QColor accent(const QPalette& palette) {
+    return isDark(palette) ? QColor(0x3b, 0x88, 0xda) : palette.color(QPalette::Active, QPalette::Highlight);
+}
+
+QColor accentText(const QPalette& palette) { return palette.color(QPalette::Active, QPalette::Link); }
 
 QColor mutedText(const QPalette& palette) {
     return mix(palette.color(QPalette::WindowText), palette.color(QPalette::Window), 0.35);

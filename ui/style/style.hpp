@@ -24,6 +24,7 @@ bool isDark(const QPalette& palette);
 QColor mix(const QColor& a, const QColor& b, double t);
 
 QColor accent(const QPalette& palette);
+QColor accentText(const QPalette& palette);  // words in it
 QColor mutedText(const QPalette& palette);
 QColor hairline(const QPalette& palette);
 QColor canvas(const QPalette& palette);

@@ -26,11 +26,11 @@ enum State { Normal = 0, InComment = 1 };
 void Highlighter::highlightBlock(const QString& text) {
     static const QRegularExpression token(
         R"re((?<comment>//.*$)|(?<open>/\*)|(?<string>"(?:\\.|[^"\\])*"?)|(?<number>\b\d+(?:\.\d*)?(?:[eE][+-]?\d+)?)|(?<word>[A-Za-z_][A-Za-z0-9_]*))re");
-    const QColor comment = style::mix(palette_.color(QPalette::Text), palette_.color(QPalette::Base), 0.5);
+    const QColor comment = style::mix(palette_.color(QPalette::Text), palette_.color(QPalette::Base), 0.36);
     const QColor string = style::good(palette_);
     const QColor number = style::caution(palette_);
     QTextCharFormat keyword;
-    keyword.setForeground(style::accent(palette_));
+    keyword.setForeground(style::accentText(palette_));
     keyword.setFontWeight(QFont::DemiBold);
 
     setCurrentBlockState(Normal);

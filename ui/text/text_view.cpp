@@ -146,7 +146,7 @@ void TextView::paintLineNumbers(QPaintEvent* event) {
     QPainter painter(lineNumbers_);
     painter.fillRect(event->rect(), palette().color(QPalette::Base));
     painter.setFont(font());
-    painter.setPen(style::mix(palette().color(QPalette::Text), palette().color(QPalette::Base), 0.6));
+    painter.setPen(style::mix(palette().color(QPalette::Text), palette().color(QPalette::Base), 0.42));
     const int width = lineNumbers_->width() - 3 * style::unit;
     for (QTextBlock block = firstVisibleBlock(); block.isValid(); block = block.next()) {
         const QRectF line = blockBoundingGeometry(block).translated(contentOffset());

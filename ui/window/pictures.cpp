@@ -146,12 +146,15 @@ public:
         settle();
         take(window, "12-runs");
         window.findChild<PlotPanel*>()->endComparisonButton()->click();
-        QString broken = document.modelText();
+        const QString whole = document.modelText();
+        QString broken = whole;
         document.typeText(broken.replace("connect(heater.i", "connect(heater.current"));
         settle(400);
         window.findChild<QDockWidget*>("messages")->raise();
         settle();
         take(window, "13-messages");
+        document.typeText(whole);
+        settle(400);
         for (QAction* action : window.findChildren<QAction*>())
             if (action->shortcut() == QKeySequence(QKeySequence::HelpContents)) action->trigger();
         settle(2500);  // its pictures come a moment later
