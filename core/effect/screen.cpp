@@ -274,8 +274,9 @@ public:
         Outcome<PreparedTask> held = prepareHeld(wired_, free, null_.noise, kept);
         if (!held) return held.diagnostics();
         held_ = std::move(*held);
-        // a linear model's recurrence does not serve a wave
-        for (std::size_t e = 0; !placed_.effect.phase.empty() && e < plans_.size(); ++e)
+        // a linear model's recurrence does not serve what makes it another; slopes all go along the same course
+        const bool takesSlopes = placed_.effect.secant.empty() || !placed_.effect.phase.empty();
+        for (std::size_t e = 0; takesSlopes && e < plans_.size(); ++e)
             if (plans_[e].method == GridMethod::Exact)
                 plans_[e] = planFor(held_.problem, static_cast<int>(e), off(), simulation_, progress_);
         return Done{};
@@ -347,9 +348,19 @@ private:
         const Linearisation l = linearise(held_.problem, at, needsTangents, isSlope ? plans : std::vector<GridPlan>{},
                                           simulation, progress_);
         if (!l.ok || l.residuals.size() != null_.fit.optimum.residuals.size()) return std::nullopt;
+        if (!isSlope) rememberSteps(l);
         Eigen::MatrixXd columns = needsTangents ? l.jacobian : Eigen::MatrixXd(l.residuals.size(), 1);
         if (!isSlope) columns.col(0) = (l.residuals - null_.fit.optimum.residuals) / secant;
         return columns.allFinite() ? std::optional(std::move(columns)) : std::nullopt;
+    }
+
+    /// What follows is judged with the steps of what went before: to choose them anew takes longer than to take them.
+    void rememberSteps(const Linearisation& taken) {
+        held_.problem.knownPlans.clear();
+        for (const Trajectory& t : taken.trajectories) {
+            held_.problem.knownPlans.push_back(t.plan);
+            held_.problem.knownPlans.back().terms.reset();
+        }
     }
 
     /// Steps short enough for a wave that the model itself, without the effect, need not follow.

@@ -47,9 +47,14 @@ public:
         if (mayBeExact && options_.substeps == 0 && canBeExact(dynamics_, inputs_)) return {GridMethod::Exact, 1, 0.0};
         if (options_.method == GridMethod::Exact) options_.method = GridMethod::Auto;
         takeTerms(inForce);
-        if (const std::optional<GridPlan> plan = stillHolding(inForce)) return *plan;
+        const bool isAlike =
+            inForce && !inForce->steps;  // a survey tells of these at less cost where the model is smooth
+        if (!isAlike)
+            if (const std::optional<GridPlan> plan = stillHolding(inForce)) return *plan;
         if (!surveyWholeRecord() || progress_.stopRequested()) return fallback();
         if (const std::optional<GridPlan> plan = singleSteps()) return *plan;
+        if (isAlike)
+            if (const std::optional<GridPlan> plan = stillHolding(inForce)) return *plan;
         if (options_.method == GridMethod::Auto && options_.substeps == 0) {
             const std::optional<GridPlan> plan =
                 scheduleSteps(dynamics_, inputs_, surveyRun_, tolerance_, limited_, progress_);
@@ -92,9 +97,10 @@ private:
     /// less is asked for now): to choose them anew takes three times as long.
     std::optional<GridPlan> stillHolding(const GridPlan* known) {
         const bool isFree = options_.method == GridMethod::Auto && options_.substeps == 0;
-        if (!isFree || !known || !known->steps || known->method == GridMethod::Exact) return std::nullopt;
-        if (static_cast<int>(known->steps->size()) + 1 != sampleCount_) return std::nullopt;
+        if (!isFree || !known || known->method == GridMethod::Exact) return std::nullopt;
+        if (known->steps && static_cast<int>(known->steps->size()) + 1 != sampleCount_) return std::nullopt;
         const auto scaled = [&](const auto& change) {
+            if (!known->steps) return GridPlan{known->method, change(known->substeps), 0.0};
             std::vector<std::int16_t> steps;
             for (const std::int16_t own : *known->steps)
                 steps.push_back(static_cast<std::int16_t>(own < 0 ? -change(-own) : change(own)));

@@ -113,6 +113,18 @@ TEST(StepSchedule, KeepsAPlanThatStillHolds) {
     EXPECT_FALSE(planGrid(task, {}, {}, &coarse) == coarse);
 }
 
+TEST(StepSchedule, KeepsStepsThatAreAllAlikeWhereTheyStillHold) {
+    const Rotor rotor;
+    SimulationTask task = rotor.task(false);
+    const GridPlan single{GridMethod::RungeKutta4, 1, 0.0};
+    EXPECT_FALSE(planGrid(task, {}, {}, &single) == single) << "not beside sharp friction";
+    task.parameters[static_cast<std::size_t>(rotor.system->parameterIndex("tau_c"))] = 0;
+    const GridPlan many{GridMethod::RungeKutta4, 64, 0.0}, half{GridMethod::RungeKutta4, 32, 0.0};
+    const GridPlan kept = planGrid(task, {}, {}, &many);
+    EXPECT_TRUE(kept == half) << "they were judged, and half of them are still far more than is asked for";
+    EXPECT_LE(kept.errorEstimate, 10 * SimulationOptions().relativeTolerance);
+}
+
 TEST(StepSchedule, TakesFewerStepsWhereMuchLessIsAskedFor) {
     const Rotor rotor;
     const SimulationTask task = rotor.task(false);
