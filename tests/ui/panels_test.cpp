@@ -1084,11 +1084,16 @@ TEST_F(Panels, WritesTheReportOnPaper) {
     remainder.proposedEquation = Text("Q_flow = a*v^2");
     finding.remainders = {remainder};
     finding.nextExperiment = Text("hold the voltage");
+    CandidateResult passedOver;
+    passedOver.kind = "thermal.loss";
+    passedOver.verdict = Verdict::Weaker;
+    passedOver.reason = Text("explains less than another");
+    finding.candidates = {passedOver};
     const QString body = reportBody("lambda", RunKind::Discover, finding, pictures.size());
     for (const char* wanted :
          {"Heat loss at element.solid", "some structure remains", "warm-up", "drive cycle", "mind the range",
           "cannot tell it from: thermal.radiation at element.solid", "What remains on i_mod", "acting at element.solid",
-          "Q_flow = a*v^2", "hold the voltage", "heater.R", "picture:1"})
+          "Q_flow = a*v^2", "hold the voltage", "explains less than another", "heater.R", "picture:1"})
         EXPECT_TRUE(body.contains(wanted)) << wanted;
 }
 

@@ -24,6 +24,14 @@ QString text(const std::string& s) { return QString::fromStdString(s).toHtmlEsca
 QString tr(const char* s) { return ResultPanel::tr(s); }
 QString number(double v, int digits = 4) { return style::numberText(v, digits); }
 
+/// What a candidate came to, and below it why it was not taken.
+QString verdictCell(const CandidateResult& candidate) {
+    const QString verdict = verdictText(candidate.verdict).toHtmlEscaped();
+    if (candidate.verdict == Verdict::Chosen || candidate.reason.empty()) return verdict;
+    return verdict + "<br><span style='font-size: 7.5pt; color: #555'>" + inWords(candidate.reason).toHtmlEscaped() +
+           "</span>";
+}
+
 /// A table of cells; all but the first column are set to the right.
 class HtmlTable {
 public:
@@ -104,7 +112,7 @@ QString reportBody(const QString& title, RunKind kind, const Finding& finding, s
         HtmlTable tried({tr("Effect"), tr("At"), tr("Screening"), tr("ΔBIC"), tr("Verdict")});
         for (const CandidateResult& c : finding.candidates)
             tried.add({text(c.kind), placeText(text(c.at)), number(c.score, 3),
-                       c.deltaBic ? number(*c.deltaBic, 3) : QString(), verdictText(c.verdict).toHtmlEscaped()});
+                       c.deltaBic ? number(*c.deltaBic, 3) : QString(), verdictCell(c)});
         html += tried.html();
     }
     return html;
