@@ -13,9 +13,8 @@ namespace analogon {
 namespace {
 
 constexpr std::size_t mostFitted = 2;
-constexpr double leastShare = 3;  // times what stays unexplained, that must be explained
-constexpr double mostLeft =
-    1.0 / 16;  // of the sum of squares, unless it is noise: a missing effect may look like a scale
+constexpr double leastShare = 3;       // times what stays unexplained, that must be explained
+constexpr double mostLeft = 1.0 / 16;  // of the sum of squares, unless it is noise: an effect may look like a scale
 constexpr double leastEvidence = 300;  // far more than an effect needs: none is looked for beside it
 
 /// What test benches record in, by kind: every other one of the same kind may be meant.

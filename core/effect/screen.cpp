@@ -348,19 +348,11 @@ private:
         const Linearisation l = linearise(held_.problem, at, needsTangents, isSlope ? plans : std::vector<GridPlan>{},
                                           simulation, progress_);
         if (!l.ok || l.residuals.size() != null_.fit.optimum.residuals.size()) return std::nullopt;
-        if (!isSlope) rememberSteps(l);
+        // what follows is judged with these steps: to choose them anew takes longer than to take them
+        if (!isSlope) held_.problem.knownPlans = stepsOf(l);
         Eigen::MatrixXd columns = needsTangents ? l.jacobian : Eigen::MatrixXd(l.residuals.size(), 1);
         if (!isSlope) columns.col(0) = (l.residuals - null_.fit.optimum.residuals) / secant;
         return columns.allFinite() ? std::optional(std::move(columns)) : std::nullopt;
-    }
-
-    /// What follows is judged with the steps of what went before: to choose them anew takes longer than to take them.
-    void rememberSteps(const Linearisation& taken) {
-        held_.problem.knownPlans.clear();
-        for (const Trajectory& t : taken.trajectories) {
-            held_.problem.knownPlans.push_back(t.plan);
-            held_.problem.knownPlans.back().terms.reset();
-        }
     }
 
     /// Steps short enough for a wave that the model itself, without the effect, need not follow.

@@ -190,10 +190,22 @@ std::vector<ParameterValue> valuesOf(const FitResult& result) {
     return values;
 }
 
-std::vector<GridPlan> stepsOf(const FitResult& result) {
-    std::vector<GridPlan> plans = result.plans;
+namespace {
+
+/// What is looked up belongs to one system; the steps serve others like it.
+std::vector<GridPlan> withoutTerms(std::vector<GridPlan> plans) {
     for (GridPlan& plan : plans) plan.terms.reset();
     return plans;
+}
+
+}  // namespace
+
+std::vector<GridPlan> stepsOf(const FitResult& result) { return withoutTerms(result.plans); }
+
+std::vector<GridPlan> stepsOf(const Linearisation& taken) {
+    std::vector<GridPlan> plans;
+    for (const Trajectory& t : taken.trajectories) plans.push_back(t.plan);
+    return withoutTerms(std::move(plans));
 }
 
 Outcome<std::string> textWithValues(const Variant& variant) {

@@ -71,6 +71,7 @@ std::vector<ParameterValue> valuesOf(const FitResult& result);
 
 /// The steps of its plans alone, without what belongs to the system that was fitted: that may be gone.
 std::vector<GridPlan> stepsOf(const FitResult& result);
+std::vector<GridPlan> stepsOf(const Linearisation& taken);
 
 /// The model text with all values written in as modifications.
 Outcome<std::string> textWithValues(const Variant& variant);

@@ -47,8 +47,8 @@ public:
         if (mayBeExact && options_.substeps == 0 && canBeExact(dynamics_, inputs_)) return {GridMethod::Exact, 1, 0.0};
         if (options_.method == GridMethod::Exact) options_.method = GridMethod::Auto;
         takeTerms(inForce);
-        const bool isAlike =
-            inForce && !inForce->steps;  // a survey tells of these at less cost where the model is smooth
+        // a survey tells of steps that are all alike at less cost, where the model is smooth
+        const bool isAlike = inForce && !inForce->steps;
         if (!isAlike)
             if (const std::optional<GridPlan> plan = stillHolding(inForce)) return *plan;
         if (!surveyWholeRecord() || progress_.stopRequested()) return fallback();

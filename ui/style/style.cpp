@@ -304,13 +304,17 @@ private:
                          option.state & State_MouseOver ? accent(option.palette) : hairline(option.palette));
     }
 
-    static void drawGroove(const QStyleOption& bar, QPainter& painter) {
+    static void fillRounded(QPainter& painter, const QRectF& rect, const QColor& colour) {
         painter.save();
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setPen(Qt::NoPen);
-        painter.setBrush(hairline(bar.palette));
-        painter.drawRoundedRect(bar.rect, 3, 3);
+        painter.setBrush(colour);
+        painter.drawRoundedRect(rect, 3, 3);
         painter.restore();
+    }
+
+    static void drawGroove(const QStyleOption& bar, QPainter& painter) {
+        fillRounded(painter, bar.rect, hairline(bar.palette));
     }
 
     static void drawProgress(const QStyleOptionProgressBar& bar, QPainter& painter) {
@@ -318,11 +322,8 @@ private:
         QRectF done = bar.rect;
         done.setWidth(std::clamp(share, 0.0, 1.0) * done.width());
         painter.save();
-        painter.setRenderHint(QPainter::Antialiasing);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(accent(bar.palette));
         painter.setClipRect(done);  // its end is round where the groove is
-        painter.drawRoundedRect(bar.rect, 3, 3);
+        fillRounded(painter, bar.rect, accent(bar.palette));
         painter.restore();
     }
 
@@ -388,11 +389,10 @@ private:
     /// A field with two arrows as flat as all else.
     void drawSpinBox(const QStyleOptionSpinBox& box, QPainter& painter, const QWidget* widget) const {
         const QPalette& p = box.palette;
+        fillRounded(painter, QRectF(box.rect).adjusted(0.5, 0.5, -0.5, -0.5), p.color(QPalette::Base));
         painter.save();
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setPen(Qt::NoPen);
-        painter.setBrush(p.base());
-        painter.drawRoundedRect(QRectF(box.rect).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
         for (const bool isUp : {true, false}) {
             const SubControl part = isUp ? SC_SpinBoxUp : SC_SpinBoxDown;
             const QRectF place = subControlRect(CC_SpinBox, &box, part, widget);
