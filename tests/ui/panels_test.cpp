@@ -364,7 +364,12 @@ TEST_F(Panels, KeepsEveryRunForComparison) {
     EXPECT_GE(runs->comparison()->topLevelItemCount(), 6) << "two errors and four parameters";
     QTest::qWait(50);
     const QTreeWidget* table = runs->comparison();
+    window.findChild<QDockWidget*>("runs")->raise();
+    window.resize(1440, 1400);
+    QTest::qWait(50);
     EXPECT_GT(table->height(), runs->history()->height()) << "the list of two runs takes no more than its rows";
+    const QRect lastRun = runs->history()->visualItemRect(runs->history()->topLevelItem(1));
+    EXPECT_LT(runs->history()->viewport()->height() - lastRun.bottom(), lastRun.height()) << "no empty row below them";
     for (int c = 0; c < 3; ++c) {
         EXPECT_GT(table->columnWidth(c), 60) << "a long name of an effect pushes no column away";
         EXPECT_LE(table->columnViewportPosition(c) + table->columnWidth(c), table->viewport()->width());
