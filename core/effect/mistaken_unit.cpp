@@ -17,7 +17,7 @@ constexpr double leastShare = 3;       // times what stays unexplained, that mus
 constexpr double mostLeft = 1.0 / 16;  // of the sum of squares, unless it is noise: an effect may look like a scale
 constexpr double leastEvidence = 300;  // far more than an effect needs: none is looked for beside it
 
-/// What test benches record in, by kind: every other one of the same kind may be meant.
+/// What test benches record in, by kind, the commoner first: every other one of the same kind may be meant.
 constexpr std::array<const char*, 27> commonUnits{"K",   "degC", "degF", "rad/s", "rpm", "deg/s", "rad", "deg", "A",
                                                   "mA",  "V",    "mV",   "W",     "kW",  "Nm",    "mNm", "N",   "kN",
                                                   "m/s", "km/h", "m",    "mm",    "Pa",  "kPa",   "hPa", "bar", "g/s"};
@@ -120,6 +120,42 @@ std::vector<Eigen::VectorXd> noiseRead(const NullModel& null, const MistakenUnit
     return noise;
 }
 
+std::size_t rarity(const std::string& unit) {
+    return static_cast<std::size_t>(std::find(commonUnits.begin(), commonUnits.end(), unit) - commonUnits.begin());
+}
+
+/// Whether both are about the same numbers.
+bool isOfSameNumbers(const MistakenUnit& a, const MistakenUnit& b) {
+    return a.recordings == b.recordings && a.columns == b.columns;
+}
+
+/// Whether what one leaves more than the other is less than tells them apart.
+bool leavesAsLittle(const NullModel& model, const NullModel& best) {
+    const double rows = static_cast<double>(best.fit.optimum.residuals.size());
+    const double variance = best.sumOfSquares() / std::max(1.0, rows - best.parameterCount());
+    return independentShare(best, best.fit) * (model.sumOfSquares() - best.sumOfSquares()) <
+           equivalenceMargin * variance;
+}
+
+/// That which leaves least; of units for the same numbers that leave as little, the commonest, with the others.
+std::optional<MistakenUnit> likeliest(std::vector<MistakenUnit> found) {
+    if (found.empty()) return std::nullopt;
+    std::stable_sort(found.begin(), found.end(), [](const MistakenUnit& a, const MistakenUnit& b) {
+        return a.read.sumOfSquares() < b.read.sumOfSquares();
+    });
+    std::vector<MistakenUnit> alike;
+    for (MistakenUnit& each : found)
+        if (alike.empty() ||
+            (isOfSameNumbers(each, alike.front()) && leavesAsLittle(each.read, alike.front().read)))
+            alike.push_back(std::move(each));
+    std::stable_sort(alike.begin(), alike.end(), [](const MistakenUnit& a, const MistakenUnit& b) {
+        return rarity(a.likely) < rarity(b.likely);
+    });
+    MistakenUnit first = std::move(alike.front());
+    for (std::size_t i = 1; i < alike.size(); ++i) first.asLikely.push_back(alike[i].likely);
+    return first;
+}
+
 }  // namespace
 
 bool MistakenUnit::concerns(const ChannelUnit& given) const {
@@ -167,19 +203,18 @@ std::optional<MistakenUnit> mistakenUnit(const NullModel& null, const Variant& g
     std::stable_sort(likely.begin(), likely.end(),
                      [](const Likely& a, const Likely& b) { return a.promised < b.promised; });
     if (likely.size() > mostFitted) likely.resize(mostFitted);
-    std::optional<MistakenUnit> best;
+    std::vector<MistakenUnit> found;
     for (Likely& each : likely) {
         Outcome<NullModel> read = fitNull(each.variant, each.noise, NoiseLevel::Keep, options, progress);
         if (!read || progress.stopRequested()) continue;
-        if (best && !(read->sumOfSquares() < best->read.sumOfSquares())) continue;
         const Acceptance gain = examine(null, read->fit, 0, 0);
         if (!gain.accepted() || !(gain.share > leastShare)) continue;
         if (!isNoise(*read) && !(read->sumOfSquares() < mostLeft * null.sumOfSquares())) continue;
         if (!(std::max(gain.evidence, gain.effective) > leastEvidence)) continue;
-        best = std::move(each.mistake);
-        best->read = std::move(*read);
+        found.push_back(std::move(each.mistake));
+        found.back().read = std::move(*read);
     }
-    return best;
+    return likeliest(std::move(found));
 }
 
 }  // namespace analogon

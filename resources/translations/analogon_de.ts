@@ -7380,6 +7380,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>die Zahlen von {} sehen nach {} aus und nicht nach {}, wie angegeben</translation>
     </message>
     <message>
+        <source>the numbers of {} look like {} (or {}: other parameters make up for it) and not like the {} that is told</source>
+        <translation>die Zahlen von {} sehen nach {} aus (oder nach {}: andere Parameter gleichen es aus) und nicht nach {}, wie angegeben</translation>
+    </message>
+    <message>
         <source>read so, the model as it is leaves an error of {:.3g} % instead of {:.3g} %</source>
         <translation>so gelesen lässt das Modell, wie es ist, einen Fehler von {} % statt {} %</translation>
     </message>

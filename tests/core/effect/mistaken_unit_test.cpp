@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "warm_body.hpp"
@@ -116,6 +117,67 @@ TEST(MistakenUnit, ConvertsAStartValueOnceHoweverManyChannelsAreReadFromItsColum
     mistake.likely = "degC";
     const EstimationTask read = readAsLikely(taskOf({r}, 5), mistake);
     EXPECT_NEAR(read.recordings[0].starts[0].value, 300, 0.1);
+}
+
+/// A rotor (J [kg.m2]) that a torque drives against a damper (b [N.m.s/rad]); its speed is measured.
+EstimationTask rotor(Recording recording) {
+    EstimationTask task;
+    task.model = std::make_shared<Source>("model.mo", R"(model Rotor
+  Analogon.Interfaces.RealInput tau(unit="N.m");
+  Analogon.Interfaces.RealOutput w(unit="rad/s");
+  Analogon.Sources.PrescribedTorque drive;
+  Analogon.Mechanics.Inertia rotor(J=1);
+  Analogon.Mechanics.ViscousLoad damper(b=0.05);
+  Analogon.Sensors.SpeedSensor sensor;
+equation
+  connect(tau, drive.tau);
+  connect(drive.flange, rotor.flange_a);
+  connect(rotor.flange_b, damper.flange);
+  connect(rotor.flange_b, sensor.flange);
+  connect(sensor.w, w);
+end Rotor;
+)");
+    task.className = "Rotor";
+    Outcome<Library> library = builtInLibrary()->withSource(task.model);
+    EXPECT_TRUE(library) << format(library.diagnostics());
+    if (library) task.library = std::move(*library);
+    task.parameters = {{"rotor.J", "kg.m2", 1, 0.1, 10}, {"damper.b", "N.m.s/rad", 0.05, 0.005, 0.5}};
+    task.recordings = {std::move(recording)};
+    return task;
+}
+
+/// Numbers in deg/s that are told to be in rad/s.
+Recording turning() {
+    Recording r = warmBodyRecording("run", samples);
+    r.inputNames = {"tau"};
+    r.outputNames = {"w"};
+    std::mt19937 random(9);
+    std::normal_distribution<double> noise(0, 0.2);
+    double speed = 0;  // rad/s
+    for (int k = 0; k < samples; ++k) {
+        r.time.push_back(k);
+        r.inputs(0, k) = powerAt(k);
+        r.outputs(0, k) = speed * 180 / std::numbers::pi + noise(random);
+        constexpr int inner = 100;
+        for (int i = 0; i < inner; ++i) {
+            const double a = (i + 0.5) / inner, torque = (1 - a) * powerAt(k) + a * powerAt(k + 1);
+            speed += 1.0 / inner / 1.5 * (torque - 0.075 * speed);
+        }
+    }
+    r.units = {{"tau", "torque", "Nm", "N.m"}, {"w", "speed", "rad/s", "rad/s"}};
+    return r;
+}
+
+TEST(MistakenUnit, NamesTheCommonerUnitFirstWhereParametersMakeUpForTheFactorBetweenTwo) {
+    const EstimationTask task = rotor(turning());
+    const Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, {}, {});
+    ASSERT_TRUE(null) << format(null.diagnostics());
+    const std::optional<MistakenUnit> found = mistakenUnit(*null, {task, {}, {}}, {}, {});
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->channels, std::vector<std::string>{"w"});
+    EXPECT_EQ(found->likely, "rpm") << "a rotor of a sixth of the inertia in a sixth of the drag";
+    EXPECT_EQ(found->asLikely, std::vector<std::string>{"deg/s"});
+    EXPECT_NEAR(found->read.fit.find("rotor.J")->value, 1.5 / 6, 0.01) << "as told first";
 }
 
 }  // namespace
