@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.hpp"
 #include "core/base/range.hpp"
 #include "core/fit/clock.hpp"
 #include "core/flat/parameter_change.hpp"
@@ -119,28 +120,38 @@ std::optional<Change> fitted(const NullModel& null, const std::vector<FitParamet
 
 }  // namespace
 
-std::optional<Change> bestChange(const NullModel& null, FitOptions options, const Progress& progress) {
+std::optional<Change> bestChange(const NullModel& null, FitOptions options, int threads, const Progress& progress) {
     options.simulation = limited(null, options.simulation);
     const Outcome<PreparedTask> prepared = prepareAt(null.variant, null.noise);
     if (!prepared) return std::nullopt;
     std::optional<Change> best;
-    const std::vector<Change> likely = likelyChanges(null);
-    for (std::size_t i = 0; i < std::min(likely.size(), mostFitted) && !progress.stopRequested(); ++i) {
-        if (likely[i].explained < leastLikely * likely.front().explained) break;
-        std::optional<Change> change = fitted(null, prepared->problem.parameters, likely[i], options, progress);
-        if (change && (!best || change->explained > best->explained)) best = std::move(change);
-    }
+    const auto tryThese = [&](const std::vector<Change>& changes) {
+        std::vector<std::optional<Change>> tried(changes.size());
+        parallelFor(static_cast<int>(changes.size()), threads, [&](int i) {
+            const auto k = static_cast<std::size_t>(i);
+            if (!progress.stopRequested())
+                tried[k] = fitted(null, prepared->problem.parameters, changes[k], options, progress);
+        });
+        for (std::optional<Change>& change : tried)
+            if (change && (!best || change->explained > best->explained)) best = std::move(change);
+    };
+    std::vector<Change> likely = likelyChanges(null);
+    std::erase_if(likely, [least = likely.empty() ? 0 : leastLikely * likely.front().explained](const Change& change) {
+        return change.explained < least;
+    });
+    if (likely.size() > mostFitted) likely.resize(mostFitted);
+    tryThese(likely);
     if (!best) return best;
     // a moment is found by steps too short to cross what happens between two manoeuvres
-    const Change first = *best;
-    const std::vector<double>& time = fittedRecording(null.variant.task, first.experiment).time;
+    const std::vector<double>& time = fittedRecording(null.variant.task, best->experiment).time;
+    std::vector<Change> near;
     for (const double away : {-4.0, -2.0, -1.0, 1.0, 2.0, 4.0}) {
-        Change near = first;
-        near.time += away * (time.back() - time.front()) / coarse;
-        if (near.time <= time.front() || near.time >= time.back() || progress.stopRequested()) continue;
-        std::optional<Change> change = fitted(null, prepared->problem.parameters, near, options, progress);
-        if (change && change->explained > best->explained) best = std::move(change);
+        const double moment = best->time + away * (time.back() - time.front()) / coarse;
+        if (moment <= time.front() || moment >= time.back()) continue;
+        near.push_back(*best);
+        near.back().time = moment;
     }
+    tryThese(near);
     return best;
 }
 

@@ -21,6 +21,6 @@ struct Change {
 
 /// The best of the changes that are likely to first order, once each is fitted with all parameters of the model, its
 /// moment and its size. Empty: nothing to gain.
-std::optional<Change> bestChange(const NullModel& null, FitOptions options, const Progress& progress);
+std::optional<Change> bestChange(const NullModel& null, FitOptions options, int threads, const Progress& progress);
 
 }  // namespace analogon

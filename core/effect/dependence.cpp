@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.hpp"
 #include "core/base/range.hpp"
 #include "core/fit/clock.hpp"
 #include "core/flat/parameter_change.hpp"
@@ -98,7 +99,8 @@ std::optional<Dependence> fitted(const NullModel& null, const Channel& channel, 
 
 }  // namespace
 
-std::optional<Dependence> bestDependence(const NullModel& null, FitOptions options, const Progress& progress) {
+std::optional<Dependence> bestDependence(const NullModel& null, FitOptions options, int threads,
+                                         const Progress& progress) {
     options.simulation = limited(null, options.simulation);
     const std::vector<Channel> channels = unusedChannels(null.variant.task);
     if (channels.empty()) return std::nullopt;
@@ -116,12 +118,19 @@ std::optional<Dependence> bestDependence(const NullModel& null, FitOptions optio
         }
     std::stable_sort(likely.begin(), likely.end(),
                      [](const Likely& a, const Likely& b) { return a.explained > b.explained; });
+    std::erase_if(likely, [least = likely.empty() ? 0 : leastLikely * likely.front().explained](const Likely& each) {
+        return each.explained < least;
+    });
+    if (likely.size() > mostFitted) likely.resize(mostFitted);
+    std::vector<std::optional<Dependence>> tried(likely.size());
+    parallelFor(static_cast<int>(likely.size()), threads, [&](int i) {
+        const auto k = static_cast<std::size_t>(i);
+        if (!progress.stopRequested())
+            tried[k] = fitted(null, channels[likely[k].channel], likely[k], options, progress);
+    });
     std::optional<Dependence> best;
-    for (std::size_t i = 0; i < std::min(likely.size(), mostFitted) && !progress.stopRequested(); ++i) {
-        if (likely[i].explained < leastLikely * likely.front().explained) break;
-        std::optional<Dependence> one = fitted(null, channels[likely[i].channel], likely[i], options, progress);
+    for (std::optional<Dependence>& one : tried)
         if (one && (!best || one->explained > best->explained)) best = std::move(one);
-    }
     return best;
 }
 

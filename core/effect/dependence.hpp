@@ -20,6 +20,7 @@ struct Dependence {
 
 /// The best of the dependences that are likely to first order, once each is fitted with all parameters of the model.
 /// Empty: no unused channel, or nothing to gain.
-std::optional<Dependence> bestDependence(const NullModel& null, FitOptions options, const Progress& progress);
+std::optional<Dependence> bestDependence(const NullModel& null, FitOptions options, int threads,
+                                         const Progress& progress);
 
 }  // namespace analogon

@@ -298,9 +298,10 @@ Finding Search::besideMistake(Finding finding, const NullModel& null, const Mist
         mistake.asLikely.empty()
             ? phrase("the numbers of {} look like {} and not like the {} that is told", channels, mistake.likely,
                      mistake.unit)
-            : phrase("the numbers of {} look like {} (or {}: other parameters make up for it) and not like the {} that "
-                     "is told",
-                     channels, mistake.likely, listed(mistake.asLikely), mistake.unit);
+            : phrase(
+                  "the numbers of {} look like {} (or {}: other parameters make up for it) and not like the {} that "
+                  "is told",
+                  channels, mistake.likely, listed(mistake.asLikely), mistake.unit);
     const Variant read{readAsLikely(full_.task, mistake), {}, mistake.read.variant.values};
     if (const Outcome<ModelState> state =
             stateOf(read, mistake.read.fit, options_.fit.simulation, progress_, Detail::Errors)) {

@@ -145,12 +145,10 @@ std::optional<MistakenUnit> likeliest(std::vector<MistakenUnit> found) {
     });
     std::vector<MistakenUnit> alike;
     for (MistakenUnit& each : found)
-        if (alike.empty() ||
-            (isOfSameNumbers(each, alike.front()) && leavesAsLittle(each.read, alike.front().read)))
+        if (alike.empty() || (isOfSameNumbers(each, alike.front()) && leavesAsLittle(each.read, alike.front().read)))
             alike.push_back(std::move(each));
-    std::stable_sort(alike.begin(), alike.end(), [](const MistakenUnit& a, const MistakenUnit& b) {
-        return rarity(a.likely) < rarity(b.likely);
-    });
+    std::stable_sort(alike.begin(), alike.end(),
+                     [](const MistakenUnit& a, const MistakenUnit& b) { return rarity(a.likely) < rarity(b.likely); });
     MistakenUnit first = std::move(alike.front());
     for (std::size_t i = 1; i < alike.size(); ++i) first.asLikely.push_back(alike[i].likely);
     return first;

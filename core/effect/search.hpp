@@ -105,7 +105,7 @@ private:
     bool isExplainedBy(const Path& path, std::size_t most) const;
     bool isBetter(const Path& path, const Path& than) const;
     void keepBetter(Path& best, Path path);
-    Path bareOf(const NullModel& base, Round first);
+    Path bareOf(const NullModel& base, Round first, const Text& why);
     void addPairPaths(Path& best, const NullModel& base, const Round& first, const std::vector<Candidate>& taken);
     bool isWithinForms(double evidence) const;
     void addUnprovenPaths(Path& best, const NullModel& base, const Round& first);
@@ -129,7 +129,9 @@ private:
     bool replace(NullModel& null, std::size_t effect, Rivals wanted = Rivals::Known);
     void completeClasses(NullModel& null);
     void seekChange(const NullModel& base);
+    bool isChangeAll(const NullModel& base, const NullModel& with, double leastGain);
     bool isChangeAll(const NullModel& base, const NullModel& with);
+    bool isChangeAlone(const NullModel& base, const Round& first);
     void settleChange(const NullModel& base, const NullModel& with);
     Conclusion conclude(NullModel& null, const NullModel& base, bool mayAddLaw);
     bool leaveOutFaults(const NullModel& fitted);

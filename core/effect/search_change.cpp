@@ -9,6 +9,7 @@ namespace analogon {
 namespace {
 
 constexpr double changeShare = 0.5, leastChange = 100;
+constexpr double leastAlone = 1000;  // evidence beyond one effect: what is wrong does not leave noise of that by chance
 
 /// Evidence for a change against the effects that were found, beside independent samples.
 template <class Change>
@@ -28,9 +29,10 @@ double gainOf(const NullModel& base, const NullModel& with, const Change& change
 /// Whether a change accounts for most of what is above the noise, by a wide margin over chance, and is a better account
 /// of it than the effects that were found: another structure, or all of them only to imitate it.
 template <class Change>
-bool isBetterThan(const NullModel& base, const NullModel& with, const Change& change) {
+bool isBetterThan(const NullModel& base, const NullModel& with, const Change& change,
+                  double leastGain = equivalenceMargin) {
     return change.explained > changeShare * excess(base) && change.explained > leastChange &&
-           gainOf(base, with, change) > equivalenceMargin;
+           gainOf(base, with, change) > leastGain;
 }
 
 /// Whether it is a better account than a disturbance.
@@ -52,17 +54,34 @@ bool isBorneOut(const NullModel& base, const Change& change, const SimulationOpt
 void Search::seekChange(const NullModel& base) {
     if (soughtChange_ || isNoise(base) || progress_.stopRequested()) return;
     soughtChange_ = true;
-    change_ = bestChange(base, search_.fit, progress_);
-    if (!progress_.stopRequested()) dependence_ = bestDependence(base, search_.fit, progress_);
+    say("reconsider", phrase("parameters that change"), -1);
+    change_ = bestChange(base, search_.fit, options_.threads, progress_);
+    if (!progress_.stopRequested()) dependence_ = bestDependence(base, search_.fit, options_.threads, progress_);
 }
 
-/// Whether one change leaves noise alone and is a better account than these effects.
-bool Search::isChangeAll(const NullModel& base, const NullModel& with) {
+/// Whether one change leaves noise alone and is a better account than these effects, by so much evidence.
+bool Search::isChangeAll(const NullModel& base, const NullModel& with, double leastGain) {
     seekChange(base);
     const auto isAll = [&](const auto& change) {
-        return change && isNoise(base.channels, change->fit) && isBetterThan(base, with, *change);
+        return change && isNoise(base.channels, change->fit) && isBetterThan(base, with, *change, leastGain);
     };
     return isAll(change_) || isAll(dependence_);
+}
+
+bool Search::isChangeAll(const NullModel& base, const NullModel& with) {
+    return isChangeAll(base, with, equivalenceMargin);
+}
+
+/// Whether one change leaves noise alone where the effect that the first round chose leaves far too much for it to be
+/// half of a pair: none is added to it then.
+bool Search::isChangeAlone(const NullModel& base, const Round& first) {
+    if (!first.chosen || !(excess(base) > leastAlone)) return false;
+    const Trial& winner = first.trials[*first.chosen];
+    if (isNoise(base.channels, winner.fit)) return false;
+    NullModel with = base;
+    with.variant = winner.variant;
+    with.fit = winner.fit;
+    return isChangeAll(base, with, leastAlone);
 }
 
 /// Keeps the better of the changes where it is a better account than the effects that were found.

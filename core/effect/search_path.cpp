@@ -201,6 +201,8 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
     const Round first = firstRound(base);
     Path best{base, {}, {}, {}, {}};
     if (progress_.stopRequested()) return best;
+    if (isChangeAlone(base, first))
+        return bareOf(base, first, phrase("a parameter that changes is the better account"));
     std::vector<std::size_t> others;
     if (first.chosen) others = otherBeginnings(base, first);
     goOn(best, first);
@@ -213,7 +215,8 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
 
     addUnprovenPaths(best, base, first);
     if (beginsAnew_) return best;
-    const bool isLawful = addLawPath(best, bareOf(base, first));
+    const bool isLawful =
+        addLawPath(best, bareOf(base, first, phrase("an equation without a name explains more in its place")));
     if (beginsAnew_ || (isLawful && termsIn(best.null) < 2)) return best;
     const auto placeOf = [&](std::size_t trial) { return first.trials[trial].screened.candidate.place; };
     for (const std::size_t other : others) {
@@ -236,8 +239,8 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
 }
 
 /// The path before its first choice, with what was tried.
-Search::Path Search::bareOf(const NullModel& base, Round first) {
-    first.passOver(phrase("an equation without a name explains more in its place"));
+Search::Path Search::bareOf(const NullModel& base, Round first, const Text& why) {
+    first.passOver(why);
     Path bare{base, {}, {}, {}, {}};
     exchange(bare);
     noteAll(first);

@@ -6496,6 +6496,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Uhren der Eingänge</translation>
     </message>
     <message>
+        <source>parameters that change</source>
+        <translation>Parameter, die sich ändern</translation>
+    </message>
+    <message>
+        <source>a parameter that changes is the better account</source>
+        <translation>ein Parameter, der sich ändert, erklärt es besser</translation>
+    </message>
+    <message>
         <source>jumps of the inputs</source>
         <translation>Sprünge der Eingänge</translation>
     </message>

@@ -39,7 +39,7 @@ NullModel changed(double before, double after) {
 }
 
 TEST(Change, IsFoundWithItsMomentAndItsSize) {
-    const std::optional<Change> found = bestChange(changed(0.2, 0.3), {}, {});
+    const std::optional<Change> found = bestChange(changed(0.2, 0.3), {}, 1, {});
     ASSERT_TRUE(found);
     EXPECT_EQ(found->parameter, "joint.G");
     EXPECT_NEAR(found->before, 0.2, 0.002);
@@ -49,7 +49,7 @@ TEST(Change, IsFoundWithItsMomentAndItsSize) {
 
 TEST(Change, NeverTakesAQuantityOfOneSignToTheOther) {
     // heat that comes out of the surroundings is no change of a conductance
-    const std::optional<Change> found = bestChange(changed(0.2, -0.002), {}, {});
+    const std::optional<Change> found = bestChange(changed(0.2, -0.002), {}, 1, {});
     ASSERT_TRUE(found);
     EXPECT_GT(found->after, 0);
 }
