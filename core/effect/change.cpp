@@ -120,6 +120,11 @@ std::optional<Change> fitted(const NullModel& null, const std::vector<FitParamet
 
 }  // namespace
 
+double explainedByChange(const NullModel& null) {
+    const std::vector<Change> likely = likelyChanges(null);
+    return likely.empty() ? 0 : likely.front().explained;
+}
+
 std::optional<Change> bestChange(const NullModel& null, FitOptions options, int threads, const Progress& progress) {
     options.simulation = limited(null, options.simulation);
     const Outcome<PreparedTask> prepared = prepareAt(null.variant, null.noise);

@@ -23,4 +23,7 @@ struct Change {
 /// moment and its size. Empty: nothing to gain.
 std::optional<Change> bestChange(const NullModel& null, FitOptions options, int threads, const Progress& progress);
 
+/// What the likeliest change explains of the residual, to first order.
+double explainedByChange(const NullModel& null);
+
 }  // namespace analogon

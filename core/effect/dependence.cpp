@@ -97,13 +97,8 @@ std::optional<Dependence> fitted(const NullModel& null, const Channel& channel, 
     return dependence;
 }
 
-}  // namespace
-
-std::optional<Dependence> bestDependence(const NullModel& null, FitOptions options, int threads,
-                                         const Progress& progress) {
-    options.simulation = limited(null, options.simulation);
-    const std::vector<Channel> channels = unusedChannels(null.variant.task);
-    if (channels.empty()) return std::nullopt;
+/// What explains most to first order first.
+std::vector<Likely> likelyDependences(const NullModel& null, const std::vector<Channel>& channels) {
     const std::vector<int> recordings = recordingsOf(null.variant.task, Role::Fit);
     const Eigen::MatrixXd& jacobian = null.fit.optimum.jacobian;
     const Complement complement(jacobian);
@@ -118,6 +113,22 @@ std::optional<Dependence> bestDependence(const NullModel& null, FitOptions optio
         }
     std::stable_sort(likely.begin(), likely.end(),
                      [](const Likely& a, const Likely& b) { return a.explained > b.explained; });
+    return likely;
+}
+
+}  // namespace
+
+double explainedByDependence(const NullModel& null) {
+    const std::vector<Likely> likely = likelyDependences(null, unusedChannels(null.variant.task));
+    return likely.empty() ? 0 : likely.front().explained;
+}
+
+std::optional<Dependence> bestDependence(const NullModel& null, FitOptions options, int threads,
+                                         const Progress& progress) {
+    options.simulation = limited(null, options.simulation);
+    const std::vector<Channel> channels = unusedChannels(null.variant.task);
+    if (channels.empty()) return std::nullopt;
+    std::vector<Likely> likely = likelyDependences(null, channels);
     std::erase_if(likely, [least = likely.empty() ? 0 : leastLikely * likely.front().explained](const Likely& each) {
         return each.explained < least;
     });

@@ -23,4 +23,7 @@ struct Dependence {
 std::optional<Dependence> bestDependence(const NullModel& null, FitOptions options, int threads,
                                          const Progress& progress);
 
+/// What the likeliest dependence explains of the residual, to first order.
+double explainedByDependence(const NullModel& null);
+
 }  // namespace analogon

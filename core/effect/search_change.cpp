@@ -78,6 +78,8 @@ bool Search::isChangeAlone(const NullModel& base, const Round& first) {
     if (!first.chosen || !(excess(base) > leastAlone)) return false;
     const Trial& winner = first.trials[*first.chosen];
     if (isNoise(base.channels, winner.fit)) return false;
+    const double promised = std::max(explainedByChange(base), explainedByDependence(base));
+    if (!(promised > changeShare * excess(base))) return false;
     NullModel with = base;
     with.variant = winner.variant;
     with.fit = winner.fit;
