@@ -440,7 +440,8 @@ Outcome<Finding> Search::run() {
     }
     finding.nextExperiment = proposeExperiments(*null);
     const bool isOpen = proposed.empty() && !change_ && !dependence_ && !isNoise(*null);
-    const std::string place = isOpen ? likeliestPlace(*null, search_.fit.simulation, progress_) : std::string();
+    std::vector<std::string> places;
+    if (isOpen) places = likeliestPlaces(*null, search_.fit.simulation, progress_);
     const auto isAsGiven = [&] {
         return steps_.empty() && freedStarts_.empty() && noisyInputs_.empty() && asRecorded_.empty();
     };
@@ -537,9 +538,14 @@ Outcome<Finding> Search::run() {
                 finding.remainders.front().output, finding.remainders.front().experiment));
             finding.remainders.clear();
         }
-        // a sensor shows on its own output alone
-        for (Remainder& r : finding.remainders)
-            if (!place.starts_with(outputPrefix) || place.substr(outputPrefix.size()) == r.output) r.node = place;
+        for (Remainder& r : finding.remainders) {
+            // a sensor shows on its own output alone
+            const bool isOfAnother = !places.empty() && places.front().starts_with(outputPrefix) &&
+                                     places.front().substr(outputPrefix.size()) != r.output;
+            if (places.empty() || isOfAnother) continue;
+            r.node = places.front();
+            r.equalNodes.assign(places.begin() + 1, places.end());
+        }
         for (Remainder& r : proposed)
             if (r.errorValidateWith >= 0) r.errorValidateWithout = errorPercentOf(finding.final, Role::Validate);
         if (!proposed.empty())

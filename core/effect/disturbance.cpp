@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/effect/score.hpp"
+#include "core/effect/screen.hpp"
 #include "core/fit/coordinates.hpp"
 
 namespace analogon {
@@ -241,16 +242,25 @@ std::set<std::string> Disturbance::likelyPlaces(const Linearisation& model, doub
     return likely;
 }
 
-std::string Disturbance::likeliestPlace(const Linearisation& model) const {
+std::vector<std::string> Disturbance::likeliestPlaces(const Linearisation& model) const {
     std::map<std::string, double> ofPlace = leastMisfits(model);
     ofPlace[""] -= leastOfAPlace;
     const double all = model.residuals.squaredNorm() / static_cast<double>(model.residuals.size());
-    for (const FlowResponse& r : responses_)
+    std::set<std::string> flows;
+    for (const FlowResponse& r : responses_) {
+        if (r.isFlow) flows.insert(r.place);
         if (!r.isFlow && leftElsewhere(model, r) > std::max(mostElsewhere, shareElsewhere * all))
             ofPlace.erase(r.place);
-    return std::min_element(ofPlace.begin(), ofPlace.end(),
-                            [](const auto& a, const auto& b) { return a.second < b.second; })
-        ->first;
+    }
+    const auto best = std::min_element(ofPlace.begin(), ofPlace.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (best->first.empty()) return {};
+    std::vector<std::string> places{best->first};
+    for (const auto& [place, misfit] : ofPlace)
+        if (flows.contains(best->first) && flows.contains(place) && place != best->first &&
+            misfit - best->second < equivalenceMargin)
+            places.push_back(place);
+    return places;
 }
 
 Eigen::VectorXd Disturbance::step(const Linearisation& model, const Metric& metric, double damping,
@@ -387,8 +397,15 @@ private:
 
 }  // namespace
 
-std::string likeliestPlace(const NullModel& model, const SimulationOptions& simulation, const Progress& progress) {
-    return Disturbance(model, simulation, progress).likeliestPlace(model.fit.optimum);
+std::vector<std::string> likeliestPlaces(const NullModel& model, const SimulationOptions& simulation,
+                                         const Progress& progress) {
+    std::vector<std::string> places = Disturbance(model, simulation, progress).likeliestPlaces(model.fit.optimum);
+    Diagram diagram;
+    if (const Outcome<ModelNodes> nodes = nodesOf(model.variant, diagram); nodes && places.size() > 1)
+        std::stable_sort(places.begin(), places.end(), [&](const std::string& a, const std::string& b) {
+            return nodes->blocksAt(a) > nodes->blocksAt(b);
+        });
+    return places;
 }
 
 BesideDisturbance besideDisturbance(const NullModel& model, const SimulationOptions& simulation,

@@ -36,8 +36,9 @@ public:
     Metric likeliest(const Linearisation& model) const;
     /// Places where a flow explains at least this share of what it does at the likeliest one.
     std::set<std::string> likelyPlaces(const Linearisation& model, double share) const;
-    /// The likeliest of all; no sensor while the other outputs are left unexplained, too. Empty: no disturbance is.
-    std::string likeliestPlace(const Linearisation& model) const;
+    /// The likeliest of all, and behind a flow those at other places that are as likely; no sensor while the other
+    /// outputs are left unexplained, too. Empty: no disturbance is.
+    std::vector<std::string> likeliestPlaces(const Linearisation& model) const;
 
     /// How the parameters follow in a metric; the normal equations are damped by that part of their diagonal, `held`
     /// parameters stay.
@@ -100,9 +101,11 @@ private:
     Settled settled_;
 };
 
-/// The place whose disturbance is likeliest to have left the residual, where the parameters follow to first order: a
-/// connector, or "output y" for an error of that sensor alone. Empty: none is.
-std::string likeliestPlace(const NullModel& model, const SimulationOptions& simulation, const Progress& progress);
+/// The places whose disturbance is likeliest to have left the residual, where the parameters follow to first order:
+/// connectors, of those that are as likely the one where most parts meet first, or "output y" for an error of that
+/// sensor alone. Empty: none is.
+std::vector<std::string> likeliestPlaces(const NullModel& model, const SimulationOptions& simulation,
+                                         const Progress& progress);
 
 /// A model beside the flow that is likeliest with it.
 struct BesideDisturbance {

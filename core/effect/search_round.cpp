@@ -17,10 +17,11 @@ constexpr double falseAlarmQuantile = 0.99;
 constexpr double leastOfOnce = 100;  // evidence for what the blocks left out do not bear out
 constexpr std::size_t mostRivals = 5, mostAlternatives = 6;
 constexpr std::size_t mostRetried = 4;
-constexpr double nearlyTheSame = 0.95;  // of the evidence, for what differs between the samples alone
-constexpr std::size_t mostNear = 3;     // trials that begin once more
-constexpr double nearShare = 0.2;       // of what the best explains, that they may explain less
-constexpr int glanceIterations = 5;     // of the whole catalogue, to see who deserves a trial
+constexpr double nearlyTheSame = 0.95;   // of the evidence, for what differs between the samples alone
+constexpr std::size_t mostNear = 3;      // trials that begin once more
+constexpr double nearShare = 0.2;        // of what the best explains, that they may explain less
+constexpr double formOfProposal = 0.01;  // of what an equation explains, that its form may be wrong by
+constexpr int glanceIterations = 5;      // of the whole catalogue, to see who deserves a trial
 
 /// What a fit took, in steps of the explicit method.
 double workOf(const FitResult& fit) {
@@ -61,8 +62,9 @@ std::vector<TrialStarts*> contenders(const NullModel& null, const std::vector<st
     return all;
 }
 
-/// The trials of an equation at all places where it explains as much, `proposal` the best of them. First is that where
-/// most parts of the model meet: whatever it stands for may be in any of them.
+/// The trials of an equation at all places where it explains as much, `proposal` the best of them. What has no name is
+/// not known so exactly that a small part of what it explains would tell two places apart. First is that where most
+/// parts of the model meet: whatever it stands for may be in any of them.
 std::vector<std::size_t> equalPlaces(const NullModel& null, const std::vector<Trial>& trials, std::size_t proposal) {
     const Trial& best = trials[proposal];
     const double weight = independentShare(null, best.fit);
@@ -71,7 +73,8 @@ std::vector<std::size_t> equalPlaces(const NullModel& null, const std::vector<Tr
         const Trial& t = trials[i];
         if (!t.ok || isAtBound(t) || t.screened.candidate.effect.className != best.screened.candidate.effect.className)
             continue;
-        if (weight * (best.evidence - t.evidence) < equivalenceMargin) equal.push_back(i);
+        const double margin = std::max(equivalenceMargin, formOfProposal * best.evidence);
+        if (weight * (best.evidence - t.evidence) < margin) equal.push_back(i);
     }
     Diagram diagram;
     const Outcome<ModelNodes> nodes = nodesOf(null.variant, diagram);

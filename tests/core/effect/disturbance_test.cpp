@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <set>
 
 #include "tests/core/effect/warm_body.hpp"
 
@@ -107,6 +108,22 @@ TEST_F(OneNode, LeavesAnEffectThatStandsOutOfADisturbance) {
     EXPECT_GT(evidenceOf(trace, noise() + 5 * through(wandering()) + 8 * trace), 30);
 }
 
+TEST_F(OneNode, IsNotTheOnlyPlaceWhereAnotherFeelsTheSame) {
+    const Eigen::MatrixXd felt = responses(),
+                          later = through(felt.col(pieces / 2)) * Eigen::RowVectorXd::Ones(pieces + 1);
+    Linearisation model;
+    model.residuals = noise() + 5 * through(wandering());
+    model.jacobian = Eigen::MatrixXd::Ones(rows, 1);
+    const auto placesWith = [&](const Eigen::MatrixXd& other, bool isFlow) {
+        const Disturbance both({channel()}, {{"body.port", true, felt}, {"gear.port", isFlow, other}}, pieces);
+        const std::vector<std::string> places = both.likeliestPlaces(model);
+        return std::set<std::string>(places.begin(), places.end());
+    };
+    EXPECT_EQ(placesWith(19 * felt, true), (std::set<std::string>{"body.port", "gear.port"})) << "behind a gear";
+    EXPECT_EQ(placesWith(later, true), std::set<std::string>{"body.port"});
+    EXPECT_EQ(placesWith(19 * felt, false).size(), 1u) << "a sensor is no other place of a flow";
+}
+
 /// A node that two sensors feel, one behind the other.
 class TwoSensors : public OneNode {
 protected:
@@ -138,7 +155,8 @@ protected:
         Linearisation model;
         model.residuals = stacked(near + noise(), far + noise());
         model.jacobian = Eigen::MatrixXd::Ones(2 * rows, 1);
-        return disturbance().likeliestPlace(model);
+        const std::vector<std::string> places = disturbance().likeliestPlaces(model);
+        return places.empty() ? std::string() : places.front();
     }
 
     /// Held for a while: no flow that is felt with a delay does that.
