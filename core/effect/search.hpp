@@ -113,6 +113,8 @@ private:
     std::optional<Path> withLaw(Path begin);
     std::size_t termsIn(const NullModel& null) const;
     void exchange(Path& path);
+    std::vector<std::size_t> equalPlaces(const NullModel& null, const std::vector<Trial>& trials,
+                                         std::size_t best) const;
     std::vector<std::size_t> equivalents(const NullModel& null, const std::vector<Trial>& trials,
                                          std::size_t best) const;
     std::optional<NullModel> without(const NullModel& null, std::size_t effect);

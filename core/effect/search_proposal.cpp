@@ -58,17 +58,27 @@ std::vector<Trial> Search::tryLaws(NullModel& null) {
 bool Search::addLaw(NullModel& null) {
     std::vector<Trial> trials = tryLaws(null);
     rank(null, trials);
-    const std::size_t tried = trials.size();
-    for (Trial& trial : trials) {
-        if (!trial.ok || progress_.stopRequested()) continue;
-        const Acceptance acceptance = examine(null, trial.fit, trial.freed(), 2 * equivalenceMargin);
-        if (!acceptance.accepted()) continue;
+    const auto examined = [&](const Trial& trial) {
+        return examine(null, trial.fit, trial.freed(), 2 * equivalenceMargin);
+    };
+    const auto accepted = [&](const Trial& trial) { return trial.ok && examined(trial).accepted(); };
+    for (std::size_t best = 0; best < trials.size() && !progress_.stopRequested(); ++best) {
+        if (!accepted(trials[best])) continue;
+        std::vector<std::size_t> places = equalPlaces(null, trials, best);
+        std::erase_if(places, [&](std::size_t i) { return i != best && !accepted(trials[i]); });
+        Trial& trial = trials[places.front()];
         Outcome<NullModel> next = fitNull(trial.variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
         if (!next) continue;
         Step step;
         step.order = ++choices_;
-        step.acceptance = acceptance;
-        step.tried = tried;
+        step.acceptance = examined(trial);
+        step.tried = trials.size();
+        for (const std::size_t i : places) {
+            const Candidate& other = trials[i].screened.candidate;
+            if (other.place.at != trial.screened.candidate.place.at)
+                step.alternatives.push_back(
+                    {other.effect.kind, other.place.at, trial.evidence - trials[i].evidence, true});
+        }
         step.winner = std::move(trial);
         steps_.push_back(std::move(step));
         null = std::move(*next);

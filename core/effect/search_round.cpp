@@ -20,7 +20,7 @@ constexpr std::size_t mostRetried = 4;
 constexpr double nearlyTheSame = 0.95;   // of the evidence, for what differs between the samples alone
 constexpr std::size_t mostNear = 3;      // trials that begin once more
 constexpr double nearShare = 0.2;        // of what the best explains, that they may explain less
-constexpr double formOfProposal = 0.01;  // of what an equation explains, that its form may be wrong by
+constexpr double formOfProposal = 0.02;  // of what an equation explains, that its form may be wrong by
 constexpr int glanceIterations = 5;      // of the whole catalogue, to see who deserves a trial
 
 /// What a fit took, in steps of the explicit method.
@@ -62,30 +62,6 @@ std::vector<TrialStarts*> contenders(const NullModel& null, const std::vector<st
     return all;
 }
 
-/// The trials of an equation at all places where it explains as much, `proposal` the best of them. What has no name is
-/// not known so exactly that a small part of what it explains would tell two places apart. First is that where most
-/// parts of the model meet: whatever it stands for may be in any of them.
-std::vector<std::size_t> equalPlaces(const NullModel& null, const std::vector<Trial>& trials, std::size_t proposal) {
-    const Trial& best = trials[proposal];
-    const double weight = independentShare(null, best.fit);
-    std::vector<std::size_t> equal;
-    for (std::size_t i = 0; i < trials.size(); ++i) {
-        const Trial& t = trials[i];
-        if (!t.ok || isAtBound(t) || t.screened.candidate.effect.className != best.screened.candidate.effect.className)
-            continue;
-        const double margin = std::max(equivalenceMargin, formOfProposal * best.evidence);
-        if (weight * (best.evidence - t.evidence) < margin) equal.push_back(i);
-    }
-    Diagram diagram;
-    const Outcome<ModelNodes> nodes = nodesOf(null.variant, diagram);
-    if (nodes && equal.size() > 1)
-        std::stable_sort(equal.begin(), equal.end(), [&](std::size_t a, std::size_t b) {
-            return nodes->blocksAt(trials[a].screened.candidate.place.connector) >
-                   nodes->blocksAt(trials[b].screened.candidate.place.connector);
-        });
-    return equal;
-}
-
 /// Traces that the screening of a candidate takes.
 std::size_t tracesOf(const EffectClass& effect) {
     std::size_t count = std::max<std::size_t>(1, effect.secant.size());
@@ -104,6 +80,35 @@ std::vector<int> longestFirst(const std::vector<std::size_t>& costs) {
 }
 
 }  // namespace
+
+/// The trials of an equation at all places where it, or a law with as many terms, explains as much, `best` the best of
+/// them. What has no name is not known so exactly that a small part of what it explains would tell two places apart.
+/// First is that where most parts of the model meet: whatever it stands for may be in any of them.
+std::vector<std::size_t> Search::equalPlaces(const NullModel& null, const std::vector<Trial>& trials,
+                                             std::size_t best) const {
+    const auto isFlowByLaw = [&](const Trial& t) {
+        const EffectClass& effect = t.screened.candidate.effect;
+        return effect.signalSide.empty() && laws_.contains(effect.className);
+    };
+    const Trial& first = trials[best];
+    const double weight = independentShare(null, first.fit);
+    const double margin = std::max(equivalenceMargin, formOfProposal * first.evidence);
+    std::vector<std::size_t> equal{best};
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        const Trial& t = trials[i];
+        if (i == best || !t.ok || isAtBound(t) || !(weight * (first.evidence - t.evidence) < margin)) continue;
+        const bool isSameEquation = t.screened.candidate.effect.className == first.screened.candidate.effect.className;
+        if (isSameEquation || (isFlowByLaw(t) && isFlowByLaw(first) && t.freed() == first.freed())) equal.push_back(i);
+    }
+    Diagram diagram;
+    const Outcome<ModelNodes> nodes = nodesOf(null.variant, diagram);
+    if (nodes && equal.size() > 1)
+        std::stable_sort(equal.begin(), equal.end(), [&](std::size_t a, std::size_t b) {
+            return nodes->blocksAt(trials[a].screened.candidate.place.connector) >
+                   nodes->blocksAt(trials[b].screened.candidate.place.connector);
+        });
+    return equal;
+}
 
 Outcome<std::vector<Candidate>> Search::candidatesIn(const Variant& variant) const {
     Outcome<std::vector<Candidate>> candidates = candidatesFor(variant, catalogue_);
