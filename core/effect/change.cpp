@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/parallel.hpp"
 #include "core/base/range.hpp"
+#include "core/effect/likeliest.hpp"
 #include "core/fit/clock.hpp"
 #include "core/flat/parameter_change.hpp"
 
@@ -13,8 +13,6 @@ namespace {
 
 constexpr int coarse = 40;           // moments that are tried over a recording, then again around the best
 constexpr double margin = 0.04;      // of the recording at either end, where a break is no break
-constexpr double leastLikely = 0.3;  // of what the likeliest explains
-constexpr std::size_t mostFitted = 4;
 constexpr double mostShrunk = 0.05;  // of a quantity that has one sign: less is no change but a fault
 
 /// Rows of one experiment at or after a moment.
@@ -129,23 +127,13 @@ std::optional<Change> bestChange(const NullModel& null, FitOptions options, int 
     options.simulation = limited(null, options.simulation);
     const Outcome<PreparedTask> prepared = prepareAt(null.variant, null.noise);
     if (!prepared) return std::nullopt;
-    std::optional<Change> best;
-    const auto tryThese = [&](const std::vector<Change>& changes) {
-        std::vector<std::optional<Change>> tried(changes.size());
-        parallelFor(static_cast<int>(changes.size()), threads, [&](int i) {
-            const auto k = static_cast<std::size_t>(i);
-            if (!progress.stopRequested())
-                tried[k] = fitted(null, prepared->problem.parameters, changes[k], options, progress);
-        });
-        for (std::optional<Change>& change : tried)
-            if (change && (!best || change->explained > best->explained)) best = std::move(change);
+    const auto fit = [&](const Change& likely) {
+        return fitted(null, prepared->problem.parameters, likely, options, progress);
     };
+    std::optional<Change> best;
     std::vector<Change> likely = likelyChanges(null);
-    std::erase_if(likely, [least = likely.empty() ? 0 : leastLikely * likely.front().explained](const Change& change) {
-        return change.explained < least;
-    });
-    if (likely.size() > mostFitted) likely.resize(mostFitted);
-    tryThese(likely);
+    keepLikeliest(likely);
+    takeBest(likely, best, threads, progress, fit);
     if (!best) return best;
     // a moment is found by steps too short to cross what happens between two manoeuvres
     const std::vector<double>& time = fittedRecording(null.variant.task, best->experiment).time;
@@ -156,7 +144,7 @@ std::optional<Change> bestChange(const NullModel& null, FitOptions options, int 
         near.push_back(*best);
         near.back().time = moment;
     }
-    tryThese(near);
+    takeBest(near, best, threads, progress, fit);
     return best;
 }
 

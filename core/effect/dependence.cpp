@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/parallel.hpp"
 #include "core/base/range.hpp"
+#include "core/effect/likeliest.hpp"
 #include "core/fit/clock.hpp"
 #include "core/flat/parameter_change.hpp"
 
 namespace analogon {
 namespace {
 
-constexpr double leastLikely = 0.3;  // of what the likeliest explains
-constexpr std::size_t mostFitted = 4;
 constexpr const char* inputName = "recordedChannel";
 
 /// A channel that every fitted recording has, between -0.5 and 0.5 over all of them.
@@ -129,19 +127,10 @@ std::optional<Dependence> bestDependence(const NullModel& null, FitOptions optio
     const std::vector<Channel> channels = unusedChannels(null.variant.task);
     if (channels.empty()) return std::nullopt;
     std::vector<Likely> likely = likelyDependences(null, channels);
-    std::erase_if(likely, [least = likely.empty() ? 0 : leastLikely * likely.front().explained](const Likely& each) {
-        return each.explained < least;
-    });
-    if (likely.size() > mostFitted) likely.resize(mostFitted);
-    std::vector<std::optional<Dependence>> tried(likely.size());
-    parallelFor(static_cast<int>(likely.size()), threads, [&](int i) {
-        const auto k = static_cast<std::size_t>(i);
-        if (!progress.stopRequested())
-            tried[k] = fitted(null, channels[likely[k].channel], likely[k], options, progress);
-    });
+    keepLikeliest(likely);
     std::optional<Dependence> best;
-    for (std::optional<Dependence>& one : tried)
-        if (one && (!best || one->explained > best->explained)) best = std::move(one);
+    takeBest(likely, best, threads, progress,
+             [&](const Likely& each) { return fitted(null, channels[each.channel], each, options, progress); });
     return best;
 }
 
