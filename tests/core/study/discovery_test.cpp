@@ -1348,6 +1348,14 @@ TEST_F(DiscoveryInAWindowDrive, TellsBothSidesOfAGearWhereAnEquationMayStand) {
     EXPECT_EQ(first.equalNodes, std::vector<std::string>{"motor.flange"});
 }
 
+TEST_F(DiscoveryInAWindowDrive, TellsBothSidesOfAGearThatGivesALittle) {
+    // by less than the form of an equation without a name is known
+    const Finding finding = searchDrive({.cube = 1e-3, .c = 300});
+    ASSERT_FALSE(finding.remainders.empty());
+    EXPECT_EQ(finding.remainders.front().node, "gear.flange_b");
+    EXPECT_EQ(finding.remainders.front().equalNodes, std::vector<std::string>{"motor.flange"});
+}
+
 TEST_F(DiscoveryInAWindowDrive, TellsAnOffsetOfTheCommandFromThatOfASensorOnceASpringIsThere) {
     // as long as the spring is missing, the offset of the sensor explains far more
     const Finding finding = searchDrive({.offset = -0.37, .spring = 0.03, .noise = 3});
@@ -1511,6 +1519,9 @@ TEST_F(Discovery, SaysWhenAParameterChangedInMidRun) {
     EXPECT_NEAR(finding.remainders.front().from, 16.0, 0.2);
     ASSERT_FALSE(finding.warnings.empty());
     EXPECT_NE(finding.warnings.front().find("load.b"), std::string::npos) << finding.warnings.front();
+    const auto isOfFirstRound = [](const CandidateResult& c) { return c.round == 1; };
+    EXPECT_TRUE(std::all_of(finding.candidates.begin(), finding.candidates.end(), isOfFirstRound))
+        << "where it leaves noise alone, nothing else is looked for";
 }
 
 TEST_F(Discovery, DoesNotTakeAChangeInMidRunForNoiseWithAMemory) {
