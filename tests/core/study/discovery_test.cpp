@@ -1519,9 +1519,6 @@ TEST_F(Discovery, SaysWhenAParameterChangedInMidRun) {
     EXPECT_NEAR(finding.remainders.front().from, 16.0, 0.2);
     ASSERT_FALSE(finding.warnings.empty());
     EXPECT_NE(finding.warnings.front().find("load.b"), std::string::npos) << finding.warnings.front();
-    const auto isOfFirstRound = [](const CandidateResult& c) { return c.round == 1; };
-    EXPECT_TRUE(std::all_of(finding.candidates.begin(), finding.candidates.end(), isOfFirstRound))
-        << "where it leaves noise alone, nothing else is looked for";
 }
 
 TEST_F(Discovery, DoesNotTakeAChangeInMidRunForNoiseWithAMemory) {
