@@ -400,11 +400,7 @@ private:
 std::vector<std::string> likeliestPlaces(const NullModel& model, const SimulationOptions& simulation,
                                          const Progress& progress) {
     std::vector<std::string> places = Disturbance(model, simulation, progress).likeliestPlaces(model.fit.optimum);
-    Diagram diagram;
-    if (const Outcome<ModelNodes> nodes = nodesOf(model.variant, diagram); nodes && places.size() > 1)
-        std::stable_sort(places.begin(), places.end(), [&](const std::string& a, const std::string& b) {
-            return nodes->blocksAt(a) > nodes->blocksAt(b);
-        });
+    mostPartsFirst(model.variant, places, [](const std::string& place) -> const std::string& { return place; });
     return places;
 }
 

@@ -131,8 +131,7 @@ private:
     bool replace(NullModel& null, std::size_t effect, Rivals wanted = Rivals::Known);
     void completeClasses(NullModel& null);
     void seekChange(const NullModel& base);
-    bool isChangeAll(const NullModel& base, const NullModel& with, double leastGain);
-    bool isChangeAll(const NullModel& base, const NullModel& with);
+    bool isChangeAll(const NullModel& base, const NullModel& with, double leastGain = equivalenceMargin);
     bool isChangeAlone(const NullModel& base, const Round& first);
     void settleChange(const NullModel& base, const NullModel& with);
     Conclusion conclude(NullModel& null, const NullModel& base, bool mayAddLaw);

@@ -35,14 +35,19 @@ bool isBetterThan(const NullModel& base, const NullModel& with, const Change& ch
            gainOf(base, with, change) > leastGain;
 }
 
+/// The model with another variant of it, fitted beside the same noise.
+NullModel replaced(NullModel model, const Variant& variant, const FitResult& fit) {
+    model.variant = variant;
+    model.fit = fit;
+    return model;
+}
+
 /// Whether it is a better account than a disturbance.
 template <class Change>
 bool isBorneOut(const NullModel& base, const Change& change, const SimulationOptions& simulation,
                 const Progress& progress) {
     if (isNoise(base.channels, change.fit)) return true;
-    NullModel changed = base;
-    changed.variant = change.variant;
-    changed.fit = change.fit;
+    const NullModel changed = replaced(base, change.variant, change.fit);
     const int freed = static_cast<int>(change.fit.estimates.size()) - base.parameterCount();
     return isBorneOut(besideDisturbance(base, simulation, progress), besideDisturbance(changed, simulation, progress),
                       changed.fit.optimum.residuals.size(), freed + 1);
@@ -68,10 +73,6 @@ bool Search::isChangeAll(const NullModel& base, const NullModel& with, double le
     return isAll(change_) || isAll(dependence_);
 }
 
-bool Search::isChangeAll(const NullModel& base, const NullModel& with) {
-    return isChangeAll(base, with, equivalenceMargin);
-}
-
 /// Whether one change leaves noise alone where the effect that the first round chose leaves far too much for it to be
 /// half of a pair: none is added to it then.
 bool Search::isChangeAlone(const NullModel& base, const Round& first) {
@@ -80,10 +81,7 @@ bool Search::isChangeAlone(const NullModel& base, const Round& first) {
     if (isNoise(base.channels, winner.fit)) return false;
     const double promised = std::max(explainedByChange(base), explainedByDependence(base));
     if (!(promised > changeShare * excess(base))) return false;
-    NullModel with = base;
-    with.variant = winner.variant;
-    with.fit = winner.fit;
-    return isChangeAll(base, with, leastAlone);
+    return isChangeAll(base, replaced(base, winner.variant, winner.fit), leastAlone);
 }
 
 /// Keeps the better of the changes where it is a better account than the effects that were found.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "core/effect/held_parameter.hpp"
@@ -58,20 +59,23 @@ std::vector<Trial> Search::tryLaws(NullModel& null) {
 bool Search::addLaw(NullModel& null) {
     std::vector<Trial> trials = tryLaws(null);
     rank(null, trials);
-    const auto examined = [&](const Trial& trial) {
-        return examine(null, trial.fit, trial.freed(), 2 * equivalenceMargin);
+    std::map<std::size_t, Acceptance> examined;
+    const auto accepted = [&](std::size_t i) {
+        if (!trials[i].ok) return false;
+        if (!examined.contains(i))
+            examined.emplace(i, examine(null, trials[i].fit, trials[i].freed(), 2 * equivalenceMargin));
+        return examined.at(i).accepted();
     };
-    const auto accepted = [&](const Trial& trial) { return trial.ok && examined(trial).accepted(); };
     for (std::size_t best = 0; best < trials.size() && !progress_.stopRequested(); ++best) {
-        if (!accepted(trials[best])) continue;
+        if (!accepted(best)) continue;
         std::vector<std::size_t> places = equalPlaces(null, trials, best);
-        std::erase_if(places, [&](std::size_t i) { return i != best && !accepted(trials[i]); });
+        std::erase_if(places, [&](std::size_t i) { return !accepted(i); });
         Trial& trial = trials[places.front()];
         Outcome<NullModel> next = fitNull(trial.variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
         if (!next) continue;
         Step step;
         step.order = ++choices_;
-        step.acceptance = examined(trial);
+        step.acceptance = examined.at(places.front());
         step.tried = trials.size();
         for (const std::size_t i : places) {
             const Candidate& other = trials[i].screened.candidate;

@@ -100,13 +100,8 @@ std::vector<std::size_t> Search::equalPlaces(const NullModel& null, const std::v
         const bool isSameEquation = t.screened.candidate.effect.className == first.screened.candidate.effect.className;
         if (isSameEquation || (isFlowByLaw(t) && isFlowByLaw(first) && t.freed() == first.freed())) equal.push_back(i);
     }
-    Diagram diagram;
-    const Outcome<ModelNodes> nodes = nodesOf(null.variant, diagram);
-    if (nodes && equal.size() > 1)
-        std::stable_sort(equal.begin(), equal.end(), [&](std::size_t a, std::size_t b) {
-            return nodes->blocksAt(trials[a].screened.candidate.place.connector) >
-                   nodes->blocksAt(trials[b].screened.candidate.place.connector);
-        });
+    mostPartsFirst(null.variant, equal,
+                   [&](std::size_t i) -> const std::string& { return trials[i].screened.candidate.place.connector; });
     return equal;
 }
 

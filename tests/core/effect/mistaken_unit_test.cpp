@@ -15,27 +15,38 @@ constexpr int samples = 300;
 
 double powerAt(double t) { return std::fmod(t, 100) < 50 ? 0.3 : 1.2; }
 
+/// What a store holds at each sample that is fed with powerAt(), along straight lines, and loses by what it holds.
+template <class Loss>
+std::vector<double> heldBy(double capacity, const Loss& loss) {
+    std::vector<double> held;
+    double now = 0;
+    for (int k = 0; k < samples; ++k) {
+        held.push_back(now);
+        constexpr int inner = 100;
+        for (int i = 0; i < inner; ++i) {
+            const double a = (i + 0.5) / inner, power = (1 - a) * powerAt(k) + a * powerAt(k + 1);
+            now += 1.0 / inner / capacity * (power - loss(now));
+        }
+    }
+    return held;
+}
+
 /// The warm body, its heater switched every 50 s. `loss`: what the model does not have [W/K2].
 Recording heated(const std::string& name, double loss = 0) {
     Recording r = warmBodyRecording(name, samples);
     std::mt19937 random(8);
     std::normal_distribution<double> noise(0, 0.02);
-    double above = 0;
+    const std::vector<double> above = heldBy(4, [&](double t) { return 0.2 * t + loss * t * t; });
     for (int k = 0; k < samples; ++k) {
         r.time.push_back(k);
         r.inputs(0, k) = powerAt(k);
-        r.outputs(0, k) = 300 + above + noise(random);
-        constexpr int inner = 100;
-        for (int i = 0; i < inner; ++i) {
-            const double a = (i + 0.5) / inner, power = (1 - a) * powerAt(k) + a * powerAt(k + 1);
-            above += 1.0 / inner / 4 * (power - 0.2 * above - loss * above * above);
-        }
+        r.outputs(0, k) = 300 + above[static_cast<std::size_t>(k)] + noise(random);
     }
     r.units = {{"P", "P_heater", "W", "W"}, {"T", "T_body", "K", "K"}};
     return r;
 }
 
-EstimationTask taskOf(std::vector<Recording> recordings, double reach) {
+EstimationTask bodyTask(std::vector<Recording> recordings, double reach) {
     EstimationTask task =
         warmBody({{"body.C", "J/K", 3.5, 4 / reach, 4 * reach}, {"joint.G", "W/K", 0.25, 0.2 / reach, 0.2 * reach}});
     task.recordings = std::move(recordings);
@@ -44,7 +55,7 @@ EstimationTask taskOf(std::vector<Recording> recordings, double reach) {
 
 /// `reach`: factor within which the parameters are known.
 std::optional<MistakenUnit> mistakeIn(const std::vector<Recording>& recordings, double reach = 5) {
-    const EstimationTask task = taskOf(recordings, reach);
+    const EstimationTask task = bodyTask(recordings, reach);
     const Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, {}, {});
     EXPECT_TRUE(null) << format(null.diagnostics());
     return null ? mistakenUnit(*null, {task, {}, {}}, {}, {}) : std::nullopt;
@@ -88,7 +99,7 @@ TEST(MistakenUnit, MayBeOfOneRecordingOfSeveral) {
     const std::optional<MistakenUnit> found = mistakeIn({heated("run"), inCelsius(heated("next run"))});
     ASSERT_TRUE(found);
     EXPECT_EQ(found->recordings, std::vector<int>{1});
-    EXPECT_EQ(channelWords(taskOf({heated("run"), heated("next run")}, 5), *found), "T ('T_body') in 'next run'");
+    EXPECT_EQ(channelWords(bodyTask({heated("run"), heated("next run")}, 5), *found), "T ('T_body') in 'next run'");
     const std::optional<MistakenUnit> both = mistakeIn({inCelsius(heated("run")), inCelsius(heated("next run"))});
     ASSERT_TRUE(both);
     EXPECT_EQ(both->recordings, (std::vector<int>{0, 1}));
@@ -100,7 +111,7 @@ TEST(MistakenUnit, IsAlsoThatOfAStartValueFromTheColumn) {
     const std::optional<MistakenUnit> found = mistakeIn({r});
     ASSERT_TRUE(found);
     EXPECT_TRUE(isNoise(found->read));
-    const EstimationTask read = readAsLikely(taskOf({r}, 5), *found);
+    const EstimationTask read = readAsLikely(bodyTask({r}, 5), *found);
     EXPECT_NEAR(read.recordings[0].starts[0].value, 300, 0.1);
     EXPECT_NEAR(read.recordings[0].outputs(0, 0), 300, 0.1);
     EXPECT_EQ(read.recordings[0].inputs, r.inputs);
@@ -115,14 +126,13 @@ TEST(MistakenUnit, ConvertsAStartValueOnceHoweverManyChannelsAreReadFromItsColum
     mistake.columns = {"T_body"};
     mistake.unit = "K";
     mistake.likely = "degC";
-    const EstimationTask read = readAsLikely(taskOf({r}, 5), mistake);
+    const EstimationTask read = readAsLikely(bodyTask({r}, 5), mistake);
     EXPECT_NEAR(read.recordings[0].starts[0].value, 300, 0.1);
 }
 
 /// A rotor (J [kg.m2]) that a torque drives against a damper (b [N.m.s/rad]); its speed is measured.
 EstimationTask rotor(Recording recording) {
-    EstimationTask task;
-    task.model = std::make_shared<Source>("model.mo", R"(model Rotor
+    EstimationTask task = taskOf(R"(model Rotor
   Analogon.Interfaces.RealInput tau(unit="N.m");
   Analogon.Interfaces.RealOutput w(unit="rad/s");
   Analogon.Sources.PrescribedTorque drive;
@@ -136,11 +146,8 @@ equation
   connect(rotor.flange_b, sensor.flange);
   connect(sensor.w, w);
 end Rotor;
-)");
-    task.className = "Rotor";
-    Outcome<Library> library = builtInLibrary()->withSource(task.model);
-    EXPECT_TRUE(library) << format(library.diagnostics());
-    if (library) task.library = std::move(*library);
+)",
+                                 "Rotor");
     task.parameters = {{"rotor.J", "kg.m2", 1, 0.1, 10}, {"damper.b", "N.m.s/rad", 0.05, 0.005, 0.5}};
     task.recordings = {std::move(recording)};
     return task;
@@ -153,16 +160,11 @@ Recording turning() {
     r.outputNames = {"w"};
     std::mt19937 random(9);
     std::normal_distribution<double> noise(0, 0.2);
-    double speed = 0;  // rad/s
+    const std::vector<double> speed = heldBy(1.5, [](double w) { return 0.075 * w; });  // rad/s
     for (int k = 0; k < samples; ++k) {
         r.time.push_back(k);
         r.inputs(0, k) = powerAt(k);
-        r.outputs(0, k) = speed * 180 / std::numbers::pi + noise(random);
-        constexpr int inner = 100;
-        for (int i = 0; i < inner; ++i) {
-            const double a = (i + 0.5) / inner, torque = (1 - a) * powerAt(k) + a * powerAt(k + 1);
-            speed += 1.0 / inner / 1.5 * (torque - 0.075 * speed);
-        }
+        r.outputs(0, k) = speed[static_cast<std::size_t>(k)] * 180 / std::numbers::pi + noise(random);
     }
     r.units = {{"tau", "torque", "Nm", "N.m"}, {"w", "speed", "rad/s", "rad/s"}};
     return r;

@@ -3,19 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "core/library/library.hpp"
+#include "text_task.hpp"
 
 namespace analogon {
 namespace {
-
-EstimationTask taskOf(const std::string& text) {
-    EstimationTask task;
-    task.model = std::make_shared<Source>("model.mo", text);
-    task.className = "Board";
-    Outcome<Library> library = builtInLibrary()->withSource(task.model);
-    EXPECT_TRUE(library) << format(library.diagnostics());
-    if (library) task.library = std::move(*library);
-    return task;
-}
 
 const char* const board = R"(model Board
   Analogon.Interfaces.RealInput P(unit="W");
@@ -51,7 +42,7 @@ PlacedEffect lagAt(const std::vector<EffectClass>& catalogue, const std::string&
 }
 
 TEST(Twin, StandsAtTheOutputsOfEqualSensorsAlone) {
-    const Variant variant{taskOf(board), {}, {}};
+    const Variant variant{taskOf(board, "Board"), {}, {}};
     const Outcome<std::vector<EffectClass>> catalogue = effectCatalogue(variant.task.library);
     ASSERT_TRUE(catalogue);
     const std::vector<EffectPlace> like = likePlaces(variant, lagAt(*catalogue, "T1"), *catalogue);
@@ -93,7 +84,8 @@ equation
   connect(body.port, sensor.port);
   connect(sensor.T, T);
 end Board;
-)"),
+)",
+                                 "Board"),
                           {},
                           {}};
     const Outcome<std::vector<EffectClass>> catalogue = effectCatalogue(variant.task.library);
@@ -107,7 +99,7 @@ end Board;
 }
 
 TEST(Twin, HasTheParametersOfTheFirst) {
-    const Variant base{taskOf(board), {}, {}};
+    const Variant base{taskOf(board, "Board"), {}, {}};
     const Outcome<std::vector<EffectClass>> catalogue = effectCatalogue(base.task.library);
     ASSERT_TRUE(catalogue);
     PlacedEffect lag = lagAt(*catalogue, "T1");

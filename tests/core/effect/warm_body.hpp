@@ -1,16 +1,13 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include "core/fit/estimation_task.hpp"
+#include "text_task.hpp"
 
 namespace analogon {
 
 /// A body (C [J/K]) that is heated with P and cools over a joint (G [W/K]) to 300 K; its temperature is measured as T.
 /// A task with these fitted parameters, and without a recording.
 inline EstimationTask warmBody(std::vector<FitParameter> parameters) {
-    EstimationTask task;
-    task.model = std::make_shared<Source>("model.mo", R"(model Body
+    EstimationTask task = taskOf(R"(model Body
   Analogon.Interfaces.RealInput P(unit="W");
   Analogon.Interfaces.RealOutput T(unit="K");
   Analogon.Sources.PrescribedHeatFlow heater;
@@ -26,11 +23,8 @@ equation
   connect(body.port, sensor.port);
   connect(sensor.T, T);
 end Body;
-)");
-    task.className = "Body";
-    Outcome<Library> library = builtInLibrary()->withSource(task.model);
-    EXPECT_TRUE(library) << format(library.diagnostics());
-    if (library) task.library = std::move(*library);
+)",
+                                 "Body");
     task.parameters = std::move(parameters);
     return task;
 }

@@ -6,21 +6,12 @@
 #include <algorithm>
 
 #include "core/effect/screen.hpp"
+#include "text_task.hpp"
 
 namespace analogon {
 namespace {
 
 using ::testing::HasSubstr;
-
-EstimationTask taskOf(const std::string& text, const std::string& className) {
-    EstimationTask task;
-    task.model = std::make_shared<Source>("model.mo", text);
-    task.className = className;
-    Outcome<Library> library = builtInLibrary()->withSource(task.model);
-    EXPECT_TRUE(library) << format(library.diagnostics());
-    if (library) task.library = std::move(*library);
-    return task;
-}
 
 EffectClass effectOf(const Library& library, const std::string& kind) {
     const Outcome<std::vector<EffectClass>> catalogue = effectCatalogue(library);
