@@ -243,6 +243,7 @@ Search::Path Search::bareOf(const NullModel& base, Round first, const Text& why)
     first.passOver(why);
     Path bare{base, {}, {}, {}, {}};
     exchange(bare);
+    round_ = 1;
     noteAll(first);
     exchange(bare);
     return bare;

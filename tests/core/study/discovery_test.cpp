@@ -888,6 +888,7 @@ protected:
         double film{};        // [Ohm] under its brushes, half of it left at 1 A
         double lag{};         // [s] of its driver
         int shown{};          // samples after which its current is shown
+        double loose{1};      // times its resistance, in the second half
     };
 
     /// What is measured besides the current.
@@ -912,8 +913,8 @@ protected:
         std::normal_distribution<double> scatter;
         std::ofstream csv =
             recording(beside == Beside::Angle ? "t [s],v [V],i [A],w [rad]" : "t [s],v [V],i [A],w [rad/s]");
-        double w = 0, phi = 0, warm = 0;
-        constexpr double R = 0.45, k = 0.045, J = 2.5e-4, b = 2e-4;
+        double w = 0, phi = 0, warm = 0, R = 0.45;
+        constexpr double k = 0.045, J = 2.5e-4, b = 2e-4;
         // a slow one is sampled more often than it passes a notch
         const double interval = motor.supply < 5 ? 0.005 : 0.02;
         const auto constant = [&](double i) { return k / std::sqrt(1 + motor.saturation * i * i); };
@@ -943,6 +944,7 @@ protected:
         double lagged = supply(0);
         std::vector<double> currents;
         for (int n = 0; n < samples; ++n) {
+            if (n == samples / 2) R *= motor.loose;
             const double v = motor.late > 0 ? driven(n) : motor.lag > 0 ? lagged : supply(n);
             currents.push_back(current(v));
             csv << n * interval << ',' << supply(n) << ','
@@ -981,6 +983,19 @@ TEST_F(DiscoveryInAMotor, FindsTwoEffectsInOneComponent) {
     EXPECT_NEAR(found["voltage.drop"], 0.8, 0.05);
     EXPECT_NEAR(found["resistance.temperature"], 1.5, 0.15);
     EXPECT_NE(finding.final.modelText.find("CombinedWithWinding motor("), std::string::npos);
+}
+
+TEST_F(DiscoveryInAMotor, LooksForNothingBesideAChangeThatIsAll) {
+    const Finding finding = searchMotor({.loose = 1.08});
+    EXPECT_TRUE(finding.effects.empty());
+    EXPECT_EQ(finding.kind, FindingKind::Unexplained);
+    ASSERT_FALSE(finding.remainders.empty());
+    EXPECT_NE(finding.remainders.front().proposedEquation.find("motor.R = if time < 1"), std::string::npos)
+        << finding.remainders.front().proposedEquation;
+    for (const CandidateResult& c : finding.candidates) EXPECT_EQ(c.round, 1) << c.kind;
+    EXPECT_TRUE(std::any_of(finding.candidates.begin(), finding.candidates.end(), [](const CandidateResult& c) {
+        return c.reason == "a parameter that changes is the better account";
+    }));
 }
 
 TEST_F(DiscoveryInAMotor, TellsALagBeforeAMotorFromADeadTimeBehindIt) {
