@@ -1283,6 +1283,7 @@ protected:
         double offset{};  // [V] that it adds
         double spring{};  // [N.m/rad] that turns the window back
         double cube{};    // [N.m.s3/rad3] of a drag at the window
+        double rub{};     // [N.m.s/rad2] of a drag there that grows with the travel
         double c{170};    // [N.m/rad] of the gear
         double noise{1};  // of the sensors
     };
@@ -1334,7 +1335,8 @@ end WindowDrive;
                 i += h * (driven + hidden.offset - R * i - k * w1) / L;
                 const double shaft = c * twist + d * (w1 / r - w2);
                 w1 += h * (k * i - shaft / r) / J1;
-                w2 += h * (shaft - b * w2 - hidden.cube * w2 * w2 * w2 - hidden.spring * phi) / J2;
+                w2 += h * (shaft - b * w2 - hidden.cube * w2 * w2 * w2 - hidden.rub * w2 * phi - hidden.spring * phi) /
+                      J2;
                 twist += h * (w1 / r - w2);
                 phi += h * w2;
             }
@@ -1359,6 +1361,17 @@ TEST_F(DiscoveryInAWindowDrive, TellsBothSidesOfAGearWhereAnEquationMayStand) {
     const Remainder& first = finding.remainders.front();
     EXPECT_NE(first.proposedEquation.find("a*w^3"), std::string::npos) << first.proposedEquation;
     // more parts may be the cause on that side
+    EXPECT_EQ(first.node, "gear.flange_b");
+    EXPECT_EQ(first.equalNodes, std::vector<std::string>{"motor.flange"});
+}
+
+TEST_F(DiscoveryInAWindowDrive, TellsBothSidesOfAGearWhereALawMayStand) {
+    const Finding finding = searchDrive({.rub = 0.02, .c = 1000});
+    EXPECT_TRUE(finding.effects.empty());
+    ASSERT_FALSE(finding.remainders.empty());
+    const Remainder& first = finding.remainders.front();
+    EXPECT_NE(first.proposedEquation.find("gear.flange_b.tau = a1*w*phi with a1 = 0.020"), std::string::npos)
+        << first.proposedEquation;
     EXPECT_EQ(first.node, "gear.flange_b");
     EXPECT_EQ(first.equalNodes, std::vector<std::string>{"motor.flange"});
 }
