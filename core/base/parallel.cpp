@@ -9,9 +9,12 @@
 
 namespace analogon {
 
+int threadCount(int threads) {
+    return threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
 void parallelFor(int count, int threads, const std::function<void(int)>& body) {
-    if (threads <= 0) threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    threads = std::min(threads, count);
+    threads = std::min(threadCount(threads), count);
     if (threads <= 1) {
         for (int i = 0; i < count; ++i) body(i);
         return;

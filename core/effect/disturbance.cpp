@@ -54,14 +54,21 @@ std::vector<Disturbance::Source> Disturbance::sourcesBeside() const {
         const auto isHere = [&](const Flow& f) { return f.response == i; };
         if (std::any_of(settled_.flows.begin(), settled_.flows.end(), isHere)) continue;
         const Eigen::MatrixXd& columns = responses_[i].columns;
-        const Eigen::MatrixXd squares = columns.transpose() * besideSettled(columns);
+        const Eigen::MatrixXd weighed = besideSettled(columns);
+        const Eigen::Index all = columns.cols();
+        std::vector<Eigen::MatrixXd> squares;  // of each recording: no flow is felt in another
+        for (Eigen::Index k = 0; k + count <= all; k += count)
+            squares.emplace_back(columns.middleCols(k, count).transpose() * weighed.middleCols(k, count));
         for (std::size_t c = 0; c < std::size(correlations); ++c) {
             const Eigen::MatrixXd root = correlationRoot(count, correlations[c]);
-            Eigen::MatrixXd roots = Eigen::MatrixXd::Zero(squares.rows(), squares.rows());  // of each recording
-            for (Eigen::Index k = 0; k + count <= roots.cols(); k += count) roots.block(k, k, count, count) = root;
-            const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(roots.transpose() * squares * roots);
-            if (!(eigen.eigenvalues().maxCoeff() > 0)) continue;
-            sources.push_back({i, c, roots * eigen.eigenvectors(), eigen.eigenvalues().cwiseMax(0)});
+            Source source{i, c, Eigen::MatrixXd::Zero(all, all), Eigen::VectorXd::Zero(all)};
+            for (std::size_t e = 0; e < squares.size(); ++e) {
+                const Eigen::Index k = static_cast<Eigen::Index>(e) * count;
+                const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(root.transpose() * squares[e] * root);
+                source.turn.block(k, k, count, count) = root * eigen.eigenvectors();
+                source.squares.segment(k, count) = eigen.eigenvalues().cwiseMax(0);
+            }
+            if (source.squares.maxCoeff() > 0) sources.push_back(std::move(source));
         }
     }
     return sources;

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <set>
 
+#include "core/base/parallel.hpp"
+
 namespace analogon {
 namespace {
 
@@ -132,7 +134,7 @@ void keepBest(std::vector<Likely>& likely, std::size_t most) {
 
 }  // namespace
 
-std::vector<Law> likelyLaws(const NullModel& null, int before, const SimulationOptions& simulation,
+std::vector<Law> likelyLaws(const NullModel& null, int before, const SimulationOptions& simulation, int threads,
                             const Progress& progress) {
     std::vector<Law> laws;
     Diagram diagram;
@@ -146,17 +148,18 @@ std::vector<Law> likelyLaws(const NullModel& null, int before, const SimulationO
     for (const auto& [name, unit] : others) names.insert(name);
     const Series values = movingSeries(null, *held, {names.begin(), names.end()}, simulation);
     std::vector<LawProbe> probes;
-    std::vector<Likely> likely, ofSensors;
-    const auto collect = [&](LawProbe probe, std::vector<Likely>& found) {
+    for (const ModelNodes::FlowNode& node : flowNodes) probes.push_back(probeAt(null, node, others, values));
+    for (const SignalInfo& output : held->system->outputs()) probes.push_back(probeAt(null, output, others, values));
+    std::vector<std::vector<TermSet>> sets(probes.size());
+    parallelFor(static_cast<int>(probes.size()), threads, [&](int k) {
+        const auto i = static_cast<std::size_t>(k);
         if (progress.stopRequested()) return;
-        const std::optional<Eigen::MatrixXd> columns = probe.traces(false, simulation, progress);
-        if (!columns) return;
-        for (TermSet& set : likeliestSets(null, probe.terms(), *columns))
-            found.push_back({probes.size(), std::move(set)});
-        probes.push_back(std::move(probe));
-    };
-    for (const ModelNodes::FlowNode& node : flowNodes) collect(probeAt(null, node, others, values), likely);
-    for (const SignalInfo& output : held->system->outputs()) collect(probeAt(null, output, others, values), ofSensors);
+        if (const std::optional<Eigen::MatrixXd> columns = probes[i].traces(false, simulation, progress))
+            sets[i] = likeliestSets(null, probes[i].terms(), *columns);
+    });
+    std::vector<Likely> likely, ofSensors;
+    for (std::size_t i = 0; i < probes.size(); ++i)
+        for (TermSet& set : sets[i]) (i < flowNodes.size() ? likely : ofSensors).push_back({i, std::move(set)});
     keepBest(likely, mostOfFlows);
     keepBest(ofSensors, mostOfSensors);
     likely.insert(likely.end(), ofSensors.begin(), ofSensors.end());

@@ -11,7 +11,7 @@ namespace analogon {
 /// of the place's own quantities and of the inputs, states and outputs of the model. The coefficients carry the unit
 /// that makes a term what is missing. What they are worth shows when they are fitted. Best first; the classes are
 /// numbered on from `before`, the laws written already.
-std::vector<Law> likelyLaws(const NullModel& null, int before, const SimulationOptions& simulation,
+std::vector<Law> likelyLaws(const NullModel& null, int before, const SimulationOptions& simulation, int threads,
                             const Progress& progress);
 
 }  // namespace analogon

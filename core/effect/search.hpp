@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -77,6 +78,16 @@ private:
         std::vector<Displaced> displaced;
         std::vector<CandidateResult> candidates;
         std::optional<ModelState> state;  // where it is known
+        bool meetsAnother{};              // it came to effects from which another has gone on already
+    };
+    /// Where a path has been.
+    struct Stay {
+        std::set<std::string> effects;  // classes with their places
+        double misfit{};
+        int path{};
+
+        /// The same effects at the same optimum: what follows is known.
+        bool isLike(const Stay& other) const;
     };
 
     /// What the end of a path comes to.
@@ -104,6 +115,7 @@ private:
     bool isColouredNoise(const NullModel& null) const;
     bool isExplainedBy(const Path& path, std::size_t most) const;
     bool isBetter(const Path& path, const Path& than) const;
+    Stay stayAt(const NullModel& null, double misfit) const;
     void keepBetter(Path& best, Path path);
     Path bareOf(const NullModel& base, Round first, const Text& why);
     void addPairPaths(Path& best, const NullModel& base, const Round& first, const std::vector<Candidate>& taken);
@@ -117,10 +129,10 @@ private:
                                          std::size_t best) const;
     std::vector<std::size_t> equivalents(const NullModel& null, const std::vector<Trial>& trials,
                                          std::size_t best) const;
-    std::optional<NullModel> without(const NullModel& null, std::size_t effect);
+    std::optional<NullModel> without(const NullModel& null, std::size_t effect) const;
     std::optional<NullModel> withoutOnAll(const NullModel& last, std::size_t effect);
     bool takeOut(NullModel& null, std::size_t effect, const Text& why);
-    std::optional<NullModel> refittedWith(const NullModel& null, const std::vector<PlacedEffect>& effects);
+    std::optional<NullModel> refittedWith(const NullModel& null, const std::vector<PlacedEffect>& effects) const;
     bool reconsider(NullModel& null);
     std::vector<Remainder> takeOutProposals(NullModel& null, std::vector<Text>& sameByName);
     void setAsideBehindProposal(NullModel& null);
@@ -129,6 +141,7 @@ private:
     void bringBackDisplaced(NullModel& null, double leftByProposals);
     enum class Rivals { Known, New };  // of its round; what goes to its place or is the same fault of another signal
     bool replace(NullModel& null, std::size_t effect, Rivals wanted = Rivals::Known);
+    void likelierFirst(const NullModel& null, const EffectClass& old, std::vector<Trial>& trials) const;
     void completeClasses(NullModel& null);
     void seekChange(const NullModel& base);
     bool isChangeAll(const NullModel& base, const NullModel& with, double leastGain = equivalenceMargin);
@@ -181,7 +194,7 @@ private:
     void setVerdict(const PlacedEffect& placed, Verdict verdict, const Text& why);
     void note(const Screened& s, Verdict verdict, const Text& why, std::optional<double> deltaBic, const Text& failure);
     Text whyUnneeded(const NullModel& null, std::size_t effect, const NullModel& without, const Acceptance& missed,
-                     bool isLast, std::optional<BesideDisturbance>& beside);
+                     bool isLast, const std::function<BesideDisturbance(std::size_t most)>& beside) const;
     void retryNames(const NullModel& null, std::vector<Trial>& trials);
     void retryFrom(const NullModel& null, const std::vector<ParameterValue>& values,
                    const std::vector<std::size_t>& chosen, int iterations, std::vector<Trial>& trials);
@@ -205,11 +218,14 @@ private:
     std::vector<EffectClass> catalogue_;
     std::vector<CandidateResult> candidates_;
     std::vector<Step> steps_;
-    std::vector<Displaced> displaced_;         // not needed any more beside a proposed equation
-    std::vector<Path> otherEnds_;              // of paths that explain less
+    std::vector<Displaced> displaced_;  // not needed any more beside a proposed equation
+    std::vector<Path> otherEnds_;       // of paths that explain less
+    std::vector<Stay> visited_;         // with the error of the fitted data [%]
+    int paths_{};
     std::optional<Path> opening_;              // where the first choice of all led
     std::optional<Path> whole_;                // the best so far, of named effects: what an interrupted search reports
     std::map<std::string, std::string> laws_;  // texts of the classes that were written for this model, by name
+    std::vector<Stay> lawless_;                // where no law passed, with the sum of squares
     std::optional<Change> change_;             // in mid run, that explains better than any effect
     std::optional<Dependence> dependence_;     // on a channel, that does
     bool soughtChange_{};

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 
 #include "core/base/parallel.hpp"
 #include "core/effect/model_state.hpp"
@@ -22,6 +23,7 @@ constexpr double structuredResidual = 1.1;  // in units of the noise: something 
 constexpr double mostForPairs = 10;         // level of what is left: far from an optimum no slopes tell of two effects
 constexpr double leastGain = 1;             // in evidence, for which an effect is exchanged: exact twins are not
 constexpr int mostSharpenings = 2;
+constexpr double sameOptimum = 1e-3;   // of the error
 constexpr double leastSharpening = 8;  // fall in the sum of squares, in units of the noise
 
 /// Whether both are the same fault of a measured or a commanded signal: an offset and an offset, a lag and a lag.
@@ -58,6 +60,7 @@ void Search::exchange(Path& path) {
 /// Adds one effect a round until nothing passes its tests. The first round is given.
 void Search::goOn(Path& path, Round first) {
     exchange(path);
+    ++paths_;
     for (round_ = 1; round_ <= options_.maxRounds && !progress_.stopRequested(); ++round_) {
         Round round = round_ == 1 ? std::move(first) : tryAll(path.null);
         if (progress_.stopRequested()) break;
@@ -93,11 +96,30 @@ void Search::goOn(Path& path, Round first) {
             const double error = errorPercentOf(*after, Role::Fit);
             bestError_ = std::min(bestError_, error);
             if (!hasProposal(path.null) && !(whole_ && errorPercentOf(*whole_->state, Role::Fit) <= error))
-                whole_ = Path{path.null, steps_, displaced_, candidates_, std::move(*after)};
+                whole_ = Path{path.null, steps_, displaced_, candidates_, std::move(*after), {}};
+            Stay here = stayAt(path.null, error);
+            const auto before =
+                std::find_if(visited_.begin(), visited_.end(), [&](const Stay& s) { return s.isLike(here); });
+            path.meetsAnother = before != visited_.end() && before->path != paths_;
+            if (before != visited_.end()) break;
+            visited_.push_back(std::move(here));
         }
         if (!opening_) opening_ = Path{path.null, steps_, displaced_, candidates_, {}};
     }
     exchange(path);
+}
+
+bool Search::Stay::isLike(const Stay& other) const {
+    return effects == other.effects && std::abs(misfit - other.misfit) < sameOptimum * misfit;
+}
+
+Search::Stay Search::stayAt(const NullModel& null, double misfit) const {
+    Stay here{{}, misfit, paths_};
+    for (const PlacedEffect& e : null.variant.effects) {
+        here.effects.insert(e.effect.className + "@" + e.place.at + "@" + e.place.spare);
+        for (const EffectPlace& twin : e.twins) here.effects.insert(e.effect.className + "@" + twin.at);
+    }
+    return here;
 }
 
 /// Whether so much evidence is no more than the forms of the effects may be wrong by: a change of sign is rounded off,
@@ -130,6 +152,8 @@ Outcome<Search::Path> Search::bestPath(NullModel& base) {
         if (!path || !beginsAnew_ || progress_.stopRequested()) return path;
         beginsAnew_ = soughtChange_ = false;
         opening_.reset();
+        visited_.clear();
+        lawless_.clear();
         otherEnds_.clear();
         change_.reset();
         dependence_.reset();
@@ -188,8 +212,9 @@ bool Search::isBetter(const Path& path, const Path& than) const {
     return gain > (isNamed ? -equivalenceMargin : equivalenceMargin);
 }
 
-/// Keeps the better of two paths, and the other among the ends.
+/// Keeps the better of two paths, and the other among the ends; one that leads where another went adds nothing.
 void Search::keepBetter(Path& best, Path path) {
+    if (path.meetsAnother) return;
     if (isBetter(path, best)) std::swap(best, path);
     otherEnds_.push_back(std::move(path));
 }
@@ -316,7 +341,7 @@ std::optional<Search::Path> Search::withLaw(Path begin) {
 }
 
 /// The model refitted with one effect taken out.
-std::optional<NullModel> Search::without(const NullModel& null, std::size_t effect) {
+std::optional<NullModel> Search::without(const NullModel& null, std::size_t effect) const {
     return refittedWith(null, allBut(null.variant.effects, effect));
 }
 
@@ -326,7 +351,7 @@ std::optional<NullModel> Search::withoutOnAll(const NullModel& last, std::size_t
 }
 
 /// The model with these effects instead, refitted beside the same noise.
-std::optional<NullModel> Search::refittedWith(const NullModel& null, const std::vector<PlacedEffect>& effects) {
+std::optional<NullModel> Search::refittedWith(const NullModel& null, const std::vector<PlacedEffect>& effects) const {
     return refitted(base_, null, effects, search_.fit, progress_);
 }
 
@@ -338,6 +363,20 @@ bool Search::takeOut(NullModel& null, std::size_t effect, const Text& why) {
     null = std::move(*rest);
     steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(effect));
     return true;
+}
+
+/// While much is left, what is likelier than an effect and does as well as the best comes first.
+void Search::likelierFirst(const NullModel& null, const EffectClass& old, std::vector<Trial>& trials) const {
+    const Trial& best = trials.front();
+    if (!(levelOf(best.fit) > largeResidual)) return;
+    const auto isLikelier = [&](const Trial& t) {
+        return t.ok && !isProposal(t) && !isAtBound(t) && t.freed() == best.freed() &&
+               plausibility(t.screened.candidate.effect) < plausibility(old) &&
+               t.evidence > leastLike * best.evidence &&
+               independentShare(null, best.fit) * (best.evidence - t.evidence) < equivalenceMargin;
+    };
+    const auto first = std::find_if(trials.begin(), trials.end(), isLikelier);
+    if (first != trials.end()) std::rotate(trials.begin(), first, first + 1);
 }
 
 /// Tries the rivals of one effect again, now that others have joined it: what came second alone may be the better
@@ -396,6 +435,7 @@ bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted) {
     rank(*rest, trials);
     retryNear(*rest, null.variant.values, null.sumOfSquares(), trials);
     if (trials.empty() || !trials.front().ok || progress_.stopRequested()) return false;
+    likelierFirst(null, old.effect, trials);
     Trial& best = trials.front();
     const double rows = static_cast<double>(null.fit.optimum.residuals.size());
     const double least = std::min(best.sumOfSquares(), null.sumOfSquares());
@@ -420,14 +460,16 @@ bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted) {
     });
     for (const Trial& t : trials)  // best first, as they are told
         if (t.ok && !isProposal(t)) alternatives.push_back(beside(t, own));
-    // what the data hardly tell apart is not exchanged for the less likely
-    const bool isLessLikely = plausibility(best.screened.candidate.effect) > plausibility(old.effect);
-    if (!(gain > leastGain) || (isLessLikely && weight * gain < equivalenceMargin)) return false;
+    // what the data hardly tell apart is not exchanged for the less likely, nor, at the end, beside much that is left
+    const int likelier = plausibility(old.effect) - plausibility(best.screened.candidate.effect);
+    const bool leavesMuch = levelOf(best.fit) > largeResidual;
+    const bool isLikelierEqual = leavesMuch && likelier > 0 && best.freed() == static_cast<int>(old.freed.size()) &&
+                                 best.evidence > leastLike * own && -weight * gain < equivalenceMargin;
+    const bool isHardlyTold = weight * gain < equivalenceMargin || (leavesMuch && wanted == Rivals::New);
+    if (!isLikelierEqual && (!(gain > leastGain) || (likelier < 0 && isHardlyTold))) return false;
     const double fall = rest->sumOfSquares() - null.sumOfSquares(),
                  bestFall = rest->sumOfSquares() - best.sumOfSquares();
-    if (levelOf(best.fit) > largeResidual && best.freed() > static_cast<int>(old.freed.size()) &&
-        fall > nearlyAsMuch * bestFall)
-        return false;
+    if (leavesMuch && best.freed() > static_cast<int>(old.freed.size()) && fall > nearlyAsMuch * bestFall) return false;
     Outcome<NullModel> next = fitNull(best.variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
     if (!next) return false;
 
@@ -511,7 +553,7 @@ void Search::tellErrorWithout(Step& step, const NullModel& without) const {
 /// asked for. At the last, where something is left that nothing explains, the effect must be more than what a
 /// disturbance takes over; where noise is left, a weak one must be likelier.
 Text Search::whyUnneeded(const NullModel& null, std::size_t effect, const NullModel& without, const Acceptance& missed,
-                         bool isLast, std::optional<BesideDisturbance>& beside) {
+                         bool isLast, const std::function<BesideDisturbance(std::size_t most)>& beside) const {
     const PlacedEffect& placed = null.variant.effects[effect];
     const bool leavesNoise = isNoise(null);
     if (!isMissed(missed)) return whyRefused(missed, 0);
@@ -526,42 +568,68 @@ Text Search::whyUnneeded(const NullModel& null, std::size_t effect, const NullMo
     // what is constant hardly differs from a flow that varies slowly, and noise with a memory is noise as well
     const bool isNoiseLeft = leavesNoise || isColouredNoise(null);
     const std::size_t most = isNoiseLeft ? 1 : mostDisturbances;
-    if (!beside) beside = besideDisturbance(null, search_.fit.simulation, progress_, most);
     const BesideDisturbance disturbed = besideDisturbance(without, search_.fit.simulation, progress_, most);
+    const BesideDisturbance with = beside(most);
     const Eigen::Index rows = null.fit.optimum.residuals.size();
     const int freed = static_cast<int>(placed.freed.size());
-    if (isNoiseLeft ? isLikelier(disturbed, *beside, rows, freed) : isBorneOut(disturbed, *beside, rows, freed))
-        return {};
+    if (isNoiseLeft ? isLikelier(disturbed, with, rows, freed) : isBorneOut(disturbed, with, rows, freed)) return {};
     return noMoreThanDisturbance();
 }
 
-/// Takes each effect out again and keeps only those that are missed.
+/// Takes each effect out again and keeps only those that are missed. As many as there are threads are judged at once;
+/// what was judged beside one that is taken out is judged anew.
 void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
-    std::optional<BesideDisturbance> beside;  // of the model as it stands
+    struct Judged {
+        std::optional<NullModel> without;
+        Acceptance missed;
+        Text why;
+    };
+    std::optional<BesideDisturbance> known;  // of the model as it stands
+    std::mutex guard;
+    const auto beside = [&](std::size_t most) {
+        const std::lock_guard lock(guard);
+        if (!known) known = besideDisturbance(null, search_.fit.simulation, progress_, most);
+        return *known;
+    };
+    const auto judge = [&](std::size_t i) {
+        const PlacedEffect& placed = null.variant.effects[i];
+        say("remove", phrase("{} at {}", placed.effect.kind, placed.place.at), -1);
+        Judged judged{without(null, i), {}, {}};
+        if (!judged.without) return judged;
+        judged.missed = examine(*judged.without, null.fit, static_cast<int>(placed.freed.size()), 0);
+        judged.why = whyUnneeded(null, i, *judged.without, judged.missed, isLast, beside);
+        return judged;
+    };
+    std::vector<Judged> judged;
+    std::size_t first = 0;  // of these
     for (std::size_t i = 0; i < steps_.size() && steps_.size() > least && !progress_.stopRequested();) {
-        say("remove", phrase("{} at {}", null.variant.effects[i].effect.kind, null.variant.effects[i].place.at), -1);
-        std::optional<NullModel> refitted = without(null, i);
-        if (!refitted) {
+        if (i >= first + judged.size()) {
+            first = i;
+            judged.assign(std::min(steps_.size() - i, static_cast<std::size_t>(threadCount(options_.threads))), {});
+            parallelFor(static_cast<int>(judged.size()), options_.threads, [&](int k) {
+                judged[static_cast<std::size_t>(k)] = judge(first + static_cast<std::size_t>(k));
+            });
+        }
+        Judged& own = judged[i - first];
+        if (!own.without) {
             ++i;
             continue;
         }
-        const int freed = static_cast<int>(null.variant.effects[i].freed.size());
-        const Acceptance missed = examine(*refitted, null.fit, freed, 0);
-        const Text why = whyUnneeded(null, i, *refitted, missed, isLast, beside);
-        if (why.empty()) {
-            steps_[i].acceptance = missed;
-            steps_[i].fall = refitted->sumOfSquares() - null.sumOfSquares();
-            tellErrorWithout(steps_[i], *refitted);
+        if (own.why.empty()) {
+            steps_[i].acceptance = own.missed;
+            steps_[i].fall = own.without->sumOfSquares() - null.sumOfSquares();
+            tellErrorWithout(steps_[i], *own.without);
             ++i;
             continue;
         }
         const PlacedEffect& unneeded = null.variant.effects[i];
-        setVerdict(unneeded, Verdict::NotSignificant, takenOut(why));
+        setVerdict(unneeded, Verdict::NotSignificant, takenOut(own.why));
         if (hasProposal(null) && unneeded.effect.proposal.empty()) displaced_.push_back({unneeded, steps_[i]});
-        null = std::move(*refitted);
-        beside.reset();
+        null = std::move(*own.without);
+        known.reset();
         steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
-        i = 0;
+        judged.clear();
+        first = i = 0;
     }
 }
 

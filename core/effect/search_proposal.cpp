@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "core/base/parallel.hpp"
 #include "core/effect/held_parameter.hpp"
 #include "core/effect/law.hpp"
 #include "core/effect/model_state.hpp"
@@ -36,7 +37,8 @@ std::vector<HeldInstead> equalToFirst(std::vector<HeldInstead> values) {
 /// Fits the likeliest laws of what the model lacks; their classes join the libraries.
 std::vector<Trial> Search::tryLaws(NullModel& null) {
     say("propose", phrase("a law for what is left"), -1);
-    const std::vector<Law> laws = likelyLaws(null, static_cast<int>(laws_.size()), search_.fit.simulation, progress_);
+    const std::vector<Law> laws =
+        likelyLaws(null, static_cast<int>(laws_.size()), search_.fit.simulation, options_.threads, progress_);
     for (const Law& law : laws) {
         const std::string& name = law.candidate.effect.className;
         const auto source = std::make_shared<Source>(name + ".mo", law.text);
@@ -47,8 +49,11 @@ std::vector<Trial> Search::tryLaws(NullModel& null) {
         }
         laws_[name] = law.text;
     }
-    std::vector<Screened> screened;
-    for (const Law& law : laws) screened.push_back(screen(null, law.candidate, search_.fit.simulation, progress_));
+    std::vector<Screened> screened(laws.size());
+    parallelFor(static_cast<int>(laws.size()), options_.threads, [&](int k) {
+        const auto i = static_cast<std::size_t>(k);
+        screened[i] = screen(null, laws[i].candidate, search_.fit.simulation, progress_);
+    });
     std::vector<const Screened*> chosen;
     for (const Screened& s : screened)
         if (s.failure.empty()) chosen.push_back(&s);
@@ -57,6 +62,8 @@ std::vector<Trial> Search::tryLaws(NullModel& null) {
 
 /// Adds the law that passes the tests of an effect, where one does.
 bool Search::addLaw(NullModel& null) {
+    const Stay here = stayAt(null, null.sumOfSquares());
+    if (std::any_of(lawless_.begin(), lawless_.end(), [&](const Stay& s) { return s.isLike(here); })) return false;
     std::vector<Trial> trials = tryLaws(null);
     rank(null, trials);
     std::map<std::size_t, Acceptance> examined;
@@ -88,6 +95,7 @@ bool Search::addLaw(NullModel& null) {
         null = std::move(*next);
         return true;
     }
+    if (!progress_.stopRequested()) lawless_.push_back(here);
     return false;
 }
 
@@ -122,9 +130,12 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null, std::vector<Tex
         std::optional<NullModel> rest = without(null, i);
         if (!rest) continue;
         const auto isMore = [&] {
-            return isBorneOut(besideDisturbance(*rest, search_.fit.simulation, progress_),
-                              besideDisturbance(null, search_.fit.simulation, progress_),
-                              null.fit.optimum.residuals.size(), static_cast<int>(placed.freed.size()));
+            BesideDisturbance beside[2];
+            parallelFor(2, options_.threads, [&](int k) {
+                beside[k] = besideDisturbance(k == 0 ? *rest : null, search_.fit.simulation, progress_);
+            });
+            return isBorneOut(beside[0], beside[1], null.fit.optimum.residuals.size(),
+                              static_cast<int>(placed.freed.size()));
         };
         if (!isDoubtful || isMore()) {
             for (const Alternative& a : steps_[i].alternatives)

@@ -205,6 +205,17 @@ TEST_F(Discovery, TakesNoiseWithAMemoryForNoise) {
     EXPECT_NE(left.kind, FindingKind::Adequate);
 }
 
+TEST_F(Discovery, LooksForALawOnceBesideTheSameModel) {
+    // beside a torque that nobody recorded an effect is tried, and taken out again
+    const auto unknown = [](double t) { return std::sin(t * t / 12) + std::sin(0.7 * t + 3 * std::cos(0.31 * t)); };
+    search({0.02, [&](double t, double w, double) { return 0.03 * w + 0.003 * unknown(t); }}, 0.05);
+    std::atomic<int> laws{};
+    const Finding finding =
+        discovered({}, Progress({}, [&](const Progress::Report& r) { laws += r.stage == "propose"; }));
+    EXPECT_TRUE(finding.effects.empty());
+    EXPECT_LE(laws, 2);
+}
+
 TEST_F(Discovery, FindsAConstantTorqueInNoiseWithAMemory) {
     const Finding finding = search({0.02, [](double, double w, double) { return 0.03 * w + 0.03; }}, 0.3, {}, 0.97);
     EXPECT_EQ(finding.kind, FindingKind::Effect);
@@ -1489,6 +1500,15 @@ TEST_F(Discovery, DoesNotTakeATorqueOfTheAngleForItsFirstWave) {
     ASSERT_FALSE(finding.remainders.empty());
     EXPECT_NE(finding.remainders.front().proposedEquation.find("sin(2*phi)"), std::string::npos)
         << finding.remainders.front().proposedEquation;
+}
+
+TEST_F(Discovery, GoesNoWayTwice) {
+    constexpr double turn = 2 * std::numbers::pi;
+    const auto sawtooth = [](double phi) { return 2 * (phi / turn - std::floor(phi / turn)) - 1; };
+    search({0.02, [&](double, double w, double phi) { return 0.03 * w + 0.04 * sawtooth(phi); }}, 0.1);
+    std::atomic<int> rounds{};
+    discovered({}, Progress({}, [&](const Progress::Report& r) { rounds += r.stage == "screen" && r.fraction == 0; }));
+    EXPECT_LE(rounds, 3);
 }
 
 TEST_F(Discovery, TellsWhatTurnsWithTheShaftByItsWave) {

@@ -1,6 +1,8 @@
 model TwoHeaters "Two equal transistor heaters side by side on a board, each with a thermistor"
-  parameter Real C(unit="J/K") = 4 "Heat capacity of one transistor";
-  parameter Real G(unit="W/K") = 0.012 "Loss of one transistor to the room";
+  parameter Real C(unit="J/K") = 2 "Heat capacity of one transistor: 4 g of 500 J/(kg.K)";
+  parameter Real G(unit="W/K") = 0.006 "Convection of one transistor to the room";
+  parameter Real T_room(unit="K") = 296.15 "Temperature of the room";
+  parameter Real k_r(unit="W/K4") = 0.9*1e-3*5.67e-8 "Radiation of one transistor: 10 cm2 of emissivity 0.9";
   Analogon.Interfaces.RealInput heater1(unit="1") "Duty of heater 1"
     annotation (Placement(transformation(extent={{-170,30},{-150,50}})));
   Analogon.Interfaces.RealInput heater2(unit="1") "Duty of heater 2"
@@ -9,9 +11,9 @@ model TwoHeaters "Two equal transistor heaters side by side on a board, each wit
     annotation (Placement(transformation(extent={{150,70},{170,90}})));
   Analogon.Interfaces.RealOutput T2(unit="K") "Temperature at heater 2"
     annotation (Placement(transformation(extent={{150,-90},{170,-70}})));
-  Analogon.Signals.Gain power1(k=1) "Watts at full duty"
+  Analogon.Signals.Gain power1(k=0.5) "Watts at full duty"
     annotation (Placement(transformation(extent={{-130,30},{-110,50}})));
-  Analogon.Signals.Gain power2(k=0.75) "Watts at full duty"
+  Analogon.Signals.Gain power2(k=0.375) "Watts at full duty"
     annotation (Placement(transformation(extent={{-130,-50},{-110,-30}})));
   Analogon.Sources.PrescribedHeatFlow loss1
     annotation (Placement(transformation(extent={{-90,30},{-70,50}})));
@@ -25,10 +27,14 @@ model TwoHeaters "Two equal transistor heaters side by side on a board, each wit
     annotation (Placement(transformation(extent={{20,30},{40,50}})));
   Analogon.Thermal.ThermalConductor air2(G=G)
     annotation (Placement(transformation(extent={{20,-50},{40,-30}})));
-  Analogon.Thermal.ThermalConductor between(G=0.005)
+  Analogon.Thermal.ThermalConductor between(G=0.0025)
     annotation (Placement(transformation(extent={{-10,-10},{10,10}}, rotation=270)));
-  Analogon.Sources.FixedTemperature room(T=294)
+  Analogon.Sources.FixedTemperature room(T=T_room)
     annotation (Placement(transformation(extent={{100,-10},{80,10}})));
+  Analogon.Effects.Thermal.Radiation rays1(k_r=k_r, T_amb=T_room)
+    annotation (Placement(transformation(extent={{-10,80},{10,100}})));
+  Analogon.Effects.Thermal.Radiation rays2(k_r=k_r, T_amb=T_room)
+    annotation (Placement(transformation(extent={{-10,-100},{10,-80}})));
   Analogon.Sensors.TemperatureSensor thermistor1
     annotation (Placement(transformation(extent={{80,70},{100,90}})));
   Analogon.Sensors.TemperatureSensor thermistor2
@@ -46,6 +52,8 @@ equation
   connect(between.port_b, body2.port);
   connect(air1.port_b, room.port);
   connect(air2.port_b, room.port);
+  connect(body1.port, rays1.port);
+  connect(body2.port, rays2.port);
   connect(body1.port, thermistor1.port);
   connect(body2.port, thermistor2.port);
   connect(thermistor1.T, T1);
