@@ -115,6 +115,10 @@ std::string connectorSignature(const Library& library, std::string_view connecto
     return text;
 }
 
+std::string keyOf(const EffectClass& effect, const EffectPlace& place) {
+    return effect.className + "@" + place.at + "@" + place.spare + "@" + place.node;
+}
+
 ModelNodes::ModelNodes(const Library& library, const Diagram& diagram, const Structure& structure)
     : library_(library), diagram_(diagram) {
     const AliasTable aliases(structure);

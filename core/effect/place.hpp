@@ -20,6 +20,9 @@ struct EffectPlace {
     bool operator==(const EffectPlace&) const = default;
 };
 
+/// One text for an effect of a class at a place.
+std::string keyOf(const EffectClass& effect, const EffectPlace& place);
+
 /// Before the name of a signal of the model, where it is an effect's place or drives an effect.
 inline constexpr std::string_view inputPrefix = "input ", outputPrefix = "output ";
 

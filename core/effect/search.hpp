@@ -82,8 +82,8 @@ private:
     };
     /// Where a path has been.
     struct Stay {
-        std::set<std::string> effects;  // classes with their places
-        double misfit{};
+        std::set<std::string> effects;  // by keyOf()
+        double misfit{};                // by one measure or another, see the members
         int path{};
 
         /// The same effects at the same optimum: what follows is known.

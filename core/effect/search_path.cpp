@@ -23,7 +23,7 @@ constexpr double structuredResidual = 1.1;  // in units of the noise: something 
 constexpr double mostForPairs = 10;         // level of what is left: far from an optimum no slopes tell of two effects
 constexpr double leastGain = 1;             // in evidence, for which an effect is exchanged: exact twins are not
 constexpr int mostSharpenings = 2;
-constexpr double sameOptimum = 1e-3;   // of the error
+constexpr double sameOptimum = 1e-3;   // of the misfit
 constexpr double leastSharpening = 8;  // fall in the sum of squares, in units of the noise
 
 /// Whether both are the same fault of a measured or a commanded signal: an offset and an offset, a lag and a lag.
@@ -116,8 +116,8 @@ bool Search::Stay::isLike(const Stay& other) const {
 Search::Stay Search::stayAt(const NullModel& null, double misfit) const {
     Stay here{{}, misfit, paths_};
     for (const PlacedEffect& e : null.variant.effects) {
-        here.effects.insert(e.effect.className + "@" + e.place.at + "@" + e.place.spare);
-        for (const EffectPlace& twin : e.twins) here.effects.insert(e.effect.className + "@" + twin.at);
+        here.effects.insert(keyOf(e.effect, e.place));
+        for (const EffectPlace& twin : e.twins) here.effects.insert(keyOf(e.effect, twin));
     }
     return here;
 }
@@ -383,6 +383,7 @@ void Search::likelierFirst(const NullModel& null, const EffectClass& old, std::v
 /// half of a pair. True when one of them took its place (at the end of the list).
 bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted) {
     const PlacedEffect old = null.variant.effects[effect];
+    const int oldFreed = static_cast<int>(old.freed.size());
     std::optional<NullModel> rest = without(null, effect);
     if (!rest) return false;
     Outcome<std::vector<Candidate>> places = candidatesIn(rest->variant);
@@ -441,8 +442,7 @@ bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted) {
     const double least = std::min(best.sumOfSquares(), null.sumOfSquares());
     const double variance = least / std::max(1.0, rows - null.parameterCount());
     const double gain = (null.sumOfSquares() - best.sumOfSquares()) / variance -
-                        (best.freed() - static_cast<int>(old.freed.size())) *
-                            std::log(effectiveCount(null.channels, null.fit.optimum.residuals));
+                        (best.freed() - oldFreed) * std::log(effectiveCount(null.channels, null.fit.optimum.residuals));
     // alternatives are judged beside the other effects of today
     std::vector<Alternative>& alternatives = steps_[effect].alternatives;
     const double own = best.evidence - gain;
@@ -463,13 +463,13 @@ bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted) {
     // what the data hardly tell apart is not exchanged for the less likely, nor, at the end, beside much that is left
     const int likelier = plausibility(old.effect) - plausibility(best.screened.candidate.effect);
     const bool leavesMuch = levelOf(best.fit) > largeResidual;
-    const bool isLikelierEqual = leavesMuch && likelier > 0 && best.freed() == static_cast<int>(old.freed.size()) &&
+    const bool isLikelierEqual = leavesMuch && likelier > 0 && best.freed() == oldFreed &&
                                  best.evidence > leastLike * own && -weight * gain < equivalenceMargin;
     const bool isHardlyTold = weight * gain < equivalenceMargin || (leavesMuch && wanted == Rivals::New);
     if (!isLikelierEqual && (!(gain > leastGain) || (likelier < 0 && isHardlyTold))) return false;
     const double fall = rest->sumOfSquares() - null.sumOfSquares(),
                  bestFall = rest->sumOfSquares() - best.sumOfSquares();
-    if (leavesMuch && best.freed() > static_cast<int>(old.freed.size()) && fall > nearlyAsMuch * bestFall) return false;
+    if (leavesMuch && best.freed() > oldFreed && fall > nearlyAsMuch * bestFall) return false;
     Outcome<NullModel> next = fitNull(best.variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
     if (!next) return false;
 

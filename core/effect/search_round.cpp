@@ -498,13 +498,10 @@ Search::Step Search::stepOf(const Round& round) {
 
 /// The round's line for every candidate of the table.
 void Search::noteAll(const Round& round) {
-    const auto key = [](const Candidate& c) {
-        return c.effect.className + "@" + c.place.at + "@" + c.place.spare + "@" + c.place.node;
-    };
     std::set<std::string> refitted;
     for (std::size_t i = 0; i < round.trials.size(); ++i) {
         const Trial& t = round.trials[i];
-        refitted.insert(key(t.screened.candidate));
+        refitted.insert(keyOf(t.screened.candidate.effect, t.screened.candidate.place));
         Verdict verdict = Verdict::NotSignificant;
         const auto refused = round.refused.find(i);
         Text why = refused != round.refused.end()   ? refused->second
@@ -529,7 +526,7 @@ void Search::noteAll(const Round& round) {
              t.ok ? Text() : t.failure);
     }
     for (const Screened& s : round.screened) {
-        if (refitted.contains(key(s.candidate))) continue;
+        if (refitted.contains(keyOf(s.candidate.effect, s.candidate.place))) continue;
         const Verdict verdict = !s.failure.empty()                                  ? Verdict::Failed
                                 : s.isAbsorbed()                                    ? Verdict::Absorbed
                                 : s.isWrongSign()                                   ? Verdict::WrongSign

@@ -108,6 +108,23 @@ TEST_F(OneNode, LeavesAnEffectThatStandsOutOfADisturbance) {
     EXPECT_GT(evidenceOf(trace, noise() + 5 * through(wandering()) + 8 * trace), 30);
 }
 
+TEST_F(OneNode, IsAsLikelyInEachOfTwoEqualRecordings) {
+    const Eigen::VectorXd residual = noise() + 5 * through(wandering());
+    const Eigen::MatrixXd felt = responses();
+    ResidualChannel second = channel();
+    second.experiment = 1;
+    second.begin = rows;
+    second.end = 2 * rows;
+    Eigen::MatrixXd inBoth = Eigen::MatrixXd::Zero(2 * rows, 2 * felt.cols());
+    inBoth.topLeftCorner(rows, felt.cols()) = inBoth.bottomRightCorner(rows, felt.cols()) = felt;
+    Eigen::VectorXd twice(2 * rows);
+    twice << residual, residual;
+    const Disturbance both({channel(), second}, {{"body.port", true, inBoth}}, pieces);
+    const double once = disturbance_.likeliest(residual).misfit;
+    EXPECT_LT(once, rows * std::log(residual.squaredNorm() / rows) - 100) << "it is there";
+    EXPECT_NEAR(both.likeliest(twice).misfit, 2 * once, 1e-6 * std::abs(once));
+}
+
 TEST_F(OneNode, IsNotTheOnlyPlaceWhereAnotherFeelsTheSame) {
     const Eigen::MatrixXd felt = responses(),
                           later = through(felt.col(pieces / 2)) * Eigen::RowVectorXd::Ones(pieces + 1);

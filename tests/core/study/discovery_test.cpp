@@ -662,8 +662,11 @@ TEST_F(DiscoveryInADrive, TakesOneWrongValueForNoTwoEffects) {
     EXPECT_LT(told.errorFitWith, 0.1 * finding.final.experiments.front().errorPercent);
 }
 
+/// A dry friction that a constant torque hides.
+const Shaft dryShaft{0.02, [](double, double w, double) { return 0.03 * w + 0.04 * signOf(w) - 0.05; }};
+
 TEST_F(Discovery, FindsTwoEffectsThatHideEachOther) {
-    const Finding finding = search({0.02, [](double, double w, double) { return 0.03 * w + 0.04 * signOf(w) - 0.05; }});
+    const Finding finding = search(dryShaft);
     ASSERT_EQ(finding.effects.size(), 2u);
     for (const AddedEffect& e : finding.effects) {
         if (e.kind == "friction.coulomb") {
@@ -680,6 +683,37 @@ TEST_F(Discovery, FindsTwoEffectsThatHideEachOther) {
     EXPECT_EQ(finding.kind, FindingKind::Effect);
     EXPECT_NE(finding.nextExperiment.find("no programme"), std::string::npos)
         << "an offset of the command and a load torque are one to every experiment: " << finding.nextExperiment;
+}
+
+TEST_F(Discovery, EndsTheSameOnAnyNumberOfThreads) {
+    const Finding first = search(dryShaft);
+    ASSERT_EQ(first.effects.size(), 2u) << "to be judged side by side";
+    for (const int threads : {1, 3}) {
+        RunOptions options;
+        options.discover.threads = threads;
+        const Outcome<RunResult> result = runDiscover(read(), options);
+        ASSERT_TRUE(result) << format(result.diagnostics());
+        const Finding& finding = result->finding;
+        EXPECT_EQ(finding.final.modelText, first.final.modelText) << "to the last digit";
+        ASSERT_EQ(finding.effects.size(), first.effects.size());
+        for (std::size_t i = 0; i < first.effects.size(); ++i) {
+            const Evidence &a = finding.effects[i].evidence, &b = first.effects[i].evidence;
+            EXPECT_EQ(finding.effects[i].kind, first.effects[i].kind);
+            EXPECT_EQ(a.score, b.score);
+            EXPECT_EQ(a.deltaBic, b.deltaBic);
+            EXPECT_EQ(a.heldOut, b.heldOut);
+            EXPECT_EQ(a.errorPercentBefore, b.errorPercentBefore);
+        }
+        ASSERT_EQ(finding.candidates.size(), first.candidates.size());
+        for (std::size_t i = 0; i < first.candidates.size(); ++i) {
+            const CandidateResult &a = finding.candidates[i], &b = first.candidates[i];
+            EXPECT_EQ(a.kind + " at " + a.at, b.kind + " at " + b.at);
+            EXPECT_EQ(a.round, b.round) << a.kind << " at " << a.at;
+            EXPECT_EQ(a.score, b.score) << a.kind << " at " << a.at;
+            EXPECT_EQ(a.deltaBic, b.deltaBic) << a.kind << " at " << a.at;
+            EXPECT_EQ(a.reason.english(), b.reason.english()) << a.kind << " at " << a.at;
+        }
+    }
 }
 
 /// A housing in coolant, heated through a wall; the model knows no loss to the room and believes the thermometer.
@@ -1491,11 +1525,14 @@ TEST_F(Discovery, TellsAPeriodicTorqueFromTheShaftsOwn) {
     EXPECT_NEAR(std::stod(equation.substr(at + 4)), 2.3, 0.02);
 }
 
+/// A torque that grows with every turn anew: a wave of many, which several effects share.
+const Shaft sawtooth{0.02, [](double, double w, double phi) {
+                         const double turns = phi / (2 * std::numbers::pi);
+                         return 0.03 * w + 0.04 * (2 * (turns - std::floor(turns)) - 1);
+                     }};
+
 TEST_F(Discovery, DoesNotTakeATorqueOfTheAngleForItsFirstWave) {
-    constexpr double turn = 2 * std::numbers::pi;
-    const auto sawtooth = [](double phi) { return 2 * (phi / turn - std::floor(phi / turn)) - 1; };
-    const Finding finding =
-        search({0.02, [&](double, double w, double phi) { return 0.03 * w + 0.04 * sawtooth(phi); }}, 0.1);
+    const Finding finding = search(sawtooth, 0.1);
     EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
     ASSERT_FALSE(finding.remainders.empty());
     EXPECT_NE(finding.remainders.front().proposedEquation.find("sin(2*phi)"), std::string::npos)
@@ -1503,9 +1540,7 @@ TEST_F(Discovery, DoesNotTakeATorqueOfTheAngleForItsFirstWave) {
 }
 
 TEST_F(Discovery, GoesNoWayTwice) {
-    constexpr double turn = 2 * std::numbers::pi;
-    const auto sawtooth = [](double phi) { return 2 * (phi / turn - std::floor(phi / turn)) - 1; };
-    search({0.02, [&](double, double w, double phi) { return 0.03 * w + 0.04 * sawtooth(phi); }}, 0.1);
+    search(sawtooth, 0.1);
     std::atomic<int> rounds{};
     discovered({}, Progress({}, [&](const Progress::Report& r) { rounds += r.stage == "screen" && r.fraction == 0; }));
     EXPECT_LE(rounds, 3);
