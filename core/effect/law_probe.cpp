@@ -12,6 +12,8 @@
 namespace analogon {
 namespace {
 
+constexpr std::size_t mostAtOnce = 16;  // terms: each is evaluated with the slopes of all
+
 std::string coefficient(std::size_t i) { return "a" + std::to_string(i + 1); }
 
 /// The name of a foreign quantity as it comes into the class.
@@ -58,20 +60,36 @@ const Quantity& LawProbe::addForeign(Quantity quantity) { return foreign_.emplac
 std::optional<Eigen::MatrixXd> LawProbe::traces(bool perExperiment, const SimulationOptions& simulation,
                                                 const Progress& progress) const {
     if (terms_.empty()) return std::nullopt;
-    std::vector<std::size_t> all(terms_.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
+    const auto all = static_cast<Eigen::Index>(terms_.size());
+    const int experiments = perExperiment ? static_cast<int>(recordingsOf(null_->variant.task, Role::Fit).size()) : 1;
+    Eigen::MatrixXd columns(null_->fit.optimum.residuals.size(), experiments * all);
+    for (std::size_t begin = 0; begin < terms_.size(); begin += mostAtOnce) {
+        std::vector<std::size_t> some(std::min(mostAtOnce, terms_.size() - begin));
+        std::iota(some.begin(), some.end(), begin);
+        const std::optional<Eigen::MatrixXd> part = tracesOf(some, perExperiment, simulation, progress);
+        if (!part) return std::nullopt;
+        const auto count = static_cast<Eigen::Index>(some.size());
+        for (int e = 0; e < experiments; ++e)
+            columns.middleCols(e * all + static_cast<Eigen::Index>(begin), count) = part->middleCols(e * count, count);
+    }
+    return columns;
+}
+
+/// The columns of these terms, those of an experiment together.
+std::optional<Eigen::MatrixXd> LawProbe::tracesOf(const std::vector<std::size_t>& some, bool perExperiment,
+                                                  const SimulationOptions& simulation, const Progress& progress) const {
     const std::string name = className(0);
-    const std::string text = classText(name, all);
+    const std::string text = classText(name, some);
     Outcome<Library> library = null_->variant.task.library.withSource(std::make_shared<Source>(name + ".mo", text));
     if (!library) return std::nullopt;
     Variant variant = null_->variant;
     variant.task.library = std::move(*library);
-    Outcome<Variant> wired = withEffect(variant, effect(name, all), site_.place, {});
+    Outcome<Variant> wired = withEffect(variant, effect(name, some), site_.place, {});
     if (!wired) return std::nullopt;
     std::vector<FitParameter> free;
     const int experiments = perExperiment ? static_cast<int>(recordingsOf(variant.task, Role::Fit).size()) : 1;
     for (int e = 0; e < experiments; ++e)
-        for (const std::size_t i : all) {
+        for (std::size_t i = 0; i < some.size(); ++i) {
             FitParameter p;
             p.name = wired->effects.back().instance + "." + coefficient(i);
             if (perExperiment) p.experiment = e;
@@ -80,7 +98,8 @@ std::optional<Eigen::MatrixXd> LawProbe::traces(bool perExperiment, const Simula
     Outcome<PreparedTask> held = prepareHeld(*wired, free, null_->noise);
     if (!held) return std::nullopt;
     const Eigen::VectorXd off = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(free.size()));
-    Linearisation l = linearise(held->problem, off, true, null_->fit.plans, simulation, progress);
+    const std::vector<GridPlan> plans = null_->plansOf(*held->system, simulation, progress);
+    Linearisation l = linearise(held->problem, off, true, plans, simulation, progress);
     if (l.residuals.size() != null_->fit.optimum.residuals.size()) return std::nullopt;
     return std::move(l.jacobian);
 }

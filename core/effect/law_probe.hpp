@@ -65,6 +65,8 @@ private:
         std::string expression;
     };
 
+    std::optional<Eigen::MatrixXd> tracesOf(const std::vector<std::size_t>& some, bool perExperiment,
+                                            const SimulationOptions& simulation, const Progress& progress) const;
     std::string className(int number) const;
     std::string unitOf(const Term& term) const;
     bool uses(const std::vector<std::size_t>& chosen, const std::string& name) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <mutex>
 #include <unsupported/Eigen/FFT>
 
 #include "core/base/range.hpp"
@@ -15,6 +16,7 @@ namespace {
 constexpr double fewestSteps = 8;     // of a converter, for what it rounds off to be told from the signal
 constexpr double allRounding = 1.15;  // of the rms of what a converter rounds off: there is little else
 
+constexpr double roughly = 30;            // times the integration's tolerance, for what is only compared
 constexpr double indistinctShare = 0.03;  // of a large residual
 
 /// Noise of every output from what the model leaves, in the units of the output.
@@ -36,6 +38,48 @@ std::vector<Eigen::VectorXd> noiseOf(const EstimationTask& task, const PreparedT
 }
 
 }  // namespace
+
+struct NullModel::FoundOnce {
+    std::once_flag flag;
+    StepsBeside steps;
+};
+
+std::shared_ptr<NullModel::FoundOnce> NullModel::nothingYet() { return std::make_shared<FoundOnce>(); }
+
+std::vector<GridPlan> NullModel::plansOf(const System& system, const SimulationOptions& simulation,
+                                         const Progress& progress) const {
+    std::vector<GridPlan> plans = stepsOf(fit);
+    for (std::size_t e = 0; e < plans.size(); ++e)
+        if (plans[e].method == GridMethod::Exact && !system.isLinearTimeInvariant())
+            plans[e] = steps(simulation, progress).fine[e];
+    return plans;
+}
+
+SimulationOptions glance(SimulationOptions simulation) {
+    simulation.relativeTolerance *= roughly;
+    simulation.isGlance = true;
+    return simulation;
+}
+
+const StepsBeside& NullModel::steps(const SimulationOptions& simulation, const Progress& progress) const {
+    std::call_once(found->flag, [&] {
+        StepsBeside& steps = found->steps;
+        steps.fine = steps.glances = stepsOf(fit);
+        const Outcome<PreparedTask> held = prepareHeld(variant, {}, noise);
+        if (!held) return;
+        steps.states = held->system->stateCount();
+        SimulationOptions stepwise = simulation;
+        stepwise.byRecurrence = false;
+        for (std::size_t e = 0; e < steps.fine.size(); ++e) {
+            const auto planned = [&](const SimulationOptions& options) {
+                return planFor(held->problem, static_cast<int>(e), {}, options, progress);
+            };
+            if (steps.fine[e].method == GridMethod::Exact) steps.fine[e] = planned(stepwise);
+            steps.glances[e] = planned(glance(stepwise));
+        }
+    });
+    return found->steps;
+}
 
 Outcome<NullModel> fitNull(const Variant& start, const std::vector<Eigen::VectorXd>& noise, NoiseLevel level,
                            const FitOptions& options, const Progress& progress) {
@@ -198,6 +242,7 @@ double dominantPeriod(const NullModel& null) {
 std::vector<Trajectory> observe(const NullModel& null, const PreparedTask& held, const std::vector<std::string>& names,
                                 const SimulationOptions& simulation) {
     std::vector<Trajectory> traces;
+    const std::vector<GridPlan> plans = null.plansOf(*held.system, simulation, {});
     for (std::size_t e = 0; e < held.problem.experiments.size(); ++e) {
         const FitExperiment& experiment = held.problem.experiments[e];
         SimulationTask task;
@@ -205,7 +250,7 @@ std::vector<Trajectory> observe(const NullModel& null, const PreparedTask& held,
         task.inputs = &experiment.inputs;
         task.parameters = experiment.parameters;
         task.observe = names;
-        Trajectory t = simulateGrid(task, null.fit.plans[e], simulation);
+        Trajectory t = simulateGrid(task, plans[e], simulation);
         // switched off, an inserted block may still be stiff
         if (t.failure.failed) t = simulateGrid(task, planGrid(task, simulation), simulation);
         traces.push_back(std::move(t));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "core/base/progress.hpp"
@@ -7,6 +8,14 @@
 #include "core/effect/variant.hpp"
 
 namespace analogon {
+
+/// How what is simulated beside a fitted model passes over the fitted experiments, one plan for each.
+struct StepsBeside {
+    /// Those of the fit, or, where it passes by its recurrence, those that the model would take without.
+    std::vector<GridPlan> fine;
+    std::vector<GridPlan> glances;  // as coarse as will do for what is only compared
+    int states{};                   // of the model whose parameters are held
+};
 
 /// A fitted model against which candidates are held: its residual, Jacobian and noise.
 struct NullModel {
@@ -19,6 +28,16 @@ struct NullModel {
 
     double sumOfSquares() const { return fit.optimum.residuals.squaredNorm(); }
     int parameterCount() const { return static_cast<int>(fit.estimates.size()); }
+
+    /// Found when first asked for, by any thread.
+    const StepsBeside& steps(const SimulationOptions& simulation, const Progress& progress) const;
+    /// The plans of the fit, as they serve a system that does the same: a recurrence only where it is linear, too.
+    std::vector<GridPlan> plansOf(const System& system, const SimulationOptions& simulation,
+                                  const Progress& progress) const;
+
+    struct FoundOnce;
+    static std::shared_ptr<FoundOnce> nothingYet();
+    std::shared_ptr<FoundOnce> found{nothingYet()};  // what is found when first asked for; of this variant and fit
 };
 
 /// The period at which a residual repeats most strongly (peak of the periodogram of the innovations), at least twice
@@ -30,7 +49,8 @@ double dominantPeriod(const NullModel& null);
 std::vector<Trajectory> observe(const NullModel& null, const PreparedTask& held, const std::vector<std::string>& names,
                                 const SimulationOptions& simulation);
 
-constexpr double roughly = 30;              // times the integration's tolerance, for what is only compared
+/// How exactly what is only compared is simulated.
+SimulationOptions glance(SimulationOptions simulation);
 constexpr double leastLike = 0.5;           // of a winner's evidence, for what explains less to be like it
 constexpr double equivalenceMargin = 10;    // evidence within which two candidates cannot be told apart
 constexpr double largeResidual = 1.2;       // in units of the noise: above it, first-order scores may mislead

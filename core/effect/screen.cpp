@@ -261,7 +261,7 @@ public:
           complement_(null.fit.optimum.jacobian),
           whiteComplement_(null.whitener(null.fit.optimum.jacobian)),
           whiteResidual_(null.whitener(null.fit.optimum.residuals)),
-          plans_(null.fit.plans),
+          secantPlans_(null.steps(simulation, progress).glances),
           simulation_(simulation),
           progress_(progress) {}
 
@@ -275,10 +275,12 @@ public:
         if (!held) return held.diagnostics();
         held_ = std::move(*held);
         // a linear model's recurrence does not serve what makes it another; slopes all go along the same course
+        plans_ = null_.plansOf(*held_.system, simulation_, progress_);
         const bool takesSlopes = placed_.effect.secant.empty() || !placed_.effect.phase.empty();
-        for (std::size_t e = 0; takesSlopes && e < plans_.size(); ++e)
-            if (plans_[e].method == GridMethod::Exact)
-                plans_[e] = planFor(held_.problem, static_cast<int>(e), off(), simulation_, progress_);
+        const bool hasOwnStates = stateCount() != null_.steps(simulation_, progress_).states;
+        for (std::size_t e = 0; takesSlopes && hasOwnStates && e < plans_.size(); ++e)
+            if (null_.fit.plans[e].method == GridMethod::Exact && plans_[e].method != GridMethod::Exact)
+                plans_[e] = planFor(held_.problem, static_cast<int>(e), off(), simulation_, progress_, &plans_[e]);
         return Done{};
     }
 
@@ -343,13 +345,13 @@ private:
         at[0] = secant;
         const bool isSlope = secant == 0;
         const bool needsTangents = isSlope || !placed_.effect.linear.empty();
-        SimulationOptions simulation = simulation_;
-        if (!isSlope) simulation.relativeTolerance *= roughly;
+        const SimulationOptions simulation = isSlope ? simulation_ : glance(simulation_);
+        if (!isSlope) held_.problem.knownPlans = secantPlans_;
         const Linearisation l = linearise(held_.problem, at, needsTangents, isSlope ? plans : std::vector<GridPlan>{},
                                           simulation, progress_);
         if (!l.ok || l.residuals.size() != null_.fit.optimum.residuals.size()) return std::nullopt;
         // what follows is judged with these steps: to choose them anew takes longer than to take them
-        if (!isSlope) held_.problem.knownPlans = stepsOf(l);
+        if (!isSlope) secantPlans_ = stepsOf(l);
         Eigen::MatrixXd columns = needsTangents ? l.jacobian : Eigen::MatrixXd(l.residuals.size(), 1);
         if (!isSlope) columns.col(0) = (l.residuals - null_.fit.optimum.residuals) / secant;
         return columns.allFinite() ? std::optional(std::move(columns)) : std::nullopt;
@@ -401,7 +403,7 @@ private:
     const Variant& wired_;
     Complement complement_, whiteComplement_;
     Eigen::VectorXd whiteResidual_;
-    std::vector<GridPlan> plans_;
+    std::vector<GridPlan> plans_, secantPlans_;
     const SimulationOptions& simulation_;
     const Progress& progress_;
     PreparedTask held_;
@@ -576,9 +578,7 @@ Screened screen(const NullModel& null, const Candidate& candidate, const Simulat
     Prober prober(null, result.wired, observations->series(effect.along), simulation, progress);
     if (Outcome<Done> compiled = prober.compile(); !compiled) return fail(compiled.diagnostics());
     if (effect.states > 0) {
-        const Outcome<PreparedTask> without = prepareHeld(null.variant, {}, null.noise);
-        if (!without) return fail(without.diagnostics());
-        const int added = prober.stateCount() - without->system->stateCount();
+        const int added = prober.stateCount() - null.steps(simulation, progress).states;
         if (added < effect.states && !(added > 0 && endsInASpring(null.variant, candidate.place)))
             return fail({error(phrase("nothing there has a motion of its own"))});
     }

@@ -260,8 +260,7 @@ TrialStarts::TrialStarts(const NullModel& null, const Screened& screened, const 
     : null_(null), screened_(screened), options_(options), progress_(progress) {
     best_.screened = screened;
     best_.variant = screened.wired;
-    SimulationOptions rough = options.simulation;  // starts are only compared
-    rough.relativeTolerance *= roughly;
+    const SimulationOptions rough = glance(options.simulation);  // starts are only compared
     const std::vector<std::pair<const Probe*, double>> offered = startsOf(screened);
     for (const auto& [probe, strength] : offered) {
         if (progress.stopRequested()) break;

@@ -298,6 +298,7 @@ bool Misfit::rescalePriors(const Eigen::VectorXd& values) {
 std::vector<GridPlan> Misfit::plansFor(const Eigen::VectorXd& values, double looseness, GridMethod method) const {
     SimulationOptions options = options_.simulation;
     options.relativeTolerance *= looseness;
+    options.isGlance = options.isGlance || looseness > 1.0;
     if (method != GridMethod::Auto) options.method = method;
     std::vector<GridPlan> plans;
     for (std::size_t e = 0; e < problem_.experiments.size(); ++e) {

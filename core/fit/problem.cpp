@@ -82,9 +82,16 @@ Trajectory simulated(const FitProblem& problem, std::size_t experiment, Simulati
     try {
         if (problem.beforeSimulation) problem.beforeSimulation(task, options);
         if (options.engine == Engine::Adaptive) return simulateAdaptive(task, options, progress);
-        const GridPlan plan = experiment < plans.size()
-                                  ? plans[experiment]
-                                  : planGrid(task, options, progress, problem.knownPlan(static_cast<int>(experiment)));
+        const bool isPlanned = experiment < plans.size();
+        std::optional<Trajectory> taken;
+        const GridPlan plan =
+            isPlanned ? plans[experiment]
+                      : planGrid(task, options, progress, problem.knownPlan(static_cast<int>(experiment)), &taken);
+        if (taken && task.directions.cols() == 0 && task.observe.empty()) {
+            taken->plan = plan;
+            pour(*taken, 0, sink);
+            return std::move(*taken);
+        }
         return simulateGrid(task, plan, options, progress, &sink);
     } catch (const std::exception& fault) {
         Trajectory stopped;

@@ -46,9 +46,11 @@ std::optional<double> equidistantStep(const SampledInputs& inputs);
 /// Whether runCompiled() can take exact steps: the dynamics are made ready for them.
 bool canBeExact(Dynamics& dynamics, const SampledInputs& inputs);
 
-/// The cheapest plan whose outputs move by less than the tolerance when the steps are halved.
+/// The cheapest plan whose outputs move by less than the tolerance when the steps are halved. `taken`: receives the run
+/// with these steps, or finer ones, where the choice took one.
 GridPlan choosePlan(Dynamics& dynamics, const SampledInputs& inputs, const SimulationOptions& options = {},
-                    const Progress& progress = {}, const GridPlan* inForce = nullptr);
+                    const Progress& progress = {}, const GridPlan* inForce = nullptr,
+                    std::optional<Trajectory>* taken = nullptr);
 
 /// The reference engine on the same abstraction.
 Trajectory runAdaptive(Dynamics& dynamics, const SampledInputs& inputs, bool keepStates,

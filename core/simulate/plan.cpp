@@ -14,6 +14,7 @@ namespace analogon {
 namespace {
 
 constexpr int kLongestWindow = 700;  // samples looked at in detail at the start and where the record is liveliest
+constexpr int kGlanced = 100;        // samples looked at, of four times as many
 constexpr int kMostExplicit = 32;    // substeps beyond which an explicit method is not worth it
 constexpr int kMostImplicit = 64;
 
@@ -44,16 +45,17 @@ public:
                     std::max(1, options_.substeps), 0.0};
         }
         const bool mayBeExact = options_.method == GridMethod::Auto || options_.method == GridMethod::Exact;
-        if (mayBeExact && options_.substeps == 0 && canBeExact(dynamics_, inputs_)) return {GridMethod::Exact, 1, 0.0};
+        if (mayBeExact && options_.byRecurrence && options_.substeps == 0 && canBeExact(dynamics_, inputs_))
+            return {GridMethod::Exact, 1, 0.0};
         if (options_.method == GridMethod::Exact) options_.method = GridMethod::Auto;
         takeTerms(inForce);
-        // a survey tells of steps that are all alike at less cost, where the model is smooth
-        const bool isAlike = inForce && !inForce->steps;
-        if (!isAlike)
+        // a survey tells of single steps at less cost, where the model is smooth
+        const bool isSingle = inForce && *inForce == oneStep();
+        if (!isSingle)
             if (const std::optional<GridPlan> plan = stillHolding(inForce)) return *plan;
         if (!surveyWholeRecord() || progress_.stopRequested()) return fallback();
         if (const std::optional<GridPlan> plan = singleSteps()) return *plan;
-        if (isAlike)
+        if (isSingle)
             if (const std::optional<GridPlan> plan = stillHolding(inForce)) return *plan;
         if (options_.method == GridMethod::Auto && options_.substeps == 0) {
             const std::optional<GridPlan> plan =
@@ -81,6 +83,9 @@ public:
         return fallback();
     }
 
+    /// The run over the record with the steps that were chosen, or finer ones, where there was one.
+    std::optional<Trajectory>& taken() { return taken_; }
+
 private:
     Window wholeRecord() const { return {0, sampleCount_ - 1, {}}; }
 
@@ -106,26 +111,47 @@ private:
                 steps.push_back(static_cast<std::int16_t>(own < 0 ? -change(-own) : change(own)));
             return planOf(std::move(steps));
         };
-        const Trajectory fine = run(scaled([](int n) { return 2 * n; }), wholeRecord(), false);
-        if (fine.failure.failed) return std::nullopt;
-        const Eigen::VectorXd ranges = rangesOf(fine);
-        const auto judged = [&](GridPlan plan) {
-            plan.terms.reset();
-            const Trajectory coarse = run(plan, wholeRecord(), false);
-            const double error =
-                coarse.failure.failed
-                    ? std::numeric_limits<double>::infinity()
-                    : ((coarse.outputs - fine.outputs).array().abs().colwise() / ranges.array()).maxCoeff();
-            plan.errorEstimate = std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
-            return plan;
-        };
-        const GridPlan same = judged(*known);
-        if (!(same.errorEstimate <= tolerance_)) return std::nullopt;
-        if (same.errorEstimate < farBelow_ * tolerance_) {
-            const GridPlan coarser = judged(scaled([](int n) { return (n + 1) / 2; }));
-            if (!(coarser == same) && coarser.errorEstimate <= 0.5 * tolerance_) return coarser;
+        GridPlan same = *known;
+        same.terms.reset();
+        const bool isWhole = !options_.isGlance || sampleCount_ < 2 * kGlanced || !dynamics_.shape().delays.empty();
+        Trajectory taken = run(same, wholeRecord(), !isWhole);
+        if (taken.failure.failed) return std::nullopt;
+        const std::vector<Window> windows = isWhole ? std::vector<Window>{wholeRecord()} : glancesOf(taken);
+        std::vector<Trajectory> fine;
+        for (const Window& w : windows) {
+            fine.push_back(run(scaled([](int n) { return 2 * n; }), w, false));
+            if (fine.back().failure.failed) return std::nullopt;
         }
-        return same;
+        const Eigen::VectorXd ranges = rangesOf(isWhole ? fine.front() : taken);
+        const auto error = [&](const Eigen::MatrixXd& coarse, std::size_t window) {
+            const double largest =
+                ((coarse - fine[window].outputs).array().abs().colwise() / ranges.array()).maxCoeff();
+            return std::isfinite(largest) ? largest : std::numeric_limits<double>::infinity();
+        };
+        for (std::size_t w = 0; w < windows.size(); ++w) {
+            const Window& window = windows[w];
+            const Eigen::MatrixXd own = taken.outputs.middleCols(window.first, window.last - window.first + 1);
+            same.errorEstimate = std::max(w == 0 ? 0.0 : same.errorEstimate, error(own, w));
+        }
+        if (!(same.errorEstimate <= tolerance_)) return std::nullopt;
+        taken_ = std::move(taken);
+        GridPlan coarser = scaled([](int n) { return (n + 1) / 2; });
+        if (!(same.errorEstimate < farBelow_ * tolerance_) || coarser == same) return same;
+        for (std::size_t w = 0; w < windows.size(); ++w) {
+            const Trajectory coarse = run(coarser, windows[w], false);
+            const double now =
+                coarse.failure.failed ? std::numeric_limits<double>::infinity() : error(coarse.outputs, w);
+            coarser.errorEstimate = std::max(coarser.errorEstimate, now);
+        }
+        return coarser.errorEstimate <= 0.5 * tolerance_ ? coarser : same;
+    }
+
+    /// A quarter of the record, from its states in a run over all of it.
+    std::vector<Window> glancesOf(const Trajectory& whole) const {
+        std::vector<Window> windows;
+        for (int first = 0; first + 1 < sampleCount_; first += 4 * kGlanced)
+            windows.push_back(windowFrom(whole, first, kGlanced));
+        return windows;
     }
 
     static constexpr double farBelow_ = 0.1;  // of the tolerance
@@ -261,9 +287,9 @@ private:
         statesOfSurvey_ = whole.states;
     }
 
-    Window windowFrom(const Trajectory& whole, int first) const {
+    Window windowFrom(const Trajectory& whole, int first, int length = kLongestWindow) const {
         const auto state = whole.states.col(first);
-        return {first, std::min(first + kLongestWindow, sampleCount_) - 1, {state.data(), state.data() + state.size()}};
+        return {first, std::min(first + length, sampleCount_) - 1, {state.data(), state.data() + state.size()}};
     }
 
     void addWindowAround(double time) {
@@ -381,6 +407,7 @@ private:
     int sampleCount_{};
     double least_{};                           // plans cheaper than this have failed on the whole record
     std::shared_ptr<const InputTerms> terms_;  // of single steps
+    std::optional<Trajectory> taken_;
     GridPlan survey_;
     Trajectory surveyRun_;
     Eigen::VectorXd ranges_;
@@ -392,8 +419,11 @@ private:
 }  // namespace
 
 GridPlan choosePlan(Dynamics& dynamics, const SampledInputs& inputs, const SimulationOptions& options,
-                    const Progress& progress, const GridPlan* inForce) {
-    return Planner(dynamics, inputs, options, progress).choose(inForce);
+                    const Progress& progress, const GridPlan* inForce, std::optional<Trajectory>* taken) {
+    Planner planner(dynamics, inputs, options, progress);
+    GridPlan plan = planner.choose(inForce);
+    if (taken) *taken = std::move(planner.taken());
+    return plan;
 }
 
 }  // namespace analogon

@@ -126,15 +126,15 @@ bool operator==(const GridPlan& a, const GridPlan& b) {
 }
 
 GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options, const Progress& progress,
-                  const GridPlan* inForce) {
+                  const GridPlan* inForce, std::optional<Trajectory>* taken) {
     if (misfit(task)) return {};
     SimulationTask values = task;
     values.directions.resize(0, 0);
     values.observe.clear();
     SystemDynamics dynamics(values, false);
     if (!dynamics.isReady()) return {};
-    GridPlan plan = choosePlan(dynamics, *task.inputs, options, progress, inForce);
-    if (plan.terms) return plan;
+    GridPlan plan = choosePlan(dynamics, *task.inputs, options, progress, inForce, taken);
+    if (plan.terms || (taken && *taken)) return plan;
     if (inForce && plan == *inForce && inForce->terms && inForce->terms->owner == task.system->identity()) {
         plan.terms = inForce->terms;
     } else {

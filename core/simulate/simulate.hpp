@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,6 +28,8 @@ struct SimulationOptions {
     int substeps{};  // per sample interval; 0: chosen by step doubling
     double relativeTolerance{1e-6};
     double absoluteTolerance{1e-9};       // times a state's nominal value
+    bool byRecurrence{true};              // whether a linear model may take exact steps
+    bool isGlance{};                      // only compared: steps that are known are judged on parts of a record
     double wallClockLimit{60};            // [s]
     long stepLimit{20'000'000};           // adaptive engine
     long evaluationLimit{2'000'000'000};  // of the model, in one grid run or in planning one
@@ -119,9 +122,11 @@ public:
 void pour(Trajectory& trajectory, int directions, SampleSink& sink);
 
 /// The plan an experiment needs at these parameters: explicit or implicit, and the number of substeps, from
-/// step doubling (chosen once, rechecked at the optimum). A plan in force is returned when it still holds.
+/// step doubling (chosen once, rechecked at the optimum). A plan in force is returned when it still holds. `taken`:
+/// receives the run with these steps, or finer ones, where the choice took one (without tangents or observed
+/// variables).
 GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options = {}, const Progress& progress = {},
-                  const GridPlan* inForce = nullptr);
+                  const GridPlan* inForce = nullptr, std::optional<Trajectory>* taken = nullptr);
 
 /// The plan of one explicit step from sample to sample, where these are known to be this exact; only what depends on
 /// the inputs alone is looked up.

@@ -113,6 +113,52 @@ TEST(StepSchedule, KeepsAPlanThatStillHolds) {
     EXPECT_FALSE(planGrid(task, {}, {}, &coarse) == coarse);
 }
 
+TEST(StepSchedule, GivesTheRunByWhichAPlanWasJudged) {
+    const Rotor rotor;
+    const SimulationTask task = rotor.task(false);
+    std::optional<Trajectory> taken;
+    const GridPlan plan = planGrid(task, {}, {}, nullptr, &taken);
+    EXPECT_FALSE(taken) << "these steps were put together of many runs";
+    for (const bool isGlance : {false, true}) {
+        SimulationOptions options;
+        options.isGlance = isGlance;
+        ASSERT_TRUE(planGrid(task, options, {}, &plan, &taken) == plan);
+        ASSERT_TRUE(taken);
+        EXPECT_EQ(taken->outputs, simulateGrid(task, plan).outputs);
+    }
+}
+
+TEST(StepSchedule, JudgesAPlanOnPartsOfTheRecordWhereItIsOnlyCompared) {
+    const Rotor rotor;
+    const SimulationTask task = rotor.task(false);
+    const GridPlan plan = planGrid(task);
+    ASSERT_TRUE(plan.steps);
+    SimulationOptions glance;
+    glance.isGlance = true;
+    const auto coarseIn = [&](int first, int last) {
+        std::vector<std::int16_t> steps = *plan.steps;
+        std::fill(steps.begin() + first, steps.begin() + last, std::int16_t{-1});
+        return planOf(std::move(steps));
+    };
+    const GridPlan here = coarseIn(0, 60), between = coarseIn(560, 620);
+    EXPECT_FALSE(planGrid(task, glance, {}, &here) == here);
+    EXPECT_FALSE(planGrid(task, {}, {}, &between) == between);
+    EXPECT_TRUE(planGrid(task, glance, {}, &between) == between) << "what is not looked at";
+}
+
+TEST(StepSchedule, TakesNoRecurrenceWhereItIsToldNotTo) {
+    const Rotor rotor;
+    SimulationTask task = rotor.task(false);
+    const SystemPtr linear =
+        test::compileText("model M input Real u; output Real y; equation der(y) = u - y; end M;", "M");
+    task.system = linear.get();
+    task.parameters = test::ownParameters(*linear);
+    SimulationOptions options;
+    EXPECT_EQ(planGrid(task, options).method, GridMethod::Exact);
+    options.byRecurrence = false;
+    EXPECT_EQ(planGrid(task, options).method, GridMethod::RungeKutta4);
+}
+
 TEST(StepSchedule, KeepsStepsThatAreAllAlikeWhereTheyStillHold) {
     const Rotor rotor;
     SimulationTask task = rotor.task(false);
