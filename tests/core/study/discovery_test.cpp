@@ -719,7 +719,8 @@ TEST_F(Discovery, EndsTheSameOnAnyNumberOfThreads) {
 /// A housing in coolant, heated through a wall; the model knows no loss to the room and believes the thermometer.
 class DiscoveryInCoolant : public Discovery {
 protected:
-    Finding searchHousing(double loss, double offset) {
+    /// `steep`: power of the pressure in the room by which the contact with the coolant moves.
+    Finding searchHousing(double loss, double offset, double steep = 0) {
         put("model.mo", R"(model Heater
   Analogon.Interfaces.RealInput P(unit="W");
   Analogon.Interfaces.RealInput T_cool(unit="K");
@@ -760,17 +761,19 @@ end Heater;
         };
         std::mt19937 random(2);
         std::normal_distribution<double> scatter(0, 0.1);
-        std::ofstream csv = recording("t [s],P [W],T_cool [K],T [K]");
+        const auto pressure = [](int k) { return 1004 + std::sin(0.021 * k) + 0.5 * std::sin(0.0073 * k); };  // [hPa]
+        std::ofstream csv = recording("t [s],P [W],T_cool [K],T [K],p_room [hPa]");
         double inside = room, shell = room;
         for (int k = 0; k <= 2000; ++k) {
             csv << interval * k << ',' << power(k) << ',' << coolant(k) << ',' << shell + offset + scatter(random)
-                << '\n';
+                << ',' << pressure(k) << '\n';
+            const double held = contact * std::pow(pressure(k) / 1004, steep);
             constexpr int inner = 20;
             for (int m = 0; m < inner; ++m) {
                 const double a = (m + 0.5) / inner, h = interval / inner;
                 const double fluid = (1 - a) * coolant(k) + a * coolant(k + 1);
                 const double through = wall * (inside - shell);
-                const double away = contact * std::pow(fluid / 3.6, 0.78) * (shell - fluid) + loss * (shell - room);
+                const double away = held * std::pow(fluid / 3.6, 0.78) * (shell - fluid) + loss * (shell - room);
                 inside += h * ((1 - a) * power(k) + a * power(k + 1) - through) / core;
                 shell += h * (through - away) / jacket;
             }
@@ -789,6 +792,14 @@ TEST_F(DiscoveryInCoolant, TakesAnOffsetForNoGainBesideALoss) {
         EXPECT_NEAR(e.parameters.front().value, e.kind == "sensor.offset" ? -3 : 5, 0.1);
         EXPECT_EQ(e.parameters.front().unit, e.kind == "sensor.offset" ? "K" : "W/K");
     }
+}
+
+// A thousandth of the pressure moves the heat transfer by a third: nothing that flows does so.
+TEST_F(DiscoveryInCoolant, TakesNothingForAFlowThatWouldActWithAnAbsurdPower) {
+    const Finding finding = searchHousing(0, 0, 300);
+    EXPECT_EQ(finding.kind, FindingKind::Unexplained);
+    for (const AddedEffect& e : finding.effects) ADD_FAILURE() << e.kind << " at " << e.at;
+    EXPECT_FALSE(finding.remainders.empty());
 }
 
 /// A heater in still air at a driver.

@@ -3,7 +3,7 @@ model FlowConvection "Convection that depends on a recorded flow"
   extends Analogon.ThermalFluid.PartialThermalFluid;
   Analogon.Interfaces.RealInput u_flow "Recorded flow of the stream"
     annotation (Placement(transformation(origin={0,-100}, extent={{-20,-20},{20,20}}, rotation=90)));
-  parameter Real n(unit="1") = 0 "Exponent of the flow (0: off)"
+  parameter Real n(unit="1", max=3) = 0 "Exponent of the flow (0: off)"
     annotation (Dialog(group="Effect"));
   parameter Real flow_ref = 1 "Flow at which the conductance is that without the effect"
     annotation (Dialog(group="Effect"));

@@ -5,7 +5,7 @@ model FlowConvectionByFlowSpeed "Convection in a measured stream that depends on
     annotation (Placement(transformation(origin={0,-100}, extent={{-20,-20},{20,20}}, rotation=90)));
   Analogon.Interfaces.RealInput u_flow "Recorded flow on the other side"
     annotation (Placement(transformation(origin={-50,-100}, extent={{-20,-20},{20,20}}, rotation=90)));
-  parameter Real n(unit="1") = 0 "Exponent of the flow (0: off)"
+  parameter Real n(unit="1", max=3) = 0 "Exponent of the flow (0: off)"
     annotation (Dialog(group="Effect"));
   parameter Real flow_ref = 1 "Flow at which the conductance is that without the effect"
     annotation (Dialog(group="Effect"));
