@@ -262,6 +262,7 @@ Search::Conclusion Search::conclude(NullModel& null, const NullModel& base, bool
         removeUnneeded(null, 0, true);  // what was seen only beside a proposal is not kept without it
         if (!isNoise(null)) removeOutweighed(null, proposed.empty() ? leastOfRest : leastBesideOffered);
     }
+    unite(null);
     if (isNoise(null) || levelOf(null.fit) > largeResidual) completeClasses(null);
     treatAlike(null);
     const double misfit = proposed.empty() ? misfitIn(base, null) : with;

@@ -140,7 +140,10 @@ private:
     std::vector<Trial> tryLaws(NullModel& null);
     void bringBackDisplaced(NullModel& null, double leftByProposals);
     enum class Rivals { Known, New };  // of its round; what goes to its place or is the same fault of another signal
-    bool replace(NullModel& null, std::size_t effect, Rivals wanted = Rivals::Known);
+    /// `elsewhere`: the same at that place instead.
+    bool replace(NullModel& null, std::size_t effect, Rivals wanted = Rivals::Known,
+                 const EffectPlace* elsewhere = nullptr);
+    void unite(NullModel& null);
     void likelierFirst(const NullModel& null, const EffectClass& old, std::vector<Trial>& trials) const;
     void completeClasses(NullModel& null);
     void seekChange(const NullModel& base);

@@ -381,7 +381,7 @@ void Search::likelierFirst(const NullModel& null, const EffectClass& old, std::v
 
 /// Tries the rivals of one effect again, now that others have joined it: what came second alone may be the better
 /// half of a pair. True when one of them took its place (at the end of the list).
-bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted) {
+bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted, const EffectPlace* elsewhere) {
     const PlacedEffect old = null.variant.effects[effect];
     const int oldFreed = static_cast<int>(old.freed.size());
     std::optional<NullModel> rest = without(null, effect);
@@ -405,6 +405,7 @@ bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted) {
                });
     };
     const auto isRival = [&](const Candidate& c) {
+        if (elsewhere != nullptr) return c.effect.className == old.effect.className && c.place == *elsewhere;
         const bool isOther = c.effect.className != old.effect.className && c.effect.proposal.empty();
         if (wanted == Rivals::New)
             return isAtAnotherSignal(c) || (isOther && c.place.connector == old.place.connector && !isKnown(c));
@@ -513,6 +514,41 @@ bool Search::reconsider(NullModel& null) {
         if (!changedNow) break;
     }
     return changed;
+}
+
+/// Where a part of an effect is next to nothing, another effect may stand for that part at a place of its own: one at
+/// that place may do for both.
+void Search::unite(NullModel& null) {
+    for (std::size_t part = 0; part < steps_.size() && !progress_.stopRequested();) {
+        const PlacedEffect lesser = null.variant.effects[part];
+        const double count = std::log(effectiveCount(null.channels, null.fit.optimum.residuals));
+        const double rows = static_cast<double>(null.fit.optimum.residuals.size());
+        bool isUnited = false;
+        for (std::size_t i = 0; i < steps_.size() && !isUnited; ++i) {
+            const PlacedEffect& odd = null.variant.effects[i];
+            const bool mayGoThere = odd.effect.ports.size() == lesser.effect.ports.size() &&
+                                    odd.effect.signalSide.empty() && lesser.effect.signalSide.empty();
+            if (i == part || !mayGoThere || odd.place == lesser.place || !lacksAPart(odd, null.fit)) continue;
+            std::optional<NullModel> one = without(null, part);
+            if (!one) break;
+            Path before{null, steps_, displaced_, candidates_, {}};
+            steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(part));
+            const std::size_t at = i > part ? i - 1 : i;
+            isUnited = replace(*one, at, Rivals::New, &lesser.place);
+            const double variance = std::min(one->sumOfSquares(), null.sumOfSquares()) / rows;
+            const double lost = (one->sumOfSquares() - null.sumOfSquares()) / variance;
+            isUnited = isUnited && lost < static_cast<double>(lesser.freed.size()) * count;
+            if (isUnited) {
+                const Candidate& both = steps_.back().winner.screened.candidate;
+                setVerdict(lesser, Verdict::Weaker,
+                           phrase("beside the other effects {} explains more in its place", nameOf(both)));
+                null = std::move(*one);
+            } else {
+                exchange(before);
+            }
+        }
+        part = isUnited ? 0 : part + 1;
+    }
 }
 
 /// What goes to the place of an effect may do as well beside the others, though no round has tried it, and so may the
