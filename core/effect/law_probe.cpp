@@ -66,7 +66,7 @@ std::optional<Eigen::MatrixXd> LawProbe::traces(bool perExperiment, const Simula
     for (std::size_t begin = 0; begin < terms_.size(); begin += mostAtOnce) {
         std::vector<std::size_t> some(std::min(mostAtOnce, terms_.size() - begin));
         std::iota(some.begin(), some.end(), begin);
-        const std::optional<Eigen::MatrixXd> part = tracesOf(some, perExperiment, simulation, progress);
+        const std::optional<Eigen::MatrixXd> part = tracesOf(some, experiments, simulation, progress);
         if (!part) return std::nullopt;
         const auto count = static_cast<Eigen::Index>(some.size());
         for (int e = 0; e < experiments; ++e)
@@ -75,8 +75,8 @@ std::optional<Eigen::MatrixXd> LawProbe::traces(bool perExperiment, const Simula
     return columns;
 }
 
-/// The columns of these terms, those of an experiment together.
-std::optional<Eigen::MatrixXd> LawProbe::tracesOf(const std::vector<std::size_t>& some, bool perExperiment,
+/// The columns of these terms, those of an experiment together; of 1, they are those of all.
+std::optional<Eigen::MatrixXd> LawProbe::tracesOf(const std::vector<std::size_t>& some, int experiments,
                                                   const SimulationOptions& simulation, const Progress& progress) const {
     const std::string name = className(0);
     const std::string text = classText(name, some);
@@ -87,12 +87,11 @@ std::optional<Eigen::MatrixXd> LawProbe::tracesOf(const std::vector<std::size_t>
     Outcome<Variant> wired = withEffect(variant, effect(name, some), site_.place, {});
     if (!wired) return std::nullopt;
     std::vector<FitParameter> free;
-    const int experiments = perExperiment ? static_cast<int>(recordingsOf(variant.task, Role::Fit).size()) : 1;
     for (int e = 0; e < experiments; ++e)
         for (std::size_t i = 0; i < some.size(); ++i) {
             FitParameter p;
             p.name = wired->effects.back().instance + "." + coefficient(i);
-            if (perExperiment) p.experiment = e;
+            if (experiments > 1) p.experiment = e;
             free.push_back(std::move(p));
         }
     Outcome<PreparedTask> held = prepareHeld(*wired, free, null_->noise);

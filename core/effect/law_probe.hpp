@@ -65,7 +65,7 @@ private:
         std::string expression;
     };
 
-    std::optional<Eigen::MatrixXd> tracesOf(const std::vector<std::size_t>& some, bool perExperiment,
+    std::optional<Eigen::MatrixXd> tracesOf(const std::vector<std::size_t>& some, int experiments,
                                             const SimulationOptions& simulation, const Progress& progress) const;
     std::string className(int number) const;
     std::string unitOf(const Term& term) const;

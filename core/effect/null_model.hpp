@@ -51,6 +51,7 @@ std::vector<Trajectory> observe(const NullModel& null, const PreparedTask& held,
 
 /// How exactly what is only compared is simulated.
 SimulationOptions glance(SimulationOptions simulation);
+
 constexpr double leastLike = 0.5;           // of a winner's evidence, for what explains less to be like it
 constexpr double equivalenceMargin = 10;    // evidence within which two candidates cannot be told apart
 constexpr double largeResidual = 1.2;       // in units of the noise: above it, first-order scores may mislead

@@ -261,7 +261,6 @@ public:
           complement_(null.fit.optimum.jacobian),
           whiteComplement_(null.whitener(null.fit.optimum.jacobian)),
           whiteResidual_(null.whitener(null.fit.optimum.residuals)),
-          secantPlans_(null.steps(simulation, progress).glances),
           simulation_(simulation),
           progress_(progress) {}
 
@@ -275,9 +274,11 @@ public:
         if (!held) return held.diagnostics();
         held_ = std::move(*held);
         // a linear model's recurrence does not serve what makes it another; slopes all go along the same course
+        const StepsBeside& beside = null_.steps(simulation_, progress_);
         plans_ = null_.plansOf(*held_.system, simulation_, progress_);
+        held_.problem.knownPlans = beside.glances;
         const bool takesSlopes = placed_.effect.secant.empty() || !placed_.effect.phase.empty();
-        const bool hasOwnStates = stateCount() != null_.steps(simulation_, progress_).states;
+        const bool hasOwnStates = stateCount() != beside.states;
         for (std::size_t e = 0; takesSlopes && hasOwnStates && e < plans_.size(); ++e)
             if (null_.fit.plans[e].method == GridMethod::Exact && plans_[e].method != GridMethod::Exact)
                 plans_[e] = planFor(held_.problem, static_cast<int>(e), off(), simulation_, progress_, &plans_[e]);
@@ -346,12 +347,11 @@ private:
         const bool isSlope = secant == 0;
         const bool needsTangents = isSlope || !placed_.effect.linear.empty();
         const SimulationOptions simulation = isSlope ? simulation_ : glance(simulation_);
-        if (!isSlope) held_.problem.knownPlans = secantPlans_;
         const Linearisation l = linearise(held_.problem, at, needsTangents, isSlope ? plans : std::vector<GridPlan>{},
                                           simulation, progress_);
         if (!l.ok || l.residuals.size() != null_.fit.optimum.residuals.size()) return std::nullopt;
         // what follows is judged with these steps: to choose them anew takes longer than to take them
-        if (!isSlope) secantPlans_ = stepsOf(l);
+        if (!isSlope) held_.problem.knownPlans = stepsOf(l);
         Eigen::MatrixXd columns = needsTangents ? l.jacobian : Eigen::MatrixXd(l.residuals.size(), 1);
         if (!isSlope) columns.col(0) = (l.residuals - null_.fit.optimum.residuals) / secant;
         return columns.allFinite() ? std::optional(std::move(columns)) : std::nullopt;
@@ -403,7 +403,7 @@ private:
     const Variant& wired_;
     Complement complement_, whiteComplement_;
     Eigen::VectorXd whiteResidual_;
-    std::vector<GridPlan> plans_, secantPlans_;
+    std::vector<GridPlan> plans_;
     const SimulationOptions& simulation_;
     const Progress& progress_;
     PreparedTask held_;

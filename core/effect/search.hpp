@@ -143,6 +143,7 @@ private:
     /// `elsewhere`: the same at that place instead.
     bool replace(NullModel& null, std::size_t effect, Rivals wanted = Rivals::Known,
                  const EffectPlace* elsewhere = nullptr);
+    bool doesForBoth(NullModel& null, std::size_t effect, std::size_t part);
     void unite(NullModel& null);
     void likelierFirst(const NullModel& null, const EffectClass& old, std::vector<Trial>& trials) const;
     void completeClasses(NullModel& null);

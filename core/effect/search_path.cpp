@@ -26,6 +26,14 @@ constexpr int mostSharpenings = 2;
 constexpr double sameOptimum = 1e-3;   // of the misfit
 constexpr double leastSharpening = 8;  // fall in the sum of squares, in units of the noise
 
+/// Evidence that a model with so many parameters more, which leaves so much, gains over another.
+double gainOver(const NullModel& null, double sumOfSquares, int more) {
+    const double rows = static_cast<double>(null.fit.optimum.residuals.size());
+    const double variance = std::min(sumOfSquares, null.sumOfSquares()) / std::max(1.0, rows - null.parameterCount());
+    return (null.sumOfSquares() - sumOfSquares) / variance -
+           more * std::log(effectiveCount(null.channels, null.fit.optimum.residuals));
+}
+
 /// Whether both are the same fault of a measured or a commanded signal: an offset and an offset, a lag and a lag.
 bool isSameFault(const EffectClass& a, const EffectClass& b) {
     const auto fault = [](const EffectClass& e) { return e.kind.substr(e.kind.find('.') + 1); };
@@ -439,11 +447,7 @@ bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted, const E
     if (trials.empty() || !trials.front().ok || progress_.stopRequested()) return false;
     likelierFirst(null, old.effect, trials);
     Trial& best = trials.front();
-    const double rows = static_cast<double>(null.fit.optimum.residuals.size());
-    const double least = std::min(best.sumOfSquares(), null.sumOfSquares());
-    const double variance = least / std::max(1.0, rows - null.parameterCount());
-    const double gain = (null.sumOfSquares() - best.sumOfSquares()) / variance -
-                        (best.freed() - oldFreed) * std::log(effectiveCount(null.channels, null.fit.optimum.residuals));
+    const double gain = gainOver(null, best.sumOfSquares(), best.freed() - oldFreed);
     // alternatives are judged beside the other effects of today
     std::vector<Alternative>& alternatives = steps_[effect].alternatives;
     const double own = best.evidence - gain;
@@ -516,39 +520,34 @@ bool Search::reconsider(NullModel& null) {
     return changed;
 }
 
-/// Where a part of an effect is next to nothing, another effect may stand for that part at a place of its own: one at
-/// that place may do for both.
-void Search::unite(NullModel& null) {
-    for (std::size_t part = 0; part < steps_.size() && !progress_.stopRequested();) {
-        const PlacedEffect lesser = null.variant.effects[part];
-        const double count = std::log(effectiveCount(null.channels, null.fit.optimum.residuals));
-        const double rows = static_cast<double>(null.fit.optimum.residuals.size());
-        bool isUnited = false;
-        for (std::size_t i = 0; i < steps_.size() && !isUnited; ++i) {
-            const PlacedEffect& odd = null.variant.effects[i];
-            const bool mayGoThere = odd.effect.ports.size() == lesser.effect.ports.size() &&
-                                    odd.effect.signalSide.empty() && lesser.effect.signalSide.empty();
-            if (i == part || !mayGoThere || odd.place == lesser.place || !lacksAPart(odd, null.fit)) continue;
-            std::optional<NullModel> one = without(null, part);
-            if (!one) break;
-            Path before{null, steps_, displaced_, candidates_, {}};
-            steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(part));
-            const std::size_t at = i > part ? i - 1 : i;
-            isUnited = replace(*one, at, Rivals::New, &lesser.place);
-            const double variance = std::min(one->sumOfSquares(), null.sumOfSquares()) / rows;
-            const double lost = (one->sumOfSquares() - null.sumOfSquares()) / variance;
-            isUnited = isUnited && lost < static_cast<double>(lesser.freed.size()) * count;
-            if (isUnited) {
-                const Candidate& both = steps_.back().winner.screened.candidate;
-                setVerdict(lesser, Verdict::Weaker,
-                           phrase("beside the other effects {} explains more in its place", nameOf(both)));
-                null = std::move(*one);
-            } else {
-                exchange(before);
-            }
-        }
-        part = isUnited ? 0 : part + 1;
+/// Where a part of an effect is next to nothing, another effect may stand for that part at a place of its own: where
+/// one at that place does for both, it takes their place. True: it did.
+bool Search::doesForBoth(NullModel& null, std::size_t effect, std::size_t part) {
+    const PlacedEffect &odd = null.variant.effects[effect], lesser = null.variant.effects[part];
+    const bool mayGoThere = odd.effect.ports.size() == lesser.effect.ports.size() && odd.effect.signalSide.empty() &&
+                            lesser.effect.signalSide.empty();
+    if (!mayGoThere || odd.place == lesser.place || !lacksAPart(odd, null.fit)) return false;
+    std::optional<NullModel> one = without(null, part);
+    if (!one) return false;
+    Path before{null, steps_, displaced_, candidates_, {}};
+    steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(part));
+    const std::size_t left = effect > part ? effect - 1 : effect;
+    const bool isMoved = replace(*one, left, Rivals::New, &lesser.place);
+    if (!isMoved || !(gainOver(null, one->sumOfSquares(), one->parameterCount() - null.parameterCount()) > 0)) {
+        exchange(before);
+        return false;
     }
+    const Candidate& both = steps_.back().winner.screened.candidate;
+    setVerdict(lesser, Verdict::Weaker, phrase("beside the other effects {} explains more in its place", nameOf(both)));
+    null = std::move(*one);
+    return true;
+}
+
+/// Puts together what the search has taken apart.
+void Search::unite(NullModel& null) {
+    for (std::size_t i = 0; i < steps_.size(); ++i)
+        for (std::size_t part = 0; part < steps_.size() && !progress_.stopRequested(); ++part)
+            if (part != i && doesForBoth(null, i, part)) return unite(null);
 }
 
 /// What goes to the place of an effect may do as well beside the others, though no round has tried it, and so may the

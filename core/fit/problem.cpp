@@ -87,7 +87,7 @@ Trajectory simulated(const FitProblem& problem, std::size_t experiment, Simulati
         const GridPlan plan =
             isPlanned ? plans[experiment]
                       : planGrid(task, options, progress, problem.knownPlan(static_cast<int>(experiment)), &taken);
-        if (taken && task.directions.cols() == 0 && task.observe.empty()) {
+        if (taken) {
             taken->plan = plan;
             pour(*taken, 0, sink);
             return std::move(*taken);

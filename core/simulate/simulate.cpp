@@ -133,6 +133,8 @@ GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options, 
     values.observe.clear();
     SystemDynamics dynamics(values, false);
     if (!dynamics.isReady()) return {};
+    const bool isAll = task.directions.cols() == 0 && task.observe.empty();
+    if (!isAll) taken = nullptr;
     GridPlan plan = choosePlan(dynamics, *task.inputs, options, progress, inForce, taken);
     if (plan.terms || (taken && *taken)) return plan;
     if (inForce && plan == *inForce && inForce->terms && inForce->terms->owner == task.system->identity()) {

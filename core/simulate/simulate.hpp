@@ -123,8 +123,8 @@ void pour(Trajectory& trajectory, int directions, SampleSink& sink);
 
 /// The plan an experiment needs at these parameters: explicit or implicit, and the number of substeps, from
 /// step doubling (chosen once, rechecked at the optimum). A plan in force is returned when it still holds. `taken`:
-/// receives the run with these steps, or finer ones, where the choice took one (without tangents or observed
-/// variables).
+/// receives the run with these steps, or finer ones, where the choice took one and the task asks for no more than its
+/// outputs.
 GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options = {}, const Progress& progress = {},
                   const GridPlan* inForce = nullptr, std::optional<Trajectory>* taken = nullptr);
 
