@@ -22,6 +22,7 @@ constexpr double sharpness = 1e-4;   // of an interval, that a jump takes
 constexpr double nearest = 1e-3;     // part of an interval between a jump and a sample
 constexpr double firstParts[] = {0.001, 0.01, 0.03, 0.06, 0.12, 0.25, 0.5, 0.75, 0.88, 0.94, 0.97, 0.99, 0.999};
 constexpr int bitsOfAPart = 8;
+constexpr double asHeld = 0.8;        // of an interval
 constexpr double evenPrecision = 12;  // of a number that lies anywhere between 0 and 1
 
 /// What an interval of a recording holds, by the input it happens to.
@@ -58,6 +59,10 @@ int rowOf(const Recording& recording, const std::string& input) {
 }
 
 }  // namespace
+
+bool areHeld(const std::vector<InputEdge>& edges) {
+    return std::all_of(edges.begin(), edges.end(), [](const InputEdge& e) { return e.bend == 0 && e.part > asHeld; });
+}
 
 std::vector<InputEdge> inputEdges(const EstimationTask& task) {
     struct Found {

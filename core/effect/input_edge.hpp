@@ -18,6 +18,9 @@ struct InputEdge {
     double bend{};     // [unit of the input] by which the middle may leave the straight line; 0: a jump
 };
 
+/// Whether all jump just before the next sample: a command that is held in between.
+bool areHeld(const std::vector<InputEdge>& edges);
+
 /// Those of the fitted recordings that are far more than the noise. No more than can be looked at one by one, the
 /// largest first.
 std::vector<InputEdge> inputEdges(const EstimationTask& task);

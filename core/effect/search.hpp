@@ -29,6 +29,8 @@ public:
 private:
     static constexpr double rivalShare = 0.3;  // of the winner's evidence, for a weaker candidate to be tried again
     static constexpr int startsPerTrial = 2;
+    static constexpr double mostForPairs =
+        10;  // level of what is left: far from an optimum no slopes tell of two effects
 
     struct Step {
         Trial winner;
@@ -109,7 +111,23 @@ private:
                                             const std::vector<Candidate>& taken) const;
     Round withPairMembers(const NullModel& null, Round round);
     Path pathFrom(const NullModel& base, Round round, std::size_t begin);
+    /// What a search has found of the recordings, drawn otherwise than they are given, and beside them.
+    struct Drawn {
+        NullModel base;
+        std::vector<Recording> searched, full;  // as they are drawn
+        std::vector<InputClock> clocks{};
+        std::vector<InputEdge> edges{};
+        std::vector<Recording> stamped{}, asRecorded{};
+        std::vector<Path> otherEnds{};
+        std::optional<Change> change{};
+        std::optional<Dependence> dependence{};
+    };
     Outcome<Path> bestPath(NullModel& base);
+    Outcome<Path> bestPathBesideRecordings(NullModel& base);
+    Outcome<Done> beginAnew(NullModel& base);
+    void exchange(Drawn& drawn);
+    bool isOddlyDrawn(const Path& path) const;
+    bool isSimplerThanDrawn(const Path& plain, const Path& path, const Drawn& drawn) const;
     Outcome<Path> bestPathFrom(NullModel& base);
     Round firstRound(NullModel& base);
     bool isColouredNoise(const NullModel& null) const;
@@ -133,7 +151,10 @@ private:
     std::optional<NullModel> withoutOnAll(const NullModel& last, std::size_t effect);
     bool takeOut(NullModel& null, std::size_t effect, const Text& why);
     std::optional<NullModel> refittedWith(const NullModel& null, const std::vector<PlacedEffect>& effects) const;
+    static double gainOver(const NullModel& null, double sumOfSquares, int more);
     bool reconsider(NullModel& null);
+    void crossOver(NullModel& null);
+    std::optional<Trial> trialOf(const NullModel& rest, const std::string& fault, const EffectPlace& place);
     std::vector<Remainder> takeOutProposals(NullModel& null, std::vector<Text>& sameByName);
     void setAsideBehindProposal(NullModel& null);
     bool addLaw(NullModel& null);
@@ -242,6 +263,7 @@ private:
     std::vector<InputEdge> edges_;                           // that base_ and full_ have where they are
     std::vector<Recording> asRecorded_;                      // of full_, without either
     std::optional<std::pair<double, double>> errorsOnTime_;  // [%] with both: fitted, validated (negative: none)
+    bool takesAsGiven_{};                                    // no recording is drawn otherwise
     bool beginsAnew_{};                                      // what was allowed for in a later round
     bool writesLaws_{};                                      // for what no class has, in every round
     int round_{}, choices_{};

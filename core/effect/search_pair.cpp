@@ -1,6 +1,8 @@
 /// Two effects that hide each other: neither need show alone, and the strongest alone need not be one of them.
 #include <algorithm>
 
+#include "core/effect/model_state.hpp"
+#include "core/effect/reason.hpp"
 #include "core/effect/search.hpp"
 
 namespace analogon {
@@ -37,7 +39,74 @@ bool isSame(const Candidate& a, const Candidate& b) {
     return a.effect.className == b.effect.className && a.place == b.place;
 }
 
+std::string faultOf(const EffectClass& e) { return e.kind.substr(e.kind.find('.') + 1); }
+
 }  // namespace
+
+/// A trial of the fault of one effect at the signal of another, beside a model without either.
+std::optional<Trial> Search::trialOf(const NullModel& rest, const std::string& fault, const EffectPlace& place) {
+    const Outcome<std::vector<Candidate>> candidates = candidatesIn(rest.variant);
+    if (!candidates) return std::nullopt;
+    const auto found = std::find_if(candidates->begin(), candidates->end(), [&](const Candidate& c) {
+        return c.place == place && c.effect.proposal.empty() && faultOf(c.effect) == fault;
+    });
+    if (found == candidates->end()) return std::nullopt;
+    say("reconsider", phrase("{} at {}", found->effect.kind, place.at), -1);
+    const Screened screened = screen(rest, *found, search_.fit.simulation, progress_);
+    if (!screened.failure.empty()) return std::nullopt;
+    std::vector<Trial> trials = tryThese(rest, {&screened}, 2 * trialIterations, startsPerTrial);
+    if (progress_.stopRequested() || trials.empty() || !trials.front().ok) return std::nullopt;
+    return std::move(trials.front());
+}
+
+/// A lag of one signal and a dead time of another look much like the dead time of the one and the lag of the other, and
+/// no exchange of one alone leads from there to here: the newest effect is tried the other way round with each before
+/// it.
+void Search::crossOver(NullModel& null) {
+    if (!(levelOf(null.fit) < mostForPairs)) return;
+    for (std::size_t i = 0; i + 1 < null.variant.effects.size() && !progress_.stopRequested(); ++i) {
+        const PlacedEffect a = null.variant.effects[i], b = null.variant.effects.back();
+        const bool areFaults = !a.effect.signalSide.empty() && !b.effect.signalSide.empty() &&
+                               a.effect.proposal.empty() && b.effect.proposal.empty() && a.twins.empty() &&
+                               b.twins.empty();
+        if (!areFaults || a.place == b.place || faultOf(a.effect) == faultOf(b.effect)) continue;
+        std::vector<PlacedEffect> others = null.variant.effects;
+        others.pop_back();
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+        const std::optional<NullModel> rest = refittedWith(null, others);
+        if (!rest) continue;
+        std::optional<Trial> first = trialOf(*rest, faultOf(b.effect), a.place);
+        if (!first) continue;
+        Outcome<NullModel> between = fitNull(first->variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
+        if (!between) continue;
+        std::optional<Trial> second = trialOf(*between, faultOf(a.effect), b.place);
+        if (!second) continue;
+        Outcome<NullModel> crossed = fitNull(second->variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
+        if (!crossed || !(gainOver(null, crossed->sumOfSquares(), crossed->parameterCount() - null.parameterCount()) >
+                          equivalenceMargin))
+            continue;
+        steps_.pop_back();
+        steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
+        const auto take = [&](const NullModel& before, Trial trial) {
+            Step step;
+            step.order = ++choices_;
+            step.acceptance = examine(before, trial.fit, trial.freed(), 0);
+            step.winner = std::move(trial);
+            steps_.push_back(std::move(step));
+        };
+        take(*rest, std::move(*first));
+        take(*between, std::move(*second));
+        const Candidate &one = steps_[steps_.size() - 2].winner.screened.candidate,
+                        &other = steps_.back().winner.screened.candidate;
+        for (const PlacedEffect& old : {a, b})
+            setVerdict(old, Verdict::Weaker,
+                       phrase("{} and {} explain more in place of both", nameOf(one), nameOf(other)));
+        setVerdict(one, Verdict::Chosen, {});
+        setVerdict(other, Verdict::Chosen, {});
+        null = std::move(*crossed);
+        return;
+    }
+}
 
 /// The same round with trials of those that explain most together with another: the best alone may have left them no
 /// place among what was tried.

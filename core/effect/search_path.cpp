@@ -20,19 +20,10 @@ constexpr double mostOfForms = 300;         // evidence
 constexpr double formError = 0.0015;        // of what effects explain, squared
 constexpr double leastUnproven = 0.3;       // of what is above the noise
 constexpr double structuredResidual = 1.1;  // in units of the noise: something is left to find
-constexpr double mostForPairs = 10;         // level of what is left: far from an optimum no slopes tell of two effects
 constexpr double leastGain = 1;             // in evidence, for which an effect is exchanged: exact twins are not
 constexpr int mostSharpenings = 2;
 constexpr double sameOptimum = 1e-3;   // of the misfit
 constexpr double leastSharpening = 8;  // fall in the sum of squares, in units of the noise
-
-/// Evidence that a model with so many parameters more, which leaves so much, gains over another.
-double gainOver(const NullModel& null, double sumOfSquares, int more) {
-    const double rows = static_cast<double>(null.fit.optimum.residuals.size());
-    const double variance = std::min(sumOfSquares, null.sumOfSquares()) / std::max(1.0, rows - null.parameterCount());
-    return (null.sumOfSquares() - sumOfSquares) / variance -
-           more * std::log(effectiveCount(null.channels, null.fit.optimum.residuals));
-}
 
 /// Whether both are the same fault of a measured or a commanded signal: an offset and an offset, a lag and a lag.
 bool isSameFault(const EffectClass& a, const EffectClass& b) {
@@ -57,6 +48,14 @@ std::optional<NullModel> refitted(const Variant& on, const NullModel& model, con
 }
 
 }  // namespace
+
+/// Evidence that a model with so many parameters more, which leaves so much, gains over another.
+double Search::gainOver(const NullModel& null, double sumOfSquares, int more) {
+    const double rows = static_cast<double>(null.fit.optimum.residuals.size());
+    const double variance = std::min(sumOfSquares, null.sumOfSquares()) / std::max(1.0, rows - null.parameterCount());
+    return (null.sumOfSquares() - sumOfSquares) / variance -
+           more * std::log(effectiveCount(null.channels, null.fit.optimum.residuals));
+}
 
 /// Walks on a path instead of the present one, or back.
 void Search::exchange(Path& path) {
@@ -95,6 +94,7 @@ void Search::goOn(Path& path, Round first) {
         path.null = std::move(*next);
         sharpen(path.null);
         reconsider(path.null);
+        crossOver(path.null);
         removeUnneeded(path.null, 1);  // a single one has just passed its tests
         treatAlike(path.null);
         beginsAnew_ = takesEdgesForDelays(path.null);
@@ -152,23 +152,89 @@ std::vector<std::size_t> Search::otherBeginnings(const NullModel& null, const Ro
     return others;
 }
 
-/// What the best path ends with. What was chosen before something turned out to be wrong with a recording was chosen
-/// beside that: the search begins anew then.
+/// What the best path ends with. A clock that is set or a jump that is placed before the effects are known may lead to
+/// wrong ones: where such an end is odd, it is held against that of a search with the recordings as they are given.
 Outcome<Search::Path> Search::bestPath(NullModel& base) {
+    Outcome<Path> path = bestPathBesideRecordings(base);
+    if (!path || progress_.stopRequested() || !isOddlyDrawn(*path)) return path;
+    Drawn drawn{base, base_.task.recordings, full_.task.recordings};
+    exchange(drawn);
+    base_.task.recordings = drawn.edges.empty() ? drawn.stamped : drawn.asRecorded;
+    if (!drawn.edges.empty() && !noisyInputs_.empty()) quieten(base_.task);
+    full_.task.recordings = drawn.asRecorded;
+    takesAsGiven_ = true;
+    const Outcome<Done> isBack = beginAnew(base);
+    std::optional<Path> plain;
+    if (isBack)
+        if (Outcome<Path> found = bestPathBesideRecordings(base)) plain = std::move(*found);
+    takesAsGiven_ = false;
+    if (plain && !progress_.stopRequested() && isSimplerThanDrawn(*plain, *path, drawn)) return std::move(*plain);
+    base = std::move(drawn.base);
+    base_.task.recordings = std::move(drawn.searched);
+    full_.task.recordings = std::move(drawn.full);
+    exchange(drawn);
+    return path;
+}
+
+/// Whether the recordings are drawn otherwise than they are given, beside effects that are much alike or with something
+/// left.
+bool Search::isOddlyDrawn(const Path& path) const {
+    if (clocks_.empty() && edges_.empty()) return false;
+    const auto isOfTime = [&](const PlacedEffect& e) {
+        const FitEstimate* strength = path.null.fit.find(e.freed.front().name);
+        return !e.effect.signalSide.empty() && strength != nullptr && strength->unit == "s";
+    };
+    const std::vector<PlacedEffect>& effects = path.null.variant.effects;
+    return !isNoise(path.null) || std::any_of(effects.begin(), effects.end(), isOfTime);
+}
+
+/// Whether an account of the recordings as they are given is the better one, or as good with less.
+bool Search::isSimplerThanDrawn(const Path& plain, const Path& path, const Drawn& drawn) const {
+    const std::size_t jumps = drawn.edges.empty() || !areHeld(drawn.edges) ? drawn.edges.size() : 1;
+    const std::size_t told = drawn.clocks.size() + jumps;
+    const double rows = static_cast<double>(plain.null.fit.optimum.residuals.size());
+    const double gain =
+        sumInUnitsOf(plain.null, path.null) - plain.null.sumOfSquares() +
+        (path.null.parameterCount() + static_cast<double>(told) - plain.null.parameterCount()) * std::log(rows);
+    const bool isShorter = !hasProposal(plain.null) && termsIn(plain.null) < termsIn(path.null) + told;
+    return independentShare(plain.null, plain.null.fit) * gain > (isShorter ? -equivalenceMargin : equivalenceMargin);
+}
+
+/// Sets what a search has found of the recordings and beside them against what another has.
+void Search::exchange(Drawn& drawn) {
+    std::swap(clocks_, drawn.clocks);
+    std::swap(edges_, drawn.edges);
+    std::swap(stamped_, drawn.stamped);
+    std::swap(asRecorded_, drawn.asRecorded);
+    std::swap(otherEnds_, drawn.otherEnds);
+    std::swap(change_, drawn.change);
+    std::swap(dependence_, drawn.dependence);
+}
+
+/// The model as given beside the recordings as they are now.
+Outcome<Done> Search::beginAnew(NullModel& base) {
+    beginsAnew_ = soughtChange_ = false;
+    opening_.reset();
+    visited_.clear();
+    lawless_.clear();
+    otherEnds_.clear();
+    change_.reset();
+    dependence_.reset();
+    base.variant.task.recordings = base_.task.recordings;
+    Outcome<NullModel> next = fitNull(base.variant, base.noise, NoiseLevel::Estimate, search_.fit, progress_);
+    if (!next) return next.diagnostics();
+    base = std::move(*next);
+    return Done{};
+}
+
+/// The same beside what turns out to be wrong with a recording. What was chosen before it did was chosen beside that:
+/// the search begins anew then.
+Outcome<Search::Path> Search::bestPathBesideRecordings(NullModel& base) {
     for (;;) {
         Outcome<Path> path = bestPathFrom(base);
         if (!path || !beginsAnew_ || progress_.stopRequested()) return path;
-        beginsAnew_ = soughtChange_ = false;
-        opening_.reset();
-        visited_.clear();
-        lawless_.clear();
-        otherEnds_.clear();
-        change_.reset();
-        dependence_.reset();
-        base.variant.task.recordings = base_.task.recordings;
-        Outcome<NullModel> next = fitNull(base.variant, base.noise, NoiseLevel::Estimate, search_.fit, progress_);
-        if (!next) return next.diagnostics();
-        base = std::move(*next);
+        const Outcome<Done> isBack = beginAnew(base);
+        if (!isBack) return isBack.diagnostics();
     }
 }
 

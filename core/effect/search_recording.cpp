@@ -14,16 +14,11 @@ namespace analogon {
 namespace {
 
 constexpr std::size_t mostStarts = 12;  // that are tried
-constexpr double asHeld = 0.8;          // of an interval
 constexpr int mostPasses = 3;
 constexpr double leastOfJumps = 20, shareOfJumps = 0.5;  // evidence; of what stays unexplained
 constexpr double nearlyAll = 0.95, farFromAll = 0.05;    // of what an effect explains
 constexpr double isLateByMean = 1;                       // sampling intervals, at most
 constexpr int mostClockChanges = 3;
-
-bool areHeld(const std::vector<InputEdge>& edges) {
-    return std::all_of(edges.begin(), edges.end(), [](const InputEdge& e) { return e.bend == 0 && e.part > asHeld; });
-}
 
 Text remarkOn(const std::vector<InputEdge>& edges) {
     if (areHeld(edges))
@@ -94,7 +89,7 @@ bool Search::allowForRecordings(NullModel& null, const Round& round) {
 
 /// The inputs earlier than they are stamped, where that explains more than so much. Jumps that were placed stay.
 std::optional<Search::Late> Search::findClocks(const NullModel& null, double threshold, double most) const {
-    if (!edges_.empty() || clockChanges_ >= mostClockChanges || hasProposal(null)) return std::nullopt;
+    if (takesAsGiven_ || !edges_.empty() || clockChanges_ >= mostClockChanges || hasProposal(null)) return std::nullopt;
     const std::vector<Recording>& stamped = clocks_.empty() ? base_.task.recordings : stamped_;
     say("reconsider", phrase("clocks of the inputs"), -1);
     const double interval = samplingInterval(null.variant.task);
@@ -175,7 +170,7 @@ void Search::takeRecordingsAsGiven() {
 
 /// Beside an equation that only stands for something the jumps would mend it.
 bool Search::canPlaceEdges(const NullModel& null) const {
-    return edges_.empty() && thinning_ == 1 && !hasProposal(null);
+    return !takesAsGiven_ && edges_.empty() && thinning_ == 1 && !hasProposal(null);
 }
 
 /// Draws the inputs as they run between their samples by what the outputs say, where that explains more than so much.

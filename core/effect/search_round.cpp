@@ -181,15 +181,32 @@ std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>&
         }
     };
     // proposals compete, but do not take the place of a named effect
-    const auto isProposal = [](const Screened* s) { return !s->candidate.effect.proposal.empty(); };
+    const auto isEquation = [](const Screened* s) { return !s->candidate.effect.proposal.empty(); };
     std::vector<const Screened*> proposals;
-    std::copy_if(order.begin(), order.end(), std::back_inserter(proposals), isProposal);
-    std::erase_if(order, isProposal);
-    std::erase_if(byWhitened, isProposal);
+    std::copy_if(order.begin(), order.end(), std::back_inserter(proposals), isEquation);
+    std::erase_if(order, isEquation);
+    std::erase_if(byWhitened, isEquation);
     choose(order, options_.refitted);
     choose(byWhitened, options_.refitted / 2);
     choose(proposals, options_.refitted / 3);
     std::vector<Trial> trials = tryThese(null, chosen, trialIterations, startsPerTrial);
+
+    // an equation at the place of the best name, which promises nearly as much, is held against it
+    const auto best = std::min_element(trials.begin(), trials.end(), [](const Trial& x, const Trial& y) {
+        return (x.ok ? x.sumOfSquares() : 1e300) < (y.ok ? y.sumOfSquares() : 1e300);
+    });
+    if (best != trials.end() && best->ok && !isProposal(*best)) {
+        std::vector<const Screened*> there;
+        for (const Screened* s : proposals)
+            if (s->candidate.place.connector == best->screened.candidate.place.connector &&
+                s->score() > leastLike * best->screened.score() &&
+                std::find(chosen.begin(), chosen.end(), s) == chosen.end())
+                there.push_back(s);
+        std::vector<Trial> equations = tryThese(null, there, trialIterations, startsPerTrial);
+        chosen.insert(chosen.end(), there.begin(), there.end());
+        trials.insert(trials.end(), std::make_move_iterator(equations.begin()),
+                      std::make_move_iterator(equations.end()));
+    }
 
     double smallest = null.sumOfSquares();
     for (const Trial& t : trials)

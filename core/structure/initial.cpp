@@ -32,6 +32,7 @@ private:
     bool isSolved(int unknown) const { return reduced_.isSolvedAtStart[static_cast<std::size_t>(unknown)]; }
     void holdInitialEquations();
     void holdFixedStarts();
+    std::vector<char> namedInInitialEquations();
     void holdOtherStarts();
     std::vector<SolutionBlock> needed(std::vector<SolutionBlock> blocks);
 
@@ -120,16 +121,29 @@ void InitialConditions::holdFixedStarts() {
                 unknown.declared, phrase("Remove fixed = true here, or free one of the other start conditions.")));
 }
 
+/// States that an initial equation names: it is meant to decide these, and a start value of theirs is a guess.
+std::vector<char> InitialConditions::namedInInitialEquations() {
+    std::vector<char> isNamed(system_.unknowns.size(), 0);
+    for (const Equation& equation : system_.initialEquations) {
+        const ExpressionId sides[] = {equation.left, equation.right};
+        for (const ExpressionId leaf : collect_.leaves(sides))
+            if (const int u = system_.unknownOf(leaf); u >= 0) isNamed[static_cast<std::size_t>(u)] = 1;
+    }
+    return isNamed;
+}
+
 /// Start values of as many further states as are still free, given ones first.
 void InitialConditions::holdOtherStarts() {
+    const std::vector<char> isNamed = namedInInitialEquations();
     std::vector<int> others;
     for (int u = 0; u < columns_; ++u)
         if (reduced_.isState[static_cast<std::size_t>(u)] && !system_.unknowns[static_cast<std::size_t>(u)].isFixed)
             others.push_back(u);
     std::stable_sort(others.begin(), others.end(), [&](int a, int b) {
         if (isSolved(a) != isSolved(b)) return isSolved(a) < isSolved(b);
-        return system_.unknowns[static_cast<std::size_t>(a)].start.valid() >
-               system_.unknowns[static_cast<std::size_t>(b)].start.valid();
+        const auto x = static_cast<std::size_t>(a), y = static_cast<std::size_t>(b);
+        if (isNamed[x] != isNamed[y]) return isNamed[x] < isNamed[y];
+        return system_.unknowns[x].start.valid() > system_.unknowns[y].start.valid();
     });
     std::string assumed;
     for (const int u : others) {

@@ -226,6 +226,19 @@ TEST(Structure, SaysWhichInitialEquationIsSuperfluous) {
     EXPECT_THAT(s.warnings[0].message, HasSubstr("fixed start value of 'T' is not used"));
 }
 
+TEST(Structure, HoldsTheStartOfAStateThatNoInitialEquationNames) {
+    // what y lags behind depends on x: the equation tells where y begins, not x
+    ModelBuilder m;
+    m.variables({"y", "x", "u"});
+    m.eq(m.der("x"), -m.v("x"));
+    m.eq(m.v("u"), 3.0 * m.v("x"));
+    m.eq(m.der("y"), m.v("u") - m.v("y"));
+    m.initialEq(m.v("y"), m.v("u"));
+    const Structure s = analysed(m.model());
+    ASSERT_EQ(s.warnings.size(), 1u);
+    EXPECT_EQ(s.warnings[0].message, "No start value is given for x; 0 is taken.");
+}
+
 TEST(Structure, NotesAStartValueThatIsNotGiven) {
     ModelBuilder m;
     m.variables({"x", "y"});

@@ -809,9 +809,10 @@ protected:
         double power{1e9};  // [W] that the driver gives at most
         double bend{};      // [1/K2] of the resistance
         double film{};      // [Ohm] in its plug, half of it left at 1 A
+        double event{};     // [W] that it takes up for a while
     };
 
-    Finding searchHeater(const Heater& heater) {
+    Finding searchHeater(const Heater& heater, bool isTemperatureMeasured = true) {
         put("model.mo", R"(model Heater
   Analogon.Interfaces.RealInput v(unit="V");
   Analogon.Interfaces.RealOutput i(unit="A");
@@ -833,17 +834,20 @@ end Heater;
 )");
         put("study.json", R"({"format": "analogon-study-1", "class": "Heater",
   "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
-                   "inputs": {"v": "v"}, "outputs": {"i": "i", "T": "T"}, "initial": {"body.T_start": 293.15}}],
+                   "inputs": {"v": "v"}, "outputs": {"i": "i")" +
+                              std::string(isTemperatureMeasured ? R"(, "T": "T")" : "") +
+                              R"(}, "initial": {"body.T_start": 293.15}}],
   "parameters": {"coil.R": {"fit": true, "min": 0.2, "max": 20}, "coil.alpha": {"fit": true, "min": 1e-4, "max": 0.02},
                  "body.C": {"fit": true, "min": 0.5, "max": 100}, "loss.G": {"fit": true, "min": 0.01, "max": 5}}})");
         constexpr double R = 2.3, alpha = 3e-3, C = 9, G = 0.15, room = 293.15, interval = 0.05;
-        const auto supply = [](int k) {
+        const auto supply = [&](int k) {
             const double levels[] = {6, 12, 3, 9, 14, 5, 11, 2};
-            return levels[k / 150 % 8] + 0.5 * std::sin(0.9 * interval * k);
+            const double level = heater.event == 0 ? levels[k / 150 % 8] : k < 900 ? 5 + k / 450 : 13;
+            return level + 0.5 * std::sin(0.9 * interval * k);
         };
         std::mt19937 random(3);
         std::normal_distribution<double> scatter;
-        std::ofstream csv = recording("t [s],v [V],i [A],T [K]");
+        std::ofstream csv = recording(isTemperatureMeasured ? "t [s],v [V],i [A],T [K]" : "t [s],v [V],i [A]");
         double T = room;
         const auto resistance = [&] { return R * (1 + alpha * (T - room) + heater.bend * (T - room) * (T - room)); };
         const auto current = [&](double v) {
@@ -857,19 +861,29 @@ end Heater;
             return i;
         };
         for (int k = 0; k <= 1800; ++k) {
-            csv << interval * k << ',' << supply(k) << ',' << current(supply(k)) + 0.02 * scatter(random) << ','
-                << T + 0.5 * scatter(random) << '\n';
+            csv << interval * k << ',' << supply(k) << ',' << current(supply(k)) + 0.02 * scatter(random);
+            if (isTemperatureMeasured) csv << ',' << T + 0.5 * scatter(random);
+            csv << '\n';
             constexpr int inner = 20;
             for (int m = 0; m < inner; ++m) {
                 const double a = (m + 0.5) / inner, h = interval / inner;
                 const double i = current((1 - a) * supply(k) + a * supply(k + 1));
-                T += h * (resistance() * i * i - G * (T - room)) / C;
+                const double more = std::abs(interval * (k + a) - 58) < 8 ? heater.event : 0;
+                T += h * (resistance() * i * i - G * (T - room) + more) / C;
             }
         }
         csv.close();
         return discovered();
     }
 };
+
+TEST_F(DiscoveryInAHeater, TakesWhatHappensOnceForNoMelting) {
+    const Finding finding = searchHeater({.event = -10}, false);
+    EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
+    ASSERT_FALSE(finding.remainders.empty());
+    EXPECT_EQ(finding.remainders.front().proposedClass, "Analogon.Effects.Proposals.HeatPulse")
+        << finding.remainders.front().proposedEquation;
+}
 
 TEST_F(DiscoveryInAHeater, ProposesALimitOfThePower) {
     const Finding finding = searchHeater({.power = 30});
@@ -945,6 +959,7 @@ protected:
         double lag{};         // [s] of its driver
         int shown{};          // samples after which its current is shown
         double loose{1};      // times its resistance, in the second half
+        double slow{};        // [s], lag of what shows its current
     };
 
     /// What is measured besides the current.
@@ -997,12 +1012,12 @@ protected:
         const auto driven = [&](double time) {
             return motor.supply * command(std::max(0.0, time * interval - motor.late));
         };
-        double lagged = supply(0);
+        double lagged = supply(0), seen = current(driven(0));
         std::vector<double> currents;
         for (int n = 0; n < samples; ++n) {
             if (n == samples / 2) R *= motor.loose;
             const double v = motor.late > 0 ? driven(n) : motor.lag > 0 ? lagged : supply(n);
-            currents.push_back(current(v));
+            currents.push_back(motor.slow > 0 ? seen : current(v));
             csv << n * interval << ',' << supply(n) << ','
                 << currents[static_cast<std::size_t>(std::max(0, n - motor.shown))] + 0.05 * scatter(random) << ','
                 << (beside == Beside::Angle ? phi + 0.02 * scatter(random) : w + 0.3 * scatter(random)) << '\n';
@@ -1012,6 +1027,7 @@ protected:
                 const double given = (1 - a) * supply(n) + a * supply(n + 1);
                 if (motor.lag > 0) lagged += h * (given - lagged) / motor.lag;
                 const double i = current(motor.late > 0 ? driven(n + a) : motor.lag > 0 ? lagged : given);
+                if (motor.slow > 0) seen += h * (i - seen) / motor.slow;
                 const double pull = motor.friction * signOf(w) + motor.cogging * std::sin(8 * phi - 0.4);
                 w += h * (constant(i) * i - b * w - pull) / J;
                 phi += h * w;
@@ -1063,6 +1079,18 @@ TEST_F(DiscoveryInAMotor, TellsALagBeforeAMotorFromADeadTimeBehindIt) {
         const bool isAtInput = e.at == "input v";
         EXPECT_EQ(e.kind, isAtInput ? "actuator.lag" : "sensor.delay") << e.at;
         EXPECT_NEAR(e.parameters.front().value, isAtInput ? 0.05 : 0.01, 0.002);
+    }
+}
+
+// Its lag begins where its current does, and the shaft at rest.
+TEST_F(DiscoveryInAMotor, TellsADeadTimeBeforeAMotorFromALagBehindIt) {
+    const Finding finding = searchMotor({.supply = 4.9, .late = 0.03, .slow = 0.06});
+    EXPECT_EQ(finding.kind, FindingKind::Effect);
+    ASSERT_EQ(finding.effects.size(), 2u);
+    for (const AddedEffect& e : finding.effects) {
+        const bool isAtInput = e.at == "input v";
+        EXPECT_EQ(e.kind, isAtInput ? "actuator.delay" : "sensor.lag") << e.at;
+        EXPECT_NEAR(e.parameters.front().value, isAtInput ? 0.03 : 0.06, 0.001);
     }
 }
 
@@ -1288,6 +1316,70 @@ TEST_F(DiscoveryInAThrottle, TakesASpringThatHardensForNoPendulum) {
         return std::string(w).find("torque.gravity at ") == 0 &&
                std::string(w).find("explains as much with more parameters") != std::string::npos;
     }));
+}
+
+// A lag of one signal and a dead time of another look much like the dead time of the one and the lag of the other.
+TEST_F(Discovery, TellsALagOfTheCurrentAndADeadTimeOfTheBridgeFromTheOtherWayRound) {
+    put("model.mo", R"(model Valve
+  Analogon.Interfaces.RealInput u(unit="V");
+  Analogon.Interfaces.RealOutput i(unit="A");
+  Analogon.Interfaces.RealOutput phi(unit="rad");
+  Analogon.ElectricMechanical.BasicElectricMechanical motor(R=3, L=0.0018, k=0.03);
+  Analogon.Mechanics.BasicMechanics gear(r=18, J1=4e-6, J2=2e-4, c=44, d=0.13);
+  Analogon.Mechanics.ReturnSpring spring(c_r=0.5, phi_r=0);
+  Analogon.Sensors.AngleSensor pot;
+equation
+  connect(u, motor.v);
+  connect(motor.flange, gear.flange_a);
+  connect(gear.flange_b, spring.flange);
+  connect(gear.flange_b, pot.flange);
+  connect(pot.phi, phi);
+  connect(motor.i, i);
+end Valve;
+)");
+    put("study.json", R"({"format": "analogon-study-1", "class": "Valve",
+  "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t",
+                   "inputs": {"u": "u"}, "outputs": {"i": "i", "phi": "phi"}}],
+  "parameters": {"motor.R": {"fit": true, "min": 0.05, "max": 50}, "motor.k": {"fit": true, "min": 0.002, "max": 0.5},
+                 "gear.J1": {"fit": true, "min": 1e-7, "max": 0.001}, "spring.c_r": {"fit": true, "min": 0.01, "max": 20}}})");
+    constexpr double R = 2.7, L = 0.0018, k = 0.024, J1 = 3.6e-6, J2 = 2e-4, r = 18, c = 44, d = 0.13, pull = 0.47;
+    constexpr double interval = 0.002, lag = 0.003, late = 0.002;
+    const auto command = [](double t) {
+        const double levels[] = {0, 3, 1, 5, 2, 6, 4, 1};
+        const double part = std::max(0.0, t) / 0.5;
+        const int n = static_cast<int>(part);
+        const double ramp = std::min(1.0, (part - n) / 0.03);
+        return (n == 0 ? 0 : levels[(n - 1) % 8]) + (levels[n % 8] - (n == 0 ? 0 : levels[(n - 1) % 8])) * ramp +
+               0.3 * std::sin(60 * std::max(0.0, t));
+    };
+    std::mt19937 random(6);
+    std::normal_distribution<double> scatter;
+    std::ofstream csv = recording("t [s],u [V],i [A],phi [rad]");
+    double i = 0, seen = 0, w1 = 0, phi1 = 0, w2 = 0, phi2 = 0;
+    for (int n = 0; n < 2000; ++n) {
+        csv << interval * n << ',' << command(interval * n) << ',' << seen + 0.005 * scatter(random) << ','
+            << phi2 + 0.004 * scatter(random) << '\n';
+        constexpr int inner = 200;
+        for (int m = 0; m < inner; ++m) {
+            const double h = interval / inner, t = interval * n + (m + 0.5) * h;
+            const double torque = c * (phi1 / r - phi2) + d * (w1 / r - w2);
+            i += h * (command(t - late) - R * i - k * w1) / L;
+            seen += h * (i - seen) / lag;
+            w1 += h * (k * i - torque / r) / J1;
+            w2 += h * (torque - pull * phi2) / J2;
+            phi1 += h * w1;
+            phi2 += h * w2;
+        }
+    }
+    csv.close();
+    const Finding finding = discovered();
+    EXPECT_EQ(finding.kind, FindingKind::Effect);
+    ASSERT_EQ(finding.effects.size(), 2u);
+    for (const AddedEffect& e : finding.effects) {
+        const bool isAtInput = e.at == "input u";
+        EXPECT_EQ(e.kind, isAtInput ? "actuator.delay" : "sensor.lag") << e.at;
+        EXPECT_NEAR(e.parameters.front().value, isAtInput ? late : lag, 2e-4);
+    }
 }
 
 // The gear of the model is as good as rigid and has no inertia behind its spring; the shaft twists.
