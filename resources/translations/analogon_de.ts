@@ -7316,6 +7316,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>eine Gleichung ohne Namen erklärt an seiner Stelle mehr</translation>
     </message>
     <message>
+        <source>{} and {} explain more in place of both</source>
+        <translation>{} und {} erklären an der Stelle beider mehr</translation>
+    </message>
+    <message>
         <source>beside the other effects {} explains more in its place</source>
         <translation>neben den anderen Effekten erklärt {} an seiner Stelle mehr</translation>
     </message>
