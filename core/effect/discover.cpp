@@ -34,21 +34,40 @@ double misfitIn(const NullModel& base, const NullModel& model) {
     return sumInUnitsOf(base, model) + model.parameterCount() * std::log(rows);
 }
 
+/// Where and when a proposal shows when nothing else is left: at its sensor, or where the noise has a memory.
+void tellWhere(Remainder& r, const std::vector<ColouredNoise>& noise, const ModelState& state) {
+    const auto fitted = std::find_if(state.experiments.begin(), state.experiments.end(),
+                                     [](const ExperimentState& e) { return e.role == Role::Fit; });
+    if (!noise.empty()) {
+        r.output = noise.front().output;
+        r.experiment = noise.front().experiment;
+    } else if (fitted != state.experiments.end()) {
+        r.output = fitted->outputs.front().name;
+        r.experiment = fitted->name;
+    }
+    if (r.node.starts_with(outputPrefix)) r.output = r.node.substr(outputPrefix.size());
+    for (const ExperimentState& e : state.experiments)
+        if (e.name == r.experiment && r.to <= r.from) r.from = e.time.front(), r.to = e.time.back();
+}
+
 /// Puts proposals first among what is left; the strongest channel tells when it shows and what it moves with.
-void offer(std::vector<Remainder> proposed, std::vector<Remainder>& left) {
-    for (Remainder& r : proposed)
-        if (!left.empty()) {
-            const auto strongest =
-                std::max_element(left.begin(), left.end(),
-                                 [](const Remainder& a, const Remainder& b) { return a.evidence < b.evidence; });
-            r.output = strongest->output;
-            r.experiment = strongest->experiment;
-            if (r.to <= r.from) {
-                r.from = strongest->from;
-                r.to = strongest->to;
-            }
-            r.movesWith = strongest->movesWith;
+void offer(std::vector<Remainder> proposed, const std::vector<ColouredNoise>& noise, const ModelState& state,
+           std::vector<Remainder>& left) {
+    for (Remainder& r : proposed) {
+        if (left.empty()) {
+            tellWhere(r, noise, state);
+            continue;
         }
+        const auto strongest = std::max_element(
+            left.begin(), left.end(), [](const Remainder& a, const Remainder& b) { return a.evidence < b.evidence; });
+        r.output = strongest->output;
+        r.experiment = strongest->experiment;
+        if (r.to <= r.from) {
+            r.from = strongest->from;
+            r.to = strongest->to;
+        }
+        r.movesWith = strongest->movesWith;
+    }
     left.insert(left.begin(), std::make_move_iterator(proposed.begin()), std::make_move_iterator(proposed.end()));
 }
 
@@ -56,16 +75,7 @@ void offer(std::vector<Remainder> proposed, std::vector<Remainder>& left) {
 /// with a memory.
 void offerAlone(Remainder change, const std::vector<ColouredNoise>& noise, const ModelState& state,
                 std::vector<Remainder>& left) {
-    if (!left.empty()) {
-        offer({std::move(change)}, left);
-    } else if (!noise.empty()) {
-        change.output = noise.front().output;
-        change.experiment = noise.front().experiment;
-        for (const ExperimentState& e : state.experiments)
-            if (e.name == change.experiment && change.to <= change.from)
-                change.from = e.time.front(), change.to = e.time.back();
-        left.push_back(std::move(change));
-    }
+    if (!left.empty() || !noise.empty()) offer({std::move(change)}, noise, state, left);
 }
 
 /// A parameter of another value, or one that changes, as a proposal at its component.
@@ -552,7 +562,7 @@ Outcome<Finding> Search::run() {
             if (r.errorValidateWith >= 0) r.errorValidateWithout = errorPercentOf(finding.final, Role::Validate);
         if (!proposed.empty())
             finding.warnings.insert(finding.warnings.end(), conclusion.sameByName.begin(), conclusion.sameByName.end());
-        offer(std::move(proposed), finding.remainders);
+        offer(std::move(proposed), left.noise, finding.final, finding.remainders);
         if (change_) {
             const double end = finding.final.experiments[static_cast<std::size_t>(change_->experiment)].time.back();
             offerAlone(remainderOf(*change_, end), left.noise, finding.final, finding.remainders);

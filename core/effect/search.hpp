@@ -221,6 +221,7 @@ private:
     Text whyUnneeded(const NullModel& null, std::size_t effect, const NullModel& without, const Acceptance& missed,
                      bool isLast, const std::function<BesideDisturbance(std::size_t most)>& beside) const;
     void retryNames(const NullModel& null, std::vector<Trial>& trials);
+    void drawNamesSharper(const NullModel& null, std::vector<Trial>& trials);
     void retryFrom(const NullModel& null, const std::vector<ParameterValue>& values,
                    const std::vector<std::size_t>& chosen, int iterations, std::vector<Trial>& trials);
     void retryNear(const NullModel& null, const std::vector<ParameterValue>& values, double sumOfSquares,

@@ -792,14 +792,7 @@ bool Search::dropUnmissed(const NullModel& last, NullModel& null) {
 void Search::sharpen(NullModel& null) {
     for (int pass = 0; pass < mostSharpenings && !progress_.stopRequested(); ++pass) {
         std::vector<PlacedEffect> effects = null.variant.effects;
-        PlacedEffect& newest = effects.back();
-        bool changes = false;
-        for (const auto& [name, factor] : newest.effect.sharper)
-            if (const auto value = newest.values.find(name); value != newest.values.end()) {
-                value->second *= factor;
-                changes = true;
-            }
-        if (!changes) return;
+        if (!drawSharper(effects.back())) return;
         std::optional<NullModel> sharper = refittedWith(null, effects);
         if (!sharper || !(null.sumOfSquares() - sharper->sumOfSquares() > leastSharpening)) return;
         if (sharper->fit.takesDifferences) return;  // too sharp for the steps: nothing could be screened beside it

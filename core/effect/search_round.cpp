@@ -221,6 +221,7 @@ std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>&
     }
     continueBest(null, trials);
     retryNames(null, trials);
+    drawNamesSharper(null, trials);
     rank(null, trials);
     if (!trials.empty() && trials.front().ok)
         retryNear(null, trials.front().variant.values, trials.front().sumOfSquares(), trials);
@@ -241,6 +242,25 @@ void Search::retryNames(const NullModel& null, std::vector<Trial>& trials) {
         names.push_back(i);
     }
     retryFrom(null, equation.variant.values, names, trialIterations, trials);
+}
+
+/// Where an equation without a name explains a little more than a name that rounds something off (a limit sets in over
+/// a few percent), that may be all it explains more: the name is drawn sharper before they are held against each other.
+void Search::drawNamesSharper(const NullModel& null, std::vector<Trial>& trials) {
+    rank(null, trials);
+    if (trials.empty() || !trials.front().ok || !isProposal(trials.front())) return;
+    const double least = leastLike * trials.front().evidence;
+    for (Trial& t : trials) {
+        if (!t.ok || isProposal(t) || !(t.evidence > least) || progress_.stopRequested()) continue;
+        std::vector<PlacedEffect> effects = t.variant.effects;
+        if (!drawSharper(effects.back())) continue;
+        Outcome<Variant> variant = withEffects(base_, effects, t.variant.values);
+        if (!variant) continue;
+        Trial sharper = t;
+        sharper.variant = std::move(*variant);
+        proceed(null, sharper, trialOptions(search_.fit, trialIterations), progress_);
+        if (sharper.sumOfSquares() < t.sumOfSquares()) t = std::move(sharper);
+    }
 }
 
 /// Begins these trials once more at other values of the model's parameters; what does better takes its place.

@@ -60,6 +60,16 @@ Outcome<Done> addTwin(Variant& variant, const EffectPlace& place) {
 
 }  // namespace
 
+bool drawSharper(PlacedEffect& placed) {
+    bool changes = false;
+    for (const auto& [name, factor] : placed.effect.sharper)
+        if (const auto value = placed.values.find(name); value != placed.values.end()) {
+            value->second *= factor;
+            changes = true;
+        }
+    return changes;
+}
+
 bool stands(const Variant& variant, std::string_view kind, std::string_view at) {
     return std::any_of(variant.effects.begin(), variant.effects.end(),
                        [&](const PlacedEffect& e) { return e.effect.kind == kind && e.place.at == at; });

@@ -39,6 +39,9 @@ struct Variant {
     std::vector<GridPlan> plans{};
 };
 
+/// Draws what the effect rounds off for the sake of the integration sharper by one step; false: it rounds nothing off.
+bool drawSharper(PlacedEffect& placed);
+
 /// Whether an effect of that kind, of whatever class, stands at that place.
 bool stands(const Variant& variant, std::string_view kind, std::string_view at);
 

@@ -171,6 +171,8 @@ end Rotor;
                 << e.kind;
             EXPECT_TRUE(e.evidence.score < 200 || e.evidence.pValue < 1e-20) << e.kind;
         }
+        for (const Remainder& r : result->finding.remainders)  // what is left shows on a channel
+            EXPECT_TRUE(!r.output.empty() && !r.experiment.empty() && r.from < r.to) << r.proposedEquation;
         for (const CandidateResult& c : result->finding.candidates)  // and what is not, is not for a reason
             EXPECT_EQ(c.reason.empty(), c.verdict == Verdict::Chosen) << c.kind << " at " << c.at << ": " << c.reason;
         return std::move(result->finding);
@@ -941,6 +943,63 @@ TEST_F(Discovery, TakesTheFirstSamplesOfARecordingInMotionForNoStructure) {
     EXPECT_TRUE(std::any_of(finding.warnings.begin(), finding.warnings.end(), [](const std::string& warning) {
         return warning.find("'run' begins in motion: the model of output 'i' begins at rest") != std::string::npos;
     }));
+}
+
+/// A pump whose voltage or whose tacho ends.
+class DiscoveryInAPump : public Discovery {
+protected:
+    struct Limits {
+        double voltage{1e9}, shown{1e9};  // [V], [rad/s]
+    };
+
+    Finding searchPump(const Limits& limits) {
+        put("model.mo", machineModel("u", "R=0.34, L=0, k=0.035", "J=4e-5", "QuadraticLoad load(k_q=7e-7)"));
+        put("study.json", R"({"format": "analogon-study-1", "class": "Drive",
+  "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t", "inputs": {"u": "u"},
+                   "outputs": {"i": "i", "w": "w"}}],
+  "parameters": {"motor.R": {"fit": true, "min": 0.01, "max": 10}, "motor.k": {"fit": true, "min": 0.001, "max": 0.5},
+                 "rotor.J": {"fit": true, "min": 1e-6, "max": 1e-3},
+                 "load.k_q": {"fit": true, "min": 1e-8, "max": 1e-4}}})");
+        std::mt19937 random(4);
+        std::normal_distribution<double> scatter;
+        std::ofstream csv = recording("t [s],u [V],i [A],w [rad/s]");
+        constexpr double R = 0.26, k = 0.0274, J = 4.5e-5, drag = 7.85e-7, interval = 0.005;
+        const auto voltage = [&](int n) {
+            const double t = interval * n;
+            return 6.5 + 3 * std::sin(1.3 * t) + 1.5 * std::sin(3.7 * t + 1);
+        };
+        double w = 0;
+        for (int n = 0; n < 3000; ++n) {
+            const auto given = [&](double part) {
+                return std::min(limits.voltage, (1 - part) * voltage(n) + part * voltage(n + 1));
+            };
+            csv << interval * n << ',' << voltage(n) << ',' << (given(0) - k * w) / R + 0.24 * scatter(random) << ','
+                << std::min(w, limits.shown) + 2 * scatter(random) << '\n';
+            constexpr int steps = 50;
+            for (int s = 0; s < steps; ++s)
+                w += interval / steps * (k * (given((s + 0.5) / steps) - k * w) / R - drag * w * w) / J;
+        }
+        csv.close();
+        return discovered();
+    }
+};
+
+// A name rounds its limit off, the equation for a tacho that ends there does not: that is all by which it explains
+// more.
+TEST_F(DiscoveryInAPump, TakesALimitOfTheVoltageForNoLimitOfTheTacho) {
+    const Finding finding = searchPump({.voltage = 9.9});
+    EXPECT_EQ(finding.kind, FindingKind::Effect);
+    ASSERT_EQ(finding.effects.size(), 1u);
+    EXPECT_EQ(finding.effects.front().kind, "actuator.saturation");
+}
+
+// Without it hardly more is left than noise.
+TEST_F(DiscoveryInAPump, SaysAtWhichTachoALimitOfItShows) {
+    const Finding finding = searchPump({.shown = 341.5});
+    EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
+    ASSERT_FALSE(finding.remainders.empty());
+    EXPECT_EQ(finding.remainders.front().proposedClass, "Analogon.Effects.Proposals.SensorLimit");
+    EXPECT_EQ(finding.remainders.front().output, "w");
 }
 
 /// A motor at a supply: a winding that warms and brushes.
