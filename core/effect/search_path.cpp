@@ -36,6 +36,13 @@ std::vector<PlacedEffect> allBut(std::vector<PlacedEffect> effects, std::size_t 
     return effects;
 }
 
+/// Whether a parameter of an effect stands at a value of its own, and is not fitted.
+bool isHeld(const PlacedEffect& placed, const std::string& parameter) {
+    return placed.values.contains(parameter) &&
+           std::none_of(placed.freed.begin(), placed.freed.end(),
+                        [&](const FitParameter& p) { return p.name == placed.instance + "." + parameter; });
+}
+
 /// The model with these effects instead, on the samples of `on`, beside the same noise.
 std::optional<NullModel> refitted(const Variant& on, const NullModel& model, const std::vector<PlacedEffect>& effects,
                                   const FitOptions& options, const Progress& progress) {
@@ -414,9 +421,21 @@ std::optional<Search::Path> Search::withLaw(Path begin) {
     return begin;
 }
 
-/// The model refitted with one effect taken out.
+/// The model refitted with one effect taken out. A whole number that another holds may only have been right beside it.
 std::optional<NullModel> Search::without(const NullModel& null, std::size_t effect) const {
-    return refittedWith(null, allBut(null.variant.effects, effect));
+    const std::vector<PlacedEffect> others = allBut(null.variant.effects, effect);
+    std::optional<NullModel> best = refittedWith(null, others);
+    for (std::size_t i = 0; i < others.size() && !progress_.stopRequested(); ++i)
+        for (const std::string& name : others[i].effect.whole)
+            for (const double step : {-1.0, 1.0}) {
+                std::vector<PlacedEffect> next = others;
+                if (!isHeld(next[i], name)) continue;
+                next[i].values[name] += step;
+                if (!(next[i].values[name] >= 1)) continue;
+                std::optional<NullModel> there = refittedWith(null, next);
+                if (there && (!best || there->sumOfSquares() < best->sumOfSquares())) best = std::move(there);
+            }
+    return best;
 }
 
 /// The same on all samples, of a model that was fitted to them; no more exact than the noise asks for.

@@ -35,8 +35,10 @@ constexpr double leastHeldOutOfAll = 0.2;   // where nothing else remains, and f
 constexpr double farMore = 100;             // in evidence
 constexpr double leastHeldOutOfMuch = 0.7;  // where other structure remains, which a wrong effect may feed on
 constexpr double muchLeft = 1.44;           // squared residual over squared noise
-constexpr double leastShare = 0.05;  // beside what stays unexplained: a detail on top of a riddle explains nothing
-constexpr int heldOutFolds = 10;     // fewer leave out more of the excitation than the rest can make up for
+constexpr double leastShare = 0.05;      // beside what stays unexplained: a detail on top of a riddle explains nothing
+constexpr int heldOutFolds = 10;         // fewer leave out more of the excitation than the rest can make up for
+constexpr double asMuchAsAtBound = 0.9;  // of the fall in the sum of squares
+constexpr int mostWholeNumbers = 3;
 constexpr int mostBlocks = 40;
 constexpr double samplesPerBlock = 3;  // independent ones, at least
 
@@ -309,12 +311,57 @@ void TrialStarts::takeNext() {
         best_.failure = result.message;
         return;
     }
+    holdWholeNumber(start, result);
     if (best_.ok && result.objective >= best_.fit.objective) return;
     best_.variant = std::move(start.variant);
     best_.variant.values = valuesOf(result);
     best_.variant.plans = stepsOf(result);
     best_.fit = std::move(result);
     best_.ok = true;
+}
+
+/// Where a whole number goes to a bound, it is held at the best between there and where it began, if that explains
+/// nearly as much: beside what is not right yet, a fraction of a period explains a little more.
+void TrialStarts::holdWholeNumber(TrialStart& start, FitResult& result) const {
+    const PlacedEffect placed = start.variant.effects.back();
+    const auto whole = std::find_if(placed.freed.begin(), placed.freed.end(), [&](const FitParameter& p) {
+        const FitEstimate* estimate = result.find(p.name);
+        return isWhole(placed, p) && estimate != nullptr && estimate->atBound;
+    });
+    if (whole == placed.freed.end()) return;
+    const std::vector<FitParameter>& followed = start.prepared.problem.parameters;
+    const auto followedTo = [&](const FitParameter& p) {
+        const auto there =
+            std::find_if(followed.begin(), followed.end(), [&](const FitParameter& f) { return f.name == p.name; });
+        return there == followed.end() ? p.start : there->start;
+    };
+    const double begin = std::round(followedTo(*whole)), end = result.find(whole->name)->value;
+    const auto fall = [&](const FitResult& r) { return null_.sumOfSquares() - r.optimum.residuals.squaredNorm(); };
+    double most = asMuchAsAtBound * fall(result);
+    for (int k = 0; k < mostWholeNumbers && !progress_.stopRequested(); ++k) {
+        const double number = end < begin ? begin - k : begin + k;
+        if (end < begin ? number < end : number > end) break;
+        std::map<std::string, double> values = placed.values;
+        values[whole->name.substr(placed.instance.size() + 1)] = number;
+        Outcome<Variant> held = withEffect(null_.variant, placed.effect, placed.place, values);
+        if (!held) return;
+        for (FitParameter p : placed.freed) {
+            if (p.name == whole->name) continue;
+            p.start = followedTo(p);
+            held->effects.back().freed.push_back(p);
+            held->task.parameters.push_back(std::move(p));
+        }
+        for (ParameterValue& value : held->values)
+            for (const FitParameter& there : followed)
+                if (there.name == value.name && there.experiment == value.experiment) value.value = there.start;
+        const Outcome<PreparedTask> prepared = prepareAt(*held, null_.noise);
+        if (!prepared) return;
+        FitResult fitted = fit(prepared->problem, options_, progress_);
+        if (!fitted.optimum.ok || !(fall(fitted) > most)) continue;
+        most = fall(fitted);
+        start.variant = std::move(*held);
+        result = std::move(fitted);
+    }
 }
 
 Trial refit(const NullModel& null, const Screened& screened, const FitOptions& options, int starts,

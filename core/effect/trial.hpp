@@ -44,6 +44,8 @@ public:
     Trial best() && { return std::move(best_); }
 
 private:
+    void holdWholeNumber(TrialStart& start, FitResult& result) const;
+
     const NullModel& null_;
     const Screened& screened_;
     const FitOptions& options_;
