@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "core/effect/input_edge.hpp"
 
@@ -35,10 +36,10 @@ constexpr double leastHeldOutOfAll = 0.2;   // where nothing else remains, and f
 constexpr double farMore = 100;             // in evidence
 constexpr double leastHeldOutOfMuch = 0.7;  // where other structure remains, which a wrong effect may feed on
 constexpr double muchLeft = 1.44;           // squared residual over squared noise
-constexpr double leastShare = 0.05;      // beside what stays unexplained: a detail on top of a riddle explains nothing
-constexpr int heldOutFolds = 10;         // fewer leave out more of the excitation than the rest can make up for
-constexpr double asMuchAsAtBound = 0.9;  // of the fall in the sum of squares
-constexpr int mostWholeNumbers = 3;
+constexpr double leastShare = 0.05;    // beside what stays unexplained: a detail on top of a riddle explains nothing
+constexpr int heldOutFolds = 10;       // fewer leave out more of the excitation than the rest can make up for
+constexpr double asMuchByWhole = 0.9;  // of the fall in the sum of squares
+constexpr std::size_t mostWholeNumbers = 3;
 constexpr int mostBlocks = 40;
 constexpr double samplesPerBlock = 3;  // independent ones, at least
 
@@ -325,8 +326,7 @@ void TrialStarts::takeNext() {
 void TrialStarts::holdWholeNumber(TrialStart& start, FitResult& result) const {
     const PlacedEffect placed = start.variant.effects.back();
     const auto whole = std::find_if(placed.freed.begin(), placed.freed.end(), [&](const FitParameter& p) {
-        const FitEstimate* estimate = result.find(p.name);
-        return isWhole(placed, p) && estimate != nullptr && estimate->atBound;
+        return isWhole(placed, p) && result.find(p.name) != nullptr;
     });
     if (whole == placed.freed.end()) return;
     const std::vector<FitParameter>& followed = start.prepared.problem.parameters;
@@ -335,12 +335,19 @@ void TrialStarts::holdWholeNumber(TrialStart& start, FitResult& result) const {
             std::find_if(followed.begin(), followed.end(), [&](const FitParameter& f) { return f.name == p.name; });
         return there == followed.end() ? p.start : there->start;
     };
-    const double begin = std::round(followedTo(*whole)), end = result.find(whole->name)->value;
+    const FitEstimate& found = *result.find(whole->name);
+    std::vector<double> numbers{std::floor(found.value), std::ceil(found.value)};
+    if (found.atBound) {
+        const double begin = std::round(followedTo(*whole)), step = found.value < begin ? -1 : 1;
+        numbers.clear();
+        for (double number = begin; step * (found.value - number) >= 0 && numbers.size() < mostWholeNumbers;)
+            numbers.push_back(std::exchange(number, number + step));
+    }
     const auto fall = [&](const FitResult& r) { return null_.sumOfSquares() - r.optimum.residuals.squaredNorm(); };
-    double most = asMuchAsAtBound * fall(result);
-    for (int k = 0; k < mostWholeNumbers && !progress_.stopRequested(); ++k) {
-        const double number = end < begin ? begin - k : begin + k;
-        if (end < begin ? number < end : number > end) break;
+    double most = asMuchByWhole * fall(result);
+    for (const double number : numbers) {
+        if (progress_.stopRequested()) return;
+        if (!(number >= whole->min && number <= whole->max)) continue;
         std::map<std::string, double> values = placed.values;
         values[whole->name.substr(placed.instance.size() + 1)] = number;
         Outcome<Variant> held = withEffect(null_.variant, placed.effect, placed.place, values);

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <numeric>
 #include <random>
+#include <set>
 
 #include "core/effect/model_state.hpp"
 #include "core/study/run.hpp"
@@ -1321,7 +1322,9 @@ TEST_F(Discovery, WritesALawThatNoBlockHas) {
 /// A flap in a spring that grows stiffer with its travel.
 class DiscoveryInAThrottle : public Discovery {
 protected:
-    Finding searchThrottle(double noise) {
+    /// `hidden`: torque at an angle.
+    Finding searchThrottle(double noise, const std::function<double(double)>& hidden, double least = 0.4,
+                           double most = 2.8) {
         put("model.mo", R"(model Throttle
   Analogon.Interfaces.RealInput tau(unit="N.m");
   Analogon.Interfaces.RealOutput phi(unit="rad");
@@ -1347,13 +1350,15 @@ end Throttle;
         double phi = 0, w = 0;
         constexpr double J = 3.5e-3, c = 1.2, b = 0.04, rest = -0.6;
         recordDriven(
-            "phi [rad]", noise, [](double t) { return 1.6 + 1.2 * excitation(t); }, phi,
+            "phi [rad]", noise, [&](double t) { return (most + least) / 2 + (most - least) / 2 * excitation(t); }, phi,
             [&](double tau, double h) {
-                w += h * (tau - c * (phi - rest) - 0.15 * phi * phi * phi - b * w) / J;
+                w += h * (tau - c * (phi - rest) - hidden(phi) - b * w) / J;
                 phi += h * w;
             });
         return discovered();
     }
+
+    static double hardening(double phi) { return 0.15 * phi * phi * phi; }
 
     /// Expects the spring, told from where the recording begins, and no name.
     static void expectSpring(const Finding& finding) {
@@ -1365,11 +1370,13 @@ end Throttle;
     }
 };
 
-TEST_F(DiscoveryInAThrottle, TakesASpringThatHardensForNoPairOfNames) { expectSpring(searchThrottle(0.004)); }
+TEST_F(DiscoveryInAThrottle, TakesASpringThatHardensForNoPairOfNames) {
+    expectSpring(searchThrottle(0.004, hardening));
+}
 
 // In more noise a pendulum that is upright where the spring is at rest explains as much, with one parameter more.
 TEST_F(DiscoveryInAThrottle, TakesASpringThatHardensForNoPendulum) {
-    const Finding finding = searchThrottle(0.15);
+    const Finding finding = searchThrottle(0.15, hardening);
     expectSpring(finding);
     EXPECT_TRUE(std::any_of(finding.warnings.begin(), finding.warnings.end(), [](const Text& w) {
         return std::string(w).find("torque.gravity at ") == 0 &&
@@ -1439,6 +1446,19 @@ end Valve;
         EXPECT_EQ(e.kind, isAtInput ? "actuator.delay" : "sensor.lag") << e.at;
         EXPECT_NEAR(e.parameters.front().value, isAtInput ? late : lag, 2e-4);
     }
+}
+
+// A number of periods that is no whole one, and a gain of the sensor, would explain as much.
+TEST_F(DiscoveryInAThrottle, TellsATorqueByItsWholeNumberOfPeriods) {
+    const auto notches = [](double phi) { return 0.1 * std::sin(3 * phi - 0.57) + 0.2; };
+    const Finding finding = searchThrottle(0.004, notches, 0.7, 2.4);
+    EXPECT_EQ(finding.kind, FindingKind::Effect);
+    std::set<std::string> kinds;
+    for (const AddedEffect& e : finding.effects) {
+        kinds.insert(e.kind);
+        for (const EffectValue& v : e.parameters) EXPECT_TRUE(v.name != "n" || v.value == 3) << v.value;
+    }
+    EXPECT_THAT(kinds, ::testing::UnorderedElementsAre("torque.cogging", "torque.constant"));
 }
 
 // The gear of the model is as good as rigid and has no inertia behind its spring; the shaft twists.
