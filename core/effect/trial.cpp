@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <utility>
 
 #include "core/effect/input_edge.hpp"
 
@@ -39,7 +38,8 @@ constexpr double muchLeft = 1.44;           // squared residual over squared noi
 constexpr double leastShare = 0.05;    // beside what stays unexplained: a detail on top of a riddle explains nothing
 constexpr int heldOutFolds = 10;       // fewer leave out more of the excitation than the rest can make up for
 constexpr double asMuchByWhole = 0.9;  // of the fall in the sum of squares
-constexpr std::size_t mostWholeNumbers = 3;
+constexpr int mostRefinements = 2;
+constexpr double refinement = 0.1;
 constexpr int mostBlocks = 40;
 constexpr double samplesPerBlock = 3;  // independent ones, at least
 
@@ -152,6 +152,12 @@ Linearisation lineariseAt(TrialStart& start, const Eigen::VectorXd& values, bool
         if (known.ok) return known;
     }
     Linearisation at = linearise(problem, values, withJacobian, {}, options, progress);
+    // coarse steps may be stable for states that a friction holds, and not for what moves them
+    SimulationOptions finer = options;
+    for (int pass = 0; pass < mostRefinements && withJacobian && !at.ok && !progress.stopRequested(); ++pass) {
+        finer.relativeTolerance *= refinement;
+        at = linearise(problem, values, withJacobian, {}, finer, progress);
+    }
     start.plans.clear();
     for (const Trajectory& t : at.trajectories)
         if (at.ok) start.plans.push_back(t.plan);
@@ -321,46 +327,35 @@ void TrialStarts::takeNext() {
     best_.ok = true;
 }
 
-/// Where a whole number goes to a bound, it is held at the best between there and where it began, if that explains
-/// nearly as much: beside what is not right yet, a fraction of a period explains a little more.
+/// Holds a whole number at the better of those next to where the fit came to, if that explains nearly as much: beside
+/// what is not right yet a fraction of a period explains a little more, and takes the place of what is missing.
 void TrialStarts::holdWholeNumber(TrialStart& start, FitResult& result) const {
     const PlacedEffect placed = start.variant.effects.back();
     const auto whole = std::find_if(placed.freed.begin(), placed.freed.end(), [&](const FitParameter& p) {
         return isWhole(placed, p) && result.find(p.name) != nullptr;
     });
     if (whole == placed.freed.end()) return;
-    const std::vector<FitParameter>& followed = start.prepared.problem.parameters;
-    const auto followedTo = [&](const FitParameter& p) {
-        const auto there =
-            std::find_if(followed.begin(), followed.end(), [&](const FitParameter& f) { return f.name == p.name; });
-        return there == followed.end() ? p.start : there->start;
-    };
-    const FitEstimate& found = *result.find(whole->name);
-    std::vector<double> numbers{std::floor(found.value), std::ceil(found.value)};
-    if (found.atBound) {
-        const double begin = std::round(followedTo(*whole)), step = found.value < begin ? -1 : 1;
-        numbers.clear();
-        for (double number = begin; step * (found.value - number) >= 0 && numbers.size() < mostWholeNumbers;)
-            numbers.push_back(std::exchange(number, number + step));
-    }
+    // below the least that was tried it is no number of periods: a spring that stiffens looks like half of one
+    const auto reach = placed.effect.reach.find(whole->name.substr(placed.instance.size() + 1));
+    const double least = whole->min * (reach == placed.effect.reach.end() ? 1 : reach->second) - 1e-6;
+    const std::vector<ParameterValue> found = valuesOf(result);
+    const double value = result.find(whole->name)->value;
+    if (value < least) return;
     const auto fall = [&](const FitResult& r) { return null_.sumOfSquares() - r.optimum.residuals.squaredNorm(); };
     double most = asMuchByWhole * fall(result);
-    for (const double number : numbers) {
-        if (progress_.stopRequested()) return;
-        if (!(number >= whole->min && number <= whole->max)) continue;
+    for (const double number : {std::floor(value), std::ceil(value)}) {
+        if (!(number >= least && number <= whole->max) || progress_.stopRequested()) continue;
         std::map<std::string, double> values = placed.values;
         values[whole->name.substr(placed.instance.size() + 1)] = number;
         Outcome<Variant> held = withEffect(null_.variant, placed.effect, placed.place, values);
         if (!held) return;
-        for (FitParameter p : placed.freed) {
+        for (const FitParameter& p : placed.freed) {
             if (p.name == whole->name) continue;
-            p.start = followedTo(p);
             held->effects.back().freed.push_back(p);
-            held->task.parameters.push_back(std::move(p));
+            held->task.parameters.push_back(p);
         }
-        for (ParameterValue& value : held->values)
-            for (const FitParameter& there : followed)
-                if (there.name == value.name && there.experiment == value.experiment) value.value = there.start;
+        held->values = found;
+        std::erase_if(held->values, [&](const ParameterValue& v) { return v.name == whole->name; });
         const Outcome<PreparedTask> prepared = prepareAt(*held, null_.noise);
         if (!prepared) return;
         FitResult fitted = fit(prepared->problem, options_, progress_);
