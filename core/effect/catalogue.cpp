@@ -201,6 +201,8 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
 
 }  // namespace
 
+std::string faultOf(const EffectClass& effect) { return effect.kind.substr(effect.kind.find('.') + 1); }
+
 std::optional<EffectClass> effectOf(const Library& library, const LibraryClass& one) {
     const Modification* annotation = effectAnnotation(*one.definition);
     if (annotation == nullptr) return std::nullopt;

@@ -80,6 +80,9 @@ struct EffectClass {
     std::map<std::string, std::string> bound;  // inputs -> variable of the model (a law found for one model alone)
 };
 
+/// What is wrong with a signal, on whichever side it is: the kind without it ("lag", "offset").
+std::string faultOf(const EffectClass& effect);
+
 /// The effect that a class is by its annotation. Nothing: it is none, or the annotation is malformed.
 std::optional<EffectClass> effectOf(const Library& library, const LibraryClass& one);
 

@@ -114,7 +114,9 @@ private:
     /// What a search has found of the recordings, drawn otherwise than they are given, and beside them.
     struct Drawn {
         NullModel base;
-        std::vector<Recording> searched, full;  // as they are drawn
+        EstimationTask searched, full;  // of base_ and full_
+        std::vector<ToldStart> freedStarts;
+        std::vector<NoisyInput> noisyInputs;
         std::vector<InputClock> clocks{};
         std::vector<InputEdge> edges{};
         std::vector<Recording> stamped{}, asRecorded{};

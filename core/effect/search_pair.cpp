@@ -39,8 +39,6 @@ bool isSame(const Candidate& a, const Candidate& b) {
     return a.effect.className == b.effect.className && a.place == b.place;
 }
 
-std::string faultOf(const EffectClass& e) { return e.kind.substr(e.kind.find('.') + 1); }
-
 }  // namespace
 
 /// A trial of the fault of one effect at the signal of another, beside a model without either.

@@ -27,8 +27,7 @@ constexpr double leastSharpening = 8;  // fall in the sum of squares, in units o
 
 /// Whether both are the same fault of a measured or a commanded signal: an offset and an offset, a lag and a lag.
 bool isSameFault(const EffectClass& a, const EffectClass& b) {
-    const auto fault = [](const EffectClass& e) { return e.kind.substr(e.kind.find('.') + 1); };
-    return !a.signalSide.empty() && !b.signalSide.empty() && a.proposal.empty() && fault(a) == fault(b);
+    return !a.signalSide.empty() && !b.signalSide.empty() && a.proposal.empty() && faultOf(a) == faultOf(b);
 }
 
 std::vector<PlacedEffect> allBut(std::vector<PlacedEffect> effects, std::size_t one) {
@@ -164,11 +163,11 @@ std::vector<std::size_t> Search::otherBeginnings(const NullModel& null, const Ro
 Outcome<Search::Path> Search::bestPath(NullModel& base) {
     Outcome<Path> path = bestPathBesideRecordings(base);
     if (!path || progress_.stopRequested() || !isOddlyDrawn(*path)) return path;
-    Drawn drawn{base, base_.task.recordings, full_.task.recordings};
+    Drawn drawn{base, base_.task, full_.task, freedStarts_, noisyInputs_};
+    drawn.searched.recordings = recordingsAsGiven();
+    if (!edges_.empty() && !noisyInputs_.empty()) quieten(drawn.searched);
+    drawn.full.recordings = asRecorded_;
     exchange(drawn);
-    base_.task.recordings = drawn.edges.empty() ? drawn.stamped : drawn.asRecorded;
-    if (!drawn.edges.empty() && !noisyInputs_.empty()) quieten(base_.task);
-    full_.task.recordings = drawn.asRecorded;
     takesAsGiven_ = true;
     const Outcome<Done> isBack = beginAnew(base);
     std::optional<Path> plain;
@@ -177,8 +176,6 @@ Outcome<Search::Path> Search::bestPath(NullModel& base) {
     takesAsGiven_ = false;
     if (plain && !progress_.stopRequested() && isSimplerThanDrawn(*plain, *path, drawn)) return std::move(*plain);
     base = std::move(drawn.base);
-    base_.task.recordings = std::move(drawn.searched);
-    full_.task.recordings = std::move(drawn.full);
     exchange(drawn);
     return path;
 }
@@ -209,6 +206,10 @@ bool Search::isSimplerThanDrawn(const Path& plain, const Path& path, const Drawn
 
 /// Sets what a search has found of the recordings and beside them against what another has.
 void Search::exchange(Drawn& drawn) {
+    std::swap(base_.task, drawn.searched);
+    std::swap(full_.task, drawn.full);
+    std::swap(freedStarts_, drawn.freedStarts);
+    std::swap(noisyInputs_, drawn.noisyInputs);
     std::swap(clocks_, drawn.clocks);
     std::swap(edges_, drawn.edges);
     std::swap(stamped_, drawn.stamped);

@@ -192,10 +192,7 @@ std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>&
     std::vector<Trial> trials = tryThese(null, chosen, trialIterations, startsPerTrial);
 
     // an equation at the place of the best name, which promises nearly as much, is held against it
-    const auto best = std::min_element(trials.begin(), trials.end(), [](const Trial& x, const Trial& y) {
-        return (x.ok ? x.sumOfSquares() : 1e300) < (y.ok ? y.sumOfSquares() : 1e300);
-    });
-    if (best != trials.end() && best->ok && !isProposal(*best)) {
+    if (const Trial* best = leastLeft(trials); best != nullptr && !isProposal(*best)) {
         std::vector<const Screened*> there;
         for (const Screened* s : proposals)
             if (s->candidate.place.connector == best->screened.candidate.place.connector &&

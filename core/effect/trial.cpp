@@ -70,6 +70,12 @@ FitParameter strengthParameter(const Screened& s, const Probe& probe) {
     return p;
 }
 
+/// Factor by which a shape may leave the values with which it is tried.
+double reachOf(const EffectClass& effect, const std::string& shape) {
+    const auto reach = effect.reach.find(shape);
+    return reach == effect.reach.end() ? 100 : reach->second;
+}
+
 FitParameter shapeParameter(const Screened& s, const std::string& name, double start) {
     FitParameter p;
     p.name = name;
@@ -83,8 +89,7 @@ FitParameter shapeParameter(const Screened& s, const std::string& name, double s
         high = std::max(high, value->second);
     }
     if (low > 0) {
-        const auto reach = s.candidate.effect.reach.find(name);
-        const double factor = reach == s.candidate.effect.reach.end() ? 100 : reach->second;
+        const double factor = reachOf(s.candidate.effect, name);
         p.min = low / factor;
         p.max = high * factor;
         p.scale = ParameterScale::Logarithmic;
@@ -336,8 +341,8 @@ void TrialStarts::holdWholeNumber(TrialStart& start, FitResult& result) const {
     });
     if (whole == placed.freed.end()) return;
     // below the least that was tried it is no number of periods: a spring that stiffens looks like half of one
-    const auto reach = placed.effect.reach.find(whole->name.substr(placed.instance.size() + 1));
-    const double least = whole->min * (reach == placed.effect.reach.end() ? 1 : reach->second) - 1e-6;
+    const std::string name = whole->name.substr(placed.instance.size() + 1);
+    const double least = whole->min * reachOf(placed.effect, name) - 1e-6;
     const std::vector<ParameterValue> found = valuesOf(result);
     const double value = result.find(whole->name)->value;
     if (value < least) return;
@@ -345,17 +350,11 @@ void TrialStarts::holdWholeNumber(TrialStart& start, FitResult& result) const {
     double most = asMuchByWhole * fall(result);
     for (const double number : {std::floor(value), std::ceil(value)}) {
         if (!(number >= least && number <= whole->max) || progress_.stopRequested()) continue;
-        std::map<std::string, double> values = placed.values;
-        values[whole->name.substr(placed.instance.size() + 1)] = number;
-        Outcome<Variant> held = withEffect(null_.variant, placed.effect, placed.place, values);
+        PlacedEffect with = placed;
+        with.values[name] = number;
+        std::erase_if(with.freed, [&](const FitParameter& p) { return p.name == whole->name; });
+        Outcome<Variant> held = withEffects(null_.variant, {with}, found);
         if (!held) return;
-        for (const FitParameter& p : placed.freed) {
-            if (p.name == whole->name) continue;
-            held->effects.back().freed.push_back(p);
-            held->task.parameters.push_back(p);
-        }
-        held->values = found;
-        std::erase_if(held->values, [&](const ParameterValue& v) { return v.name == whole->name; });
         const Outcome<PreparedTask> prepared = prepareAt(*held, null_.noise);
         if (!prepared) return;
         FitResult fitted = fit(prepared->problem, options_, progress_);
@@ -394,11 +393,16 @@ double EvidenceScale::of(double sumOfSquares, int freed) const {
     return (without_ - sumOfSquares) / variance_ - freed * logCount_;
 }
 
-void rank(const NullModel& null, std::vector<Trial>& trials) {
+const Trial* leastLeft(const std::vector<Trial>& trials) {
     const auto best = std::min_element(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) {
         return (a.ok ? a.sumOfSquares() : 1e300) < (b.ok ? b.sumOfSquares() : 1e300);
     });
-    if (best == trials.end() || !best->ok) return;
+    return best != trials.end() && best->ok ? &*best : nullptr;
+}
+
+void rank(const NullModel& null, std::vector<Trial>& trials) {
+    const Trial* best = leastLeft(trials);
+    if (best == nullptr) return;
     const EvidenceScale evidence(null, best->fit);
     for (Trial& t : trials) t.evidence = t.ok ? evidence.of(t.sumOfSquares(), t.freed()) : -1e300;
     std::stable_sort(trials.begin(), trials.end(),

@@ -72,6 +72,9 @@ private:
     double without_, variance_, logCount_;
 };
 
+/// The trial that leaves least; nothing where none could be fitted.
+const Trial* leastLeft(const std::vector<Trial>& trials);
+
 /// Sorts by evidence, best first; the noise level and N_eff are those of the residual of the best fit among them.
 void rank(const NullModel& null, std::vector<Trial>& trials);
 

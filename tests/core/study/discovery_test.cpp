@@ -179,6 +179,19 @@ end Rotor;
         return std::move(result->finding);
     }
 
+    /// Expects one effect at the input and one elsewhere, each of that kind and strength, and that noise is left.
+    static void expectBoth(const Finding& finding, const std::string& input,
+                           const std::pair<std::string, double>& atInput,
+                           const std::pair<std::string, double>& elsewhere, double tolerance) {
+        EXPECT_EQ(finding.kind, FindingKind::Effect);
+        ASSERT_EQ(finding.effects.size(), 2u);
+        for (const AddedEffect& e : finding.effects) {
+            const auto& [kind, strength] = e.at == input ? atInput : elsewhere;
+            EXPECT_EQ(e.kind, kind) << e.at;
+            EXPECT_NEAR(e.parameters.front().value, strength, tolerance);
+        }
+    }
+
     /// Of a parameter of an effect; NaN: it has none of that name.
     static double valueOf(const AddedEffect& effect, const std::string& name) {
         for (const EffectValue& p : effect.parameters)
@@ -1133,25 +1146,13 @@ TEST_F(DiscoveryInAMotor, LooksForNothingBesideAChangeThatIsAll) {
 TEST_F(DiscoveryInAMotor, TellsALagBeforeAMotorFromADeadTimeBehindIt) {
     // the other way round, a dead time before it and a lag behind it, explains nearly as much
     const Finding finding = searchMotor({.supply = 2, .lag = 0.05, .shown = 2});
-    EXPECT_EQ(finding.kind, FindingKind::Effect);
-    ASSERT_EQ(finding.effects.size(), 2u);
-    for (const AddedEffect& e : finding.effects) {
-        const bool isAtInput = e.at == "input v";
-        EXPECT_EQ(e.kind, isAtInput ? "actuator.lag" : "sensor.delay") << e.at;
-        EXPECT_NEAR(e.parameters.front().value, isAtInput ? 0.05 : 0.01, 0.002);
-    }
+    expectBoth(finding, "input v", {"actuator.lag", 0.05}, {"sensor.delay", 0.01}, 0.002);
 }
 
 // Its lag begins where its current does, and the shaft at rest.
 TEST_F(DiscoveryInAMotor, TellsADeadTimeBeforeAMotorFromALagBehindIt) {
     const Finding finding = searchMotor({.supply = 4.9, .late = 0.03, .slow = 0.06});
-    EXPECT_EQ(finding.kind, FindingKind::Effect);
-    ASSERT_EQ(finding.effects.size(), 2u);
-    for (const AddedEffect& e : finding.effects) {
-        const bool isAtInput = e.at == "input v";
-        EXPECT_EQ(e.kind, isAtInput ? "actuator.delay" : "sensor.lag") << e.at;
-        EXPECT_NEAR(e.parameters.front().value, isAtInput ? 0.03 : 0.06, 0.001);
-    }
+    expectBoth(finding, "input v", {"actuator.delay", 0.03}, {"sensor.lag", 0.06}, 0.001);
 }
 
 TEST_F(DiscoveryInAMotor, ReportsAWholeModelWhereverItIsInterrupted) {
@@ -1415,8 +1416,8 @@ end Valve;
         const double part = std::max(0.0, t) / 0.5;
         const int n = static_cast<int>(part);
         const double ramp = std::min(1.0, (part - n) / 0.03);
-        return (n == 0 ? 0 : levels[(n - 1) % 8]) + (levels[n % 8] - (n == 0 ? 0 : levels[(n - 1) % 8])) * ramp +
-               0.3 * std::sin(60 * std::max(0.0, t));
+        const double from = n == 0 ? 0 : levels[(n - 1) % 8], to = levels[n % 8];
+        return from + (to - from) * ramp + 0.3 * std::sin(60 * std::max(0.0, t));
     };
     std::mt19937 random(6);
     std::normal_distribution<double> scatter;
@@ -1439,13 +1440,7 @@ end Valve;
     }
     csv.close();
     const Finding finding = discovered();
-    EXPECT_EQ(finding.kind, FindingKind::Effect);
-    ASSERT_EQ(finding.effects.size(), 2u);
-    for (const AddedEffect& e : finding.effects) {
-        const bool isAtInput = e.at == "input u";
-        EXPECT_EQ(e.kind, isAtInput ? "actuator.delay" : "sensor.lag") << e.at;
-        EXPECT_NEAR(e.parameters.front().value, isAtInput ? late : lag, 2e-4);
-    }
+    expectBoth(finding, "input u", {"actuator.delay", late}, {"sensor.lag", lag}, 2e-4);
 }
 
 // A number of periods that is no whole one, and a gain of the sensor, would explain as much.
