@@ -1,7 +1,7 @@
 within Analogon.Effects.ThermalFluid;
 model NaturalConvection "Convection that depends on the temperature difference"
   extends Analogon.ThermalFluid.PartialThermalFluid;
-  parameter Real n(unit="1", min=-1, max=3) = 0 "Exponent of the temperature difference (0: off)"
+  parameter Real n(unit="1", min=0, max=3) = 0 "Exponent of the temperature difference (0: off)"
     annotation (Dialog(group="Effect"));
   parameter Real dT_ref(unit="K", min=1e-6) = 10 "Difference at which the conductance is that without the effect"
     annotation (Dialog(group="Effect"));

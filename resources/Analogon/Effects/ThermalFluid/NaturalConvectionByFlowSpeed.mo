@@ -3,7 +3,7 @@ model NaturalConvectionByFlowSpeed "Convection in a measured stream that depends
   extends Analogon.ThermalFluid.PartialThermalFluid;
   Analogon.Interfaces.RealInput speed(unit="km/h") "Speed of the stream"
     annotation (Placement(transformation(origin={0,-100}, extent={{-20,-20},{20,20}}, rotation=90)));
-  parameter Real n(unit="1", min=-1, max=3) = 0 "Exponent of the temperature difference (0: off)"
+  parameter Real n(unit="1", min=0, max=3) = 0 "Exponent of the temperature difference (0: off)"
     annotation (Dialog(group="Effect"));
   parameter Real dT_ref(unit="K", min=1e-6) = 10 "Difference at which the conductance is that without the effect"
     annotation (Dialog(group="Effect"));
