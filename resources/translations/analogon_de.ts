@@ -4416,6 +4416,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Ausgang „{}“ von „{}“ zeigt {} von {} s bis {} s ohne jede Änderung und sonst kaum je zweimal dasselbe: Hing der Sensor oder die Aufzeichnung?</translation>
     </message>
     <message>
+        <source>output '{}' of '{}' reads {:.5g} from {:.4g} s to {:.4g} s without any change, and never goes beyond: does the range of the sensor or the logger end there?</source>
+        <translation>Ausgang „{}“ von „{}“ zeigt {} von {} s bis {} s ohne jede Änderung und geht nie darüber hinaus: Endet dort der Bereich des Sensors oder der Aufzeichnung?</translation>
+    </message>
+    <message>
         <source>what is left on output '{}' of '{}' is not quite noise, but far less than what was found explains: the forms of its blocks (a rounded change of sign, an exact square) may leave as much</source>
         <translation>Was an Ausgang „{}“ von „{}“ bleibt, ist nicht ganz Rauschen, aber viel weniger, als das Gefundene erklärt: So viel können die Formen seiner Blöcke lassen (ein gerundeter Vorzeichenwechsel, ein genaues Quadrat)</translation>
     </message>
