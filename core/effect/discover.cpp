@@ -265,6 +265,7 @@ Search::Conclusion Search::conclude(NullModel& null, const NullModel& base, bool
     if (!isNoise(null)) removeOutweighed(null, leastOfRest);
     const bool hadProposal = hasProposal(null);
     const double with = misfitIn(base, null), left = excess(null);
+    const std::vector<PlacedEffect> beside = null.variant.effects;
     std::vector<Text> sameByName;
     std::vector<Remainder> proposed = takeOutProposals(null, sameByName);
     if (hadProposal) {
@@ -275,6 +276,7 @@ Search::Conclusion Search::conclude(NullModel& null, const NullModel& base, bool
     unite(null);
     if (isNoise(null) || levelOf(null.fit) > largeResidual) completeClasses(null);
     treatAlike(null);
+    tellBesideNames(null, beside, proposed);
     const double misfit = proposed.empty() ? misfitIn(base, null) : with;
     return {std::move(proposed), std::move(sameByName), leavesMuch, misfit};
 }

@@ -9,6 +9,7 @@
 namespace analogon {
 
 constexpr double nearlyAsMuch = 0.6;  // of the fall in the sum of squares
+constexpr double goodPart = 0.3;      // of what is left above the noise
 constexpr double beyondDoubt = 1000;  // evidence of an effect that leaves noise: no disturbance looks like it
 
 /// Probability of so much in noise, with as many candidates tried (Sidak 1967).

@@ -59,6 +59,7 @@ private:
         std::optional<std::size_t> chosen;  // of the trials
         std::vector<std::size_t> members;   // of its class
         std::set<std::size_t> failsHeldOut;
+        std::vector<std::size_t> tooFaint;    // that fail no test but by the little evidence
         std::map<std::size_t, Text> refused;  // of the trials, why
         Text behind;                          // what the trials that no test refused came second to
         double leastScore{};                  // for a trial
@@ -110,6 +111,7 @@ private:
     std::vector<std::size_t> pairBeginnings(const NullModel& null, const Round& round, std::size_t most,
                                             const std::vector<Candidate>& taken) const;
     Round withPairMembers(const NullModel& null, Round round);
+    std::optional<Round> chosenTogether(const NullModel& null, Round& round);
     Path pathFrom(const NullModel& base, Round round, std::size_t begin);
     /// What a search has found of the recordings, drawn otherwise than they are given, and beside them.
     struct Drawn {
@@ -158,6 +160,8 @@ private:
     void crossOver(NullModel& null);
     std::optional<Trial> trialOf(const NullModel& rest, const std::string& fault, const EffectPlace& place);
     std::vector<Remainder> takeOutProposals(NullModel& null, std::vector<Text>& sameByName);
+    void tellBesideNames(const NullModel& null, const std::vector<PlacedEffect>& before,
+                         std::vector<Remainder>& proposed) const;
     void setAsideBehindProposal(NullModel& null);
     bool addLaw(NullModel& null);
     std::vector<Trial> tryLaws(NullModel& null);

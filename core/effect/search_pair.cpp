@@ -8,9 +8,10 @@
 namespace analogon {
 namespace {
 
-constexpr std::size_t mostScreened = 60;  // that are paired
-constexpr std::size_t mostMembers = 4;    // that are tried because of a pair
-constexpr double nearlyBest = 0.95;       // of what the best pair explains, for another to be looked at
+constexpr std::size_t mostScreened = 60;   // that are paired
+constexpr std::size_t mostMembers = 4;     // that are tried because of a pair
+constexpr std::size_t mostForGranted = 2;  // for another to be sought beside each
+constexpr double nearlyBest = 0.95;        // of what the best pair explains, for another to be looked at
 
 /// Two of a list that explain this much together.
 struct Pair {
@@ -131,10 +132,51 @@ Search::Round Search::withPairMembers(const NullModel& null, Round round) {
     round.chosen.reset();
     round.members.clear();
     round.failsHeldOut.clear();
+    round.tooFaint.clear();
     round.refused.clear();
     round.behind = phrase("explains less together with another than the pair with which the search began");
     rank(null, round.trials);
     return round;
+}
+
+/// Where one effect leaves another, what is left has a long memory: few of its samples are independent, and neither of
+/// the two may show by itself, however much it explains. With one of them for granted another is sought; both are
+/// chosen where they pass the tests together, and each is missed beside the other. The choice beside the round's own;
+/// nothing: there are no two.
+std::optional<Search::Round> Search::chosenTogether(const NullModel& null, Round& round) {
+    std::vector<std::size_t> begins;
+    for (const std::size_t i : round.tooFaint) {
+        const double fall = null.sumOfSquares() - round.trials[i].sumOfSquares();
+        if (begins.size() < mostForGranted && fall > goodPart * excess(null)) begins.push_back(i);
+    }
+    if (begins.empty() || isNoise(null) || isColouredNoise(null)) return std::nullopt;
+    for (const std::size_t begin : begins) {
+        const Trial& first = round.trials[begin];
+        Outcome<NullModel> one = fitNull(first.variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
+        if (!one) continue;
+        Round second = tryAll(*one);
+        if (progress_.stopRequested()) return std::nullopt;
+        decide(*one, second);
+        if (!second.chosen) continue;
+        const Trial& last = second.trials[*second.chosen];
+        Outcome<NullModel> both = fitNull(last.variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
+        if (!both) continue;
+        const Acceptance together = examine(null, both->fit, first.freed() + last.freed(), round.threshold);
+        if (!together.accepted() || isWithinForms(std::max(together.evidence, together.effective))) continue;
+        std::vector<PlacedEffect> others = both->variant.effects;
+        others.erase(others.end() - 2);
+        const std::optional<NullModel> without = refittedWith(*both, others);
+        if (!without) continue;
+        const Acceptance missed = examine(*without, both->fit, first.freed(), 0);
+        if (!missed.accepted()) continue;
+        round.chosen = begin;
+        round.members = equivalents(null, round.trials, begin);
+        round.acceptance = missed;
+        round.refused.erase(begin);
+        round.behind = phrase("explains less than {}", nameOf(round.candidate(begin)));
+        return second;
+    }
+    return std::nullopt;
 }
 
 /// The members of the pairs that explain most together, each pair by the one that explains more alone; at most `most`,

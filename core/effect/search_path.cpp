@@ -16,9 +16,9 @@ namespace {
 
 constexpr double mostWork = 3e7;  // in steps of the trials, beyond which no other beginning is tried
 constexpr std::size_t otherPaths = 2, otherPairs = 2;
+constexpr double mostErrorForPairs = 10;    // [%] of the fitted data
 constexpr double mostOfForms = 300;         // evidence
 constexpr double formError = 0.0015;        // of what effects explain, squared
-constexpr double leastUnproven = 0.3;       // of what is above the noise
 constexpr double structuredResidual = 1.1;  // in units of the noise: something is left to find
 constexpr double leastGain = 1;             // in evidence, for which an effect is exchanged: exact twins are not
 constexpr int mostSharpenings = 2;
@@ -80,21 +80,29 @@ void Search::goOn(Path& path, Round first) {
         if (round_ > 1) decide(path.null, round);
         beginsAnew_ = round_ > 1 && allowForRecordings(path.null, round);
         if (beginsAnew_) break;
-        if (round.chosen && isWithinForms(std::max(round.acceptance.evidence, round.acceptance.effective)))
+        std::optional<Round> other;
+        if (!round.chosen)
+            other = chosenTogether(path.null, round);
+        else if (isWithinForms(std::max(round.acceptance.evidence, round.acceptance.effective)))
             round.passOver(phrase("explains no more than the forms of the effects that were found may be wrong by"));
+        if (progress_.stopRequested()) break;
         noteAll(round);
         if (!round.chosen) break;
-        Step step = stepOf(round);
-        Variant wider = step.winner.variant;
-        steps_.push_back(std::move(step));
+        const std::size_t stood = steps_.size();
+        steps_.push_back(stepOf(round));
+        if (other) {
+            noteAll(*other);
+            steps_.push_back(stepOf(*other));
+        }
+        const Variant wider = steps_.back().winner.variant;
         // the noise shows better with every effect that is explained
         Outcome<NullModel> next = fitNull(wider, path.null.noise, NoiseLevel::Estimate, search_.fit, progress_);
         if (!next) next = fitNull(wider, path.null.noise, NoiseLevel::Keep, search_.fit, progress_);
         if (!next) {
             // the model without it stands
-            setVerdict(steps_.back().winner.screened.candidate, Verdict::NotSignificant,
-                       phrase("could not be fitted: {}", next.diagnostics().front().message));
-            steps_.pop_back();
+            for (; steps_.size() > stood; steps_.pop_back())
+                setVerdict(steps_.back().winner.screened.candidate, Verdict::NotSignificant,
+                           phrase("could not be fitted: {}", next.diagnostics().front().message));
             break;
         }
         path.null = std::move(*next);
@@ -364,7 +372,7 @@ void Search::addUnprovenPaths(Path& best, const NullModel& base, const Round& fi
         const bool isEnough = tried == otherPaths || (tried > 0 && work_ > mostWork);
         if (progress_.stopRequested() || isNoise(best.null) || isEnough) return;
         const double fall = base.sumOfSquares() - first.trials[begin].sumOfSquares();
-        if (!(fall > leastUnproven * excess(base))) continue;
+        if (!(fall > goodPart * excess(base))) continue;
         ++tried;
         Path path = pathFrom(base, first, begin);
         if (beginsAnew_) return;
@@ -376,7 +384,9 @@ void Search::addUnprovenPaths(Path& best, const NullModel& base, const Round& fi
 /// each other.
 void Search::addPairPaths(Path& best, const NullModel& base, const Round& first, const std::vector<Candidate>& taken) {
     constexpr std::size_t aPair = 2;
-    if (isExplainedBy(best, aPair) || !(levelOf(best.null.fit) < mostForPairs) || progress_.stopRequested()) return;
+    // far from an optimum no slopes tell of two effects
+    const bool isNear = levelOf(best.null.fit) < mostForPairs || bestError_ < mostErrorForPairs;
+    if (isExplainedBy(best, aPair) || !isNear || progress_.stopRequested()) return;
     const Round wider = work_ > mostWork ? first : withPairMembers(base, first);
     for (const std::size_t begin : pairBeginnings(base, wider, otherPairs, taken)) {
         if (progress_.stopRequested() || isExplainedBy(best, aPair) || work_ > mostWork) return;

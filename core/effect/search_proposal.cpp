@@ -32,6 +32,19 @@ std::vector<HeldInstead> equalToFirst(std::vector<HeldInstead> values) {
     return values;
 }
 
+/// The equation of a proposal with the values that it has in a model, and the errors of that.
+void tell(Remainder& r, const PlacedEffect& placed, const NullModel& model, const std::optional<ModelState>& state) {
+    std::vector<EffectValue> values = estimatesOf(placed, model.fit);
+    if (state)
+        if (const Outcome<FlatModel> valued = flattened(model.variant.task, state->modelText))
+            addOtherParameters(*valued, placed, values);
+    r.proposedEquation = withValues(equationOf(placed), values);
+    if (state) {
+        r.errorFitWith = errorPercentOf(*state, Role::Fit);
+        r.errorValidateWith = validationErrorOf(*state);
+    }
+}
+
 }  // namespace
 
 /// Fits the likeliest laws of what the model lacks; their classes join the libraries.
@@ -118,15 +131,7 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null, std::vector<Tex
         r.evidence = std::max({gain.evidence, gain.effective, 0.0});
         r.proposedClass = placed.effect.className;
         if (const auto law = laws_.find(placed.effect.className); law != laws_.end()) r.proposedBlock = law->second;
-        std::vector<EffectValue> values = estimatesOf(placed, null.fit);
-        if (with)
-            if (const Outcome<FlatModel> valued = flattened(null.variant.task, with->modelText))
-                addOtherParameters(*valued, placed, values);
-        r.proposedEquation = withValues(equationOf(placed), values);
-        if (with) {
-            r.errorFitWith = errorPercentOf(*with, Role::Fit);
-            r.errorValidateWith = validationErrorOf(*with);
-        }
+        tell(r, placed, null, with);
         std::optional<NullModel> rest = without(null, i);
         if (!rest) continue;
         const auto isMore = [&] {
@@ -153,6 +158,32 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null, std::vector<Tex
     }
     std::reverse(found.begin(), found.end());
     return found;
+}
+
+/// Proposals are told as they are beside the names that are left; `before`: all effects when they were taken out.
+void Search::tellBesideNames(const NullModel& null, const std::vector<PlacedEffect>& before,
+                             std::vector<Remainder>& proposed) const {
+    std::vector<PlacedEffect> effects = null.variant.effects;
+    const std::size_t names = effects.size();
+    std::set<std::string> now, then;
+    for (const PlacedEffect& e : effects) now.insert(keyOf(e.effect, e.place));
+    std::vector<Remainder*> told;
+    for (const PlacedEffect& e : before) {
+        if (e.effect.proposal.empty()) then.insert(keyOf(e.effect, e.place));
+        for (Remainder& r : proposed)
+            if (e.effect.className == r.proposedClass && e.place.at == r.node) {
+                effects.push_back(e);
+                told.push_back(&r);
+            }
+    }
+    if (now == then || told.empty() || progress_.stopRequested()) return;
+    const std::optional<NullModel> with = refittedWith(null, effects);
+    if (!with) return;
+    std::optional<ModelState> state;
+    if (Outcome<ModelState> found =
+            stateOf(with->variant, with->fit, search_.fit.simulation, progress_, Detail::Errors))
+        state = std::move(*found);
+    for (std::size_t i = 0; i < told.size(); ++i) tell(*told[i], with->variant.effects[names + i], *with, state);
 }
 
 /// What was chosen beside a proposal may only mend the proposal: it is taken out, to be looked at again without it.

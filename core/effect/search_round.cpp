@@ -404,6 +404,9 @@ void Search::decide(const NullModel& null, Round& round) const {
             round.chosen = i;
         else if (acceptance.isSignificant && !acceptance.holdsOut)
             round.failsHeldOut.insert(i);
+        else if (!acceptance.isSignificant && !acceptance.isAtEdges && acceptance.heldOut > leastHeldOut &&
+                 acceptance.isWorthwhile)
+            round.tooFaint.push_back(i);
     }
     if (round.chosen) {
         round.behind = phrase("explains less than {}", nameOf(round.candidate(*round.chosen)));

@@ -32,6 +32,7 @@ struct Shaft {
     bool isHeld{};      // the command, between its samples
     double spark{};     // [rad/s] by which every 150th sample of the tachometer is wrong
     double late{};      // [s] that the column of the command is stamped
+    int recorded{samples};
 };
 
 double signOf(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
@@ -143,7 +144,7 @@ end Rotor;
         std::ofstream csv = recording(std::string("t [s],tau [N.m],w [rad/s]") + (oil ? ",oil [degC]" : ""));
         const std::vector<double> speed = speedOf(shaft);
         double error = scatter(random);
-        for (int k = 0; k < samples; ++k) {
+        for (int k = 0; k < shaft.recorded; ++k) {
             csv << k * step << ',' << commandOf(shaft, std::max(0.0, k * step - shaft.late)) << ','
                 << speed[static_cast<std::size_t>(k)] + error + (k % 150 == 40 ? shaft.spark : 0);
             error = memory * error + std::sqrt(1 - memory * memory) * scatter(random);
@@ -230,6 +231,21 @@ TEST_F(Discovery, LooksForALawOnceBesideTheSameModel) {
         discovered({}, Progress({}, [&](const Progress::Report& r) { laws += r.stage == "propose"; }));
     EXPECT_TRUE(finding.effects.empty());
     EXPECT_LE(laws, 2);
+}
+
+// Neither is clear beside what the other and an unequal drag leave, and all three are far above the noise.
+TEST_F(Discovery, FindsTwoThatHideEachOtherBesideWhatHasNoName) {
+    Shaft shaft{0.2, [](double, double w, double) { return 0.25 * w + 0.15 * signOf(w) + 0.1 + 0.05 * std::abs(w); }};
+    shaft.recorded = 500;
+    const Finding finding = search(shaft, 0.0005);
+    EXPECT_EQ(finding.kind, FindingKind::Partial);
+    std::set<std::string> kinds;
+    for (const AddedEffect& e : finding.effects) kinds.insert(e.kind);
+    EXPECT_TRUE(kinds.contains("friction.coulomb"));
+    EXPECT_TRUE(kinds.contains("torque.constant") || kinds.contains("actuator.offset"));
+    ASSERT_FALSE(finding.remainders.empty());
+    EXPECT_EQ(finding.remainders.front().proposedClass, "Analogon.Effects.Proposals.UnequalDrag");
+    EXPECT_LT(finding.remainders.front().errorFitWith, 0.05);
 }
 
 TEST_F(Discovery, FindsAConstantTorqueInNoiseWithAMemory) {
