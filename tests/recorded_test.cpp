@@ -158,14 +158,15 @@ const AddedEffect* effectOf(const Finding& finding, std::initializer_list<const 
     return nullptr;
 }
 
+// Fitted to a sweep of frequencies; ramps and steps of the voltage are not.
 TEST(BrushedMotor, ShowsItsDryFriction) {
     if (!fs::exists(shared / "data" / "dcmotor_fra233")) GTEST_SKIP() << "no measurements beside the project";
     const Finding finding = discovered(root / "tests" / "studies" / "dcmotor");
     const AddedEffect* friction = effectOf(finding, {"friction.coulomb"});
     ASSERT_TRUE(friction);
     EXPECT_NEAR(friction->parameters.front().value, 0.0085, 0.0015);
-    EXPECT_GT(relativeError(finding.baseline, Role::Fit), 6);
-    EXPECT_LT(relativeError(finding.final, Role::Fit), 4.3);
+    EXPECT_GT(relativeError(finding.baseline, Role::Validate), 7);
+    EXPECT_LT(relativeError(finding.final, Role::Validate), 5.2);
     EXPECT_EQ(finding.kind, FindingKind::Partial) << "cogging and the driver's dead time are not all of it";
 }
 
