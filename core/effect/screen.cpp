@@ -11,6 +11,7 @@
 #include "core/effect/recorded_lead.hpp"
 #include "core/effect/shape_value.hpp"
 #include "core/fit/clock.hpp"
+#include "core/flat/parameter_change.hpp"
 
 namespace analogon {
 namespace {
@@ -467,6 +468,8 @@ Outcome<ModelNodes> nodesOf(const Variant& variant, Diagram& diagram) {
     StructureOptions options;
     for (const ParameterValue& v : variant.values)
         if (!isClock(v.name)) options.keep.push_back(v.name);
+    flat = withStarts(std::move(*flat), options.keep);
+    if (!flat) return flat.diagnostics();
     Outcome<Structure> structure = analyse(std::make_shared<FlatModel>(std::move(*flat)), options);
     if (!structure) return structure.diagnostics();
     Outcome<Diagram> read = readDiagram(variant.task.library, variant.task.className);

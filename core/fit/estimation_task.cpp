@@ -277,11 +277,13 @@ Outcome<PreparedTask> prepare(const EstimationTask& task, const std::vector<Eige
         flat = withChange(std::move(*flat), task.change->parameter, task.change->width);
     else if (task.change)
         flat = withDependence(std::move(*flat), task.change->parameter, task.change->input);
+    const std::vector<std::string> keep = namesToKeep(task, alsoKeep);
+    if (flat) flat = withStarts(std::move(*flat), keep);
     if (flat && task.imposed) flat = withImposed(std::move(*flat), task.imposed->variable, task.imposed->input);
     if (!flat) return flat.diagnostics();
     auto model = std::make_shared<const FlatModel>(std::move(*flat));
     StructureOptions options;
-    options.keep = namesToKeep(task, alsoKeep);
+    options.keep = keep;
     if (Diagnostics faults = checkNames(*model, options.keep); hasError(faults)) return faults;
     Outcome<Structure> structure = analyse(model, options);
     if (!structure) return structure.diagnostics();

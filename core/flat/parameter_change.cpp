@@ -81,6 +81,7 @@ Diagnostic noParameter(const FlatModel& model, const std::string& name) {
 
 }  // namespace
 
+std::string startOf(const std::string& variable) { return variable + ".start"; }
 std::string stepOf(const std::string& parameter) { return parameter + ".step"; }
 std::string momentOf(const std::string& parameter) { return parameter + ".moment"; }
 std::string slopeOf(const std::string& parameter) { return parameter + ".slope"; }
@@ -110,6 +111,33 @@ Outcome<FlatModel> withDependence(FlatModel model, const std::string& parameter,
     replaceEverywhere(model, changed,
                       pool.add(pool.variable(changed), pool.multiply(pool.variable(slope), pool.variable(moving))));
     return model;
+}
+
+VariableId startedBy(const FlatModel& model, const std::string& start) {
+    constexpr std::string_view attribute = ".start";
+    if (model.find(start).valid() || !start.ends_with(attribute)) return {};
+    const VariableId id = model.find(start.substr(0, start.size() - attribute.size()));
+    const bool isFree = id.valid() && model[id].variability == FlatVariability::Continuous &&
+                        model[id].type == FlatType::Real && model[id].causality != FlatCausality::Input;
+    return isFree ? id : VariableId{};
+}
+
+Outcome<FlatModel> withStart(FlatModel model, const std::string& start) {
+    const VariableId started = startedBy(model, start);
+    if (!started.valid()) return error(phrase("{} has no variable that begins at {}", model.name, start));
+    const VariableId parameter = addParameter(model, start, model.unitOf(model[started]));
+    FlatVariable& variable = model.variables[started.value];
+    if (variable.start.valid()) model.variables[parameter.value].binding = variable.start;
+    variable.start = model.pool->variable(parameter);
+    variable.isFixed = true;
+    return model;
+}
+
+Outcome<FlatModel> withStarts(FlatModel model, const std::vector<std::string>& names) {
+    Outcome<FlatModel> started = std::move(model);
+    for (const std::string& name : names)
+        if (started && startedBy(*started, name).valid()) started = withStart(std::move(*started), name);
+    return started;
 }
 
 Outcome<FlatModel> withImposed(FlatModel model, const std::string& variable, const std::string& input) {

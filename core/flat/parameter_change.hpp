@@ -20,6 +20,17 @@ Outcome<FlatModel> withDependence(FlatModel model, const std::string& parameter,
 /// top-level input, instead. Fault: no such equation, or a variable of the input's name.
 Outcome<FlatModel> withImposed(FlatModel model, const std::string& variable, const std::string& input);
 
+/// Lets a variable begin where a new parameter says, "rotor.w.start" for "rotor.w" (its own start value until it is
+/// set), as start and fixed of Modelica do. Fault: there is no such variable, or it is an input.
+Outcome<FlatModel> withStart(FlatModel model, const std::string& start);
+
+/// The same for all of these names that stand for such a start value.
+Outcome<FlatModel> withStarts(FlatModel model, const std::vector<std::string>& names);
+
+/// The variable whose start value that name stands for, "rotor.w.start" for "rotor.w"; invalid: it stands for none.
+VariableId startedBy(const FlatModel& model, const std::string& start);
+
+std::string startOf(const std::string& variable);
 std::string slopeOf(const std::string& parameter);
 std::string stepOf(const std::string& parameter);
 std::string momentOf(const std::string& parameter);

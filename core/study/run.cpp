@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "core/fit/clock.hpp"
+#include "core/flat/parameter_change.hpp"
 #include "core/report/report.hpp"
 #include "core/study/confidence.hpp"
 
@@ -34,8 +35,14 @@ Study completedStudy(const Study& study, const Finding& finding) {
     for (const FitEstimate& e : finding.final.parameters) {
         if (e.experiment < 0 || e.experiment >= static_cast<int>(fitted.size())) continue;
         std::map<std::string, StudyStart>& initial = fitted[static_cast<std::size_t>(e.experiment)]->initial;
-        const auto told = initial.find(e.name);
-        if (told == initial.end() || !std::holds_alternative<FittedStart>(told->second)) initial[e.name] = e.value;
+        // of a variable ("rotor.w") it is its start value ("rotor.w.start")
+        const auto told = std::find_if(initial.begin(), initial.end(), [&](const auto& start) {
+            return start.first == e.name || startOf(start.first) == e.name;
+        });
+        if (told == initial.end())
+            initial[e.name] = e.value;
+        else if (!std::holds_alternative<FittedStart>(told->second))
+            told->second = e.value;
     }
     for (const AddedEffect& e : finding.effects)
         if (!e.newInput.empty())

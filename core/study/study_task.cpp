@@ -7,6 +7,7 @@
 #include "core/base/unit.hpp"
 #include "core/fit/clock.hpp"
 #include "core/flat/flat_model.hpp"
+#include "core/flat/parameter_change.hpp"
 #include "core/study/json_places.hpp"
 #include "core/study/measured.hpp"
 #include "core/study/study.hpp"
@@ -392,15 +393,25 @@ private:
             if (!experiment.initial.contains(name)) recording.starts.push_back({name, value, false});
         for (const auto& [name, start] : experiment.initial) {
             const std::string place = pointer + "/initial/" + JsonPlaces::escape(name);
-            const FlatVariable* variable = settable(name, place);
+            const VariableId started = startedVariable(name);
+            const std::string parameter = started.valid() ? startOf(model_[started].name) : name;
+            const FlatVariable* variable = started.valid() ? &model_[started] : settable(name, place);
             if (!variable) continue;
-            if (const double* number = std::get_if<double>(&start)) {
-                recording.starts.push_back({name, *number, false});
+            if (started.valid() && isDecidedAtStart(started)) {
+                fault(place, phrase("where '{}' begins is decided by an initial equation of the model", name),
+                      phrase("Set the parameter that stands in that equation."));
+            } else if (const double* number = std::get_if<double>(&start)) {
+                recording.starts.push_back({parameter, *number, false});
             } else if (const ColumnStart* column = std::get_if<ColumnStart>(&start)) {
                 if (!hasColumn(table, column->column, experiment, place)) continue;
                 const ChannelMapping mapping = mappingOf(column->column, experiment);
-                const Outcome<std::vector<double>> first = readChannel(table.slice(0, 1), mapping, variable->unit);
-                if (keep(first)) recording.starts.push_back({name, first->front(), false, column->column});
+                const Outcome<std::vector<double>> first =
+                    readChannel(table.slice(0, 1), mapping, model_.unitOf(*variable));
+                if (keep(first)) recording.starts.push_back({parameter, first->front(), false, column->column});
+            } else if (started.valid()) {
+                const auto own = withStart(model_, parameter);
+                recording.starts.push_back(
+                    {parameter, own ? own->parameterValue(own->find(parameter)).value_or(0) : 0, true});
             } else {
                 const auto own = model_.parameterValue(model_.find(name));
                 const auto given = study_.parameters.find(name);
@@ -413,6 +424,21 @@ private:
                 }
             }
         }
+    }
+
+    /// The variable of the model that is named, or of which the start value is ("rotor.w", "rotor.w.start").
+    VariableId startedVariable(const std::string& name) const {
+        const VariableId own = startedBy(model_, startOf(name));
+        return own.valid() ? own : startedBy(model_, name);
+    }
+    bool isDecidedAtStart(VariableId variable) const {
+        std::vector<ExpressionId> sides;
+        for (const FlatEquation& e : model_.initialEquations) sides.insert(sides.end(), {e.left, e.right});
+        const auto leaves = model_.pool->leaves(sides);
+        return std::any_of(leaves.begin(), leaves.end(), [&](ExpressionId leaf) {
+            const ExpressionNode& node = (*model_.pool)[leaf];
+            return node.operation == Operation::Variable && node.variable == variable;
+        });
     }
 
     /// How a column is read elsewhere in the experiment (its unit may be told there alone); else as it is.

@@ -5380,6 +5380,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Das Modell verlangt „{}“.</translation>
     </message>
     <message>
+        <source>where '{}' begins is decided by an initial equation of the model</source>
+        <translation>wo „{}“ beginnt, entscheidet eine Anfangsgleichung des Modells</translation>
+    </message>
+    <message>
+        <source>Set the parameter that stands in that equation.</source>
+        <translation>Den Parameter setzen, der in dieser Gleichung steht.</translation>
+    </message>
+    <message>
         <source>'{}' has no value to start from</source>
         <translation>„{}“ hat keinen Wert, von dem aus zu beginnen wäre</translation>
     </message>
@@ -8294,6 +8302,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>'{}' needs Boolean values, not {} and {}</source>
         <translation>„{}“ braucht Boolean-Werte, nicht {} und {}</translation>
+    </message>
+    <message>
+        <source>{} has no variable that begins at {}</source>
+        <translation>{} hat keine Größe, die bei {} beginnt</translation>
     </message>
     <message>
         <source>{} has no parameter {} that could change</source>

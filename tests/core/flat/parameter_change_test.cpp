@@ -66,6 +66,22 @@ TEST(ParameterChange, LetsASignalSetAVariableInsteadOfItsEquation) {
     EXPECT_FALSE(withImposed(flat, "x", "y")) << "a variable of the input's name";
 }
 
+TEST(ParameterChange, LetsAVariableBeginWhereAParameterSays) {
+    const FlatModel flat = flatOf(
+        "model M parameter Real p = 2; input Real u; Real x(start=3, unit=\"V\"); Real y; equation der(x) = u; "
+        "der(y) = x; end M;");
+    const Outcome<FlatModel> started = withStarts(flat, {"p", "x.start", "y.start"});
+    ASSERT_TRUE(started) << format(started.diagnostics());
+    const auto valueOf = [&](const char* name) { return started->parameterValue(started->find(name)).value_or(-1); };
+    EXPECT_EQ(valueOf("x.start"), 3);
+    EXPECT_EQ(valueOf("y.start"), 0);
+    EXPECT_EQ((*started)[started->find("x.start")].unit, "V");
+    const FlatVariable& x = (*started)[started->find("x")];
+    EXPECT_TRUE(x.isFixed);
+    EXPECT_EQ(x.start, started->pool->variable(started->find("x.start")));
+    for (const char* name : {"u.start", "p.start", "z.start", "x"}) EXPECT_FALSE(withStart(flat, name)) << name;
+}
+
 TEST(ParameterChange, RefusesWhatIsNoParameter) {
     const FlatModel flat = flatOf("model M Real x; equation x = time; end M;");
     EXPECT_FALSE(withDependence(flat, "x", "flow"));

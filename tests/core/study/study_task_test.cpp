@@ -105,6 +105,36 @@ TEST_F(StudyTask, ReadsStartValuesOfAnExperiment) {
     EXPECT_EQ(starts[0].column, "") << "it was told";
 }
 
+TEST_F(StudyTask, ReadsWhereAVariableBegins) {
+    putHeater();
+    const std::string outputs = "\"outputs\": {\"i\": \"current\"}";
+    change(outputs, outputs + ", \"initial\": {\"T\": \"T_air\"}");
+    const Recording told = task().recordings.at(0);
+    ASSERT_EQ(told.starts.size(), 1u);
+    EXPECT_EQ(told.starts[0].parameter, "T.start");
+    EXPECT_NEAR(told.starts[0].value, 293.15, 1e-9);
+    change("\"T\": \"T_air\"", "\"T.start\": \"fit\"");
+    const EstimationTask fitted = task();
+    EXPECT_EQ(fitted.recordings.at(0).starts.at(0).parameter, "T.start");
+    EXPECT_TRUE(fitted.recordings[0].starts[0].isFitted);
+    EXPECT_NEAR(fitted.recordings[0].starts[0].value, 293.15, 1e-9) << "the model's own";
+    const Outcome<PreparedTask> prepared = prepare(fitted);
+    ASSERT_TRUE(prepared) << format(prepared.diagnostics());
+    EXPECT_GE(prepared->system->parameterIndex("T.start"), 0);
+}
+
+TEST_F(StudyTask, RefusesAStartThatAnInitialEquationDecides) {
+    putHeater();
+    put("model.mo",
+        "model Heater input Real u; input Real T_amb; output Real i; parameter Real R = 3; parameter Real C "
+        "= 1; Real T; equation i = u/R; C*der(T) = T_amb - T; initial equation T = 280; end Heater;");
+    const std::string outputs = "\"outputs\": {\"i\": \"current\"}";
+    change(outputs, outputs + ", \"initial\": {\"T\": 290}");
+    const Outcome<EstimationTask> refused = estimationTask(read());
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(format(refused.diagnostics()), HasSubstr("where 'T' begins is decided by an initial equation"));
+}
+
 TEST_F(StudyTask, TakesPriors) {
     putHeater();
     change("\"max\": 20.0", "\"max\": 20.0, \"prior\": {\"mean\": 3.2, \"std\": 0.1}");
