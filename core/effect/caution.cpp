@@ -229,14 +229,13 @@ std::vector<Text> stuckReadings(const EstimationTask& task) {
         if (r.role != Role::Fit) continue;
         for (Eigen::Index o = 0; o < r.outputs.rows(); ++o) {
             const Eigen::VectorXd y = r.outputs.row(o).transpose();
-            const double highest = y.maxCoeff<Eigen::PropagateNumbers>(),
-                         lowest = y.minCoeff<Eigen::PropagateNumbers>();
+            const Range range = rangeOf(y);
             for (const auto& [begin, end] : runsAlike(y)) {
                 const std::string& name = r.outputNames[static_cast<std::size_t>(o)];
                 const double value = y[begin], from = r.time[static_cast<std::size_t>(begin)],
                              to = r.time[static_cast<std::size_t>(end - 1)];
                 said.push_back(
-                    value < highest && value > lowest
+                    value < range.high && value > range.low
                         ? phrase("output '{}' of '{}' reads {:.5g} from {:.4g} s to {:.4g} s without any change, and "
                                  "hardly ever twice the same elsewhere: did the sensor or the logger stick?",
                                  name, r.name, value, from, to)

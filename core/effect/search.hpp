@@ -85,7 +85,7 @@ private:
     };
     /// Where a path has been.
     struct Stay {
-        std::set<std::string> effects;  // by keyOf()
+        std::set<std::string> effects;  // by keysOf()
         double misfit{};                // by one measure or another, see the members
         int path{};
 

@@ -163,11 +163,9 @@ std::optional<Search::Round> Search::chosenTogether(const NullModel& null, Round
         if (!both) continue;
         const Acceptance together = examine(null, both->fit, first.freed() + last.freed(), round.threshold);
         if (!together.accepted() || isWithinForms(std::max(together.evidence, together.effective))) continue;
-        std::vector<PlacedEffect> others = both->variant.effects;
-        others.erase(others.end() - 2);
-        const std::optional<NullModel> without = refittedWith(*both, others);
-        if (!without) continue;
-        const Acceptance missed = examine(*without, both->fit, first.freed(), 0);
+        const std::optional<NullModel> rest = without(*both, null.variant.effects.size());
+        if (!rest) continue;
+        const Acceptance missed = examine(*rest, both->fit, first.freed(), 0);
         if (!missed.accepted()) continue;
         round.chosen = begin;
         round.members = equivalents(null, round.trials, begin);

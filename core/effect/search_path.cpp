@@ -136,12 +136,7 @@ bool Search::Stay::isLike(const Stay& other) const {
 }
 
 Search::Stay Search::stayAt(const NullModel& null, double misfit) const {
-    Stay here{{}, misfit, paths_};
-    for (const PlacedEffect& e : null.variant.effects) {
-        here.effects.insert(keyOf(e.effect, e.place));
-        for (const EffectPlace& twin : e.twins) here.effects.insert(keyOf(e.effect, twin));
-    }
-    return here;
+    return {keysOf(null.variant.effects), misfit, paths_};
 }
 
 /// Whether so much evidence is no more than the forms of the effects may be wrong by: a change of sign is rounded off,

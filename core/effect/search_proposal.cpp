@@ -163,20 +163,18 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null, std::vector<Tex
 /// Proposals are told as they are beside the names that are left; `before`: all effects when they were taken out.
 void Search::tellBesideNames(const NullModel& null, const std::vector<PlacedEffect>& before,
                              std::vector<Remainder>& proposed) const {
-    std::vector<PlacedEffect> effects = null.variant.effects;
+    std::vector<PlacedEffect> effects = null.variant.effects, then;
     const std::size_t names = effects.size();
-    std::set<std::string> now, then;
-    for (const PlacedEffect& e : effects) now.insert(keyOf(e.effect, e.place));
     std::vector<Remainder*> told;
     for (const PlacedEffect& e : before) {
-        if (e.effect.proposal.empty()) then.insert(keyOf(e.effect, e.place));
+        if (e.effect.proposal.empty()) then.push_back(e);
         for (Remainder& r : proposed)
             if (e.effect.className == r.proposedClass && e.place.at == r.node) {
                 effects.push_back(e);
                 told.push_back(&r);
             }
     }
-    if (now == then || told.empty() || progress_.stopRequested()) return;
+    if (told.empty() || keysOf(then) == keysOf(null.variant.effects) || progress_.stopRequested()) return;
     const std::optional<NullModel> with = refittedWith(null, effects);
     if (!with) return;
     std::optional<ModelState> state;

@@ -70,6 +70,15 @@ bool drawSharper(PlacedEffect& placed) {
     return changes;
 }
 
+std::set<std::string> keysOf(const std::vector<PlacedEffect>& effects) {
+    std::set<std::string> keys;
+    for (const PlacedEffect& e : effects) {
+        keys.insert(keyOf(e.effect, e.place));
+        for (const EffectPlace& twin : e.twins) keys.insert(keyOf(e.effect, twin));
+    }
+    return keys;
+}
+
 bool stands(const Variant& variant, std::string_view kind, std::string_view at) {
     return std::any_of(variant.effects.begin(), variant.effects.end(),
                        [&](const PlacedEffect& e) { return e.effect.kind == kind && e.place.at == at; });

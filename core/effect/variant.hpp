@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,9 @@ struct Variant {
 
 /// Draws what the effect rounds off for the sake of the integration sharper by one step; false: it rounds nothing off.
 bool drawSharper(PlacedEffect& placed);
+
+/// keyOf() of each, wherever it stands.
+std::set<std::string> keysOf(const std::vector<PlacedEffect>& effects);
 
 /// Whether an effect of that kind, of whatever class, stands at that place.
 bool stands(const Variant& variant, std::string_view kind, std::string_view at);

@@ -408,22 +408,21 @@ private:
                 const Outcome<std::vector<double>> first =
                     readChannel(table.slice(0, 1), mapping, model_.unitOf(*variable));
                 if (keep(first)) recording.starts.push_back({parameter, first->front(), false, column->column});
-            } else if (started.valid()) {
-                const auto own = withStart(model_, parameter);
-                recording.starts.push_back(
-                    {parameter, own ? own->parameterValue(own->find(parameter)).value_or(0) : 0, true});
+            } else if (const std::optional<double> value = beginOf(parameter, started.valid())) {
+                recording.starts.push_back({parameter, *value, true});
             } else {
-                const auto own = model_.parameterValue(model_.find(name));
-                const auto given = study_.parameters.find(name);
-                const bool isGiven = given != study_.parameters.end() && given->second.value;
-                const auto value = isGiven ? given->second.value : own;
-                if (value) {
-                    recording.starts.push_back({name, *value, true});
-                } else {
-                    fault(place, phrase("'{}' has no value to start from", name), phrase("Give one in the model."));
-                }
+                fault(place, phrase("'{}' has no value to start from", name), phrase("Give one in the model."));
             }
         }
+    }
+
+    /// Where the fit of a start value begins: as the study has it, or the model.
+    std::optional<double> beginOf(const std::string& parameter, bool isOfVariable) const {
+        const auto given = study_.parameters.find(parameter);
+        if (given != study_.parameters.end() && given->second.value) return given->second.value;
+        if (!isOfVariable) return model_.parameterValue(model_.find(parameter));
+        const Outcome<FlatModel> started = withStart(model_, parameter);
+        return started ? started->parameterValue(started->find(parameter)) : std::nullopt;
     }
 
     /// The variable of the model that is named, or of which the start value is ("rotor.w", "rotor.w.start").
