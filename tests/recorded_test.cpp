@@ -242,7 +242,12 @@ TEST_F(PositioningDrive, ShowsDryFrictionAndAConstantForce) { expectFrictionAndF
 
 // Of so short a record neither is clear by itself: the drag that differs leaves too much of it.
 TEST_F(PositioningDrive, ShowsDryFrictionAndAConstantForceInAPartOfTheRecord) {
-    expectFrictionAndForce(search(10, [](Study& study) { study.experiments.front().range = {3, 20}; }));
+    const Finding finding = search(10, [](Study& study) { study.experiments.front().range = {3, 20}; });
+    expectFrictionAndForce(finding);
+    const auto start = std::find_if(finding.final.parameters.begin(), finding.final.parameters.end(),
+                                    [](const FitEstimate& e) { return e.name == "carriage.w.start"; });
+    ASSERT_NE(start, finding.final.parameters.end()) << "the carriage moves where the part begins";
+    EXPECT_NEAR(start->value, 0.037, 0.004);
 }
 
 TEST_F(PositioningDrive, ShowsThemWhereTheViscousFrictionIsNotInTheModelEither) {

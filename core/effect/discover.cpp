@@ -390,7 +390,13 @@ Outcome<Finding> Search::run() {
     NullModel base = *null;
     search_.fit.simulation.relativeTolerance =
         std::clamp(integrationShare * quietest(base), options_.fit.simulation.relativeTolerance, coarsestTolerance);
-    if (const auto mistake = mistakenUnit(base, {base_.task, {}, {}}, search_.fit, progress_)) {
+    const auto mistake = mistakenUnit(base, {base_.task, {}, {}}, search_.fit, progress_);
+    // numbers in another unit may only make up for a record that begins elsewhere than the model
+    const auto isOfBeginning = [&] {
+        const std::optional<Begun> begun = findBeginning(base, Against::Noise, 0);
+        return begun && begun->sumOfSquares < mistake->read.sumOfSquares();
+    };
+    if (mistake && !isOfBeginning()) {
         finding = besideMistake(std::move(finding), *null, *mistake);
         finding.seconds = secondsSince(begin);
         return finding;

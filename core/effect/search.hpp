@@ -127,23 +127,25 @@ private:
         std::optional<Dependence> dependence{};
     };
     Outcome<Path> bestPath(NullModel& base);
+    Outcome<Path> bestPathOfDrawn(NullModel& base);
     Outcome<Path> bestPathBesideRecordings(NullModel& base);
     Outcome<Done> beginAnew(NullModel& base);
     void exchange(Drawn& drawn);
     bool isOddlyDrawn(const Path& path) const;
-    bool isSimplerThanDrawn(const Path& plain, const Path& path, const Drawn& drawn) const;
+    bool isSimpler(const Path& plain, const Path& than, std::size_t told) const;
     Outcome<Path> bestPathFrom(NullModel& base);
     Round firstRound(NullModel& base);
     bool isColouredNoise(const NullModel& null) const;
     bool isExplainedBy(const Path& path, std::size_t most) const;
     bool isBetter(const Path& path, const Path& than) const;
     Stay stayAt(const NullModel& null, double misfit) const;
-    void keepBetter(Path& best, Path path);
+    bool isOnlyOfForm(const NullModel& base, const Path& path, const Path& named) const;
+    void keepBetter(Path& best, Path path, const NullModel& base);
     Path bareOf(const NullModel& base, Round first, const Text& why);
     void addPairPaths(Path& best, const NullModel& base, const Round& first, const std::vector<Candidate>& taken);
     bool isWithinForms(double evidence) const;
     void addUnprovenPaths(Path& best, const NullModel& base, const Round& first);
-    bool addLawPath(Path& best, Path begin);
+    bool addLawPath(Path& best, const NullModel& base, Path begin);
     std::optional<Path> withLaw(Path begin);
     std::size_t termsIn(const NullModel& null) const;
     void exchange(Path& path);
@@ -172,6 +174,7 @@ private:
                  const EffectPlace* elsewhere = nullptr);
     bool doesForBoth(NullModel& null, std::size_t effect, std::size_t part);
     void unite(NullModel& null);
+    bool simplerFirst(const NullModel& null, double evidence, int freed, std::vector<Trial>& trials) const;
     void likelierFirst(const NullModel& null, const EffectClass& old, std::vector<Trial>& trials) const;
     void completeClasses(NullModel& null);
     void seekChange(const NullModel& base);
@@ -208,8 +211,19 @@ private:
     bool canPlaceEdges(const NullModel& null) const;
     bool takesEdgesForDelays(const NullModel& null);
     bool refitPlaced(NullModel& null, Variant placed, std::vector<InputEdge> edges);
-    Outcome<NullModel> fittedWith(const NullModel& null, const ToldStart& start, bool isFitted) const;
-    bool refitWith(NullModel& null, const ToldStart& start);
+    Outcome<NullModel> fittedWith(const NullModel& null, const std::vector<ToldStart>& starts, bool isFitted) const;
+    void setStarts(const std::vector<ToldStart>& starts, bool areFitted);
+    void freeStarts(const std::vector<ToldStart>& starts);
+    bool refitWith(NullModel& null, const std::vector<ToldStart>& starts, std::vector<ParameterValue> values);
+    bool isNeeded(const ToldStart& start, const NullModel& null, const NullModel& held) const;
+    /// Start values of records that begin elsewhere than the model, and what they explain.
+    struct Begun {
+        std::vector<ToldStart> starts;
+        Acceptance gain;
+        std::vector<ParameterValue> values;  // of all that is fitted
+        double sumOfSquares{};               // that is left
+    };
+    std::optional<Begun> findBeginning(const NullModel& null, Against against, double threshold) const;
     void holdUnneededStarts(NullModel& null);
     void reportAsRecorded(const NullModel& null, ModelState& state);
     std::vector<Text> recordingRemarks(const NullModel& null) const;

@@ -161,9 +161,30 @@ std::vector<std::size_t> Search::otherBeginnings(const NullModel& null, const Ro
     return others;
 }
 
-/// What the best path ends with. A clock that is set or a jump that is placed before the effects are known may lead to
-/// wrong ones: where such an end is odd, it is held against that of a search with the recordings as they are given.
+/// What the best path ends with. A record that was cut out of a longer one begins where the model does not: what is
+/// made up for that is held against the same beside states that are fitted there.
 Outcome<Search::Path> Search::bestPath(NullModel& base) {
+    Outcome<Path> path = bestPathOfDrawn(base);
+    if (!path || progress_.stopRequested() || isExplainedBy(*path, 1)) return path;
+    const std::optional<Begun> beginning = findBeginning(base, Against::Noise, 0);
+    if (!beginning) return path;
+    Drawn before{base,   base_.task, full_.task,  freedStarts_,          noisyInputs_, clocks_,
+                 edges_, stamped_,   asRecorded_, std::move(otherEnds_), change_,      dependence_};
+    freeStarts(beginning->starts);
+    base.variant.values = beginning->values;
+    std::optional<Path> begun;
+    if (beginAnew(base))
+        if (Outcome<Path> found = bestPathOfDrawn(base)) begun = std::move(*found);
+    if (begun && !progress_.stopRequested() && isSimpler(*begun, *path, 0)) return std::move(*begun);
+    base = before.base;
+    exchange(before);
+    return path;
+}
+
+/// The same of what is made up for the recordings. A clock that is set or a jump that is placed before the effects are
+/// known may lead to wrong ones: where such an end is odd, it is held against that of a search with the recordings as
+/// they are given.
+Outcome<Search::Path> Search::bestPathOfDrawn(NullModel& base) {
     Outcome<Path> path = bestPathBesideRecordings(base);
     if (!path || progress_.stopRequested() || !isOddlyDrawn(*path)) return path;
     Drawn drawn{base, base_.task, full_.task, freedStarts_, noisyInputs_};
@@ -177,7 +198,9 @@ Outcome<Search::Path> Search::bestPath(NullModel& base) {
     if (isBack)
         if (Outcome<Path> found = bestPathBesideRecordings(base)) plain = std::move(*found);
     takesAsGiven_ = false;
-    if (plain && !progress_.stopRequested() && isSimplerThanDrawn(*plain, *path, drawn)) return std::move(*plain);
+    const std::size_t jumps = drawn.edges.empty() || !areHeld(drawn.edges) ? drawn.edges.size() : 1;
+    if (plain && !progress_.stopRequested() && isSimpler(*plain, *path, drawn.clocks.size() + jumps))
+        return std::move(*plain);
     base = std::move(drawn.base);
     exchange(drawn);
     return path;
@@ -195,15 +218,13 @@ bool Search::isOddlyDrawn(const Path& path) const {
     return !isNoise(path.null) || std::any_of(effects.begin(), effects.end(), isOfTime);
 }
 
-/// Whether an account of the recordings as they are given is the better one, or as good with less.
-bool Search::isSimplerThanDrawn(const Path& plain, const Path& path, const Drawn& drawn) const {
-    const std::size_t jumps = drawn.edges.empty() || !areHeld(drawn.edges) ? drawn.edges.size() : 1;
-    const std::size_t told = drawn.clocks.size() + jumps;
+/// Whether an account is better than another that tells so much of the recordings, or as good with less.
+bool Search::isSimpler(const Path& plain, const Path& than, std::size_t told) const {
     const double rows = static_cast<double>(plain.null.fit.optimum.residuals.size());
     const double gain =
-        sumInUnitsOf(plain.null, path.null) - plain.null.sumOfSquares() +
-        (path.null.parameterCount() + static_cast<double>(told) - plain.null.parameterCount()) * std::log(rows);
-    const bool isShorter = !hasProposal(plain.null) && termsIn(plain.null) < termsIn(path.null) + told;
+        sumInUnitsOf(plain.null, than.null) - plain.null.sumOfSquares() +
+        (than.null.parameterCount() + static_cast<double>(told) - plain.null.parameterCount()) * std::log(rows);
+    const bool isShorter = !hasProposal(plain.null) && termsIn(plain.null) < termsIn(than.null) + told;
     return independentShare(plain.null, plain.null.fit) * gain > (isShorter ? -equivalenceMargin : equivalenceMargin);
 }
 
@@ -297,10 +318,19 @@ bool Search::isBetter(const Path& path, const Path& than) const {
     return gain > (isNamed ? -equivalenceMargin : equivalenceMargin);
 }
 
+/// Whether a path with an equation is no simpler than one of names, and explains no more than these forms may be wrong
+/// by.
+bool Search::isOnlyOfForm(const NullModel& base, const Path& path, const Path& named) const {
+    if (!hasProposal(path.null) || hasProposal(named.null) || termsIn(path.null) < termsIn(named.null)) return false;
+    const double explained = sumInUnitsOf(named.null, base) - named.null.sumOfSquares();
+    const double more = named.null.sumOfSquares() - sumInUnitsOf(named.null, path.null);
+    return more < std::min(formError * explained, mostOfForms);
+}
+
 /// Keeps the better of two paths, and the other among the ends; one that leads where another went adds nothing.
-void Search::keepBetter(Path& best, Path path) {
+void Search::keepBetter(Path& best, Path path, const NullModel& base) {
     if (path.meetsAnother) return;
-    if (isBetter(path, best)) std::swap(best, path);
+    if (isBetter(path, best) && !isOnlyOfForm(base, path, best)) std::swap(best, path);
     otherEnds_.push_back(std::move(path));
 }
 
@@ -326,7 +356,7 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
     addUnprovenPaths(best, base, first);
     if (beginsAnew_) return best;
     const bool isLawful =
-        addLawPath(best, bareOf(base, first, phrase("an equation without a name explains more in its place")));
+        addLawPath(best, base, bareOf(base, first, phrase("an equation without a name explains more in its place")));
     if (beginsAnew_ || (isLawful && termsIn(best.null) < 2)) return best;
     const auto placeOf = [&](std::size_t trial) { return first.trials[trial].screened.candidate.place; };
     for (const std::size_t other : others) {
@@ -337,14 +367,14 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
         if (isNoise(best.null) && !(placeOf(other) == placeOf(*first.chosen))) continue;
         Path path = pathFrom(base, first, other);
         if (beginsAnew_) return best;
-        keepBetter(best, std::move(path));
+        keepBetter(best, std::move(path), base);
     }
     std::vector<Candidate> taken;
     if (first.chosen) taken.push_back(first.trials[*first.chosen].screened.candidate);
     for (const std::size_t other : others) taken.push_back(first.trials[other].screened.candidate);
     addPairPaths(best, base, first, taken);
     if (beginsAnew_ || progress_.stopRequested() || isNoise(best.null) || work_ > mostWork || !opening_) return best;
-    addLawPath(best, std::move(*opening_));
+    addLawPath(best, base, std::move(*opening_));
     return best;
 }
 
@@ -371,7 +401,7 @@ void Search::addUnprovenPaths(Path& best, const NullModel& base, const Round& fi
         ++tried;
         Path path = pathFrom(base, first, begin);
         if (beginsAnew_) return;
-        if (isNoise(path.null) && !hasProposal(path.null)) keepBetter(best, std::move(path));
+        if (isNoise(path.null) && !hasProposal(path.null)) keepBetter(best, std::move(path), base);
     }
 }
 
@@ -387,17 +417,17 @@ void Search::addPairPaths(Path& best, const NullModel& base, const Round& first,
         if (progress_.stopRequested() || isExplainedBy(best, aPair) || work_ > mostWork) return;
         Path path = pathFrom(base, wider, begin);
         if (beginsAnew_) return;
-        if (path.steps.size() > 1) keepBetter(best, std::move(path));  // else it has passed no test alone
+        if (path.steps.size() > 1) keepBetter(best, std::move(path), base);  // else it has passed no test alone
     }
 }
 
 /// Goes on from a path with a law; true where that is the better end. As many terms as there are names are no simpler,
 /// and were chosen from far more.
-bool Search::addLawPath(Path& best, Path begin) {
+bool Search::addLawPath(Path& best, const NullModel& base, Path begin) {
     if (!isNoise(best.null) && levelOf(best.null.fit) < structuredResidual) return false;
     std::optional<Path> path = withLaw(std::move(begin));
     if (beginsAnew_ || !path) return false;
-    if (!isBetter(*path, best)) {
+    if (!isBetter(*path, best) || isOnlyOfForm(base, *path, best)) {
         otherEnds_.push_back(std::move(*path));
         return false;
     }
@@ -478,6 +508,24 @@ void Search::likelierFirst(const NullModel& null, const EffectClass& old, std::v
     if (first != trials.end()) std::rotate(trials.begin(), first, first + 1);
 }
 
+/// What explains no less than an effect that stands for so much evidence, as far as the data tell, with fewer
+/// parameters comes first, unless something else is clearly better. True: one does.
+bool Search::simplerFirst(const NullModel& null, double evidence, int freed, std::vector<Trial>& trials) const {
+    const Trial& best = trials.front();
+    const double weight = independentShare(null, best.fit);
+    if (weight * (best.evidence - evidence) > equivalenceMargin) return false;
+    auto simplest = trials.end();
+    for (auto t = trials.begin(); t != trials.end(); ++t) {
+        if (!t->ok || isProposal(*t) || isAtBound(*t) || fightsAnother(null, t->fit)) continue;
+        const bool isEqual =
+            t->evidence > leastLike * evidence && weight * (evidence - t->evidence) < equivalenceMargin;
+        if (isEqual && t->freed() < (simplest == trials.end() ? freed : simplest->freed())) simplest = t;
+    }
+    if (simplest == trials.end()) return false;
+    std::rotate(trials.begin(), simplest, simplest + 1);
+    return true;
+}
+
 /// Tries the rivals of one effect again, now that others have joined it: what came second alone may be the better
 /// half of a pair. True when one of them took its place (at the end of the list).
 bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted, const EffectPlace* elsewhere) {
@@ -536,9 +584,11 @@ bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted, const E
     rank(*rest, trials);
     retryNear(*rest, null.variant.values, null.sumOfSquares(), trials);
     if (trials.empty() || !trials.front().ok || progress_.stopRequested()) return false;
-    likelierFirst(null, old.effect, trials);
+    const auto gainOf = [&](const Trial& t) { return gainOver(null, t.sumOfSquares(), t.freed() - oldFreed); };
+    const bool isSimplerEqual = simplerFirst(null, trials.front().evidence - gainOf(trials.front()), oldFreed, trials);
+    if (!isSimplerEqual) likelierFirst(null, old.effect, trials);
     Trial& best = trials.front();
-    const double gain = gainOver(null, best.sumOfSquares(), best.freed() - oldFreed);
+    const double gain = gainOf(best);
     // alternatives are judged beside the other effects of today
     std::vector<Alternative>& alternatives = steps_[effect].alternatives;
     const double own = best.evidence - gain;
@@ -562,7 +612,7 @@ bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted, const E
     const bool isLikelierEqual = leavesMuch && likelier > 0 && best.freed() == oldFreed &&
                                  best.evidence > leastLike * own && -weight * gain < equivalenceMargin;
     const bool isHardlyTold = weight * gain < equivalenceMargin || (leavesMuch && wanted == Rivals::New);
-    if (!isLikelierEqual && (!(gain > leastGain) || (likelier < 0 && isHardlyTold))) return false;
+    if (!isSimplerEqual && !isLikelierEqual && (!(gain > leastGain) || (likelier < 0 && isHardlyTold))) return false;
     const double fall = rest->sumOfSquares() - null.sumOfSquares(),
                  bestFall = rest->sumOfSquares() - best.sumOfSquares();
     if (leavesMuch && best.freed() > oldFreed && fall > nearlyAsMuch * bestFall) return false;
@@ -583,7 +633,9 @@ bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted, const E
     step.rivals.push_back({old.effect, old.place});
     step.winner = std::move(best);
     const Candidate& winner = step.winner.screened.candidate;
-    setVerdict(old, Verdict::Weaker, phrase("beside the other effects {} explains more in its place", nameOf(winner)));
+    setVerdict(old, Verdict::Weaker,
+               isSimplerEqual ? phrase("{} explains nearly as much with fewer parameters", nameOf(winner))
+                              : phrase("beside the other effects {} explains more in its place", nameOf(winner)));
     setVerdict(winner, Verdict::Chosen, {});
     if (hasProposal(*next) && old.effect.proposal.empty()) displaced_.push_back({old, steps_[effect]});
     null = std::move(*next);

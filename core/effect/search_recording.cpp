@@ -19,6 +19,7 @@ constexpr double leastOfJumps = 20, shareOfJumps = 0.5;  // evidence; of what st
 constexpr double nearlyAll = 0.95, farFromAll = 0.05;    // of what an effect explains
 constexpr double isLateByMean = 1;                       // sampling intervals, at most
 constexpr int mostClockChanges = 3;
+constexpr double leastMoved = 3;  // standard errors, by which a state is elsewhere than the model begins
 
 Text remarkOn(const std::vector<InputEdge>& edges) {
     if (areHeld(edges))
@@ -65,14 +66,23 @@ bool Search::allowForRecordings(NullModel& null, const Round& round) {
         most = there->gain.effective;
         return true;
     };
+    std::vector<ToldStart> freed;
+    std::vector<ParameterValue> values = null.variant.values;  // from which they are fitted
+    // what is left beside effects may be larger at the start by chance
+    const Against against = null.variant.effects.empty() ? Against::Noise : Against::Residual;
+    std::optional<Begun> begun = findBeginning(null, against, round.threshold);
+    if (begun && begun->gain.effective > most) {
+        most = begun->gain.effective;
+        freed = std::move(begun->starts);
+        values = std::move(begun->values);
+    }
     const Outcome<std::vector<ToldStart>> told = toldStarts(null.variant.task);
-    std::optional<ToldStart> best;
-    if (told && told->size() <= mostStarts)
+    if (!begun && told && told->size() <= mostStarts)
         for (const ToldStart& start : *told) {
             say("reconsider", start.parameter, -1);
-            Variant freed = null.variant;
-            setFitted(freed.task, start, true);
-            if (explainsMore(freed, 1)) best = start;
+            Variant variant = null.variant;
+            setFitted(variant.task, start, true);
+            if (explainsMore(variant, 1)) freed = {start};
         }
     Variant quiet = null.variant;
     const std::vector<NoisyInput> noisy = noisyInputs_.empty() ? quieten(quiet.task) : std::vector<NoisyInput>();
@@ -84,7 +94,7 @@ bool Search::allowForRecordings(NullModel& null, const Round& round) {
     if (late) most = late->with.gain.effective;
     if (placeEdges(null, round.threshold, most)) return true;
     if (late) return refitLate(null, std::move(*late));
-    return best && refitWith(null, *best);
+    return !freed.empty() && refitWith(null, freed, values);
 }
 
 /// The inputs earlier than they are stamped, where that explains more than so much. Jumps that were placed stay.
@@ -261,43 +271,99 @@ bool Search::refitQuiet(NullModel& null, Variant quiet, const std::vector<NoisyI
     return true;
 }
 
-/// The model with a start value fitted, or held where it was told to be.
-Outcome<NullModel> Search::fittedWith(const NullModel& null, const ToldStart& start, bool isFitted) const {
+/// Where a record begins that does not begin where the model does: all its states at once, of which those stay that
+/// are told apart from where the model begins.
+std::optional<Search::Begun> Search::findBeginning(const NullModel& null, Against against, double threshold) const {
+    std::vector<ToldStart> starts = startsBegunElsewhere(null, against);
+    if (starts.size() > mostStarts) return std::nullopt;
+    while (!starts.empty()) {
+        say("reconsider", starts.front().parameter, -1);
+        Variant variant = null.variant;
+        for (const ToldStart& start : starts) setFitted(variant.task, start, true);
+        const auto count = static_cast<int>(starts.size());
+        std::optional<Allowed> with = allowed(null, variant, count, threshold);
+        // parameters that made up for the start may lead nowhere
+        variant.values.clear();
+        if (null.variant.effects.empty())
+            if (std::optional<Allowed> anew = allowed(null, variant, count, threshold);
+                anew && (!with || anew->fit.objective < with->fit.objective))
+                with = std::move(anew);
+        if (!with) return std::nullopt;
+        const auto isLikeTold = [&](const ToldStart& start) {
+            const FitEstimate* e = with->fit.find(start.parameter, start.experiment);
+            return e == nullptr || !(std::abs(e->value - start.value) > leastMoved * e->standardError);
+        };
+        if (std::erase_if(starts, isLikeTold) > 0) continue;
+        if (!with->gain.isSignificant || !with->gain.isWorthwhile) return std::nullopt;
+        return Begun{std::move(starts), with->gain, valuesOf(with->fit), with->fit.optimum.residuals.squaredNorm()};
+    }
+    return std::nullopt;
+}
+
+/// The model with start values fitted, or held where they were told to be.
+Outcome<NullModel> Search::fittedWith(const NullModel& null, const std::vector<ToldStart>& starts,
+                                      bool isFitted) const {
     Variant variant = null.variant;
-    setFitted(variant.task, start, isFitted);
-    if (!isFitted)
-        std::erase_if(variant.values, [&](const ParameterValue& v) {
-            return v.experiment == start.experiment && v.name == start.parameter;
-        });
+    for (const ToldStart& start : starts) {
+        setFitted(variant.task, start, isFitted);
+        if (!isFitted)
+            std::erase_if(variant.values, [&](const ParameterValue& v) {
+                return v.experiment == start.experiment && v.name == start.parameter;
+            });
+    }
     return fitNull(variant, null.noise, isFitted ? NoiseLevel::Estimate : NoiseLevel::Keep, search_.fit, progress_);
 }
 
-/// A start value is fitted in all that the search fits from here on.
-bool Search::refitWith(NullModel& null, const ToldStart& start) {
-    Outcome<NullModel> next = fittedWith(null, start, true);
+/// Start values are fitted in all that the search fits from here on, or held again. Recordings that only validate were
+/// cut out of longer ones as well: where their states begin is estimated from them.
+void Search::setStarts(const std::vector<ToldStart>& starts, bool areFitted) {
+    for (EstimationTask* task : {&base_.task, &full_.task})
+        for (const ToldStart& start : starts) {
+            setFitted(*task, start, areFitted);
+            for (const int r : recordingsOf(*task, Role::Validate)) {
+                ToldStart validating = start;
+                validating.recording = r;
+                if (start.isOfMidRun) setFitted(*task, validating, areFitted);
+            }
+        }
+}
+
+void Search::freeStarts(const std::vector<ToldStart>& starts) {
+    setStarts(starts, true);
+    freedStarts_.insert(freedStarts_.end(), starts.begin(), starts.end());
+}
+
+bool Search::refitWith(NullModel& null, const std::vector<ToldStart>& starts, std::vector<ParameterValue> values) {
+    NullModel begin = null;
+    begin.variant.values = std::move(values);
+    Outcome<NullModel> next = fittedWith(begin, starts, true);
     if (!next || progress_.stopRequested()) return false;
-    setFitted(base_.task, start, true);
-    setFitted(full_.task, start, true);
-    freedStarts_.push_back(start);
+    freeStarts(starts);
     null = std::move(*next);
     return true;
 }
 
-/// Holds those start values again that, beside the effects found since, explain nothing that counts.
+/// Whether the model needs a start value to be fitted, beside the effects found since; `held`: the model without.
+bool Search::isNeeded(const ToldStart& start, const NullModel& null, const NullModel& held) const {
+    // in mid run any state is somewhere else, were it for a sample alone
+    const auto rows = static_cast<double>(null.fit.optimum.residuals.size());
+    if (start.isOfMidRun) return held.sumOfSquares() - null.sumOfSquares() > equivalenceMargin + std::log(rows);
+    const Acceptance missed = examine(held, null.fit, 1, 0);
+    const auto isMore = [&] {
+        return isBorneOut(besideDisturbance(held, search_.fit.simulation, progress_),
+                          besideDisturbance(null, search_.fit.simulation, progress_), null.fit.optimum.residuals.size(),
+                          1);
+    };
+    return missed.isSignificant && missed.isWorthwhile && (isNoise(null) || isMore());
+}
+
+/// Holds those start values again that explain nothing that counts.
 void Search::holdUnneededStarts(NullModel& null) {
     for (const ToldStart& start : std::vector<ToldStart>(freedStarts_)) {
-        Outcome<NullModel> held = fittedWith(null, start, false);
+        Outcome<NullModel> held = fittedWith(null, {start}, false);
         if (progress_.stopRequested()) return;
-        if (!held) continue;
-        const Acceptance missed = examine(*held, null.fit, 1, 0);
-        const auto isMore = [&] {
-            return isBorneOut(besideDisturbance(*held, search_.fit.simulation, progress_),
-                              besideDisturbance(null, search_.fit.simulation, progress_),
-                              null.fit.optimum.residuals.size(), 1);
-        };
-        if (missed.isSignificant && missed.isWorthwhile && (isNoise(null) || isMore())) continue;
-        setFitted(base_.task, start, false);
-        setFitted(full_.task, start, false);
+        if (!held || isNeeded(start, null, *held)) continue;
+        setStarts({start}, false);
         std::erase_if(freedStarts_, [&](const ToldStart& s) {
             return s.recording == start.recording && s.parameter == start.parameter;
         });

@@ -1,6 +1,10 @@
 #include "core/effect/start_value.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/flat/parameter_change.hpp"
 
 namespace analogon {
 
@@ -52,6 +56,69 @@ Outcome<std::vector<ToldStart>> toldStarts(const EstimationTask& task) {
             }
         }
     }
+    for (std::size_t e = 0; e < fitted.size(); ++e)
+        for (const RecordingStart& told : task.recordings[static_cast<std::size_t>(fitted[e])].starts)
+            if (!told.isFitted && startedBy(*flat, told.parameter).valid())
+                starts.push_back({fitted[e], static_cast<int>(e), told.parameter, told.value});
+    return starts;
+}
+
+namespace {
+
+/// Which of the fitted recordings begin elsewhere than the model does.
+std::set<int> begunElsewhere(const NullModel& null, Against against) {
+    constexpr Eigen::Index samplesOfStart = 3;
+    constexpr double clear = 3, leastShare = 0.05;  // deviations of noise or residual; of the range
+    std::set<int> elsewhere;
+    for (const ResidualChannel& c : null.channels) {
+        if (c.samples.size() < 50 || c.samples.front() != 0) continue;
+        const Eigen::VectorXd left = null.fit.optimum.residuals.segment(c.begin, c.end - c.begin);
+        const double deviation =
+            against == Against::Noise ? 1 : std::sqrt(left.squaredNorm() / static_cast<double>(left.size()));
+        const double least = std::max(clear * deviation, leastShare * (c.measured.maxCoeff() - c.measured.minCoeff()));
+        const auto first = left.head(samplesOfStart);
+        if (first.minCoeff() > least || first.maxCoeff() < -least) elsewhere.insert(c.experiment);
+    }
+    return elsewhere;
+}
+
+/// Variables that initial equations decide.
+std::set<std::uint32_t> decidedAtStart(const FlatModel& model) {
+    std::vector<ExpressionId> sides;
+    for (const FlatEquation& e : model.initialEquations) sides.insert(sides.end(), {e.left, e.right});
+    std::set<std::uint32_t> decided;
+    for (const ExpressionId leaf : model.pool->leaves(sides)) decided.insert((*model.pool)[leaf].variable.value);
+    return decided;
+}
+
+}  // namespace
+
+std::vector<ToldStart> startsBegunElsewhere(const NullModel& null, Against against) {
+    const std::set<int> elsewhere = begunElsewhere(null, against);
+    if (elsewhere.empty()) return {};
+    const EstimationTask& task = null.variant.task;
+    const Outcome<FlatModel> flat = flatten(task.library, task.className);
+    const Outcome<PreparedTask> prepared = prepare(task);
+    const Outcome<std::vector<ToldStart>> told = toldStarts(task);
+    if (!flat || !prepared || !told) return {};
+    std::vector<ToldStart> starts;
+    for (const ToldStart& start : *told)
+        if (elsewhere.contains(start.experiment)) starts.push_back(start);
+    const std::set<std::uint32_t> isDecided = decidedAtStart(*flat);
+    for (const int e : elsewhere) {
+        const int r = prepared->fitRecordings[static_cast<std::size_t>(e)];
+        const std::vector<RecordingStart>& own = task.recordings[static_cast<std::size_t>(r)].starts;
+        for (const SignalInfo& state : prepared->system->states()) {
+            const std::string name = startOf(state.name);
+            const VariableId id = startedBy(*flat, name);
+            if (!id.valid() || isDecided.contains(id.value)) continue;
+            const ExpressionId start = (*flat)[id].start;
+            if (start.valid() && !flat->pool->leaves(std::vector{start}).empty()) continue;  // a parameter of its own
+            if (std::none_of(own.begin(), own.end(), [&](const RecordingStart& s) { return s.parameter == name; }))
+                starts.push_back({r, e, name, state.value});
+        }
+    }
+    for (ToldStart& start : starts) start.isOfMidRun = true;
     return starts;
 }
 

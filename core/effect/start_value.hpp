@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/effect/variant.hpp"
+#include "core/effect/null_model.hpp"
 #include "core/flat/flat_model.hpp"
 
 namespace analogon {
@@ -22,10 +22,17 @@ struct ToldStart {
     int experiment{};  // among the fitted ones
     std::string parameter;
     double value{};
+    bool isOfMidRun{};  // one of all that a record has which begins elsewhere
 };
 
 /// Those of the fitted recordings that are not fitted.
 Outcome<std::vector<ToldStart>> toldStarts(const EstimationTask& task);
+
+enum class Against { Noise, Residual };  // of a channel
+
+/// Those of recordings that begin elsewhere than the model does (a record that was cut out of a longer one), by far
+/// more than noise or than what the model leaves elsewhere in them, and of the states there that nothing decides.
+std::vector<ToldStart> startsBegunElsewhere(const NullModel& null, Against against);
 
 /// Makes a start value one that is fitted, from where it was told to be; or takes that back.
 void setFitted(EstimationTask& task, const ToldStart& start, bool isFitted);

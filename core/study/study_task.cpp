@@ -397,7 +397,13 @@ private:
             const std::string parameter = started.valid() ? startOf(model_[started].name) : name;
             const FlatVariable* variable = started.valid() ? &model_[started] : settable(name, place);
             if (!variable) continue;
-            if (started.valid() && isDecidedAtStart(started)) {
+            const bool isTwice =
+                started.valid() && std::any_of(recording.starts.begin(), recording.starts.end(),
+                                               [&](const RecordingStart& s) { return s.parameter == parameter; });
+            if (isTwice) {
+                fault(place, phrase("where '{}' begins is told twice", model_[started].name),
+                      phrase("Keep one of the two entries."));
+            } else if (started.valid() && isDecidedAtStart(started)) {
                 fault(place, phrase("where '{}' begins is decided by an initial equation of the model", name),
                       phrase("Set the parameter that stands in that equation."));
             } else if (const double* number = std::get_if<double>(&start)) {

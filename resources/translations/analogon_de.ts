@@ -5388,6 +5388,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Den Parameter setzen, der in dieser Gleichung steht.</translation>
     </message>
     <message>
+        <source>where '{}' begins is told twice</source>
+        <translation>wo „{}“ beginnt, ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>Keep one of the two entries.</source>
+        <translation>Einen der beiden Einträge behalten.</translation>
+    </message>
+    <message>
         <source>'{}' has no value to start from</source>
         <translation>„{}“ hat keinen Wert, von dem aus zu beginnen wäre</translation>
     </message>

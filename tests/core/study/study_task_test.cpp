@@ -123,6 +123,15 @@ TEST_F(StudyTask, ReadsWhereAVariableBegins) {
     EXPECT_GE(prepared->system->parameterIndex("T.start"), 0);
 }
 
+TEST_F(StudyTask, RefusesAStartThatIsToldTwice) {
+    putHeater();
+    const std::string outputs = "\"outputs\": {\"i\": \"current\"}";
+    change(outputs, outputs + ", \"initial\": {\"T\": 290, \"T.start\": \"fit\"}");
+    const Outcome<EstimationTask> refused = estimationTask(read());
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(format(refused.diagnostics()), HasSubstr("where 'T' begins is told twice"));
+}
+
 TEST_F(StudyTask, RefusesAStartThatAnInitialEquationDecides) {
     putHeater();
     put("model.mo",

@@ -10,6 +10,8 @@ model ElasticShaft "Shaft that twists"
   Real w_rel(unit="rad/s") "Rate of twist";
   Real tau(unit="N.m") "Torque in the shaft";
   Real w(unit="rad/s") "Speed of flange_a";
+initial equation
+  w_rel = 0;
 equation
   phi_rel = flange_b.phi - flange_a.phi;
   w_rel = der(phi_rel);
