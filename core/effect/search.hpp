@@ -212,7 +212,6 @@ private:
     bool takesEdgesForDelays(const NullModel& null);
     bool refitPlaced(NullModel& null, Variant placed, std::vector<InputEdge> edges);
     Outcome<NullModel> fittedWith(const NullModel& null, const std::vector<ToldStart>& starts, bool isFitted) const;
-    void setStarts(const std::vector<ToldStart>& starts, bool areFitted);
     void freeStarts(const std::vector<ToldStart>& starts);
     bool refitWith(NullModel& null, const std::vector<ToldStart>& starts, std::vector<ParameterValue> values);
     bool isNeeded(const ToldStart& start, const NullModel& null, const NullModel& held) const;

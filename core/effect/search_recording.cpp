@@ -34,6 +34,20 @@ Text remarkOn(const std::vector<InputEdge>& edges) {
         edges.size());
 }
 
+/// Start values are fitted, or held again. Recordings that only validate were cut out of longer ones as well: where
+/// their states begin is estimated from them.
+void setStarts(EstimationTask& task, const std::vector<ToldStart>& starts, bool areFitted) {
+    for (const ToldStart& start : starts) {
+        setFitted(task, start, areFitted);
+        if (!start.isOfMidRun) continue;
+        for (const int r : recordingsOf(task, Role::Validate)) {
+            ToldStart validating = start;
+            validating.recording = r;
+            setFitted(task, validating, areFitted);
+        }
+    }
+}
+
 }  // namespace
 
 /// Leaves out, in all that the search fits from here on, the samples that are faults of the measurement by what a fit
@@ -304,32 +318,19 @@ std::optional<Search::Begun> Search::findBeginning(const NullModel& null, Agains
 Outcome<NullModel> Search::fittedWith(const NullModel& null, const std::vector<ToldStart>& starts,
                                       bool isFitted) const {
     Variant variant = null.variant;
-    for (const ToldStart& start : starts) {
-        setFitted(variant.task, start, isFitted);
+    setStarts(variant.task, starts, isFitted);
+    for (const ToldStart& start : starts)
         if (!isFitted)
             std::erase_if(variant.values, [&](const ParameterValue& v) {
                 return v.experiment == start.experiment && v.name == start.parameter;
             });
-    }
     return fitNull(variant, null.noise, isFitted ? NoiseLevel::Estimate : NoiseLevel::Keep, search_.fit, progress_);
 }
 
-/// Start values are fitted in all that the search fits from here on, or held again. Recordings that only validate were
-/// cut out of longer ones as well: where their states begin is estimated from them.
-void Search::setStarts(const std::vector<ToldStart>& starts, bool areFitted) {
-    for (EstimationTask* task : {&base_.task, &full_.task})
-        for (const ToldStart& start : starts) {
-            setFitted(*task, start, areFitted);
-            for (const int r : recordingsOf(*task, Role::Validate)) {
-                ToldStart validating = start;
-                validating.recording = r;
-                if (start.isOfMidRun) setFitted(*task, validating, areFitted);
-            }
-        }
-}
-
+/// Start values are fitted in all that the search fits from here on.
 void Search::freeStarts(const std::vector<ToldStart>& starts) {
-    setStarts(starts, true);
+    setStarts(base_.task, starts, true);
+    setStarts(full_.task, starts, true);
     freedStarts_.insert(freedStarts_.end(), starts.begin(), starts.end());
 }
 
@@ -363,7 +364,8 @@ void Search::holdUnneededStarts(NullModel& null) {
         Outcome<NullModel> held = fittedWith(null, {start}, false);
         if (progress_.stopRequested()) return;
         if (!held || isNeeded(start, null, *held)) continue;
-        setStarts({start}, false);
+        setStarts(base_.task, {start}, false);
+        setStarts(full_.task, {start}, false);
         std::erase_if(freedStarts_, [&](const ToldStart& s) {
             return s.recording == start.recording && s.parameter == start.parameter;
         });
