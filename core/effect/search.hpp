@@ -174,6 +174,7 @@ private:
                  const EffectPlace* elsewhere = nullptr);
     bool doesForBoth(NullModel& null, std::size_t effect, std::size_t part);
     void unite(NullModel& null);
+    static bool isLike(const Trial& trial, double evidence, double weight);
     bool simplerFirst(const NullModel& null, double evidence, int freed, std::vector<Trial>& trials) const;
     void likelierFirst(const NullModel& null, const EffectClass& old, std::vector<Trial>& trials) const;
     void completeClasses(NullModel& null);
@@ -211,7 +212,8 @@ private:
     bool canPlaceEdges(const NullModel& null) const;
     bool takesEdgesForDelays(const NullModel& null);
     bool refitPlaced(NullModel& null, Variant placed, std::vector<InputEdge> edges);
-    Outcome<NullModel> fittedWith(const NullModel& null, const std::vector<ToldStart>& starts, bool isFitted) const;
+    Outcome<NullModel> fittedWith(Variant variant, const std::vector<Eigen::VectorXd>& noise,
+                                  const std::vector<ToldStart>& starts, bool isFitted) const;
     void freeStarts(const std::vector<ToldStart>& starts);
     bool refitWith(NullModel& null, const std::vector<ToldStart>& starts, std::vector<ParameterValue> values);
     bool isNeeded(const ToldStart& start, const NullModel& null, const NullModel& held) const;

@@ -494,6 +494,12 @@ bool Search::takeOut(NullModel& null, std::size_t effect, const Text& why) {
     return true;
 }
 
+/// Whether a trial explains no less than so much evidence as far as the data tell, a part (`weight`) of whose samples
+/// are independent.
+bool Search::isLike(const Trial& trial, double evidence, double weight) {
+    return trial.evidence > leastLike * evidence && weight * (evidence - trial.evidence) < equivalenceMargin;
+}
+
 /// While much is left, what is likelier than an effect and does as well as the best comes first.
 void Search::likelierFirst(const NullModel& null, const EffectClass& old, std::vector<Trial>& trials) const {
     const Trial& best = trials.front();
@@ -501,8 +507,7 @@ void Search::likelierFirst(const NullModel& null, const EffectClass& old, std::v
     const auto isLikelier = [&](const Trial& t) {
         return t.ok && !isProposal(t) && !isAtBound(t) && t.freed() == best.freed() &&
                plausibility(t.screened.candidate.effect) < plausibility(old) &&
-               t.evidence > leastLike * best.evidence &&
-               independentShare(null, best.fit) * (best.evidence - t.evidence) < equivalenceMargin;
+               isLike(t, best.evidence, independentShare(null, best.fit));
     };
     const auto first = std::find_if(trials.begin(), trials.end(), isLikelier);
     if (first != trials.end()) std::rotate(trials.begin(), first, first + 1);
@@ -517,9 +522,8 @@ bool Search::simplerFirst(const NullModel& null, double evidence, int freed, std
     auto simplest = trials.end();
     for (auto t = trials.begin(); t != trials.end(); ++t) {
         if (!t->ok || isProposal(*t) || isAtBound(*t) || fightsAnother(null, t->fit)) continue;
-        const bool isEqual =
-            t->evidence > leastLike * evidence && weight * (evidence - t->evidence) < equivalenceMargin;
-        if (isEqual && t->freed() < (simplest == trials.end() ? freed : simplest->freed())) simplest = t;
+        if (isLike(*t, evidence, weight) && t->freed() < (simplest == trials.end() ? freed : simplest->freed()))
+            simplest = t;
     }
     if (simplest == trials.end()) return false;
     std::rotate(trials.begin(), simplest, simplest + 1);
@@ -595,8 +599,7 @@ bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted, const E
     const double weight = independentShare(null, best.fit);
     const auto beside = [&](const Trial& t, double evidence) {
         const Candidate& c = t.screened.candidate;
-        const bool isLike = t.evidence > leastLike * evidence && weight * (evidence - t.evidence) < equivalenceMargin;
-        return Alternative{c.effect.kind, c.place.at, evidence - t.evidence, isLike};
+        return Alternative{c.effect.kind, c.place.at, evidence - t.evidence, isLike(t, evidence, weight)};
     };
     std::erase_if(alternatives, [&](const Alternative& a) {
         return std::any_of(trials.begin(), trials.end(), [&](const Trial& t) {

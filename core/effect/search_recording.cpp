@@ -296,12 +296,12 @@ std::optional<Search::Begun> Search::findBeginning(const NullModel& null, Agains
         for (const ToldStart& start : starts) setFitted(variant.task, start, true);
         const auto count = static_cast<int>(starts.size());
         std::optional<Allowed> with = allowed(null, variant, count, threshold);
-        // parameters that made up for the start may lead nowhere
-        variant.values.clear();
-        if (null.variant.effects.empty())
+        if (null.variant.effects.empty()) {
+            variant.values.clear();  // parameters that made up for the start may lead nowhere
             if (std::optional<Allowed> anew = allowed(null, variant, count, threshold);
                 anew && (!with || anew->fit.objective < with->fit.objective))
                 with = std::move(anew);
+        }
         if (!with) return std::nullopt;
         const auto isLikeTold = [&](const ToldStart& start) {
             const FitEstimate* e = with->fit.find(start.parameter, start.experiment);
@@ -315,16 +315,15 @@ std::optional<Search::Begun> Search::findBeginning(const NullModel& null, Agains
 }
 
 /// The model with start values fitted, or held where they were told to be.
-Outcome<NullModel> Search::fittedWith(const NullModel& null, const std::vector<ToldStart>& starts,
-                                      bool isFitted) const {
-    Variant variant = null.variant;
+Outcome<NullModel> Search::fittedWith(Variant variant, const std::vector<Eigen::VectorXd>& noise,
+                                      const std::vector<ToldStart>& starts, bool isFitted) const {
     setStarts(variant.task, starts, isFitted);
     for (const ToldStart& start : starts)
         if (!isFitted)
             std::erase_if(variant.values, [&](const ParameterValue& v) {
                 return v.experiment == start.experiment && v.name == start.parameter;
             });
-    return fitNull(variant, null.noise, isFitted ? NoiseLevel::Estimate : NoiseLevel::Keep, search_.fit, progress_);
+    return fitNull(variant, noise, isFitted ? NoiseLevel::Estimate : NoiseLevel::Keep, search_.fit, progress_);
 }
 
 /// Start values are fitted in all that the search fits from here on.
@@ -335,9 +334,9 @@ void Search::freeStarts(const std::vector<ToldStart>& starts) {
 }
 
 bool Search::refitWith(NullModel& null, const std::vector<ToldStart>& starts, std::vector<ParameterValue> values) {
-    NullModel begin = null;
-    begin.variant.values = std::move(values);
-    Outcome<NullModel> next = fittedWith(begin, starts, true);
+    Variant variant = null.variant;
+    variant.values = std::move(values);
+    Outcome<NullModel> next = fittedWith(std::move(variant), null.noise, starts, true);
     if (!next || progress_.stopRequested()) return false;
     freeStarts(starts);
     null = std::move(*next);
@@ -361,7 +360,7 @@ bool Search::isNeeded(const ToldStart& start, const NullModel& null, const NullM
 /// Holds those start values again that explain nothing that counts.
 void Search::holdUnneededStarts(NullModel& null) {
     for (const ToldStart& start : std::vector<ToldStart>(freedStarts_)) {
-        Outcome<NullModel> held = fittedWith(null, {start}, false);
+        Outcome<NullModel> held = fittedWith(null.variant, null.noise, {start}, false);
         if (progress_.stopRequested()) return;
         if (!held || isNeeded(start, null, *held)) continue;
         setStarts(base_.task, {start}, false);

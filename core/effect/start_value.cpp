@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/range.hpp"
 #include "core/flat/parameter_change.hpp"
 
 namespace analogon {
@@ -75,20 +76,11 @@ std::set<int> begunElsewhere(const NullModel& null, Against against) {
         const Eigen::VectorXd left = null.fit.optimum.residuals.segment(c.begin, c.end - c.begin);
         const double deviation =
             against == Against::Noise ? 1 : std::sqrt(left.squaredNorm() / static_cast<double>(left.size()));
-        const double least = std::max(clear * deviation, leastShare * (c.measured.maxCoeff() - c.measured.minCoeff()));
+        const double least = std::max(clear * deviation, leastShare * rangeOf(c.measured).width());
         const auto first = left.head(samplesOfStart);
         if (first.minCoeff() > least || first.maxCoeff() < -least) elsewhere.insert(c.experiment);
     }
     return elsewhere;
-}
-
-/// Variables that initial equations decide.
-std::set<std::uint32_t> decidedAtStart(const FlatModel& model) {
-    std::vector<ExpressionId> sides;
-    for (const FlatEquation& e : model.initialEquations) sides.insert(sides.end(), {e.left, e.right});
-    std::set<std::uint32_t> decided;
-    for (const ExpressionId leaf : model.pool->leaves(sides)) decided.insert((*model.pool)[leaf].variable.value);
-    return decided;
 }
 
 }  // namespace
@@ -104,14 +96,14 @@ std::vector<ToldStart> startsBegunElsewhere(const NullModel& null, Against again
     std::vector<ToldStart> starts;
     for (const ToldStart& start : *told)
         if (elsewhere.contains(start.experiment)) starts.push_back(start);
-    const std::set<std::uint32_t> isDecided = decidedAtStart(*flat);
+    const std::set<std::uint32_t> decided = decidedAtStart(*flat);
     for (const int e : elsewhere) {
         const int r = prepared->fitRecordings[static_cast<std::size_t>(e)];
         const std::vector<RecordingStart>& own = task.recordings[static_cast<std::size_t>(r)].starts;
         for (const SignalInfo& state : prepared->system->states()) {
             const std::string name = startOf(state.name);
             const VariableId id = startedBy(*flat, name);
-            if (!id.valid() || isDecided.contains(id.value)) continue;
+            if (!id.valid() || decided.contains(id.value)) continue;
             const ExpressionId start = (*flat)[id].start;
             if (start.valid() && !flat->pool->leaves(std::vector{start}).empty()) continue;  // a parameter of its own
             if (std::none_of(own.begin(), own.end(), [&](const RecordingStart& s) { return s.parameter == name; }))
@@ -126,7 +118,6 @@ void setFitted(EstimationTask& task, const ToldStart& start, bool isFitted) {
     std::vector<RecordingStart>& starts = task.recordings[static_cast<std::size_t>(start.recording)].starts;
     for (RecordingStart& s : starts)
         if (s.parameter == start.parameter) {
-            s.value = start.value;
             s.isFitted = isFitted;
             return;
         }

@@ -34,7 +34,8 @@ enum class Against { Noise, Residual };  // of a channel
 /// more than noise or than what the model leaves elsewhere in them, and of the states there that nothing decides.
 std::vector<ToldStart> startsBegunElsewhere(const NullModel& null, Against against);
 
-/// Makes a start value one that is fitted, from where it was told to be; or takes that back.
+/// Makes a start value one that is fitted, from where the recording was told it to be (else from the value given); or
+/// takes that back.
 void setFitted(EstimationTask& task, const ToldStart& start, bool isFitted);
 
 }  // namespace analogon

@@ -81,6 +81,14 @@ Diagnostic noParameter(const FlatModel& model, const std::string& name) {
 
 }  // namespace
 
+std::set<std::uint32_t> decidedAtStart(const FlatModel& model) {
+    std::vector<ExpressionId> sides;
+    for (const FlatEquation& e : model.initialEquations) sides.insert(sides.end(), {e.left, e.right});
+    std::set<std::uint32_t> decided;
+    for (const ExpressionId leaf : model.pool->leaves(sides)) decided.insert((*model.pool)[leaf].variable.value);
+    return decided;
+}
+
 std::string startOf(const std::string& variable) { return variable + ".start"; }
 std::string stepOf(const std::string& parameter) { return parameter + ".step"; }
 std::string momentOf(const std::string& parameter) { return parameter + ".moment"; }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <set>
 #include <string>
 
 #include "core/flat/flat_model.hpp"
@@ -29,6 +31,9 @@ Outcome<FlatModel> withStarts(FlatModel model, const std::vector<std::string>& n
 
 /// The variable whose start value that name stands for, "rotor.w.start" for "rotor.w"; invalid: it stands for none.
 VariableId startedBy(const FlatModel& model, const std::string& start);
+
+/// The variables whose start initial equations decide, by their numbers.
+std::set<std::uint32_t> decidedAtStart(const FlatModel& model);
 
 std::string startOf(const std::string& variable);
 std::string slopeOf(const std::string& parameter);

@@ -403,7 +403,7 @@ private:
             if (isTwice) {
                 fault(place, phrase("where '{}' begins is told twice", model_[started].name),
                       phrase("Keep one of the two entries."));
-            } else if (started.valid() && isDecidedAtStart(started)) {
+            } else if (started.valid() && decidedAtStart(model_).contains(started.value)) {
                 fault(place, phrase("where '{}' begins is decided by an initial equation of the model", name),
                       phrase("Set the parameter that stands in that equation."));
             } else if (const double* number = std::get_if<double>(&start)) {
@@ -435,15 +435,6 @@ private:
     VariableId startedVariable(const std::string& name) const {
         const VariableId own = startedBy(model_, startOf(name));
         return own.valid() ? own : startedBy(model_, name);
-    }
-    bool isDecidedAtStart(VariableId variable) const {
-        std::vector<ExpressionId> sides;
-        for (const FlatEquation& e : model_.initialEquations) sides.insert(sides.end(), {e.left, e.right});
-        const auto leaves = model_.pool->leaves(sides);
-        return std::any_of(leaves.begin(), leaves.end(), [&](ExpressionId leaf) {
-            const ExpressionNode& node = (*model_.pool)[leaf];
-            return node.operation == Operation::Variable && node.variable == variable;
-        });
     }
 
     /// How a column is read elsewhere in the experiment (its unit may be told there alone); else as it is.
