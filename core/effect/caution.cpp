@@ -9,19 +9,18 @@
 #include "core/base/range.hpp"
 #include "core/base/unit.hpp"
 #include "core/effect/faulty_sample.hpp"
+#include "core/effect/start_value.hpp"
 #include "core/residual/noise.hpp"
 
 namespace analogon {
 namespace {
 
-constexpr double hardlyMoved = 2;  // of its range, beyond which a quantity stood still
-constexpr Eigen::Index fewestSamples = 50, samplesOfStart = 3;
-constexpr double clearStart = 3, shareOfStart = 0.05;  // deviations of the residual; of the range
-constexpr double worthSaying = 0.1;                    // of the fitted range
-constexpr double leastDifference = 1e-3;               // of a parameter between two recordings
-constexpr double clearlyWorse = 1.3, asGood = 1.15;    // of what is left in the fitted recordings
-constexpr double sigmas = 5.0;                         // by which more than chance is told from it
-constexpr double mostOfExcess = 0.5, least = 100.0;    // of what is above the noise; in units of the noise, squared
+constexpr double hardlyMoved = 2;                    // of its range, beyond which a quantity stood still
+constexpr double worthSaying = 0.1;                  // of the fitted range
+constexpr double leastDifference = 1e-3;             // of a parameter between two recordings
+constexpr double clearlyWorse = 1.3, asGood = 1.15;  // of what is left in the fitted recordings
+constexpr double sigmas = 5.0;                       // by which more than chance is told from it
+constexpr double mostOfExcess = 0.5, least = 100.0;  // of what is above the noise; in units of the noise, squared
 
 Range rangeIn(const Recording& recording, const std::vector<std::string>& names, const Eigen::MatrixXd& values,
               const std::string& name) {
@@ -195,22 +194,22 @@ std::vector<Text> poorValidations(const ModelState& state) {
     return said;
 }
 
-std::vector<Text> wrongStarts(const ModelState& state) {
+std::vector<Text> wrongStarts(const ModelState& state, Role role) {
     std::vector<Text> said;
     int fitted = -1;  // number of the experiment among those that are fitted
     for (const ExperimentState& e : state.experiments) {
         if (e.role == Role::Fit) ++fitted;
-        if (e.role != Role::Fit || e.failure.failed) continue;
-        const bool hasOwn = std::any_of(state.parameters.begin(), state.parameters.end(),
-                                        [&](const FitEstimate& p) { return p.experiment == fitted; });
+        if (e.role != role || e.failure.failed) continue;
+        const bool hasOwn =
+            !e.starts.empty() ||
+            (role == Role::Fit && std::any_of(state.parameters.begin(), state.parameters.end(),
+                                              [&](const FitEstimate& p) { return p.experiment == fitted; }));
         for (const OutputState& output : e.outputs) {
             const auto left = state.residual.find(output.name);
-            if (left == state.residual.end() || output.measured.size() < fewestSamples) continue;
-            const Eigen::VectorXd first = (output.measured - output.simulated).head(samplesOfStart);
-            const double clear =
-                std::max(clearStart * left->second.standardDeviation, shareOfStart * rangeOf(output.measured).width());
-            // a start value is wrong from the first sample on, not at the first sample alone
-            if (!(first.minCoeff() > clear) && !(first.maxCoeff() < -clear)) continue;
+            if (left == state.residual.end() ||
+                !beginsElsewhere(output.simulated - output.measured, left->second.standardDeviation,
+                                 rangeOf(output.measured).width()))
+                continue;
             const std::string unit = output.unit.empty() ? "" : " " + output.unit;
             const Text begins = phrase("'{}' begins with {} at {:.4g}{} where the model begins at {:.4g}{}", e.name,
                                        output.name, output.measured[0], unit, output.simulated[0], unit);

@@ -18,8 +18,9 @@ std::vector<Text> driftBetweenRecordings(const NullModel& null);
 /// and whether an offset or a gain of that recording alone is what it looks like.
 std::vector<Text> poorValidations(const ModelState& state);
 
-/// Outputs of the fitted recordings that begin elsewhere than the model does, by far more than what is left later.
-std::vector<Text> wrongStarts(const ModelState& state);
+/// Outputs of the recordings with a role that begin elsewhere than the model does, by far more than what it leaves in
+/// the fitted ones.
+std::vector<Text> wrongStarts(const ModelState& state, Role role);
 
 /// Outputs of the fitted recordings that read exactly the same for long, and hardly ever elsewhere.
 std::vector<Text> stuckReadings(const EstimationTask& task);

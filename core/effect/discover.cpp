@@ -387,6 +387,9 @@ Outcome<Finding> Search::run() {
     finding.final = finding.baseline;
     bestError_ = errorPercentOf(finding.baseline, Role::Fit);
 
+    Variant asGiven = given.variant;
+    FitResult fitAsGiven = given.fit;
+    fitAsGiven.optimum = {};
     NullModel base = *null;
     search_.fit.simulation.relativeTolerance =
         std::clamp(integrationShare * quietest(base), options_.fit.simulation.relativeTolerance, coarsestTolerance);
@@ -408,6 +411,16 @@ Outcome<Finding> Search::run() {
     displaced_ = std::move(path->displaced);
     candidates_ = std::move(path->candidates);
 
+    freeChecks(*null);
+    if (!checkStarts_.empty()) {
+        setFitted(asGiven.task, checkStarts_, true);
+        for (Variant* v : {&null->variant, &base.variant}) setFitted(v->task, checkStarts_, true);
+        for (Path& other : otherEnds_) setFitted(other.null.variant.task, checkStarts_, true);
+        // before and after are told alike
+        state = stateOf(asGiven, fitAsGiven, options_.fit.simulation, Progress());
+        if (!state) return state.diagnostics();
+        finding.final = finding.baseline = std::move(*state);
+    }
     settleChange(base, *null);
     if (change_ || dependence_) {
         takeOutAll(*null, base,
@@ -444,6 +457,11 @@ Outcome<Finding> Search::run() {
         change_.reset();
         dependence_.reset();
         finding.final = backToLastWhole(*null, base).value_or(finding.baseline);
+        if (!steps_.empty() && !checkStarts_.empty()) {
+            setFitted(null->variant.task, checkStarts_, true);
+            if (Outcome<ModelState> found = stateOf(null->variant, null->fit, options_.fit.simulation, Progress()))
+                finding.final = std::move(*found);
+        }
         if (!steps_.empty()) reportAsRecorded(*null, finding.final);
     }
     holdUnneededStarts(*null);
@@ -613,7 +631,7 @@ Outcome<Finding> Search::run() {
                    finding.effects.front().kind, finding.effects.front().at, steps_.front().equation));
     for (Text& sentence : poorValidations(sound)) finding.warnings.push_back(std::move(sentence));
     if (leavesStructure)
-        for (const auto& sentences : {wrongStarts(finding.final), stuckReadings(full_.task)})
+        for (const auto& sentences : {wrongStarts(finding.final, Role::Fit), stuckReadings(full_.task)})
             finding.warnings.insert(finding.warnings.end(), sentences.begin(), sentences.end());
     finding.seconds = secondsSince(begin);
     return finding;
@@ -623,7 +641,12 @@ Outcome<ModelState> fitModel(const EstimationTask& task, const FitOptions& optio
     Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, options, progress);
     if (!null) return null.diagnostics();
     // what a cancelled fit came to is simulated to its end: the best so far is a result, a part of a trace is none
-    return stateOf(null->variant, null->fit, options.simulation, progress.stopRequested() ? Progress() : progress);
+    Outcome<ModelState> state =
+        stateOf(null->variant, null->fit, options.simulation, progress.stopRequested() ? Progress() : progress);
+    if (!state) return state;
+    for (const Role role : {Role::Fit, Role::Validate})
+        for (Text& sentence : wrongStarts(*state, role)) state->remarks.push_back(std::move(sentence));
+    return state;
 }
 
 Outcome<ModelState> simulateModel(const EstimationTask& task, const SimulationOptions& options,

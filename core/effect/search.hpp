@@ -226,6 +226,7 @@ private:
     };
     std::optional<Begun> findBeginning(const NullModel& null, Against against, double threshold) const;
     void holdUnneededStarts(NullModel& null);
+    void freeChecks(const NullModel& null);
     void reportAsRecorded(const NullModel& null, ModelState& state);
     std::vector<Text> recordingRemarks(const NullModel& null) const;
     void tellErrorWithout(Step& step, const NullModel& without) const;
@@ -278,6 +279,7 @@ private:
     bool soughtChange_{};
     std::vector<FaultySamples> faults_;    // of the measurement
     std::vector<ToldStart> freedStarts_;   // that were told wrongly
+    std::vector<ToldStart> checkStarts_;   // estimated from recordings that only validate
     std::vector<NoisyInput> noisyInputs_;  // that base_ has without their noise
     std::vector<InputClock> clocks_;       // that base_ and full_ have where they are
     std::vector<Recording> stamped_;       // of base_, without them

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "core/effect/caution.hpp"
 #include "core/effect/input_edge.hpp"
 #include "core/effect/input_noise.hpp"
+#include "core/effect/model_state.hpp"
 #include "core/effect/search.hpp"
 #include "core/effect/thin.hpp"
 
@@ -34,18 +37,18 @@ Text remarkOn(const std::vector<InputEdge>& edges) {
         edges.size());
 }
 
-/// Start values are fitted, or held again. Recordings that only validate were cut out of longer ones as well: where
-/// their states begin is estimated from them.
-void setStarts(EstimationTask& task, const std::vector<ToldStart>& starts, bool areFitted) {
-    for (const ToldStart& start : starts) {
-        setFitted(task, start, areFitted);
-        if (!start.isOfMidRun) continue;
-        for (const int r : recordingsOf(task, Role::Validate)) {
-            ToldStart validating = start;
-            validating.recording = r;
-            setFitted(task, validating, areFitted);
-        }
+/// Whether a check determines what it was estimated to begin with: that of an angle tells nothing where nothing depends
+/// on it.
+bool isDetermined(const ToldStart& start, const ModelState& state) {
+    int check = -1;
+    for (const ExperimentState& e : state.experiments) {
+        if (e.role != Role::Validate || ++check != start.experiment) continue;
+        return std::any_of(e.starts.begin(), e.starts.end(), [&](const FitEstimate& estimate) {
+            return estimate.name == start.parameter && std::isfinite(estimate.standardError) &&
+                   estimate.standardError > 0;
+        });
     }
+    return false;
 }
 
 }  // namespace
@@ -317,7 +320,7 @@ std::optional<Search::Begun> Search::findBeginning(const NullModel& null, Agains
 /// The model with start values fitted, or held where they were told to be.
 Outcome<NullModel> Search::fittedWith(Variant variant, const std::vector<Eigen::VectorXd>& noise,
                                       const std::vector<ToldStart>& starts, bool isFitted) const {
-    setStarts(variant.task, starts, isFitted);
+    setFitted(variant.task, starts, isFitted);
     for (const ToldStart& start : starts)
         if (!isFitted)
             std::erase_if(variant.values, [&](const ParameterValue& v) {
@@ -328,8 +331,8 @@ Outcome<NullModel> Search::fittedWith(Variant variant, const std::vector<Eigen::
 
 /// Start values are fitted in all that the search fits from here on.
 void Search::freeStarts(const std::vector<ToldStart>& starts) {
-    setStarts(base_.task, starts, true);
-    setStarts(full_.task, starts, true);
+    setFitted(base_.task, starts, true);
+    setFitted(full_.task, starts, true);
     freedStarts_.insert(freedStarts_.end(), starts.begin(), starts.end());
 }
 
@@ -363,13 +366,41 @@ void Search::holdUnneededStarts(NullModel& null) {
         Outcome<NullModel> held = fittedWith(null.variant, null.noise, {start}, false);
         if (progress_.stopRequested()) return;
         if (!held || isNeeded(start, null, *held)) continue;
-        setStarts(base_.task, {start}, false);
-        setStarts(full_.task, {start}, false);
+        setFitted(base_.task, {start}, false);
+        setFitted(full_.task, {start}, false);
         std::erase_if(freedStarts_, [&](const ToldStart& s) {
             return s.recording == start.recording && s.parameter == start.parameter;
         });
         null = std::move(*held);
     }
+}
+
+/// Recordings that only validate were often cut out of longer ones: where they begin elsewhere than the model, the
+/// states they begin with are estimated from them, beside whatever model. A search that was stopped tells its errors
+/// so, too.
+void Search::freeChecks(const NullModel& null) {
+    Outcome<Variant> whole = withEffects(full_, null.variant.effects, null.variant.values);
+    if (!whole) return;
+    const auto checked = [&] { return stateOf(*whole, null.fit, search_.fit.simulation, Progress(), Detail::Errors); };
+    const Outcome<ModelState> told = checked();
+    if (!told) return;
+    const bool allDo =
+        std::any_of(freedStarts_.begin(), freedStarts_.end(), [](const ToldStart& s) { return s.isOfMidRun; });
+    std::vector<ToldStart> starts = startsOfChecks(full_.task, *told, allDo);
+    if (starts.empty()) return;
+    setFitted(whole->task, starts, true);
+    const Outcome<ModelState> freed = checked();
+    if (!freed) return;
+    // what is no beginning is not mended by another one
+    const std::vector<ToldStart> still = startsOfChecks(full_.task, *freed, false);
+    std::erase_if(starts, [&](const ToldStart& start) {
+        const bool isOfNoBeginning =
+            std::any_of(still.begin(), still.end(), [&](const ToldStart& s) { return s.recording == start.recording; });
+        return isOfNoBeginning || !isDetermined(start, *freed);
+    });
+    setFitted(base_.task, starts, true);
+    setFitted(full_.task, starts, true);
+    checkStarts_ = std::move(starts);
 }
 
 /// What people should know of what was allowed for in the recordings.
@@ -397,6 +428,13 @@ std::vector<Text> Search::recordingRemarks(const NullModel& null) const {
                          errorsOnTime_->first, errorsOnTime_->second)
                 : phrase("with its inputs on time the model has an error of {:.2f} %", errorsOnTime_->first));
     if (!edges_.empty()) remarks.push_back(remarkOn(edges_));
+    std::map<int, std::vector<std::string>> ofChecks;
+    for (const ToldStart& start : checkStarts_) ofChecks[start.recording].push_back(start.parameter);
+    for (const auto& [recording, names] : ofChecks)
+        remarks.push_back(
+            phrase("'{}' does not begin where the model was told: what it begins with is estimated from it alone, and "
+                   "its errors are with that ({}; say so in the study with \"initial\": \"fit\")",
+                   full_.task.recordings[static_cast<std::size_t>(recording)].name, listed(names)));
     for (const ToldStart& start : freedStarts_)
         for (const FitEstimate& e : null.fit.estimates) {
             if (e.name != start.parameter || e.experiment != start.experiment) continue;

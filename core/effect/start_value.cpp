@@ -36,62 +36,72 @@ std::vector<std::string> startParameters(const FlatModel& model) {
     return names;
 }
 
-Outcome<std::vector<ToldStart>> toldStarts(const EstimationTask& task) {
+Outcome<std::vector<ToldStart>> toldStarts(const EstimationTask& task, Role role) {
     const Outcome<FlatModel> flat = flatten(task.library, task.className);
     if (!flat) return flat.diagnostics();
     std::vector<ToldStart> starts;
-    const std::vector<int> fitted = recordingsOf(task, Role::Fit);
+    const std::vector<int> recordings = recordingsOf(task, role);
     for (const std::string& name : startParameters(*flat)) {
         const bool isShared = std::any_of(task.parameters.begin(), task.parameters.end(),
                                           [&](const FitParameter& p) { return p.name == name; });
         if (isShared) continue;
-        for (std::size_t e = 0; e < fitted.size(); ++e) {
-            const Recording& recording = task.recordings[static_cast<std::size_t>(fitted[e])];
+        for (std::size_t e = 0; e < recordings.size(); ++e) {
+            const Recording& recording = task.recordings[static_cast<std::size_t>(recordings[e])];
             const auto told = std::find_if(recording.starts.begin(), recording.starts.end(),
                                            [&](const RecordingStart& s) { return s.parameter == name; });
             if (told == recording.starts.end()) {
                 if (const std::optional<double> value = flat->parameterValue(flat->find(name)))
-                    starts.push_back({fitted[e], static_cast<int>(e), name, *value});
+                    starts.push_back({recordings[e], static_cast<int>(e), name, *value});
             } else if (!told->isFitted) {
-                starts.push_back({fitted[e], static_cast<int>(e), name, told->value});
+                starts.push_back({recordings[e], static_cast<int>(e), name, told->value});
             }
         }
     }
-    for (std::size_t e = 0; e < fitted.size(); ++e)
-        for (const RecordingStart& told : task.recordings[static_cast<std::size_t>(fitted[e])].starts)
+    for (std::size_t e = 0; e < recordings.size(); ++e)
+        for (const RecordingStart& told : task.recordings[static_cast<std::size_t>(recordings[e])].starts)
             if (!told.isFitted && startedBy(*flat, told.parameter).valid())
-                starts.push_back({fitted[e], static_cast<int>(e), told.parameter, told.value});
+                starts.push_back({recordings[e], static_cast<int>(e), told.parameter, told.value});
     return starts;
+}
+
+bool beginsElsewhere(const Eigen::VectorXd& residual, double deviation, double range) {
+    constexpr Eigen::Index fewestSamples = 50;
+    constexpr int samplesOfStart = 3;
+    constexpr double clear = 3, leastShare = 0.05;  // deviations; of the range
+    if (residual.size() < fewestSamples || std::isnan(residual[0])) return false;
+    const double least = std::max(clear * deviation, leastShare * range);
+    // a start value is wrong from the first sample on, not at the first sample alone
+    int above = 0, below = 0;
+    for (Eigen::Index k = 0; k < residual.size() && above + below < samplesOfStart; ++k) {
+        if (std::isnan(residual[k])) continue;
+        if (!(std::abs(residual[k]) > least)) return false;
+        ++(residual[k] > 0 ? above : below);
+    }
+    return above == samplesOfStart || below == samplesOfStart;
 }
 
 namespace {
 
 /// Which of the fitted recordings begin elsewhere than the model does.
 std::set<int> begunElsewhere(const NullModel& null, Against against) {
-    constexpr Eigen::Index samplesOfStart = 3;
-    constexpr double clear = 3, leastShare = 0.05;  // deviations of noise or residual; of the range
     std::set<int> elsewhere;
     for (const ResidualChannel& c : null.channels) {
-        if (c.samples.size() < 50 || c.samples.front() != 0) continue;
+        if (c.samples.empty() || c.samples.front() != 0) continue;
         const Eigen::VectorXd left = null.fit.optimum.residuals.segment(c.begin, c.end - c.begin);
         const double deviation =
             against == Against::Noise ? 1 : std::sqrt(left.squaredNorm() / static_cast<double>(left.size()));
-        const double least = std::max(clear * deviation, leastShare * rangeOf(c.measured).width());
-        const auto first = left.head(samplesOfStart);
-        if (first.minCoeff() > least || first.maxCoeff() < -least) elsewhere.insert(c.experiment);
+        if (beginsElsewhere(left, deviation, rangeOf(c.measured).width())) elsewhere.insert(c.experiment);
     }
     return elsewhere;
 }
 
-}  // namespace
-
-std::vector<ToldStart> startsBegunElsewhere(const NullModel& null, Against against) {
-    const std::set<int> elsewhere = begunElsewhere(null, against);
+/// All that recordings with a role begin with (`elsewhere`: their numbers among them): told start values, and the
+/// states there that nothing decides.
+std::vector<ToldStart> allStarts(const EstimationTask& task, Role role, const std::set<int>& elsewhere) {
     if (elsewhere.empty()) return {};
-    const EstimationTask& task = null.variant.task;
     const Outcome<FlatModel> flat = flatten(task.library, task.className);
-    const Outcome<PreparedTask> prepared = prepare(task);
-    const Outcome<std::vector<ToldStart>> told = toldStarts(task);
+    const Outcome<PreparedTask> prepared = prepare(task, {}, role);
+    const Outcome<std::vector<ToldStart>> told = toldStarts(task, role);
     if (!flat || !prepared || !told) return {};
     std::vector<ToldStart> starts;
     for (const ToldStart& start : *told)
@@ -114,6 +124,29 @@ std::vector<ToldStart> startsBegunElsewhere(const NullModel& null, Against again
     return starts;
 }
 
+}  // namespace
+
+std::vector<ToldStart> startsBegunElsewhere(const NullModel& null, Against against) {
+    return allStarts(null.variant.task, Role::Fit, begunElsewhere(null, against));
+}
+
+std::vector<ToldStart> startsOfChecks(const EstimationTask& task, const ModelState& state, bool allDo) {
+    std::set<int> elsewhere;
+    int check = -1;
+    for (const ExperimentState& e : state.experiments) {
+        if (e.role != Role::Validate) continue;
+        ++check;
+        const bool isElsewhere = std::any_of(e.outputs.begin(), e.outputs.end(), [&](const OutputState& o) {
+            const auto left = state.residual.find(o.name);
+            return left != state.residual.end() &&
+                   beginsElsewhere(o.simulated - o.measured, left->second.standardDeviation,
+                                   rangeOf(o.measured).width());
+        });
+        if (!e.failure.failed && (allDo || isElsewhere)) elsewhere.insert(check);
+    }
+    return allStarts(task, Role::Validate, elsewhere);
+}
+
 void setFitted(EstimationTask& task, const ToldStart& start, bool isFitted) {
     std::vector<RecordingStart>& starts = task.recordings[static_cast<std::size_t>(start.recording)].starts;
     for (RecordingStart& s : starts)
@@ -122,6 +155,10 @@ void setFitted(EstimationTask& task, const ToldStart& start, bool isFitted) {
             return;
         }
     starts.push_back({start.parameter, start.value, isFitted});
+}
+
+void setFitted(EstimationTask& task, const std::vector<ToldStart>& starts, bool areFitted) {
+    for (const ToldStart& start : starts) setFitted(task, start, areFitted);
 }
 
 }  // namespace analogon

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/effect/finding.hpp"
 #include "core/effect/null_model.hpp"
 #include "core/flat/flat_model.hpp"
 
@@ -19,14 +20,14 @@ std::vector<std::string> startParameters(const FlatModel& model);
 /// wrongly.
 struct ToldStart {
     int recording{};   // of the task
-    int experiment{};  // among the fitted ones
+    int experiment{};  // among those of its role
     std::string parameter;
     double value{};
     bool isOfMidRun{};  // one of all that a record has which begins elsewhere
 };
 
-/// Those of the fitted recordings that are not fitted.
-Outcome<std::vector<ToldStart>> toldStarts(const EstimationTask& task);
+/// Those of the recordings with a role that are not fitted.
+Outcome<std::vector<ToldStart>> toldStarts(const EstimationTask& task, Role role = Role::Fit);
 
 enum class Against { Noise, Residual };  // of a channel
 
@@ -34,8 +35,17 @@ enum class Against { Noise, Residual };  // of a channel
 /// more than noise or than what the model leaves elsewhere in them, and of the states there that nothing decides.
 std::vector<ToldStart> startsBegunElsewhere(const NullModel& null, Against against);
 
+/// Whether an output begins elsewhere than it was measured, by far more than `deviation`. `residual`: simulated less
+/// measured; NaN: not measured.
+bool beginsElsewhere(const Eigen::VectorXd& residual, double deviation, double range);
+
+/// The same of recordings that only validate, against what the model leaves in the fitted ones. Where those begin
+/// elsewhere (`allDo`), so do these.
+std::vector<ToldStart> startsOfChecks(const EstimationTask& task, const ModelState& state, bool allDo);
+
 /// Makes a start value one that is fitted, from where the recording was told it to be (else from the value given); or
 /// takes that back.
 void setFitted(EstimationTask& task, const ToldStart& start, bool isFitted);
+void setFitted(EstimationTask& task, const std::vector<ToldStart>& starts, bool areFitted);
 
 }  // namespace analogon

@@ -6460,6 +6460,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>„{}“ beginnt nicht dort, wo es dem Modell gesagt wurde: {} ist dort {} ± {}{}{}, nicht {}; der Wert wird für diese Aufzeichnung angepasst (&quot;initial&quot;: &quot;fit&quot;)</translation>
     </message>
     <message>
+        <source>'{}' does not begin where the model was told: what it begins with is estimated from it alone, and its errors are with that ({}; say so in the study with &quot;initial&quot;: &quot;fit&quot;)</source>
+        <translation>Die Aufzeichnung „{}“ beginnt nicht dort, wo es dem Modell gesagt wurde: Womit sie beginnt, ist aus ihr allein geschätzt, und ihre Fehler gelten damit ({}; in der Studie mit &quot;initial&quot;: &quot;fit&quot; angeben)</translation>
+    </message>
+    <message>
         <source>{} beyond its bound of {:.5g} explains more than any effect: {:.5g} ± {:.2g}{} fits; widen the bound</source>
         <translation>{} jenseits seiner Grenze von {} erklärt mehr als jeder Effekt: {} ± {}{} passt; die Grenze erweitern</translation>
     </message>

@@ -61,17 +61,38 @@ TEST(Caution, SaysThatARecordingBeginsElsewhereThanTheModel) {
     n.measured[100] = 200;
     state.experiments.front().outputs = {n};
     state.residual["n"] = summarise(n.simulated - n.measured);
-    EXPECT_THAT(wrongStarts(state),
+    EXPECT_THAT(wrongStarts(state, Role::Fit),
                 ElementsAre(HasSubstr("'run' begins with n at 250 rad/s where the model begins at 0 rad/s: tell")));
     FitEstimate start;
     start.name = "rotor.phi_start";
     start.experiment = 0;
     state.parameters.push_back(start);
-    EXPECT_THAT(wrongStarts(state), ElementsAre(HasSubstr("though a start value is fitted there")));
+    EXPECT_THAT(wrongStarts(state, Role::Fit), ElementsAre(HasSubstr("though a start value is fitted there")));
     state.parameters.back().experiment = 1;
-    EXPECT_THAT(wrongStarts(state), ElementsAre(HasSubstr("tell its start value"))) << "of another recording";
+    EXPECT_THAT(wrongStarts(state, Role::Fit), ElementsAre(HasSubstr("tell its start value")))
+        << "of another recording";
     state.experiments.front().outputs.front().simulated[0] = 250;
-    EXPECT_THAT(wrongStarts(state), IsEmpty()) << "a start that is right";
+    EXPECT_THAT(wrongStarts(state, Role::Fit), IsEmpty()) << "a start that is right";
+}
+
+TEST(Caution, SaysThatACheckBeginsElsewhereThanTheModel) {
+    ModelState state;
+    ExperimentState rest;
+    rest.name = "rest";
+    rest.role = Role::Validate;
+    OutputState n;
+    n.name = "n";
+    n.unit = "rad/s";
+    n.measured = Eigen::VectorXd::LinSpaced(200, 250, 300);
+    n.simulated = Eigen::VectorXd::LinSpaced(200, 0, 300);
+    rest.outputs = {n};
+    state.experiments = {rest};
+    state.residual["n"].standardDeviation = 1;
+    EXPECT_THAT(wrongStarts(state, Role::Fit), IsEmpty());
+    EXPECT_THAT(wrongStarts(state, Role::Validate),
+                ElementsAre(HasSubstr("'rest' begins with n at 250 rad/s where the model begins at 0 rad/s: tell")));
+    state.experiments[0].starts.resize(1);
+    EXPECT_THAT(wrongStarts(state, Role::Validate), ElementsAre(HasSubstr("though a start value is fitted there")));
 }
 
 TEST(Caution, TellsWhereASensorStuck) {

@@ -246,6 +246,39 @@ TEST_F(Discovery, EstimatesWhereACheckBeginsInMidRun) {
     EXPECT_LT((check.outputs[0].simulated - check.outputs[0].measured).cwiseAbs().maxCoeff(), 0.3);
 }
 
+// The first part of a record is fitted, the rest of it is the check: it begins where the first part ends.
+TEST_F(Discovery, EstimatesWhereTheRestOfARecordBegins) {
+    Shaft shaft{0.02, [](double, double w, double) { return 0.03 * w + 0.1 * signOf(w); }};
+    shaft.more = R"(, "range": [0, 19]},
+                  {"name": "rest", "role": "validate", "file": "run.csv", "time": "t", "range": [21.2, 29],
+                   "inputs": {"tau": "tau"}, "outputs": {"w": "w"})";
+    const double speed = speedOf(shaft)[1060];
+    ASSERT_GT(std::abs(speed), 4);
+    const Finding finding = search(shaft);
+    ASSERT_EQ(finding.effects.size(), 1u);
+    EXPECT_EQ(finding.effects[0].kind, "friction.coulomb");
+    const ExperimentState &before = finding.baseline.experiments.back(), &after = finding.final.experiments.back();
+    ASSERT_EQ(after.starts.size(), 1u) << "of the angle the check says nothing";
+    EXPECT_EQ(after.starts[0].name, "rotor.w.start");
+    EXPECT_NEAR(after.starts[0].value, speed, 5 * after.starts[0].standardError);
+    EXPECT_LT((after.outputs[0].simulated - after.outputs[0].measured).cwiseAbs().maxCoeff(), 0.3);
+    EXPECT_EQ(before.starts.size(), 1u) << "before and after are told alike";
+    EXPECT_LT(after.errorPercent, before.errorPercent);
+    EXPECT_TRUE(std::any_of(finding.warnings.begin(), finding.warnings.end(), [](const Text& w) {
+        return w.english().starts_with("'rest' does not begin where");
+    }));
+}
+
+TEST_F(Discovery, EstimatesNoStartOfACheckThatBeginsWhereTheModelDoes) {
+    Shaft shaft{0.02, [](double, double w, double) { return 0.03 * w + 0.1 * signOf(w); }};
+    shaft.more = R"(, "range": [0, 19]},
+                  {"name": "check", "role": "validate", "file": "run.csv", "time": "t",
+                   "inputs": {"tau": "tau"}, "outputs": {"w": "w"})";
+    const Finding finding = search(shaft);
+    EXPECT_EQ(finding.effects.size(), 1u);
+    EXPECT_TRUE(finding.final.experiments.back().starts.empty());
+}
+
 TEST_F(Discovery, FitsASpeedThatWasToldWrongly) {
     Shaft shaft{0.02, [](double, double w, double) { return 0.03 * w + 0.1 * signOf(w); }};
     shaft.more = R"(, "initial": {"rotor.w": 6})";
