@@ -264,9 +264,8 @@ TEST_F(Discovery, EstimatesWhereTheRestOfARecordBegins) {
     EXPECT_LT((after.outputs[0].simulated - after.outputs[0].measured).cwiseAbs().maxCoeff(), 0.3);
     EXPECT_EQ(before.starts.size(), 1u) << "before and after are told alike";
     EXPECT_LT(after.errorPercent, before.errorPercent);
-    EXPECT_TRUE(std::any_of(finding.warnings.begin(), finding.warnings.end(), [](const Text& w) {
-        return w.english().starts_with("'rest' does not begin where");
-    }));
+    EXPECT_TRUE(std::any_of(finding.warnings.begin(), finding.warnings.end(),
+                            [](const Text& w) { return w.english().starts_with("'rest' does not begin where"); }));
 }
 
 TEST_F(Discovery, EstimatesNoStartOfACheckThatBeginsWhereTheModelDoes) {
