@@ -191,18 +191,18 @@ std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>&
     choose(proposals, options_.refitted / 3);
     std::vector<Trial> trials = tryThese(null, chosen, trialIterations, startsPerTrial);
 
-    // an equation at the place of the best name, which promises nearly as much, is held against it
-    if (const Trial* best = leastLeft(trials); best != nullptr && !isProposal(*best)) {
+    // equations at the place of the best name, which promise nearly as much, are held against it, and the other way
+    // round
+    if (const Trial* best = leastLeft(trials); best != nullptr) {
         std::vector<const Screened*> there;
-        for (const Screened* s : proposals)
+        for (const Screened* s : isProposal(*best) ? order : proposals)
             if (s->candidate.place.connector == best->screened.candidate.place.connector &&
                 s->score() > leastLike * best->screened.score() &&
                 std::find(chosen.begin(), chosen.end(), s) == chosen.end())
                 there.push_back(s);
-        std::vector<Trial> equations = tryThese(null, there, trialIterations, startsPerTrial);
+        std::vector<Trial> others = tryThese(null, there, trialIterations, startsPerTrial);
         chosen.insert(chosen.end(), there.begin(), there.end());
-        trials.insert(trials.end(), std::make_move_iterator(equations.begin()),
-                      std::make_move_iterator(equations.end()));
+        trials.insert(trials.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
     }
 
     double smallest = null.sumOfSquares();
