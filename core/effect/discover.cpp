@@ -417,9 +417,8 @@ Outcome<Finding> Search::run() {
         for (Variant* v : {&null->variant, &base.variant}) setFitted(v->task, checkStarts_, true);
         for (Path& other : otherEnds_) setFitted(other.null.variant.task, checkStarts_, true);
         // before and after are told alike
-        state = stateOf(asGiven, fitAsGiven, options_.fit.simulation, Progress());
-        if (!state) return state.diagnostics();
-        finding.final = finding.baseline = std::move(*state);
+        if (Outcome<ModelState> told = stateOf(asGiven, fitAsGiven, options_.fit.simulation, Progress()))
+            finding.final = finding.baseline = std::move(*told);
     }
     settleChange(base, *null);
     if (change_ || dependence_) {

@@ -19,6 +19,32 @@ namespace fs = std::filesystem;
 constexpr const char* version = ANALOGON_VERSION;
 constexpr const char* proposalFile = "proposed.mo";
 
+/// What a study tells of a start value; of a variable ("rotor.w") it is that of its start value ("rotor.w.start").
+/// Where it tells nothing, what is told from now on.
+StudyStart& startIn(StudyExperiment& experiment, const std::string& parameter) {
+    const auto told = std::find_if(experiment.initial.begin(), experiment.initial.end(), [&](const auto& start) {
+        return start.first == parameter || startOf(start.first) == parameter;
+    });
+    return told == experiment.initial.end() ? experiment.initial[parameter] : told->second;
+}
+
+/// Where recordings were found to begin elsewhere than the study had told: at these values, and those that only
+/// validate wherever they do beside a model.
+void completeStarts(Study& study, const ModelState& state) {
+    std::vector<StudyExperiment*> fitted;
+    for (StudyExperiment& x : study.experiments)
+        if (x.role == Role::Fit) fitted.push_back(&x);
+    for (const FitEstimate& e : state.parameters) {
+        if (e.experiment < 0 || e.experiment >= static_cast<int>(fitted.size())) continue;
+        StudyStart& start = startIn(*fitted[static_cast<std::size_t>(e.experiment)], e.name);
+        if (!std::holds_alternative<FittedStart>(start)) start = e.value;
+    }
+    for (StudyExperiment& x : study.experiments)
+        for (const ExperimentState& checked : state.experiments)
+            if (x.role == Role::Validate && checked.role == Role::Validate && checked.name == x.name)
+                for (const FitEstimate& e : checked.starts) startIn(x, e.name) = FittedStart{};
+}
+
 /// The study with fitted values in its model, effects wired in, and their parameters among the fitted ones.
 Study completedStudy(const Study& study, const Finding& finding) {
     Study completed = study;
@@ -29,22 +55,7 @@ Study completedStudy(const Study& study, const Finding& finding) {
             p.value.reset();  // the model's text holds it now
             if (isClock(e.name)) p.value = e.value;
         }
-    // a start value that the study had told otherwise
-    std::vector<StudyExperiment*> fitted;
-    for (StudyExperiment& x : completed.experiments)
-        if (x.role == Role::Fit) fitted.push_back(&x);
-    for (const FitEstimate& e : finding.final.parameters) {
-        if (e.experiment < 0 || e.experiment >= static_cast<int>(fitted.size())) continue;
-        std::map<std::string, StudyStart>& initial = fitted[static_cast<std::size_t>(e.experiment)]->initial;
-        // of a variable ("rotor.w") it is its start value ("rotor.w.start")
-        const auto told = std::find_if(initial.begin(), initial.end(), [&](const auto& start) {
-            return start.first == e.name || startOf(start.first) == e.name;
-        });
-        if (told == initial.end())
-            initial[e.name] = e.value;
-        else if (!std::holds_alternative<FittedStart>(told->second))
-            told->second = e.value;
-    }
+    completeStarts(completed, finding.final);
     for (const AddedEffect& e : finding.effects)
         if (!e.newInput.empty())
             for (StudyExperiment& x : completed.experiments) x.inputs[e.newInput].column = e.channel;

@@ -268,6 +268,23 @@ TEST_F(Discovery, EstimatesWhereTheRestOfARecordBegins) {
                             [](const Text& w) { return w.english().starts_with("'rest' does not begin where"); }));
 }
 
+TEST_F(Discovery, WritesAStudyThatEstimatesWhereTheRestOfARecordBegins) {
+    Shaft shaft{0.02, [](double, double w, double) { return 0.03 * w + 0.1 * signOf(w); }};
+    shaft.more = R"(, "range": [0, 19]},
+                  {"name": "rest", "role": "validate", "file": "run.csv", "time": "t", "range": [21.2, 29],
+                   "inputs": {"tau": "tau"}, "outputs": {"w": "w"}, "initial": {"rotor.w": -10})";
+    const Finding finding = search(shaft);
+    const Outcome<RunResult> found = runDiscover(read(), {});
+    ASSERT_TRUE(found) << format(found.diagnostics());
+    const Study& completed = found->completed;
+    ASSERT_EQ(completed.experiments.at(1).initial.size(), 1u);
+    EXPECT_TRUE(std::holds_alternative<FittedStart>(completed.experiments[1].initial.at("rotor.w")));
+    const Outcome<RunResult> again = runSimulate(completed, {});
+    ASSERT_TRUE(again) << format(again.diagnostics());
+    EXPECT_NEAR(again->finding.final.experiments.at(1).errorPercent, finding.final.experiments.at(1).errorPercent,
+                1e-3);
+}
+
 TEST_F(Discovery, EstimatesNoStartOfACheckThatBeginsWhereTheModelDoes) {
     Shaft shaft{0.02, [](double, double w, double) { return 0.03 * w + 0.1 * signOf(w); }};
     shaft.more = R"(, "range": [0, 19]},
