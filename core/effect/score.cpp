@@ -12,7 +12,6 @@ namespace analogon {
 namespace {
 
 constexpr double rankThreshold = 1e-9;
-constexpr double rounding = 1e-9;  // of a column, that is left where the parameters imitate it
 constexpr int maxAutoregressiveOrder = 12;
 constexpr double leastApart = 1e-4;  // of two directions, smallest over largest eigenvalue: else they count as one
 constexpr double leastSharedInformation = 0.05;  // of a direction, outside a part of the record that is left out
@@ -128,17 +127,12 @@ ColumnScore scoreColumns(const Complement& complement, const Eigen::VectorXd& re
     score.directions = Eigen::MatrixXd(columns.rows(), 0);
     const double length = columns.col(0).norm();
     if (!(length > 0) || !std::isfinite(length)) return score;
-    Eigen::MatrixXd rest = complement(columns);
+    const Eigen::MatrixXd rest = complement(columns);
     score.visible = rest.col(0).norm() / length;
     Eigen::VectorXd norms = rest.colwise().norm().transpose();
-    Eigen::MatrixXd unit = unitColumns(rest);
-    for (Eigen::Index j = 1; j < rest.cols(); ++j) {
-        const double visible = norms[j] / columns.col(j).norm();
-        if (!(visible > rounding)) rest.col(j).setZero();
-        if (!(visible > leastVisible)) unit.col(j).setZero();  // any strength of it would do
-    }
     for (double& n : norms)
         if (!(n > 0)) n = 1;
+    const Eigen::MatrixXd unit = rest * norms.cwiseInverse().asDiagonal();
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(unit);
     qr.setThreshold(1e-6);
     score.strengths = (-qr.solve(residual)).cwiseQuotient(norms);

@@ -24,7 +24,6 @@ constexpr double leastGain = 1;             // in evidence, for which an effect 
 constexpr int mostSharpenings = 2;
 constexpr double sameOptimum = 1e-3;   // of the misfit
 constexpr double leastSharpening = 8;  // fall in the sum of squares, in units of the noise
-constexpr double leastMoved = 2;       // standard errors, by which a strength is another
 
 /// Whether both are the same fault of a measured or a commanded signal: an offset and an offset, a lag and a lag.
 bool isSameFault(const EffectClass& a, const EffectClass& b) {
@@ -52,13 +51,6 @@ std::optional<NullModel> refitted(const Variant& on, const NullModel& model, con
     Outcome<NullModel> fitted = fitNull(*variant, model.noise, NoiseLevel::Keep, options, progress);
     if (!fitted) return std::nullopt;
     return std::move(*fitted);
-}
-
-/// Whether the strength of an effect has moved from one model to another by more than it is uncertain.
-bool isMoved(const PlacedEffect& placed, const NullModel& from, const NullModel& to) {
-    const std::string& name = placed.freed.front().name;
-    const FitEstimate *before = from.fit.find(name), *after = to.fit.find(name);
-    return before && after && std::abs(after->value - before->value) > leastMoved * after->standardError;
 }
 
 }  // namespace
@@ -876,16 +868,13 @@ bool Search::dropUnmissed(const NullModel& last, NullModel& null) {
 }
 
 /// What the newest effect rounds off for the sake of the integration (the change of sign of a friction, the corner of a
-/// limit) is drawn sharper as long as the data ask for it: the rest would pass for an effect of its own. So it is where
-/// they do not mind and the strength is another then: what is rounded off moves it (a limit beyond all that came).
+/// limit) is drawn sharper as long as the data ask for it: the rest would pass for an effect of its own.
 void Search::sharpen(NullModel& null) {
     for (int pass = 0; pass < mostSharpenings && !progress_.stopRequested(); ++pass) {
         std::vector<PlacedEffect> effects = null.variant.effects;
         if (!drawSharper(effects.back())) return;
         std::optional<NullModel> sharper = refittedWith(null, effects);
-        if (!sharper) return;
-        const double gain = null.sumOfSquares() - sharper->sumOfSquares();
-        if (!(gain > leastSharpening) && !(gain > -leastSharpening && isMoved(effects.back(), null, *sharper))) return;
+        if (!sharper || !(null.sumOfSquares() - sharper->sumOfSquares() > leastSharpening)) return;
         if (sharper->fit.takesDifferences) return;  // too sharp for the steps: nothing could be screened beside it
         null = std::move(*sharper);
     }

@@ -191,18 +191,18 @@ std::vector<Trial> Search::tryBest(const NullModel& null, std::vector<Screened>&
     choose(proposals, options_.refitted / 3);
     std::vector<Trial> trials = tryThese(null, chosen, trialIterations, startsPerTrial);
 
-    // equations at the place of the best name, which promise nearly as much, are held against it, and the other way
-    // round
-    if (const Trial* best = leastLeft(trials); best != nullptr) {
+    // an equation at the place of the best name, which promises nearly as much, is held against it
+    if (const Trial* best = leastLeft(trials); best != nullptr && !isProposal(*best)) {
         std::vector<const Screened*> there;
-        for (const Screened* s : isProposal(*best) ? order : proposals)
+        for (const Screened* s : proposals)
             if (s->candidate.place.connector == best->screened.candidate.place.connector &&
                 s->score() > leastLike * best->screened.score() &&
                 std::find(chosen.begin(), chosen.end(), s) == chosen.end())
                 there.push_back(s);
-        std::vector<Trial> others = tryThese(null, there, trialIterations, startsPerTrial);
+        std::vector<Trial> equations = tryThese(null, there, trialIterations, startsPerTrial);
         chosen.insert(chosen.end(), there.begin(), there.end());
-        trials.insert(trials.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
+        trials.insert(trials.end(), std::make_move_iterator(equations.begin()),
+                      std::make_move_iterator(equations.end()));
     }
 
     double smallest = null.sumOfSquares();
@@ -243,15 +243,12 @@ void Search::retryNames(const NullModel& null, std::vector<Trial>& trials) {
 
 /// Where an equation without a name explains a little more than a name that rounds something off (a limit sets in over
 /// a few percent), that may be all it explains more: the name is drawn sharper before they are held against each other.
-/// So is one whose strength rests at its bound: what is rounded off begins before the limit, and moves it away.
 void Search::drawNamesSharper(const NullModel& null, std::vector<Trial>& trials) {
     rank(null, trials);
-    if (trials.empty() || !trials.front().ok) return;
-    const bool isBehindEquation = isProposal(trials.front());
+    if (trials.empty() || !trials.front().ok || !isProposal(trials.front())) return;
     const double least = leastLike * trials.front().evidence;
     for (Trial& t : trials) {
         if (!t.ok || isProposal(t) || !(t.evidence > least) || progress_.stopRequested()) continue;
-        if (!isBehindEquation && !isAtBound(t)) continue;
         std::vector<PlacedEffect> effects = t.variant.effects;
         if (!drawSharper(effects.back())) continue;
         Outcome<Variant> variant = withEffects(base_, effects, t.variant.values);

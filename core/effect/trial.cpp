@@ -208,25 +208,16 @@ void bothCourses(std::vector<TrialStart>& starts, std::size_t count) {
 }
 
 /// Where the strength comes from a slope at 0, the slope may promise far more than the model bears there (a magnet that
-/// warms until its field turns over, a friction beside one of which it takes the part). What it promises is taken back
-/// until it is no worse than the model without.
+/// warms until its field turns over). The strength is taken back until it is no worse than the model without.
 void takeBack(const NullModel& null, TrialStart& start, const SimulationOptions& simulation, const Progress& progress) {
-    std::vector<FitParameter>& parameters = start.prepared.problem.parameters;
-    const std::vector<FitParameter> promised = parameters;
-    const PlacedEffect& placed = start.variant.effects.back();
-    const auto isPromised = [&](const FitParameter& p) {
-        const auto isOwn = [&](const std::string& name) { return p.name == placed.instance + "." + name; };
-        return isOwn(placed.effect.strength) ||
-               std::any_of(placed.effect.linear.begin(), placed.effect.linear.end(), isOwn);
-    };
+    const auto strength = strengthOf(start);
+    const double first = strength->start;
     for (const double part : {1.0, 0.25, 0.0625, 0.015625}) {
-        for (std::size_t i = 0; i < parameters.size(); ++i)
-            if (isPromised(promised[i]))
-                parameters[i].start = std::clamp(part * promised[i].start, promised[i].min, promised[i].max);
+        strength->start = std::clamp(first * part, strength->min, strength->max);
         const Linearisation at = lineariseAt(start, start.prepared.problem.startValues(), false, simulation, progress);
         if (at.ok && at.residuals.squaredNorm() < null.sumOfSquares()) return;
     }
-    parameters = promised;  // no way down
+    strength->start = std::clamp(first, strength->min, strength->max);  // no way down: as promised
 }
 
 bool isWhole(const PlacedEffect& placed, const FitParameter& parameter) {
