@@ -205,11 +205,7 @@ std::vector<Text> wrongStarts(const ModelState& state, Role role) {
             (role == Role::Fit && std::any_of(state.parameters.begin(), state.parameters.end(),
                                               [&](const FitEstimate& p) { return p.experiment == fitted; }));
         for (const OutputState& output : e.outputs) {
-            const auto left = state.residual.find(output.name);
-            if (left == state.residual.end() ||
-                !beginsElsewhere(output.simulated - output.measured, left->second.standardDeviation,
-                                 rangeOf(output.measured).width()))
-                continue;
+            if (!beginsElsewhere(output, state)) continue;
             const std::string unit = output.unit.empty() ? "" : " " + output.unit;
             const Text begins = phrase("'{}' begins with {} at {:.4g}{} where the model begins at {:.4g}{}", e.name,
                                        output.name, output.measured[0], unit, output.simulated[0], unit);

@@ -80,6 +80,13 @@ bool beginsElsewhere(const Eigen::VectorXd& residual, double deviation, double r
     return above == samplesOfStart || below == samplesOfStart;
 }
 
+bool beginsElsewhere(const OutputState& output, const ModelState& state) {
+    const auto left = state.residual.find(output.name);
+    return left != state.residual.end() &&
+           beginsElsewhere(output.simulated - output.measured, left->second.standardDeviation,
+                           rangeOf(output.measured).width());
+}
+
 namespace {
 
 /// Which of the fitted recordings begin elsewhere than the model does.
@@ -136,12 +143,8 @@ std::vector<ToldStart> startsOfChecks(const EstimationTask& task, const ModelSta
     for (const ExperimentState& e : state.experiments) {
         if (e.role != Role::Validate) continue;
         ++check;
-        const bool isElsewhere = std::any_of(e.outputs.begin(), e.outputs.end(), [&](const OutputState& o) {
-            const auto left = state.residual.find(o.name);
-            return left != state.residual.end() &&
-                   beginsElsewhere(o.simulated - o.measured, left->second.standardDeviation,
-                                   rangeOf(o.measured).width());
-        });
+        const bool isElsewhere = std::any_of(e.outputs.begin(), e.outputs.end(),
+                                             [&](const OutputState& o) { return beginsElsewhere(o, state); });
         if (!e.failure.failed && (allDo || isElsewhere)) elsewhere.insert(check);
     }
     return allStarts(task, Role::Validate, elsewhere);

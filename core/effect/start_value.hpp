@@ -35,13 +35,14 @@ enum class Against { Noise, Residual };  // of a channel
 /// more than noise or than what the model leaves elsewhere in them, and of the states there that nothing decides.
 std::vector<ToldStart> startsBegunElsewhere(const NullModel& null, Against against);
 
+/// The same of recordings that only validate, where a model begins elsewhere in them (`state`), or in all of them.
+std::vector<ToldStart> startsOfChecks(const EstimationTask& task, const ModelState& state, bool allDo);
+
 /// Whether an output begins elsewhere than it was measured, by far more than `deviation`. `residual`: simulated less
 /// measured; NaN: not measured.
 bool beginsElsewhere(const Eigen::VectorXd& residual, double deviation, double range);
-
-/// The same of recordings that only validate, against what the model leaves in the fitted ones. Where those begin
-/// elsewhere (`allDo`), so do these.
-std::vector<ToldStart> startsOfChecks(const EstimationTask& task, const ModelState& state, bool allDo);
+/// The same, by far more than what the model leaves in the fitted recordings.
+bool beginsElsewhere(const OutputState& output, const ModelState& state);
 
 /// Makes a start value one that is fitted, from where the recording was told it to be (else from the value given); or
 /// takes that back.

@@ -75,18 +75,25 @@ TEST(Caution, SaysThatARecordingBeginsElsewhereThanTheModel) {
     EXPECT_THAT(wrongStarts(state, Role::Fit), IsEmpty()) << "a start that is right";
 }
 
-TEST(Caution, SaysThatACheckBeginsElsewhereThanTheModel) {
+/// A recording to validate, in which a speed was measured.
+ModelState withCheck(const std::string& name, const Eigen::VectorXd& measured, const Eigen::VectorXd& simulated) {
     ModelState state;
-    ExperimentState rest;
-    rest.name = "rest";
-    rest.role = Role::Validate;
+    ExperimentState check;
+    check.name = name;
+    check.role = Role::Validate;
     OutputState n;
     n.name = "n";
     n.unit = "rad/s";
-    n.measured = Eigen::VectorXd::LinSpaced(200, 250, 300);
-    n.simulated = Eigen::VectorXd::LinSpaced(200, 0, 300);
-    rest.outputs = {n};
-    state.experiments = {rest};
+    n.measured = measured;
+    n.simulated = simulated;
+    check.outputs = {n};
+    state.experiments = {check};
+    return state;
+}
+
+TEST(Caution, SaysThatACheckBeginsElsewhereThanTheModel) {
+    ModelState state =
+        withCheck("rest", Eigen::VectorXd::LinSpaced(200, 250, 300), Eigen::VectorXd::LinSpaced(200, 0, 300));
     state.residual["n"].standardDeviation = 1;
     EXPECT_THAT(wrongStarts(state, Role::Fit), IsEmpty());
     EXPECT_THAT(wrongStarts(state, Role::Validate),
@@ -184,26 +191,16 @@ TEST(Caution, NamesNoOtherValueWhereTheDataDetermineNone) {
 
 /// A fitted recording that leaves noise of 0.1, and one to validate of which this is measured where 'simulated' is.
 ModelState validated(const std::function<double(double simulated, double noise)>& measured) {
-    ModelState state;
     std::mt19937 random(5);
     std::normal_distribution<double> noise(0, 0.1);
-    ExperimentState check;
-    check.name = "check";
-    check.role = Role::Validate;
-    OutputState n;
-    n.name = "n";
-    n.unit = "rad/s";
-    n.simulated.resize(500);
-    n.measured.resize(500);
-    Eigen::VectorXd fitted(500);
+    Eigen::VectorXd fitted(500), model(500), read(500);
     for (int k = 0; k < 500; ++k) {
         fitted[k] = noise(random);
-        n.simulated[k] = 5 + 3 * std::sin(0.05 * k);
-        n.measured[k] = measured(n.simulated[k], noise(random));
+        model[k] = 5 + 3 * std::sin(0.05 * k);
+        read[k] = measured(model[k], noise(random));
     }
-    n.measured[7] = std::nan("");
-    check.outputs = {n};
-    state.experiments = {check};
+    read[7] = std::nan("");
+    ModelState state = withCheck("check", read, model);
     state.residual["n"] = summarise(fitted);
     return state;
 }
