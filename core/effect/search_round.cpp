@@ -243,12 +243,15 @@ void Search::retryNames(const NullModel& null, std::vector<Trial>& trials) {
 
 /// Where an equation without a name explains a little more than a name that rounds something off (a limit sets in over
 /// a few percent), that may be all it explains more: the name is drawn sharper before they are held against each other.
+/// So is one whose strength rests at its bound: what is rounded off begins before the limit, and moves it away.
 void Search::drawNamesSharper(const NullModel& null, std::vector<Trial>& trials) {
     rank(null, trials);
-    if (trials.empty() || !trials.front().ok || !isProposal(trials.front())) return;
+    if (trials.empty() || !trials.front().ok) return;
+    const bool isBehindEquation = isProposal(trials.front());
     const double least = leastLike * trials.front().evidence;
     for (Trial& t : trials) {
         if (!t.ok || isProposal(t) || !(t.evidence > least) || progress_.stopRequested()) continue;
+        if (!isBehindEquation && !isAtBound(t)) continue;
         std::vector<PlacedEffect> effects = t.variant.effects;
         if (!drawSharper(effects.back())) continue;
         Outcome<Variant> variant = withEffects(base_, effects, t.variant.values);

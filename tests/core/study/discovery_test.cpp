@@ -295,6 +295,16 @@ TEST_F(Discovery, EstimatesNoStartOfACheckThatBeginsWhereTheModelDoes) {
     EXPECT_TRUE(finding.final.experiments.back().starts.empty());
 }
 
+// What a limit rounds off begins before it: a limit that hardly any command reaches seems to lie beyond all of them.
+TEST_F(Discovery, FindsALimitThatHardlyAnyCommandReaches) {
+    Shaft shaft{0.02, [](double, double w, double) { return 0.03 * w; }};
+    shaft.limit = 1.034;
+    const Finding finding = search(shaft);
+    EXPECT_EQ(finding.kind, FindingKind::Effect);
+    ASSERT_EQ(finding.effects.size(), 1u);
+    EXPECT_EQ(finding.effects[0].kind, "actuator.saturation");
+}
+
 TEST_F(Discovery, FitsASpeedThatWasToldWrongly) {
     Shaft shaft{0.02, [](double, double w, double) { return 0.03 * w + 0.1 * signOf(w); }};
     shaft.more = R"(, "initial": {"rotor.w": 6})";
