@@ -208,16 +208,34 @@ void bothCourses(std::vector<TrialStart>& starts, std::size_t count) {
 }
 
 /// Where the strength comes from a slope at 0, the slope may promise far more than the model bears there (a magnet that
-/// warms until its field turns over). The strength is taken back until it is no worse than the model without.
+/// warms until its field turns over). The strength is taken back until it is no worse than the model without; where
+/// that is no way down, so is all that the effect is linear in (a friction beside one of which it takes the part).
 void takeBack(const NullModel& null, TrialStart& start, const SimulationOptions& simulation, const Progress& progress) {
-    const auto strength = strengthOf(start);
-    const double first = strength->start;
-    for (const double part : {1.0, 0.25, 0.0625, 0.015625}) {
-        strength->start = std::clamp(first * part, strength->min, strength->max);
+    std::vector<FitParameter>& parameters = start.prepared.problem.parameters;
+    const std::vector<FitParameter> promised = parameters;
+    const PlacedEffect& placed = start.variant.effects.back();
+    const auto isNamed = [&](const FitParameter& p, const std::string& n) {
+        return p.name == placed.instance + "." + n;
+    };
+    const auto isStrength = [&](const FitParameter& p) { return isNamed(p, placed.effect.strength); };
+    const auto isLinear = [&](const FitParameter& p) {
+        const std::vector<std::string>& linear = placed.effect.linear;
+        return isStrength(p) ||
+               std::any_of(linear.begin(), linear.end(), [&](const std::string& n) { return isNamed(p, n); });
+    };
+    const auto isDown = [&](double part, const auto& isTaken) {
+        for (std::size_t i = 0; i < parameters.size(); ++i)
+            if (isTaken(promised[i]))
+                parameters[i].start = std::clamp(part * promised[i].start, promised[i].min, promised[i].max);
         const Linearisation at = lineariseAt(start, start.prepared.problem.startValues(), false, simulation, progress);
-        if (at.ok && at.residuals.squaredNorm() < null.sumOfSquares()) return;
-    }
-    strength->start = std::clamp(first, strength->min, strength->max);  // no way down: as promised
+        return at.ok && at.residuals.squaredNorm() < null.sumOfSquares();
+    };
+    for (const double part : {1.0, 0.25, 0.0625, 0.015625})
+        if (isDown(part, isStrength)) return;
+    if (!placed.effect.linear.empty())
+        for (const double part : {0.25, 0.0625, 0.015625})
+            if (isDown(part, isLinear)) return;
+    parameters = promised;
 }
 
 bool isWhole(const PlacedEffect& placed, const FitParameter& parameter) {

@@ -72,18 +72,20 @@ Outcome<NullModel> fittedWithoutItsLag() {
     return fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, {}, {});
 }
 
+/// The first place of a kind of effects, with its traces.
+Screened screenedOf(const NullModel& null, const std::string& kind) {
+    const Outcome<std::vector<EffectClass>> catalogue = effectCatalogue(null.variant.task.library);
+    const Outcome<std::vector<Candidate>> candidates = candidatesFor(null.variant, *catalogue);
+    const auto wanted =
+        std::find_if(candidates->begin(), candidates->end(), [&](const Candidate& c) { return c.effect.kind == kind; });
+    return screen(null, *wanted, {}, {});
+}
+
 TEST(TrialStarts, TakeTheBestPromiseFirst) {
     const Outcome<NullModel> null = fittedWithoutItsLag();
     ASSERT_TRUE(null) << format(null.diagnostics());
-    const Outcome<std::vector<EffectClass>> catalogue = effectCatalogue(null->variant.task.library);
-    ASSERT_TRUE(catalogue);
-    const Outcome<std::vector<Candidate>> candidates = candidatesFor(null->variant, *catalogue);
-    ASSERT_TRUE(candidates);
-    const auto lag = std::find_if(candidates->begin(), candidates->end(),
-                                  [](const Candidate& c) { return c.effect.kind == "sensor.lag"; });
-    ASSERT_NE(lag, candidates->end());
     const FitOptions options = trialOptions({}, trialIterations);
-    const Screened screened = screen(*null, *lag, options.simulation, {});
+    const Screened screened = screenedOf(*null, "sensor.lag");
     ASSERT_TRUE(screened.failure.empty());
 
     const Progress progress;
@@ -104,6 +106,27 @@ TEST(TrialStarts, TakeTheBestPromiseFirst) {
     EXPECT_FALSE(starts.hasNext()) << "two were asked for";
     EXPECT_LE(starts.best().sumOfSquares(), reached);
     EXPECT_EQ(refit(*null, screened, options, 2, progress).sumOfSquares(), starts.best().sumOfSquares());
+}
+
+// A trace may promise far too much of whatever the effect is linear in: of a friction beside one of which it would take
+// the part.
+TEST(TrialStarts, TakeBackAllThatTheTracePromisesTooMuch) {
+    const Outcome<NullModel> null = fittedWithoutItsLag();
+    ASSERT_TRUE(null) << format(null.diagnostics());
+    Screened screened = screenedOf(*null, "proposal.heat.periodic");
+    ASSERT_FALSE(screened.probes.empty());
+    for (Probe& p : screened.probes) {
+        ASSERT_EQ(p.plain.strengths.size(), 2);
+        ASSERT_NE(p.plain.strengths[1], 0);
+        p.plain.strengths[1] *= 100;
+    }
+    const Progress progress;
+    const FitOptions options = trialOptions({}, 0);
+    TrialStarts starts(*null, screened, options, 1, progress);
+    ASSERT_TRUE(starts.hasNext());
+    starts.takeNext();
+    ASSERT_TRUE(starts.best().ok);
+    EXPECT_LT(starts.best().sumOfSquares(), null->sumOfSquares());
 }
 
 }  // namespace
