@@ -12,6 +12,7 @@ namespace analogon {
 namespace {
 
 constexpr double rankThreshold = 1e-9;
+constexpr double rounding = 1e-9;  // of a column: no more is left of what the parameters imitate
 constexpr int maxAutoregressiveOrder = 12;
 constexpr double leastApart = 1e-4;  // of two directions, smallest over largest eigenvalue: else they count as one
 constexpr double leastSharedInformation = 0.05;  // of a direction, outside a part of the record that is left out
@@ -127,8 +128,10 @@ ColumnScore scoreColumns(const Complement& complement, const Eigen::VectorXd& re
     score.directions = Eigen::MatrixXd(columns.rows(), 0);
     const double length = columns.col(0).norm();
     if (!(length > 0) || !std::isfinite(length)) return score;
-    const Eigen::MatrixXd rest = complement(columns);
+    Eigen::MatrixXd rest = complement(columns);
     score.visible = rest.col(0).norm() / length;
+    for (Eigen::Index j = 1; j < rest.cols(); ++j)
+        if (!(rest.col(j).norm() > rounding * columns.col(j).norm())) rest.col(j).setZero();  // any strength would do
     Eigen::VectorXd norms = rest.colwise().norm().transpose();
     for (double& n : norms)
         if (!(n > 0)) n = 1;

@@ -148,6 +148,18 @@ TEST(ScoreColumns, SaysHowLittleOfAnAbsorbedEffectIsVisible) {
     EXPECT_NEAR(s.visible, 1e-3, 1e-5);
 }
 
+TEST(ScoreColumns, TellsNoStrengthOfWhatTheParametersImitate) {
+    const int n = 1000;
+    Eigen::MatrixXd columns(n, 3);
+    columns << wave(n, 3), 2 * wave(n, 1), wave(n, 5);
+    const Eigen::VectorXd residual = gaussian(n, 1) - 0.5 * wave(n, 3) + 0.7 * wave(n, 5);
+    const ColumnScore s = scoreColumns(Complement(wave(n, 1)), residual, columns, false);
+    EXPECT_NEAR(s.strengths[0], 0.5, 0.1);
+    EXPECT_EQ(s.strengths[1], 0) << "what rounding leaves of it fits anything";
+    EXPECT_NEAR(s.strengths[2], -0.7, 0.1);
+    EXPECT_EQ(s.directions.cols(), 2);
+}
+
 TEST(ExplainedTogether, ShowsTwoEffectsThatHideEachOther) {
     const int n = 400;
     const auto direction = [](Eigen::VectorXd v) { return Eigen::MatrixXd(v / v.norm()); };
