@@ -79,6 +79,28 @@ std::vector<int> longestFirst(const std::vector<std::size_t>& costs) {
     return order;
 }
 
+/// Whether two probes promise the same: one direction each, and that alike.
+bool isTwin(const Probe& a, const Probe& b) {
+    const Eigen::MatrixXd &one = a.plain.directions, &other = b.plain.directions;
+    return one.cols() == 1 && other.cols() == 1 && std::abs(one.col(0).dot(other.col(0))) > twinCorrelation;
+}
+
+/// What the data cannot tell from a named effect of the wrong physical sign is no more physical under no name: a drag
+/// that differs with the direction, of a shaft that turns one way only, is a viscous friction that drives.
+void refuseTwinsOfWrongSign(std::vector<Screened>& screened) {
+    for (Screened& equation : screened) {
+        if (equation.candidate.effect.proposal.empty()) continue;
+        for (const Screened& named : screened) {
+            if (!named.candidate.effect.proposal.empty() || !named.isWrongSign() ||
+                named.candidate.place.connector != equation.candidate.place.connector)
+                continue;
+            for (Probe& p : equation.probes)
+                if (std::any_of(named.probes.begin(), named.probes.end(), [&](const Probe& n) { return isTwin(p, n); }))
+                    p.plain.wrongSign = p.whitened.wrongSign = true;
+        }
+    }
+}
+
 }  // namespace
 
 /// The trials of an equation at all places where it, or a law with as many terms, explains as much, `best` the best of
@@ -128,6 +150,7 @@ std::vector<Screened> Search::screenAll(const NullModel& null) {
         say("screen", phrase("{} at {}", c.effect.kind, c.place.at), k / static_cast<double>(screened.size()));
         screened[i] = screen(null, c, search_.fit.simulation, progress_);
     });
+    refuseTwinsOfWrongSign(screened);
     return screened;
 }
 
@@ -282,8 +305,9 @@ void Search::retryFrom(const NullModel& null, const std::vector<ParameterValue>&
             trials[chosen[i]] = std::move(again[i]);
 }
 
-/// What does nearly as well as the best may only have been fitted from farther away: it begins once more where the best
-/// has led the other parameters (`values`), which left so much.
+/// What does nearly as well as the best may only have been fitted from farther away, and what promises as much but ends
+/// worse than it began has lost its way: it begins once more where the best has led the other parameters (`values`),
+/// which left so much.
 void Search::retryNear(const NullModel& null, const std::vector<ParameterValue>& values, double sumOfSquares,
                        std::vector<Trial>& trials) {
     const double fall = null.sumOfSquares() - sumOfSquares;
@@ -291,7 +315,8 @@ void Search::retryNear(const NullModel& null, const std::vector<ParameterValue>&
     for (std::size_t i = 0; i < trials.size() && near.size() < mostNear; ++i) {
         if (!trials[i].ok || isProposal(trials[i])) continue;
         const double behind = trials[i].sumOfSquares() - sumOfSquares;
-        if (behind > equivalenceMargin && behind < nearShare * fall) near.push_back(i);
+        const bool isLost = behind > fall && trials[i].screened.score() > leastLike * trials.front().screened.score();
+        if (behind > equivalenceMargin && (behind < nearShare * fall || isLost)) near.push_back(i);
     }
     if (near.empty() || progress_.stopRequested()) return;
     retryFrom(null, values, near, 2 * trialIterations, trials);

@@ -1114,14 +1114,15 @@ TEST_F(Discovery, TakesTheFirstSamplesOfARecordingInMotionForNoStructure) {
     }));
 }
 
-/// A pump whose voltage or whose tacho ends.
+/// A pump whose voltage or whose tacho ends, or whose bearings rub.
 class DiscoveryInAPump : public Discovery {
 protected:
-    struct Limits {
-        double voltage{1e9}, shown{1e9};  // [V], [rad/s]
+    struct Pump {
+        double voltage{1e9}, shown{1e9};                                       // [V], [rad/s] at most
+        std::function<double(double w)> friction{[](double) { return 0.0; }};  // [N.m]
     };
 
-    Finding searchPump(const Limits& limits) {
+    Finding searchPump(const Pump& pump, const std::vector<std::string>& kinds = {}) {
         put("model.mo", machineModel("u", "R=0.34, L=0, k=0.035", "J=4e-5", "QuadraticLoad load(k_q=7e-7)"));
         put("study.json", R"({"format": "analogon-study-1", "class": "Drive",
   "experiments": [{"name": "run", "role": "fit", "file": "run.csv", "time": "t", "inputs": {"u": "u"},
@@ -1140,16 +1141,18 @@ protected:
         double w = 0;
         for (int n = 0; n < 3000; ++n) {
             const auto given = [&](double part) {
-                return std::min(limits.voltage, (1 - part) * voltage(n) + part * voltage(n + 1));
+                return std::min(pump.voltage, (1 - part) * voltage(n) + part * voltage(n + 1));
             };
             csv << interval * n << ',' << voltage(n) << ',' << (given(0) - k * w) / R + 0.24 * scatter(random) << ','
-                << std::min(w, limits.shown) + 2 * scatter(random) << '\n';
+                << std::min(w, pump.shown) + 2 * scatter(random) << '\n';
             constexpr int steps = 50;
-            for (int s = 0; s < steps; ++s)
-                w += interval / steps * (k * (given((s + 0.5) / steps) - k * w) / R - drag * w * w) / J;
+            for (int s = 0; s < steps; ++s) {
+                const double h = interval / steps;
+                w += h * (k * (given((s + 0.5) / steps) - k * w) / R - drag * w * w - pump.friction(w)) / J;
+            }
         }
         csv.close();
-        return discovered();
+        return discovered(kinds);
     }
 };
 
@@ -1169,6 +1172,18 @@ TEST_F(DiscoveryInAPump, SaysAtWhichTachoALimitOfItShows) {
     ASSERT_FALSE(finding.remainders.empty());
     EXPECT_EQ(finding.remainders.front().proposedClass, "Analogon.Effects.Proposals.SensorLimit");
     EXPECT_EQ(finding.remainders.front().output, "w");
+}
+
+// Of a shaft that turns one way, a drag that differs with the direction is a viscous friction, as far as the data tell:
+// one that drives, where a friction falls off with speed.
+TEST_F(DiscoveryInAPump, TakesNoFrictionThatDrivesForADragThatDiffersWithTheDirection) {
+    const auto friction = [](double w) { return w > 0 ? 0.019 + 0.0136 * std::exp(-w * w / (140 * 140)) : 0; };
+    const Finding finding =
+        searchPump({.friction = friction}, {"friction.coulomb", "friction.viscous", "proposal.drag.direction"});
+    ASSERT_EQ(finding.effects.size(), 1u);
+    EXPECT_EQ(finding.effects.front().kind, "friction.coulomb");
+    for (const Remainder& r : finding.remainders)
+        EXPECT_NE(r.proposedClass, "Analogon.Effects.Proposals.UnequalDrag") << r.proposedEquation;
 }
 
 /// A motor at a supply: a winding that warms and brushes.
