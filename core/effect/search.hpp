@@ -104,7 +104,7 @@ private:
     Round tryAll(const NullModel& null);
     void decide(const NullModel& null, Round& round) const;
     void preferSimple(const NullModel& null, Round& round) const;
-    Step stepOf(const Round& round);
+    Step stepOf(const NullModel& null, const Round& round);
     void noteAll(const Round& round);
     void goOn(Path& path, Round first);
     std::vector<std::size_t> otherBeginnings(const NullModel& null, const Round& round) const;

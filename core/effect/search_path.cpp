@@ -89,10 +89,10 @@ void Search::goOn(Path& path, Round first) {
         noteAll(round);
         if (!round.chosen) break;
         const std::size_t stood = steps_.size();
-        steps_.push_back(stepOf(round));
+        steps_.push_back(stepOf(path.null, round));
         if (other) {
             noteAll(*other);
-            steps_.push_back(stepOf(*other));
+            steps_.push_back(stepOf(path.null, *other));
         }
         const Variant wider = steps_.back().winner.variant;
         // the noise shows better with every effect that is explained

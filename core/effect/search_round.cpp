@@ -85,6 +85,12 @@ bool isTwin(const Probe& a, const Probe& b) {
     return one.cols() == 1 && other.cols() == 1 && std::abs(one.col(0).dot(other.col(0))) > twinCorrelation;
 }
 
+/// Whether any probe of a candidate promises the same as this one.
+bool isTwin(const Probe& probe, const Screened& candidate) {
+    return std::any_of(candidate.probes.begin(), candidate.probes.end(),
+                       [&](const Probe& other) { return isTwin(probe, other); });
+}
+
 /// What the data cannot tell from a named effect of the wrong physical sign is no more physical under no name: a drag
 /// that differs with the direction, of a shaft that turns one way only, is a viscous friction that drives.
 void refuseTwinsOfWrongSign(std::vector<Screened>& screened) {
@@ -95,8 +101,7 @@ void refuseTwinsOfWrongSign(std::vector<Screened>& screened) {
                 named.candidate.place.connector != equation.candidate.place.connector)
                 continue;
             for (Probe& p : equation.probes)
-                if (std::any_of(named.probes.begin(), named.probes.end(), [&](const Probe& n) { return isTwin(p, n); }))
-                    p.plain.wrongSign = p.whitened.wrongSign = true;
+                if (isTwin(p, named)) p.plain.wrongSign = p.whitened.wrongSign = true;
         }
     }
 }
@@ -524,7 +529,7 @@ void Search::preferSimple(const NullModel& null, Round& round) const {
 }
 
 /// The step that the round has decided on, with what came near it.
-Search::Step Search::stepOf(const Round& round) {
+Search::Step Search::stepOf(const NullModel& null, const Round& round) {
     const std::vector<Trial>& trials = round.trials;
     const std::size_t chosen = *round.chosen;
     const auto isMember = [&](std::size_t i) {
@@ -545,9 +550,18 @@ Search::Step Search::stepOf(const Round& round) {
         s.rivals.push_back(trials[m].screened.candidate);
     }
     const EffectPlace& place = trials[chosen].screened.candidate.place;
+    const double weight = independentShare(null, trials[chosen].fit);
     // best first: what comes before the chosen one explains more, though not by enough to refute a name
-    for (std::size_t i = 0; i < chosen && s.equation.empty(); ++i)
-        if (trials[i].ok && isProposal(trials[i]) && trials[i].screened.candidate.place.connector == place.connector)
+    const auto explainsAsMuch = [&](std::size_t i) {
+        const Trial &equation = trials[i], &name = trials[chosen];
+        if (i < chosen) return true;
+        return equation.freed() <= name.freed() && isLike(equation, name.evidence, weight) &&
+               std::none_of(equation.screened.probes.begin(), equation.screened.probes.end(),
+                            [&](const Probe& p) { return isTwin(p, name.screened); });
+    };
+    for (std::size_t i = 0; i < trials.size() && s.equation.empty() && !isProposal(trials[chosen]); ++i)
+        if (i != chosen && trials[i].ok && isProposal(trials[i]) && explainsAsMuch(i) &&
+            trials[i].screened.candidate.place.connector == place.connector)
             s.equation = withValues(equationOf(trials[i].variant.effects.back()),
                                     estimatesOf(trials[i].variant.effects.back(), trials[i].fit));
     for (std::size_t i = 0; i < trials.size(); ++i) {

@@ -1851,6 +1851,18 @@ TEST_F(Discovery, SaysWhereAnEquationWithoutANameExplainsAsMuchAsOne) {
     }));
 }
 
+// Also where the equation explains hardly less; none that is the name itself by another formula is told.
+TEST_F(Discovery, SaysItWhereTheEquationExplainsHardlyLess) {
+    const auto saysSo = [](const Text& w) { return w.find("an equation without a name explains as much") == 0; };
+    const Finding square = search({0.02, [](double, double w, double) { return 0.03 * w + 4e-6 * w * std::abs(w); }});
+    ASSERT_EQ(square.effects.size(), 1u);
+    EXPECT_EQ(square.effects.front().kind, "drag.quadratic");
+    EXPECT_TRUE(std::any_of(square.warnings.begin(), square.warnings.end(), saysSo));
+    const Finding dry = search({0.02, [](double, double w, double) { return 0.03 * w + 0.1 * signOf(w); }});
+    ASSERT_EQ(dry.effects.size(), 1u);
+    EXPECT_TRUE(std::none_of(dry.warnings.begin(), dry.warnings.end(), saysSo));
+}
+
 TEST_F(Discovery, WritesALawWithWhatItMovesWith) {
     const Finding finding = search(
         {0.02, [](double t, double w, double) { return 0.03 * w + 0.15 * signOf(w) * std::abs(excitation(t)); }});
