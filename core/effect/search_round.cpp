@@ -560,8 +560,8 @@ Search::Step Search::stepOf(const NullModel& null, const Round& round) {
                             [&](const Probe& p) { return isTwin(p, name.screened); });
     };
     for (std::size_t i = 0; i < trials.size() && s.equation.empty() && !isProposal(trials[chosen]); ++i)
-        if (i != chosen && trials[i].ok && isProposal(trials[i]) && explainsAsMuch(i) &&
-            trials[i].screened.candidate.place.connector == place.connector)
+        if (trials[i].ok && isProposal(trials[i]) && trials[i].screened.candidate.place.connector == place.connector &&
+            explainsAsMuch(i))
             s.equation = withValues(equationOf(trials[i].variant.effects.back()),
                                     estimatesOf(trials[i].variant.effects.back(), trials[i].fit));
     for (std::size_t i = 0; i < trials.size(); ++i) {

@@ -207,6 +207,15 @@ void bothCourses(std::vector<TrialStart>& starts, std::size_t count) {
         std::iter_swap(last - 1, other);
 }
 
+bool isAmong(const std::vector<std::string>& names, const PlacedEffect& placed, const FitParameter& parameter) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& name) { return parameter.name == placed.instance + "." + name; });
+}
+
+bool isWhole(const PlacedEffect& placed, const FitParameter& parameter) {
+    return isAmong(placed.effect.whole, placed, parameter);
+}
+
 /// Where the strength comes from a slope at 0, the slope may promise far more than the model bears there (a magnet that
 /// warms until its field turns over). The strength is taken back until it is no worse than the model without; where
 /// that is no way down, so is all that the effect is linear in (a friction beside one of which it takes the part).
@@ -214,33 +223,21 @@ void takeBack(const NullModel& null, TrialStart& start, const SimulationOptions&
     std::vector<FitParameter>& parameters = start.prepared.problem.parameters;
     const std::vector<FitParameter> promised = parameters;
     const PlacedEffect& placed = start.variant.effects.back();
-    const auto isNamed = [&](const FitParameter& p, const std::string& n) {
-        return p.name == placed.instance + "." + n;
+    const auto leadsDown = [&](const std::vector<std::string>& taken, double first) {
+        for (double part = first; part > 0.01; part *= 0.25) {
+            for (std::size_t i = 0; i < parameters.size(); ++i)
+                if (isAmong(taken, placed, promised[i]))
+                    parameters[i].start = std::clamp(part * promised[i].start, promised[i].min, promised[i].max);
+            const Linearisation at =
+                lineariseAt(start, start.prepared.problem.startValues(), false, simulation, progress);
+            if (at.ok && at.residuals.squaredNorm() < null.sumOfSquares()) return true;
+        }
+        return false;
     };
-    const auto isStrength = [&](const FitParameter& p) { return isNamed(p, placed.effect.strength); };
-    const auto isLinear = [&](const FitParameter& p) {
-        const std::vector<std::string>& linear = placed.effect.linear;
-        return isStrength(p) ||
-               std::any_of(linear.begin(), linear.end(), [&](const std::string& n) { return isNamed(p, n); });
-    };
-    const auto isDown = [&](double part, const auto& isTaken) {
-        for (std::size_t i = 0; i < parameters.size(); ++i)
-            if (isTaken(promised[i]))
-                parameters[i].start = std::clamp(part * promised[i].start, promised[i].min, promised[i].max);
-        const Linearisation at = lineariseAt(start, start.prepared.problem.startValues(), false, simulation, progress);
-        return at.ok && at.residuals.squaredNorm() < null.sumOfSquares();
-    };
-    for (const double part : {1.0, 0.25, 0.0625, 0.015625})
-        if (isDown(part, isStrength)) return;
-    if (!placed.effect.linear.empty())
-        for (const double part : {0.25, 0.0625, 0.015625})
-            if (isDown(part, isLinear)) return;
+    std::vector<std::string> all = placed.effect.linear;
+    all.push_back(placed.effect.strength);
+    if (leadsDown({placed.effect.strength}, 1) || (all.size() > 1 && leadsDown(all, 0.25))) return;
     parameters = promised;
-}
-
-bool isWhole(const PlacedEffect& placed, const FitParameter& parameter) {
-    return std::any_of(placed.effect.whole.begin(), placed.effect.whole.end(),
-                       [&](const std::string& name) { return parameter.name == placed.instance + "." + name; });
 }
 
 /// Moves the start to the optimum of a problem with the same parameters, whole numbers held where they start.
