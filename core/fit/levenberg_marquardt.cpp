@@ -78,7 +78,7 @@ private:
             return end(FitStatus::Converged, phrase("converged"));
         }
         if (flatSteps_ >= 3 && expected_ <= 1e-6 * cost) return end(FitStatus::Converged, phrase("converged"));
-        if (flatSteps_ >= 8)
+        if (flatSteps_ >= 8 || isCreeping())
             return end(FitStatus::IterationLimit,
                        phrase("stopped after {} iterations in a flat valley: the cost hardly falls any more, and the "
                               "parameters still move",
@@ -117,6 +117,8 @@ private:
                     damping_ = std::max(1e-12, damping_ * std::max(1.0 / 9.0, 1.0 - quality * quality * quality));
                     growth_ = 2.0;
                     if (failures == 0) flatSteps_ = fall <= options_.costTolerance * cost ? flatSteps_ + 1 : 0;
+                    if (damping_ < 1.0) dampedCosts_.clear();
+                    dampedCosts_.push_back(found.cost());
                     z_ = there;
                     here_ = found;
                     return true;
@@ -133,6 +135,16 @@ private:
                           : misfit_.failure().empty() ? phrase("no step lowers the cost")
                                                       : misfit_.failure();
         return false;
+    }
+
+    /// Along a kink (a body that sticks or slides) slopes hold for next to no step: the damping stays large however
+    /// many steps succeed, and all of them together lower the cost by next to nothing.
+    bool isCreeping() const {
+        constexpr std::size_t many = 10;
+        constexpr double nextToNothing = 1e-7;  // of the cost
+        if (dampedCosts_.size() <= many) return false;
+        return dampedCosts_[dampedCosts_.size() - 1 - many] - dampedCosts_.back() <=
+               nextToNothing * dampedCosts_.back();
     }
 
     /// In a long record, after a full step that did what its slopes promised, a far smaller one will too: where the
@@ -195,7 +207,8 @@ private:
     bool beginsNear_{};
     int K_{};
     double damping_{1e-3}, growth_{2.0}, expected_{};
-    double held_{};  // what a full step promised and did just now; 0: it did not
+    double held_{};                    // what a full step promised and did just now; 0: it did not
+    std::vector<double> dampedCosts_;  // since the damping was last small
     Eigen::VectorXd z_, lower_, upper_, scale_, gradient_, full_;
     Eigen::MatrixXd slopes_;
     ReducedMisfit here_;

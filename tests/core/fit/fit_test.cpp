@@ -446,6 +446,38 @@ TEST(Fit, IsNotMisledByTheTangentsOfAModelThatSwitchesFasterThanItsSteps) {
     }
 }
 
+TEST(Fit, EndsWhereItOnlyCreepsAlongAKink) {
+    const char* const text = R"(
+model Kink "a valley with a sharp bottom: along it slopes hold for next to no step"
+  input Real u;
+  output Real high;
+  output Real along;
+  parameter Real a = 0;
+  parameter Real b = 0;
+equation
+  high = u*(1 + sqrt((a - b)^2 + 1e-10));
+  along = 0.1*u*(a + 2*b);
+end Kink;
+)";
+    const SystemPtr system = compileText(text, "Kink", {"a", "b"});
+    FitProblem problem;
+    FitExperiment& run = problem.experiments.emplace_back();
+    run.name = "run";
+    run.system = system;
+    run.inputs = steps(20, 0.1, 1.0, 1.0);
+    run.parameters = ownParameters(*system);
+    run.measured = Eigen::MatrixXd::Zero(2, 20);
+    run.measured.row(1) = 0.002 * run.inputs.values.row(0);
+    run.weights = Eigen::VectorXd::Constant(2, 1.0);
+    problem.parameters = {parameter("a", 0.3, -10, 10), parameter("b", 0.1, -10, 10)};
+    FitOptions options;
+    options.maxIterations = 1000;
+    const FitResult result = fit(problem, options);
+    EXPECT_LT(result.iterations, 100);
+    EXPECT_THAT(result.message, HasSubstr("flat valley"));
+    EXPECT_NEAR(result.values[0], result.values[1], 1e-3);
+}
+
 TEST(Fit, TakesSlopesFromDifferencesOnlyWhereTheCostFalls) {
     FitProblem problem = brushProblem();
     problem.parameters[2].start = 9e-5;  // on the way from there the tangents mislead
