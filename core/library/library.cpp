@@ -56,35 +56,44 @@ Outcome<Library> Library::withSource(SourcePtr source) const {
     return Outcome<Library>(with(std::move(loader.classes())), std::move(loader.diagnostics()));
 }
 
+const Library::Content& Library::content() const {
+    static const Content nothing;
+    return content_ ? *content_ : nothing;
+}
+
 /// The classes come outer before inner: each that is not part of one before replaces its namesake.
 Library Library::with(std::vector<LibraryClass> added) const {
-    Library result = *this;
-    auto place = result.order_.size();
+    auto next = std::make_shared<Content>(content());
+    auto& order = next->order;
+    auto place = order.size();
     std::string root;
     for (LibraryClass& one : added) {
         if (root.empty() || !isWithin(one.qualifiedName, root)) {
             root = one.qualifiedName;
-            const auto old = std::find_if(result.order_.begin(), result.order_.end(),
+            const auto old = std::find_if(order.begin(), order.end(),
                                           [&](const LibraryClass* known) { return known->qualifiedName == root; });
-            place = static_cast<std::size_t>(old - result.order_.begin());
-            result.remove(root);
-            place = std::min(place, result.order_.size());
+            place = static_cast<std::size_t>(old - order.begin());
+            next->remove(root);
+            place = std::min(place, order.size());
         }
         const auto kept = std::make_shared<const LibraryClass>(std::move(one));
-        result.classes_[kept->qualifiedName] = kept;
-        result.order_.insert(result.order_.begin() + static_cast<std::ptrdiff_t>(place++), kept.get());
+        next->classes[kept->qualifiedName] = kept;
+        order.insert(order.begin() + static_cast<std::ptrdiff_t>(place++), kept.get());
     }
+    Library result;
+    result.content_ = std::move(next);
     return result;
 }
 
-void Library::remove(const std::string& qualifiedName) {
-    std::erase_if(order_, [&](const LibraryClass* one) { return isWithin(one->qualifiedName, qualifiedName); });
-    std::erase_if(classes_, [&](const auto& entry) { return isWithin(entry.first, qualifiedName); });
+void Library::Content::remove(const std::string& qualifiedName) {
+    std::erase_if(order, [&](const LibraryClass* one) { return isWithin(one->qualifiedName, qualifiedName); });
+    std::erase_if(classes, [&](const auto& entry) { return isWithin(entry.first, qualifiedName); });
 }
 
 const LibraryClass* Library::find(std::string_view qualifiedName) const {
-    const auto entry = classes_.find(qualifiedName);
-    return entry == classes_.end() ? nullptr : entry->second.get();
+    const auto& classes = content().classes;
+    const auto entry = classes.find(qualifiedName);
+    return entry == classes.end() ? nullptr : entry->second.get();
 }
 
 const LibraryClass* Library::lookup(const syntax::Name& name, std::string_view scope) const {
@@ -97,8 +106,8 @@ const LibraryClass* Library::lookup(std::string_view dottedName, std::string_vie
 
 std::vector<std::string> Library::names() const {
     std::vector<std::string> result;
-    result.reserve(order_.size());
-    for (const LibraryClass* one : order_) result.push_back(one->qualifiedName);
+    result.reserve(classes().size());
+    for (const LibraryClass* one : classes()) result.push_back(one->qualifiedName);
     return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,7 +37,7 @@ public:
     const LibraryClass* lookup(std::string_view dottedName, std::string_view scope) const;
 
     /// All classes, in package order, outer before inner.
-    const std::vector<const LibraryClass*>& classes() const { return order_; }
+    const std::vector<const LibraryClass*>& classes() const { return content().order; }
     /// Names for suggestions.
     std::vector<std::string> names() const;
 
@@ -47,13 +48,16 @@ public:
     bool isDerived(std::string_view derived, std::string_view base) const;
 
 private:
-    friend class NameSearch;
+    struct Content {
+        std::map<std::string, std::shared_ptr<const LibraryClass>, std::less<>> classes;
+        std::vector<const LibraryClass*> order;
 
+        void remove(const std::string& qualifiedName);
+    };
+    const Content& content() const;
     Library with(std::vector<LibraryClass> added) const;
-    void remove(const std::string& qualifiedName);
 
-    std::map<std::string, std::shared_ptr<const LibraryClass>, std::less<>> classes_;
-    std::vector<const LibraryClass*> order_;
+    std::shared_ptr<const Content> content_;  // null: empty
 };
 
 /// The directory that holds `Analogon/package.mo`: what the environment variable ANALOGON_LIBRARY names, or else beside
