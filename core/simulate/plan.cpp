@@ -59,7 +59,7 @@ public:
             if (const std::optional<GridPlan> plan = stillHolding(inForce)) return *plan;
         if (options_.method == GridMethod::Auto && options_.substeps == 0) {
             const std::optional<GridPlan> plan =
-                scheduleSteps(dynamics_, inputs_, surveyRun_, tolerance_, limited_, progress_);
+                scheduleSteps(dynamics_, inputs_, surveyRun_, tolerance_, limited_, progress_, &taken_);
             if (plan) return *plan;
         }
         if (progress_.stopRequested()) return fallback();

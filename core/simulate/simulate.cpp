@@ -5,6 +5,7 @@
 
 #include "core/simulate/all_finite.hpp"
 #include "core/simulate/grid.hpp"
+#include "core/simulate/input_slots.hpp"
 
 namespace analogon {
 
@@ -172,6 +173,23 @@ Trajectory simulateGrid(const SimulationTask& task, const GridPlan& plan, const 
     run.keepStates = task.keepStates;
     run.sink = sink;
     return explained(runGrid(dynamics, *task.inputs, run, options, progress), dynamics);
+}
+
+std::optional<Eigen::MatrixXd> observeAlong(const SimulationTask& task, const Eigen::MatrixXd& states) {
+    const auto samples = static_cast<Eigen::Index>(task.inputs->time.size());
+    if (misfit(task) || states.rows() != task.system->stateCount() || states.cols() != samples) return std::nullopt;
+    SystemDynamics dynamics(task, false);
+    if (!dynamics.isReady() || !dynamics.shape().delays.empty()) return std::nullopt;
+    InputSlots slots(dynamics, *task.inputs);
+    std::vector<double> u(static_cast<std::size_t>(dynamics.shape().slots));
+    Eigen::MatrixXd observed(dynamics.observedCount(), samples);
+    for (int k = 0; k < samples; ++k) {
+        const double t = task.inputs->time[static_cast<std::size_t>(k)];
+        slots.at(std::min(k, std::max(0, slots.intervals() - 1)), t, u.data());
+        if (!dynamics.observed(t, states.col(k).data(), u.data(), observed.col(k).data()))
+            observed.col(k).setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+    return observed;
 }
 
 Trajectory simulateAdaptive(const SimulationTask& task, const SimulationOptions& options, const Progress& progress) {

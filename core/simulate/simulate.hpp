@@ -138,6 +138,10 @@ GridPlan singleSteps(const SimulationTask& task, double errorEstimate, const Pro
 Trajectory simulateGrid(const SimulationTask& task, const GridPlan& plan, const SimulationOptions& options = {},
                         const Progress& progress = {}, SampleSink* sink = nullptr);
 
+/// The variables asked for, as Trajectory::observed, of a run whose states (rows) at the samples (columns) are known.
+/// Nothing: the model has other states, or what it delays must be run through.
+std::optional<Eigen::MatrixXd> observeAlong(const SimulationTask& task, const Eigen::MatrixXd& states);
+
 /// SUNDIALS CVODES between the true kinks of the inputs, with root finding for events: the reference.
 /// Tangents, when asked for, by CVODES forward sensitivities.
 Trajectory simulateAdaptive(const SimulationTask& task, const SimulationOptions& options = {},

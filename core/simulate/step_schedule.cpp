@@ -102,6 +102,9 @@ public:
         return fitted();
     }
 
+    /// With the steps that were chosen.
+    std::optional<Trajectory>& taken() { return taken_; }
+
 private:
     double time(int sample) const { return inputs_.time[static_cast<std::size_t>(sample)]; }
 
@@ -228,9 +231,15 @@ private:
             GridPlan plan = planWith(allowance);
             plan.errorEstimate = errorOf(plan);
             const bool holds = plan.errorEstimate <= tolerance_;
-            if (holds && (!best || plan.work() < best->work())) best = plan;
+            if (holds && (!best || plan.work() < best->work())) {
+                best = plan;
+                taken_ = std::move(run_);
+            }
             if (!holds && best) break;
-            if (!closest || plan.errorEstimate < closest->errorEstimate) closest = plan;
+            if (!closest || plan.errorEstimate < closest->errorEstimate) {
+                closest = plan;
+                if (!holds) taken_ = std::move(run_);
+            }
             const double share = tolerance_ / std::max(plan.errorEstimate, 1e-3 * tolerance_);
             if (holds && (share < 4.0 || round >= 2)) break;
             // Errors do not simply add up; a failed run (infinite) is taken for ten times too much.
@@ -273,7 +282,7 @@ private:
         GridRun run;
         run.plan = plan;
         run.keepStates = comparesStates();
-        const Trajectory trajectory = runGrid(dynamics_, inputs_, run, options_, progress_);
+        const Trajectory& trajectory = run_.emplace(runGrid(dynamics_, inputs_, run, options_, progress_));
         if (trajectory.failure.failed) return std::numeric_limits<double>::infinity();
         const double largest =
             comparesStates()
@@ -293,21 +302,26 @@ private:
     std::vector<double> x_, coarse_, fine_, other_, jacobian_, scratch_, u_;
     std::vector<Found> found_;
     Eigen::VectorXd stateRanges_, outputRanges_;
-    Eigen::VectorXd lowest_, highest_;  // states
-    Eigen::MatrixXd states_;            // where they are compared
-    Eigen::MatrixXd reference_;         // outputs
+    Eigen::VectorXd lowest_, highest_;       // states
+    Eigen::MatrixXd states_;                 // where they are compared
+    Eigen::MatrixXd reference_;              // outputs
+    std::optional<Trajectory> run_, taken_;  // the last one; with the best plan so far
 };
 
 }  // namespace
 
 std::optional<GridPlan> scheduleSteps(Dynamics& dynamics, const SampledInputs& inputs, const Trajectory& survey,
-                                      double tolerance, const SimulationOptions& options, const Progress& progress) {
+                                      double tolerance, const SimulationOptions& options, const Progress& progress,
+                                      std::optional<Trajectory>* taken) {
     const Dynamics::Shape& shape = dynamics.shape();
     if (static_cast<int>(inputs.time.size()) < kFewestSamples || shape.states == 0 || shape.outputs == 0 ||
         shape.directions > 0) {
         return std::nullopt;
     }
-    return Scheduler(dynamics, inputs, tolerance, options, progress).run(survey);
+    Scheduler scheduler(dynamics, inputs, tolerance, options, progress);
+    std::optional<GridPlan> plan = scheduler.run(survey);
+    if (taken && plan) *taken = std::move(scheduler.taken());
+    return plan;
 }
 
 }  // namespace analogon

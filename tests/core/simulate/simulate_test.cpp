@@ -194,6 +194,24 @@ TEST(Simulate, KeepsStatesAndObservesVariables) {
     EXPECT_LT((y.observed.row(2) - y.outputs.row(1)).cwiseAbs().maxCoeff(), 1e-12);
 }
 
+TEST(Simulate, ObservesAlongKnownStates) {
+    const SystemPtr system = compileText(test::motorText, "Motor");
+    ASSERT_TRUE(system);
+    const SampledInputs inputs = noisyVoltage(300);
+    SimulationTask task = taskOf(system, inputs);
+    task.keepStates = true;
+    task.observe = {"tau", "no.such.variable", "w2"};
+    const Trajectory y = simulate(task);
+    ASSERT_FALSE(y.failure.failed);
+    const std::optional<Eigen::MatrixXd> seen = observeAlong(task, y.states);
+    ASSERT_TRUE(seen);
+    for (const Eigen::Index row : {0, 2})
+        EXPECT_LT((seen->row(row) - y.observed.row(row)).cwiseAbs().maxCoeff(), 1e-12) << row;
+    EXPECT_TRUE(std::isnan((*seen)(1, 10)));
+    EXPECT_FALSE(observeAlong(task, y.states.topRows(4))) << "states of another model";
+    EXPECT_FALSE(observeAlong(task, y.states.leftCols(299))) << "of another recording";
+}
+
 TEST(Simulate, LocatesTheEventWhereATankRunsEmpty) {
     const SystemPtr system = compileText(R"(
 model Tank

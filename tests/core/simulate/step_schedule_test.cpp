@@ -118,7 +118,8 @@ TEST(StepSchedule, GivesTheRunByWhichAPlanWasJudged) {
     const SimulationTask task = rotor.task(false);
     std::optional<Trajectory> taken;
     const GridPlan plan = planGrid(task, {}, {}, nullptr, &taken);
-    EXPECT_FALSE(taken) << "these steps were put together of many runs";
+    ASSERT_TRUE(plan.steps && taken) << "put together of many runs, the steps were judged by one of all of them";
+    EXPECT_EQ(taken->outputs, simulateGrid(task, plan).outputs);
     for (const bool isGlance : {false, true}) {
         SimulationOptions options;
         options.isGlance = isGlance;
