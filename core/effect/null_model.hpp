@@ -9,12 +9,20 @@
 
 namespace analogon {
 
-/// How what is simulated beside a fitted model passes over the fitted experiments, one plan for each.
+/// How what is simulated beside a fitted model passes over the fitted experiments, one plan for each, and the states
+/// of the model itself.
 struct StepsBeside {
     /// Those of the fit, or, where it passes by its recurrence, those that the model would take without.
     std::vector<GridPlan> fine;
-    std::vector<GridPlan> glances;  // as coarse as will do for what is only compared
-    int states{};                   // of the model whose parameters are held
+    std::vector<GridPlan> glances;              // as coarse as will do for what is only compared
+    std::vector<std::string> states;            // of the model whose parameters are held
+    std::vector<Eigen::MatrixXd> atTheSamples;  // states (rows) at the samples of each experiment; empty: it failed
+};
+
+/// What the parameters of a fitted model leave of a trace, and its residual, with the noise made white.
+struct ScoresBeside {
+    Complement plain, white;
+    Eigen::VectorXd whiteResidual;
 };
 
 /// A fitted model against which candidates are held: its residual, Jacobian and noise.
@@ -34,6 +42,11 @@ struct NullModel {
     /// The plans of the fit, as they serve a system that does the same: a recurrence only where it is linear, too.
     std::vector<GridPlan> plansOf(const System& system, const SimulationOptions& simulation,
                                   const Progress& progress) const;
+
+    /// The same, of the fit.
+    const ScoresBeside& scores() const;
+    /// Another variant and its fit, beside the same noise.
+    NullModel with(Variant other, FitResult fitOfIt) const;
 
     struct FoundOnce;
     static std::shared_ptr<FoundOnce> nothingYet();

@@ -259,9 +259,7 @@ public:
           course_(course),
           placed_(wired.effects.back()),
           wired_(wired),
-          complement_(null.fit.optimum.jacobian),
-          whiteComplement_(null.whitener(null.fit.optimum.jacobian)),
-          whiteResidual_(null.whitener(null.fit.optimum.residuals)),
+          scores_(null.scores()),
           simulation_(simulation),
           progress_(progress) {}
 
@@ -279,7 +277,7 @@ public:
         plans_ = null_.plansOf(*held_.system, simulation_, progress_);
         held_.problem.knownPlans = beside.glances;
         const bool takesSlopes = placed_.effect.secant.empty() || !placed_.effect.phase.empty();
-        const bool hasOwnStates = stateCount() != beside.states;
+        const bool hasOwnStates = stateCount() != static_cast<int>(beside.states.size());
         for (std::size_t e = 0; takesSlopes && hasOwnStates && e < plans_.size(); ++e)
             if (null_.fit.plans[e].method == GridMethod::Exact && plans_[e].method != GridMethod::Exact)
                 plans_[e] = planFor(held_.problem, static_cast<int>(e), off(), simulation_, progress_, &plans_[e]);
@@ -303,7 +301,7 @@ public:
     int stateCount() const { return held_.system->stateCount(); }
 
     std::vector<std::string> imitators(const Eigen::VectorXd& column) const {
-        const Eigen::VectorXd c = complement_.coefficients(column);
+        const Eigen::VectorXd c = scores_.plain.coefficients(column);
         std::vector<std::pair<double, std::string>> parts;
         for (Eigen::Index j = 0; j < c.size(); ++j)
             parts.emplace_back(std::abs(c[j]) * null_.fit.optimum.jacobian.col(j).norm(),
@@ -333,10 +331,10 @@ private:
     }
 
     ColumnScore plainScore(const Eigen::MatrixXd& columns) const {
-        return scoreColumns(complement_, null_.fit.optimum.residuals, columns, placed_.effect.oneSided);
+        return scoreColumns(scores_.plain, null_.fit.optimum.residuals, columns, placed_.effect.oneSided);
     }
     ColumnScore whitenedScore(const Eigen::MatrixXd& columns) const {
-        return scoreColumns(whiteComplement_, whiteResidual_, null_.whitener(columns), placed_.effect.oneSided);
+        return scoreColumns(scores_.white, scores_.whiteResidual, null_.whitener(columns), placed_.effect.oneSided);
     }
 
     /// Traces of the strength and of the further linear parameters, in units of the noise.
@@ -402,8 +400,7 @@ private:
     const std::vector<std::vector<double>>& course_;
     const PlacedEffect& placed_;
     const Variant& wired_;
-    Complement complement_, whiteComplement_;
-    Eigen::VectorXd whiteResidual_;
+    const ScoresBeside& scores_;
     std::vector<GridPlan> plans_;
     const SimulationOptions& simulation_;
     const Progress& progress_;
@@ -567,7 +564,8 @@ Screened screen(const NullModel& null, const Candidate& candidate, const Simulat
         if (!value) return fail(value.diagnostics());
         result.fixed[name] = *value;
     }
-    Outcome<Variant> wired = withEffect(null.variant, effect, candidate.place, result.fixed);
+    Outcome<Variant> wired =
+        result.fixed.empty() ? std::move(off) : withEffect(null.variant, effect, candidate.place, result.fixed);
     if (!wired) return fail(wired.diagnostics());
     result.wired = std::move(*wired);
     std::vector<double> secants;
@@ -581,7 +579,7 @@ Screened screen(const NullModel& null, const Candidate& candidate, const Simulat
     Prober prober(null, result.wired, observations->series(effect.along), simulation, progress);
     if (Outcome<Done> compiled = prober.compile(); !compiled) return fail(compiled.diagnostics());
     if (effect.states > 0) {
-        const int added = prober.stateCount() - null.steps(simulation, progress).states;
+        const int added = prober.stateCount() - static_cast<int>(null.steps(simulation, progress).states.size());
         if (added < effect.states && !(added > 0 && endsInASpring(null.variant, candidate.place)))
             return fail({error(phrase("nothing there has a motion of its own"))});
     }
@@ -609,6 +607,11 @@ Screened screen(const NullModel& null, const Candidate& candidate, const Simulat
     if (result.probes.empty()) return fail({error(phrase("no simulation with this effect succeeded"))});
     std::stable_sort(result.probes.begin(), result.probes.end(),
                      [](const Probe& a, const Probe& b) { return scoreOf(a.plain) > scoreOf(b.plain); });
+    // a round keeps the probes of all candidates: what nobody asks for again takes more room than all else
+    for (std::size_t i = 0; i < result.probes.size(); ++i) {
+        result.probes[i].whitened.directions.resize(0, 0);
+        if (i > 0) result.probes[i].column.resize(0);
+    }
     if (result.isAbsorbed()) result.absorbedBy = prober.imitators(result.probes.front().column);
     return result;
 }

@@ -20,8 +20,8 @@ struct Probe {
     std::map<std::string, double> values;  // shape parameters
     double secant{};                       // 0: slope at strength 0
     ColumnScore plain;                     // against the residual as it is
-    ColumnScore whitened;                  // with the noise made white
-    Eigen::VectorXd column;                // trace of the strength, in units of the noise
+    ColumnScore whitened;                  // with the noise made white; without its directions
+    Eigen::VectorXd column;                // trace of the strength, in units of the noise; of the best probe alone
     bool isAlongRecorded{};                // of a wave along the recorded course of its variable
     double strength() const;               // best estimate, 0 when the sign is wrong
     std::vector<double> linear() const;    // of the further linear parameters

@@ -9,6 +9,7 @@ namespace analogon {
 namespace {
 
 constexpr double changeShare = 0.5, leastChange = 100;
+constexpr double leastPromised = 0.1;  // of what is above the noise, by first order, for a change to outdo effects
 constexpr double leastAlone = 1000;  // evidence beyond one effect: what is wrong does not leave noise of that by chance
 
 /// Evidence for a change against the effects that were found, beside independent samples.
@@ -35,11 +36,9 @@ bool isBetterThan(const NullModel& base, const NullModel& with, const Change& ch
            gainOf(base, with, change) > leastGain;
 }
 
-/// The model with another variant of it, fitted beside the same noise.
-NullModel replaced(NullModel model, const Variant& variant, const FitResult& fit) {
-    model.variant = variant;
-    model.fit = fit;
-    return model;
+/// What the best change explains to first order.
+double promisedByChange(const NullModel& base) {
+    return std::max(explainedByChange(base), explainedByDependence(base));
 }
 
 /// Whether it is a better account than a disturbance.
@@ -47,7 +46,7 @@ template <class Change>
 bool isBorneOut(const NullModel& base, const Change& change, const SimulationOptions& simulation,
                 const Progress& progress) {
     if (isNoise(base.channels, change.fit)) return true;
-    const NullModel changed = replaced(base, change.variant, change.fit);
+    const NullModel changed = base.with(change.variant, change.fit);
     const int freed = static_cast<int>(change.fit.estimates.size()) - base.parameterCount();
     return isBorneOut(besideDisturbance(base, simulation, progress), besideDisturbance(changed, simulation, progress),
                       changed.fit.optimum.residuals.size(), freed + 1);
@@ -78,14 +77,14 @@ bool Search::isChangeAll(const NullModel& base, const NullModel& with, double le
 bool Search::isChangeAlone(const NullModel& base, const Round& first) {
     if (!first.chosen || !(excess(base) > leastAlone)) return false;
     const Trial& winner = first.trials[*first.chosen];
-    if (isNoise(base.channels, winner.fit)) return false;
-    const double promised = std::max(explainedByChange(base), explainedByDependence(base));
-    if (!(promised > changeShare * excess(base))) return false;
-    return isChangeAll(base, replaced(base, winner.variant, winner.fit), leastAlone);
+    if (isNoise(base.channels, winner.fit) || !(promisedByChange(base) > changeShare * excess(base))) return false;
+    return isChangeAll(base, base.with(winner.variant, winner.fit), leastAlone);
 }
 
 /// Keeps the better of the changes where it is a better account than the effects that were found.
 void Search::settleChange(const NullModel& base, const NullModel& with) {
+    // hardly anything outdoes effects that leave noise
+    if (!soughtChange_ && isNoise(with) && !(promisedByChange(base) > leastPromised * excess(base))) return;
     seekChange(base);
     const auto settle = [&](auto& change) {
         if (change &&

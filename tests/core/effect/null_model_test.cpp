@@ -40,7 +40,7 @@ TEST(NullModel, HasStepsForWhatIsNotLinearBesideALinearModel) {
     EXPECT_EQ(null.fit.plans[0].method, GridMethod::Exact);
     const StepsBeside& steps = null.steps({}, {});
     EXPECT_EQ(&steps, &null.steps({}, {})) << "found once";
-    EXPECT_EQ(steps.states, 1);
+    EXPECT_EQ(steps.states.size(), 1u);
     EXPECT_EQ(steps.fine[0].method, GridMethod::RungeKutta4);
     EXPECT_EQ(steps.glances[0].method, GridMethod::RungeKutta4);
     const Outcome<PreparedTask> linear = prepareHeld(null.variant, {}, null.noise);
@@ -61,6 +61,36 @@ end Radiating;
     const Outcome<PreparedTask> bent = prepareHeld(radiating, {}, null.noise);
     ASSERT_TRUE(bent) << format(bent.diagnostics());
     EXPECT_TRUE(null.plansOf(*bent->system, {}, {})[0] == steps.fine[0]);
+}
+
+TEST(NullModel, ObservesWhatIsSwitchedOffAlongItsOwnStates) {
+    const NullModel null = fitted(2);
+    const Outcome<PreparedTask> held = prepareHeld(null.variant, {}, null.noise);
+    ASSERT_TRUE(held) << format(held.diagnostics());
+    const std::vector<Trajectory> seen = observe(null, *held, {"joint.Q_flow", "body.T"}, {});
+    ASSERT_EQ(seen.size(), 2u);
+    for (std::size_t e = 0; e < seen.size(); ++e) {
+        SimulationTask task;
+        task.system = held->system.get();
+        task.inputs = &held->problem.experiments[e].inputs;
+        task.parameters = held->problem.experiments[e].parameters;
+        task.observe = {"joint.Q_flow", "body.T"};
+        const Trajectory run = simulateGrid(task, null.fit.plans[e]);
+        ASSERT_EQ(seen[e].observed.rows(), 2);
+        EXPECT_LT((seen[e].observed - run.observed).cwiseAbs().maxCoeff(), 1e-9);
+        EXPECT_TRUE(seen[e].outputs.size() == 0) << "nothing was simulated for it";
+    }
+}
+
+TEST(NullModel, WithAnotherFitKnowsNothingOfTheFirst) {
+    const NullModel null = fitted(1);
+    const ScoresBeside& scores = null.scores();
+    EXPECT_EQ(&scores, &null.scores()) << "found once";
+    FitResult moved = null.fit;
+    moved.optimum.residuals *= 2;
+    const NullModel other = null.with(null.variant, moved);
+    EXPECT_LT((other.scores().whiteResidual - 2 * scores.whiteResidual).norm(), 1e-9 * scores.whiteResidual.norm());
+    EXPECT_EQ(other.noise, null.noise);
 }
 
 /// What a flow out of the body does to the reading, of hats that sum to 1 W: of each recording its own, in order.
