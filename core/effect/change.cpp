@@ -5,6 +5,7 @@
 
 #include "core/base/range.hpp"
 #include "core/effect/likeliest.hpp"
+#include "core/effect/trial.hpp"
 #include "core/fit/clock.hpp"
 #include "core/flat/parameter_change.hpp"
 
@@ -127,8 +128,9 @@ std::optional<Change> bestChange(const NullModel& null, FitOptions options, int 
     options.simulation = limited(null, options.simulation);
     const Outcome<PreparedTask> prepared = prepareAt(null.variant, null.noise);
     if (!prepared) return std::nullopt;
+    const FitOptions roughly = trialOptions(options, options.maxIterations);  // most are only compared
     const auto fit = [&](const Change& likely) {
-        return fitted(null, prepared->problem.parameters, likely, options, progress);
+        return fitted(null, prepared->problem.parameters, likely, roughly, progress);
     };
     std::optional<Change> best;
     std::vector<Change> likely = likelyChanges(null);
@@ -145,7 +147,8 @@ std::optional<Change> bestChange(const NullModel& null, FitOptions options, int 
         near.back().time = moment;
     }
     takeBest(near, best, threads, progress, fit);
-    return best;
+    const std::optional<Change> exact = fitted(null, prepared->problem.parameters, *best, options, progress);
+    return exact && exact->explained > best->explained ? exact : best;
 }
 
 }  // namespace analogon

@@ -2,11 +2,13 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <atomic>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 #include <map>
 
+#include "core/base/parallel.hpp"
 #include "core/base/range.hpp"
 #include "core/effect/input_noise.hpp"
 #include "core/effect/score.hpp"
@@ -163,34 +165,35 @@ public:
     /// Steps that do wherever in their intervals the inputs change: half an interval may become a whole one.
     void plan(std::vector<InputEdge> edges) {
         for (InputEdge& e : edges) e.part = 0.5;
-        set(edges);
-        for (std::size_t e = 0; e < prepared_->problem.experiments.size(); ++e) {
-            GridPlan plan = planFor(prepared_->problem, static_cast<int>(e), {}, simulation_, progress_);
+        const FitProblem problem = with(edges);
+        for (std::size_t e = 0; e < problem.experiments.size(); ++e) {
+            GridPlan plan = planFor(problem, static_cast<int>(e), {}, simulation_, progress_);
             plan.terms.reset();
             std::vector<int> needed;
-            const std::size_t samples = prepared_->problem.experiments[e].inputs.time.size();
+            const std::size_t samples = problem.experiments[e].inputs.time.size();
             for (std::size_t k = 0; k + 1 < samples; ++k) needed.push_back(2 * plan.substepsIn(static_cast<int>(k)));
             plans_.push_back(plan.method == GridMethod::Exact ? plan : refined(plan, needed));
         }
     }
 
-    /// Empty where it cannot be simulated.
-    Eigen::VectorXd residuals(const std::vector<InputEdge>& edges) {
-        set(edges);
-        const FitProblem& problem = prepared_->problem;
+    /// Empty where it cannot be simulated. By any thread.
+    Eigen::VectorXd residuals(const std::vector<InputEdge>& edges) const {
+        const FitProblem problem = with(edges);
         Linearisation l = linearise(problem, {}, false, plans_, simulation_, progress_);
         if (!l.ok || l.residuals.size() != null_.fit.optimum.residuals.size() || !l.residuals.allFinite()) return {};
         return std::move(l.residuals);
     }
 
 private:
-    void set(const std::vector<InputEdge>& edges) {
-        for (std::size_t e = 0; e < prepared_->problem.experiments.size(); ++e) {
+    FitProblem with(const std::vector<InputEdge>& edges) const {
+        FitProblem problem = prepared_->problem;
+        for (std::size_t e = 0; e < problem.experiments.size(); ++e) {
             const int index = prepared_->fitRecordings[e];
             Recording recording = null_.variant.task.recordings[static_cast<std::size_t>(index)];
             place(recording, index, edges);
-            setSignals(prepared_->problem.experiments[e], recording);
+            setSignals(problem.experiments[e], recording);
         }
+        return problem;
     }
 
     const NullModel& null_;
@@ -203,7 +206,8 @@ private:
 }  // namespace
 
 std::vector<InputEdge> likeliestEdges(const NullModel& null, std::vector<InputEdge> edges, bool areAlike,
-                                      const SimulationOptions& simulation, const Progress& progress, int& told) {
+                                      const SimulationOptions& simulation, int threads, const Progress& progress,
+                                      int& told) {
     told = 0;
     if (areAlike) std::erase_if(edges, [](const InputEdge& e) { return e.bend != 0; });
     if (edges.empty()) return {};
@@ -230,12 +234,10 @@ std::vector<InputEdge> likeliestEdges(const NullModel& null, std::vector<InputEd
         return tried;
     };
     const auto misfitAlike = [&](double part) { return misfit(model.residuals(at(alike(part)))); };
-    std::size_t best = 0;
-    std::vector<double> misfits;
-    for (const double part : firstParts) {
-        misfits.push_back(misfitAlike(part));
-        if (misfits.back() < misfits[best]) best = misfits.size() - 1;
-    }
+    std::vector<double> misfits(std::size(firstParts));
+    parallelFor(static_cast<int>(misfits.size()), threads,
+                [&](int i) { misfits[static_cast<std::size_t>(i)] = misfitAlike(firstParts[i]); });
+    const auto best = static_cast<std::size_t>(std::min_element(misfits.begin(), misfits.end()) - misfits.begin());
     const double low = firstParts[best == 0 ? 0 : best - 1],
                  high = firstParts[std::min(best + 1, std::size(firstParts) - 1)];
     parts = alike(boost::math::tools::brent_find_minima(misfitAlike, low, high, bitsOfAPart).first);
@@ -244,16 +246,20 @@ std::vector<InputEdge> likeliestEdges(const NullModel& null, std::vector<InputEd
     const auto unknowns = static_cast<Eigen::Index>(parts.size());
     for (const double width : {0.02, 0.005}) {
         Eigen::MatrixXd traces(here.size(), unknowns);
-        for (Eigen::Index j = 0; j < unknowns; ++j) {
-            if (progress.stopRequested()) return {};
+        std::atomic<bool> isWhole{true};
+        parallelFor(static_cast<int>(unknowns), threads, [&](int j) {
+            if (!isWhole || progress.stopRequested()) return;
             std::vector<double> tried = parts;
             double& part = tried[static_cast<std::size_t>(j)];
             const double by = part > 0.5 ? -width : width;
             part += by;
             const Eigen::VectorXd there = model.residuals(at(tried));
-            if (there.size() == 0) return {};
-            traces.col(j) = (there - here) / by;
-        }
+            if (there.size() == 0)
+                isWhole = false;
+            else
+                traces.col(j) = (there - here) / by;
+        });
+        if (!isWhole || progress.stopRequested()) return {};
         const Eigen::MatrixXd own = complement(traces);
         Eigen::MatrixXd information = own.transpose() * own / variance;
         told = static_cast<int>((information.diagonal().array() > evenPrecision).count());

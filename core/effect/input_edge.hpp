@@ -34,6 +34,7 @@ void place(Recording& recording, int index, const std::vector<InputEdge>& edges)
 /// parameters, each part equally likely beforehand. `told` becomes the number of those that the data tell. `areAlike`:
 /// the jumps alone, all at the same part of their interval (a command that is held).
 std::vector<InputEdge> likeliestEdges(const NullModel& null, std::vector<InputEdge> edges, bool areAlike,
-                                      const SimulationOptions& simulation, const Progress& progress, int& told);
+                                      const SimulationOptions& simulation, int threads, const Progress& progress,
+                                      int& told);
 
 }  // namespace analogon

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <optional>
@@ -208,7 +209,17 @@ private:
     void holdUnneededClocks(NullModel& null);
     const std::vector<Recording>& recordingsAsGiven() const;
     void takeRecordingsAsGiven();
-    bool placeEdges(NullModel& null, double threshold, double most);
+    struct Redrawn {
+        std::vector<InputEdge> edges;
+        Variant variant;
+        Allowed with;
+    };
+    static constexpr std::size_t oneByOne = 0, allAlike = 1;  // ways to draw the inputs, the longest first
+    using Drawings = std::array<std::optional<Redrawn>, 2>;
+    std::optional<Redrawn> redrawn(const NullModel& null, const NullModel& there, bool areAlike,
+                                   double threshold) const;
+    Drawings drawings(const NullModel& null, double threshold) const;
+    bool placeEdges(NullModel& null, Drawings first, double threshold, double most);
     bool canPlaceEdges(const NullModel& null) const;
     bool takesEdgesForDelays(const NullModel& null);
     bool refitPlaced(NullModel& null, Variant placed, std::vector<InputEdge> edges);

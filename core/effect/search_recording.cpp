@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/parallel.hpp"
 #include "core/effect/caution.hpp"
 #include "core/effect/input_edge.hpp"
 #include "core/effect/input_noise.hpp"
@@ -66,7 +67,8 @@ bool Search::leaveOutFaults(const NullModel& fitted) {
 std::optional<Search::Allowed> Search::allowed(const NullModel& null, const Variant& variant, int freed,
                                                double threshold) const {
     if (progress_.stopRequested()) return std::nullopt;
-    std::optional<FitResult> fit = fitBeside(null, variant, search_.fit, progress_);
+    const FitOptions options = trialOptions(search_.fit, search_.fit.maxIterations);
+    std::optional<FitResult> fit = fitBeside(null, variant, options, progress_);
     if (!fit) return std::nullopt;
     const Acceptance gain = examine(null, *fit, freed, threshold);
     return Allowed{std::move(*fit), gain};
@@ -107,9 +109,17 @@ bool Search::allowForRecordings(NullModel& null, const Round& round) {
         say("reconsider", phrase("noise of the inputs"), -1);
         if (explainsMore(quiet, static_cast<int>(noisy.size()))) return refitQuiet(null, std::move(quiet), noisy);
     }
-    std::optional<Late> late = findClocks(null, round.threshold, most);
+    std::optional<Late> late;
+    Drawings drawn;
+    const bool canPlace = canPlaceEdges(null);
+    parallelFor(2, options_.threads, [&](int i) {
+        if (i == 1)
+            late = findClocks(null, round.threshold, most);
+        else if (canPlace)
+            drawn = drawings(null, round.threshold);
+    });
     if (late) most = late->with.gain.effective;
-    if (placeEdges(null, round.threshold, most)) return true;
+    if (canPlace && placeEdges(null, std::move(drawn), round.threshold, most)) return true;
     if (late) return refitLate(null, std::move(*late));
     return !freed.empty() && refitWith(null, freed, values);
 }
@@ -136,9 +146,8 @@ std::optional<Search::Late> Search::findClocks(const NullModel& null, double thr
         std::optional<Allowed> with = allowed(null, drawn, static_cast<int>(clocks.size()), threshold);
         const double before = found ? found->with.gain.effective : 0;
         if (!with || !with->gain.isSignificant || !(with->gain.effective > before)) break;
-        there.variant = drawn;
+        there = null.with(drawn, with->fit);
         there.variant.values = valuesOf(with->fit);
-        there.fit = with->fit;
         found = Late{clocks, std::move(drawn), std::move(*with)};
     }
     if (!found) return std::nullopt;
@@ -200,43 +209,62 @@ bool Search::canPlaceEdges(const NullModel& null) const {
     return !takesAsGiven_ && edges_.empty() && thinning_ == 1 && !hasProposal(null);
 }
 
-/// Draws the inputs as they run between their samples by what the outputs say, where that explains more than so much.
-bool Search::placeEdges(NullModel& null, double threshold, double most) {
-    if (!canPlaceEdges(null)) return false;
+/// The inputs as they run between their samples by what the outputs say beside parameters that have come so far, and
+/// what that explains; nothing where it does not count.
+std::optional<Search::Redrawn> Search::redrawn(const NullModel& null, const NullModel& there, bool areAlike,
+                                               double threshold) const {
+    int told = 0;
+    std::vector<InputEdge> likely = likeliestEdges(there, inputEdges(null.variant.task), areAlike,
+                                                   search_.fit.simulation, options_.threads, progress_, told);
+    if (told == 0) return std::nullopt;
+    say("reconsider", phrase("jumps of the inputs"), -1);
+    Variant drawn = null.variant;
+    drawn.values = there.variant.values;
+    place(drawn.task, likely);
+    std::optional<Allowed> with = allowed(null, drawn, told, threshold);
+    if (!with) return std::nullopt;
+    // what jumps explain lies behind jumps: no doubt of them
+    const Acceptance& gain = with->gain;
+    const bool counts =
+        std::max(gain.evidence, gain.effective) > std::max(leastOfJumps, threshold) && gain.share > shareOfJumps;
+    if (!counts) return std::nullopt;
+    return Redrawn{std::move(likely), std::move(drawn), std::move(*with)};
+}
+
+/// Each way to draw the inputs beside the parameters as they are: the jumps alone, all alike, and all one by one.
+Search::Drawings Search::drawings(const NullModel& null, double threshold) const {
+    Drawings both;
+    parallelFor(2, options_.threads, [&](int i) {
+        const auto way = static_cast<std::size_t>(i);
+        both[way] = redrawn(null, null, way == allAlike, threshold);
+    });
+    return both;
+}
+
+/// Draws the inputs as they run between their samples, where that explains more than so much. `first`: see drawings().
+bool Search::placeEdges(NullModel& null, Drawings first, double threshold, double most) {
     Variant placed;
     std::vector<InputEdge> edges;
-    const std::vector<InputEdge> found = inputEdges(null.variant.task);
-    for (const bool areAlike : {true, false}) {
+    for (const std::size_t way : {allAlike, oneByOne}) {
         // the parameters made up for the jumps where they were: with them the jumps move on
         NullModel there = null;
         double before = 0;
         for (int pass = 0; pass < mostPasses; ++pass) {
-            int told = 0;
-            std::vector<InputEdge> likely =
-                likeliestEdges(there, found, areAlike, search_.fit.simulation, progress_, told);
-            if (told == 0) break;
-            say("reconsider", phrase("jumps of the inputs"), -1);
-            Variant drawn = null.variant;
-            drawn.values = there.variant.values;
-            place(drawn.task, likely);
-            std::optional<Allowed> with = allowed(null, drawn, told, threshold);
-            // what jumps explain lies behind jumps: no doubt of them
-            const auto counts = [&](const Acceptance& gain) {
-                return std::max(gain.evidence, gain.effective) > std::max(leastOfJumps, threshold) &&
-                       gain.share > shareOfJumps;
-            };
-            if (!with || !counts(with->gain) || !(with->gain.effective > before)) break;
-            before = with->gain.effective;
-            there.variant.values = valuesOf(with->fit);
-            there.fit = std::move(with->fit);
+            std::optional<Redrawn> next =
+                pass == 0 ? std::move(first[way]) : redrawn(null, there, way == allAlike, threshold);
+            if (!next || !(next->with.gain.effective > before)) break;
+            before = next->with.gain.effective;
+            Variant moved = null.variant;
+            moved.values = valuesOf(next->with.fit);
+            there = null.with(std::move(moved), std::move(next->with.fit));
             // a command that is held looks like a dead time of half a sample, and is met far more often
-            if (!(before > (areHeld(likely) ? nearlyAll : 1) * most)) {
+            if (!(before > (areHeld(next->edges) ? nearlyAll : 1) * most)) {
                 if (before < farFromAll * most) break;
                 continue;
             }
             most = std::max(most, before);
-            edges = std::move(likely);
-            placed = std::move(drawn);
+            edges = std::move(next->edges);
+            placed = std::move(next->variant);
         }
     }
     return !edges.empty() && refitPlaced(null, std::move(placed), std::move(edges));
@@ -255,7 +283,7 @@ bool Search::takesEdgesForDelays(const NullModel& null) {
         std::optional<NullModel> rest = without(null, i);
         if (!rest) continue;
         const Acceptance missed = examine(*rest, null.fit, static_cast<int>(placed.freed.size()), 0);
-        if (placeEdges(*rest, 0, missed.effective)) return true;
+        if (placeEdges(*rest, drawings(*rest, 0), 0, missed.effective)) return true;
     }
     return false;
 }

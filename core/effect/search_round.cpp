@@ -399,9 +399,13 @@ Search::Round Search::tryAll(const NullModel& null) {
     for (const Screened& s : round.screened)
         if (!s.probes.empty() && !s.isAbsorbed()) directions.push_back(s.probes.front().plain.directions);
     const double logRows = std::log(static_cast<double>(null.fit.optimum.residuals.size()));
-    round.threshold = noiseThreshold(directions, logRows, falseAlarmQuantile, 1);
     round.leastScore = isNoise(null) ? equivalenceMargin : 0;
-    round.trials = tryBest(null, round.screened, round.leastScore);
+    parallelFor(2, options_.threads, [&](int i) {
+        if (i == 0)
+            round.trials = tryBest(null, round.screened, round.leastScore);
+        else
+            round.threshold = noiseThreshold(directions, logRows, falseAlarmQuantile, 1);
+    });
     return round;
 }
 

@@ -118,7 +118,7 @@ std::vector<InputEdge> likeliest(const EstimationTask& task, bool areAlike, int&
     const Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, options, {});
     EXPECT_TRUE(null) << format(null.diagnostics());
     if (!null) return {};
-    return likeliestEdges(*null, inputEdges(task), areAlike, options.simulation, {}, told);
+    return likeliestEdges(*null, inputEdges(task), areAlike, options.simulation, 2, {}, told);
 }
 
 TEST(LikeliestEdges, AreWhereTheOutputsSayThatTheInputJumped) {
