@@ -1965,6 +1965,17 @@ TEST_F(Discovery, SaysWhenAParameterChangedInMidRun) {
     EXPECT_NE(finding.warnings.front().find("load.b"), std::string::npos) << finding.warnings.front();
 }
 
+TEST_F(Discovery, LooksForNoChangeBehindAnEffectThatLeavesNoise) {
+    search({0.02, [](double, double w, double phi) { return 0.03 * w + 0.03 * std::sin(phi); }});
+    std::atomic<int> changes{};
+    const Finding finding = discovered({}, Progress({}, [&](const Progress::Report& r) {
+                                           changes += r.detail.english() == "parameters that change";
+                                       }));
+    ASSERT_EQ(finding.effects.size(), 1u);
+    EXPECT_EQ(finding.effects.front().kind, "torque.gravity");
+    EXPECT_EQ(changes, 0);
+}
+
 TEST_F(Discovery, DoesNotTakeAChangeInMidRunForNoiseWithAMemory) {
     const Finding finding =
         search({0.02, [](double t, double w, double) { return (t < 16.0 ? 0.03 : 0.0315) * w; }}, 0.8);
