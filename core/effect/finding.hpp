@@ -43,7 +43,7 @@ struct ModelState {
     Text message;
     std::vector<Text> remarks;
     int simulations{};
-    double seconds{};
+    double seconds{};  // that the fit took
 };
 
 enum class Way { Attach, Insert, Specialise };

@@ -233,6 +233,7 @@ Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const 
     state.message = fit.message;
     state.remarks = fit.remarks;
     state.simulations = fit.simulations;
+    state.seconds = fit.seconds;
     Outcome<std::string> text = textWithValues(variant);
     if (!text) return text.diagnostics();
     state.modelText = std::move(*text);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -437,7 +438,9 @@ const FitEstimate* FitResult::find(const std::string& name, int experiment) cons
     return found == estimates.end() ? nullptr : &*found;
 }
 
-FitResult fit(const FitProblem& problem, const FitOptions& options, const Progress& progress) {
+namespace {
+
+FitResult fitted(const FitProblem& problem, const FitOptions& options, const Progress& progress) {
     FitResult result;
     const Diagnostics faults = validate(problem);
     if (hasError(faults)) {
@@ -481,6 +484,15 @@ FitResult fit(const FitProblem& problem, const FitOptions& options, const Progre
         result.status = FitStatus::Cancelled;
         result.message = phrase("cancelled; the best parameters so far are kept");
     }
+    return result;
+}
+
+}  // namespace
+
+FitResult fit(const FitProblem& problem, const FitOptions& options, const Progress& progress) {
+    const auto begin = std::chrono::steady_clock::now();
+    FitResult result = fitted(problem, options, progress);
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;
 }
 

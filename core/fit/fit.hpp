@@ -83,6 +83,7 @@ struct FitResult {
     int simulations{};  // of all records
     int failedSimulations{};
     int partIterations{}, partSimulations{};  // before them, of parts of the records
+    double seconds{};                         // that it took
     Linearisation optimum;                    // residuals, Jacobian, trajectories at the optimum
     std::vector<GridPlan> plans;
     bool takesDifferences{};    // the tangents of this model mislead (core/fit/difference_slopes.hpp)

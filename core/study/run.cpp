@@ -128,6 +128,7 @@ Outcome<RunResult> runSimulate(const Study& study, const RunOptions& options, co
 }
 
 Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const Progress& progress) {
+    const auto begin = std::chrono::steady_clock::now();
     Outcome<EstimationTask> task = taskOf(study, options);
     if (!task) return task.diagnostics();
     if (Diagnostics faults = checkProfiled(*task, options.profiled); !faults.empty()) return faults;
@@ -137,6 +138,7 @@ Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const P
     if (!progress.stopRequested()) addConfidence(*task, options.profiled, options.discover.fit, *state, progress);
     RunResult result = fitted(study, std::move(*state));
     result.finding.interrupted = progress.stopRequested();
+    result.finding.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return {std::move(result), task.diagnostics()};
 }
 

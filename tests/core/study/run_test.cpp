@@ -52,6 +52,13 @@ TEST_F(Run, ASimulationThatIsStoppedLeavesNoFigures) {
     }
 }
 
+TEST_F(Run, AFitTellsHowLongItTook) {
+    const Outcome<RunResult> result = runFit(read(), {}, {});
+    ASSERT_TRUE(result) << format(result.diagnostics());
+    EXPECT_GT(result->finding.final.seconds, 0);
+    EXPECT_GE(result->finding.seconds, result->finding.final.seconds) << "with what comes before and after";
+}
+
 TEST_F(Run, ACancelledFitKeepsTheBestWithItsFigures) {
     std::stop_source source;
     const Progress progress(source.get_token(), [&](const Progress::Report&) { source.request_stop(); });
