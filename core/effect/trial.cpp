@@ -218,7 +218,9 @@ bool isWhole(const PlacedEffect& placed, const FitParameter& parameter) {
 
 /// Where the strength comes from a slope at 0, the slope may promise far more than the model bears there (a magnet that
 /// warms until its field turns over). The strength is taken back until it is no worse than the model without; where
-/// that is no way down, so is all that the effect is linear in (a friction beside one of which it takes the part).
+/// that is no way down, so is all that the effect is linear in (a friction beside one of which it takes the part), and
+/// where all of it is none either, the strength begins alone (beside a friction of nearly that form, of which it would
+/// take any amount).
 void takeBack(const NullModel& null, TrialStart& start, const SimulationOptions& simulation, const Progress& progress) {
     std::vector<FitParameter>& parameters = start.prepared.problem.parameters;
     const std::vector<FitParameter> promised = parameters;
@@ -234,10 +236,15 @@ void takeBack(const NullModel& null, TrialStart& start, const SimulationOptions&
         }
         return false;
     };
-    std::vector<std::string> all = placed.effect.linear;
+    const std::vector<std::string>& further = placed.effect.linear;
+    std::vector<std::string> all = further;
     all.push_back(placed.effect.strength);
-    if (leadsDown({placed.effect.strength}, 1) || (all.size() > 1 && leadsDown(all, 0.25))) return;
+    if (leadsDown({placed.effect.strength}, 1) || (!further.empty() && leadsDown(all, 0.25))) return;
     parameters = promised;
+    if (further.empty()) return;
+    for (FitParameter& p : parameters)
+        if (isAmong(further, placed, p)) p.start = std::clamp(0.0, p.min, p.max);
+    if (!leadsDown({placed.effect.strength}, 1)) parameters = promised;
 }
 
 /// Moves the start to the optimum of a problem with the same parameters, whole numbers held where they start.

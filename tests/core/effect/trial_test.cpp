@@ -109,24 +109,26 @@ TEST(TrialStarts, TakeTheBestPromiseFirst) {
 }
 
 // A trace may promise far too much of whatever the effect is linear in: of a friction beside one of which it would take
-// the part.
+// the part, and where the two are all but one, any amount.
 TEST(TrialStarts, TakeBackAllThatTheTracePromisesTooMuch) {
     const Outcome<NullModel> null = fittedWithoutItsLag();
     ASSERT_TRUE(null) << format(null.diagnostics());
-    Screened screened = screenedOf(*null, "proposal.heat.periodic");
-    ASSERT_FALSE(screened.probes.empty());
-    for (Probe& p : screened.probes) {
-        ASSERT_EQ(p.plain.strengths.size(), 2);
-        ASSERT_NE(p.plain.strengths[1], 0);
-        p.plain.strengths[1] *= 100;
+    for (const double tooMuch : {100.0, 1e8}) {
+        Screened screened = screenedOf(*null, "proposal.heat.periodic");
+        ASSERT_FALSE(screened.probes.empty());
+        for (Probe& p : screened.probes) {
+            ASSERT_EQ(p.plain.strengths.size(), 2);
+            ASSERT_NE(p.plain.strengths[1], 0);
+            p.plain.strengths[1] *= tooMuch;
+        }
+        const Progress progress;
+        const FitOptions options = trialOptions({}, 0);
+        TrialStarts starts(*null, screened, options, 1, progress);
+        ASSERT_TRUE(starts.hasNext());
+        starts.takeNext();
+        ASSERT_TRUE(starts.best().ok);
+        EXPECT_LT(starts.best().sumOfSquares(), null->sumOfSquares()) << tooMuch;
     }
-    const Progress progress;
-    const FitOptions options = trialOptions({}, 0);
-    TrialStarts starts(*null, screened, options, 1, progress);
-    ASSERT_TRUE(starts.hasNext());
-    starts.takeNext();
-    ASSERT_TRUE(starts.best().ok);
-    EXPECT_LT(starts.best().sumOfSquares(), null->sumOfSquares());
 }
 
 }  // namespace
