@@ -103,6 +103,11 @@ bool fightsAnother(const NullModel& null, const FitResult& with) {
     });
 }
 
+double errorOfForms(double explained) {
+    constexpr double formError = 0.0015, most = 300;
+    return std::min(formError * explained, most);
+}
+
 bool beatsNames(const NullModel& null, const std::vector<Trial>& trials, std::size_t proposal,
                 std::optional<std::size_t> chosen) {
     if (!chosen) return trials[proposal].evidence > 2 * equivalenceMargin;
@@ -119,7 +124,8 @@ bool beatsNames(const NullModel& null, const std::vector<Trial>& trials, std::si
     // what explains as much with fewer parameters is the better account, by whatever name
     const bool isSimpler = trials[proposal].freed() < trials[*chosen].freed();
     if (isSimpler && leavesMuch && proposed > asMuch * named) return true;
-    const bool isClear = weight * (trials[proposal].evidence - best) > equivalenceMargin;
+    const double more = trials[proposal].evidence - best;
+    const bool isClear = weight * more > equivalenceMargin && more > errorOfForms(best);
     if (!isClear && !(isSimpler && trials[proposal].evidence > best)) return false;
     return !leavesMuch || named < nearlyAsMuch * proposed;
 }

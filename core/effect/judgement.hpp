@@ -71,8 +71,12 @@ bool drivesToBound(const FitResult& without, const FitResult& with);
 /// Whether a new effect and an old one grow against each other: two that cancel explain what neither does.
 bool fightsAnother(const NullModel& null, const FitResult& with);
 
-/// Whether a proposed equation explains more than every named effect: clearly, and not just as one flexible form more
-/// while much is left anyway.
+/// What the forms of effects that explain so much may be wrong by, both in evidence: a change of sign is rounded off,
+/// and no drag is exactly quadratic.
+double errorOfForms(double explained);
+
+/// Whether a proposed equation explains more than every named effect: clearly, beyond what their forms may be wrong by,
+/// and not just as one flexible form more while much is left anyway.
 bool beatsNames(const NullModel& null, const std::vector<Trial>& trials, std::size_t proposal,
                 std::optional<std::size_t> chosen);
 

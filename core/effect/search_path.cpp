@@ -17,8 +17,6 @@ namespace {
 constexpr double mostWork = 3e7;  // in steps of the trials, beyond which no other beginning is tried
 constexpr std::size_t otherPaths = 2, otherPairs = 2;
 constexpr double mostErrorForPairs = 10;    // [%] of the fitted data
-constexpr double mostOfForms = 300;         // evidence
-constexpr double formError = 0.0015;        // of what effects explain, squared
 constexpr double structuredResidual = 1.1;  // in units of the noise: something is left to find
 constexpr double leastGain = 1;             // in evidence, for which an effect is exchanged: exact twins are not
 constexpr int mostSharpenings = 2;
@@ -139,12 +137,11 @@ Search::Stay Search::stayAt(const NullModel& null, double misfit) const {
     return {keysOf(null.variant.effects), misfit, paths_};
 }
 
-/// Whether so much evidence is no more than the forms of the effects may be wrong by: a change of sign is rounded off,
-/// and no drag is exactly quadratic.
+/// Whether so much evidence is no more than the forms of the effects may be wrong by.
 bool Search::isWithinForms(double evidence) const {
     double explained = 0;
     for (const Step& each : steps_) explained += each.acceptance.evidence;
-    return evidence < std::min(formError * explained, mostOfForms);
+    return evidence < errorOfForms(explained);
 }
 
 /// The other effects with which the search may begin: they pass the same tests alone.
@@ -324,7 +321,7 @@ bool Search::isOnlyOfForm(const NullModel& base, const Path& path, const Path& n
     if (!hasProposal(path.null) || hasProposal(named.null) || termsIn(path.null) < termsIn(named.null)) return false;
     const double explained = sumInUnitsOf(named.null, base) - named.null.sumOfSquares();
     const double more = named.null.sumOfSquares() - sumInUnitsOf(named.null, path.null);
-    return more < std::min(formError * explained, mostOfForms);
+    return more < errorOfForms(explained);
 }
 
 /// Keeps the better of two paths, and the other among the ends; one that leads where another went adds nothing.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 namespace analogon {
 namespace {
 
@@ -106,6 +108,36 @@ TEST(DrivesToBound, AnEffectThatDoesTheWorkOfAParameter) {
     EXPECT_FALSE(drivesToBound(atBound, atBound)) << "it rested there before";
     FitResult ofEffect;  // parameters of its own are judged otherwise
     EXPECT_FALSE(drivesToBound(ofEffect, atBound));
+}
+
+/// A trial with three parameters that leaves noise and explains so much.
+Trial leavingNoise(double evidence, const std::string& proposal) {
+    Trial trial;
+    trial.ok = true;
+    trial.evidence = evidence;
+    trial.screened.candidate.effect.proposal = proposal;
+    PlacedEffect placed = cogging();
+    placed.effect.proposal = proposal;
+    trial.variant.effects = {placed};
+    std::mt19937 random(2);
+    std::normal_distribution<double> noise;
+    trial.fit.optimum.residuals = Eigen::VectorXd::NullaryExpr(1000, [&] { return noise(random); });
+    return trial;
+}
+
+TEST(BeatsNames, DoesNoEquationThatMayOnlyMendTheFormOfAName) {
+    NullModel null;
+    ResidualChannel channel;
+    channel.end = 1000;
+    null.channels = {channel};
+    null.fit.optimum.residuals = Eigen::VectorXd::Constant(1000, 20);
+    const auto beats = [&](double named, double equation) {
+        return beatsNames(null, {leavingNoise(equation, "a*w^3"), leavingNoise(named, "")}, 0, 1);
+    };
+    EXPECT_FALSE(beats(100'000, 100'040)) << "no form of an effect is so exact";
+    EXPECT_TRUE(beats(100'000, 100'200));
+    EXPECT_TRUE(beats(1000, 1040)) << "of so little the form of a name leaves nothing";
+    EXPECT_FALSE(beats(1000, 1005)) << "the data do not tell them apart";
 }
 
 }  // namespace
