@@ -35,7 +35,7 @@ Eigen::VectorXd from(const NullModel& null, const std::vector<double>& time, int
 std::vector<Change> likelyChanges(const NullModel& null) {
     const Eigen::MatrixXd& jacobian = null.fit.optimum.jacobian;
     const Eigen::VectorXd& residual = null.fit.optimum.residuals;
-    const Complement complement(jacobian);
+    const Complement& complement = null.scores().plain;
     std::vector<Change> likely;
     int experiment = 0;
     for (const Recording& recording : null.variant.task.recordings) {

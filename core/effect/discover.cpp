@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/base/stopwatch.hpp"
 #include "core/base/unit.hpp"
 #include "core/effect/caution.hpp"
 #include "core/effect/dependence.hpp"
@@ -23,10 +24,6 @@ constexpr int otherStarts = 7;
 constexpr double startsWithin = 4;  // of the values in the study, by this factor
 constexpr std::size_t fewestOfImitation = 3;
 constexpr double shareOfImitation = 0.05;  // of what they explain together
-
-double secondsSince(std::chrono::steady_clock::time_point begin) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 /// What a model leaves, in units of the noise of the model as given, and what its parameters cost (BIC).
 double misfitIn(const NullModel& base, const NullModel& model) {

@@ -166,8 +166,7 @@ double explainedByPickUp(const NullModel& null, const std::vector<InputClock>& c
                     recording.inputs(own, c.samples[static_cast<std::size_t>(row - c.begin)]);
         }
     }
-    const Complement complement(null.fit.optimum.jacobian);
-    return scoreColumns(complement, null.fit.optimum.residuals, columns, false).explained;
+    return scoreColumns(null.scores().plain, null.fit.optimum.residuals, columns, false).explained;
 }
 
 }  // namespace analogon

@@ -40,7 +40,7 @@ class TermChoice {
 public:
     TermChoice(const NullModel& null, const std::vector<Term>& terms, const Eigen::MatrixXd& columns)
         : terms_(terms), residual_(null.fit.optimum.residuals), lengths_(columns.colwise().norm().transpose()) {
-        columns_ = Complement(null.fit.optimum.jacobian)(columns);
+        columns_ = null.scores().plain(columns);
     }
 
     std::vector<TermSet> likeliest() const {

@@ -43,14 +43,6 @@ std::vector<std::string> namesOfStates(const System& system) {
     return names;
 }
 
-SimulationTask taskOf(const FitExperiment& experiment) {
-    SimulationTask task;
-    task.system = experiment.system.get();
-    task.inputs = &experiment.inputs;
-    task.parameters = experiment.parameters;
-    return task;
-}
-
 }  // namespace
 
 struct NullModel::FoundOnce {
@@ -279,7 +271,7 @@ std::vector<Trajectory> observe(const NullModel& null, const PreparedTask& held,
     const std::vector<GridPlan> plans = null.plansOf(*held.system, simulation, {});
     const StepsBeside& beside = null.steps(simulation, {});
     // what is switched off and has no states of its own goes the way of the model
-    const bool isSameWay = namesOfStates(*held.system) == beside.states;
+    const bool isSameWay = !beside.states.empty() && namesOfStates(*held.system) == beside.states;
     for (std::size_t e = 0; e < held.problem.experiments.size(); ++e) {
         SimulationTask task = taskOf(held.problem.experiments[e]);
         task.observe = names;

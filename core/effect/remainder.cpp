@@ -54,10 +54,7 @@ std::vector<Regressor> regressors(const NullModel& null, const PreparedTask& pre
         });
     std::vector<Eigen::MatrixXd> states;
     for (std::size_t e = 0; e < problem.experiments.size(); ++e) {
-        SimulationTask task;
-        task.system = problem.experiments[e].system.get();
-        task.inputs = &problem.experiments[e].inputs;
-        task.parameters = problem.experiments[e].parameters;
+        SimulationTask task = taskOf(problem.experiments[e]);
         task.keepStates = true;
         states.push_back(simulateGrid(task, null.fit.plans[e], simulation).states);
     }
@@ -218,8 +215,8 @@ struct Examined {
 Leftovers leftoversIn(const NullModel& null, const Eigen::VectorXd& scale, const PreparedTask& prepared,
                       const std::vector<Regressor>& candidates) {
     Leftovers found;
-    const Complement complement(null.whitener(null.fit.optimum.jacobian));
-    const Eigen::VectorXd white = complement(null.whitener(null.fit.optimum.residuals));
+    const Complement& complement = null.scores().white;
+    const Eigen::VectorXd white = complement(null.scores().whiteResidual);
     const PatientTest patient(null);
     const double unlikely = significance / (3 * static_cast<double>(null.channels.size()));
     const auto isChance = [&](double p) { return !(p < unlikely); };
@@ -322,9 +319,10 @@ Leftovers leftovers(const NullModel& null, const SimulationOptions& simulation) 
     std::vector<UnevenNoise> uneven;
     const Eigen::VectorXd scale = localScale(null, *prepared, uneven);
     if (scale.size() == 0) return found;
-    NullModel even = null;
-    even.fit.optimum.residuals = scale.cwiseProduct(null.fit.optimum.residuals);
-    even.fit.optimum.jacobian = scale.asDiagonal() * null.fit.optimum.jacobian;
+    FitResult scaled = null.fit;
+    scaled.optimum.residuals = scale.cwiseProduct(null.fit.optimum.residuals);
+    scaled.optimum.jacobian = scale.asDiagonal() * null.fit.optimum.jacobian;
+    NullModel even = null.with(null.variant, std::move(scaled));
     even.whitener = Whitener(even.channels, even.fit.optimum.residuals);
     Leftovers within = leftoversIn(even, scale, *prepared, candidates);
     if (!within.structure.empty()) return found;

@@ -277,7 +277,7 @@ public:
         plans_ = null_.plansOf(*held_.system, simulation_, progress_);
         held_.problem.knownPlans = beside.glances;
         const bool takesSlopes = placed_.effect.secant.empty() || !placed_.effect.phase.empty();
-        const bool hasOwnStates = stateCount() != static_cast<int>(beside.states.size());
+        const bool hasOwnStates = addedStates() != 0;
         for (std::size_t e = 0; takesSlopes && hasOwnStates && e < plans_.size(); ++e)
             if (null_.fit.plans[e].method == GridMethod::Exact && plans_[e].method != GridMethod::Exact)
                 plans_[e] = planFor(held_.problem, static_cast<int>(e), off(), simulation_, progress_, &plans_[e]);
@@ -298,7 +298,10 @@ public:
         return true;
     }
 
-    int stateCount() const { return held_.system->stateCount(); }
+    /// States beside those of the model.
+    int addedStates() const {
+        return held_.system->stateCount() - static_cast<int>(null_.steps(simulation_, progress_).states.size());
+    }
 
     std::vector<std::string> imitators(const Eigen::VectorXd& column) const {
         const Eigen::VectorXd c = scores_.plain.coefficients(column);
@@ -579,7 +582,7 @@ Screened screen(const NullModel& null, const Candidate& candidate, const Simulat
     Prober prober(null, result.wired, observations->series(effect.along), simulation, progress);
     if (Outcome<Done> compiled = prober.compile(); !compiled) return fail(compiled.diagnostics());
     if (effect.states > 0) {
-        const int added = prober.stateCount() - static_cast<int>(null.steps(simulation, progress).states.size());
+        const int added = prober.addedStates();
         if (added < effect.states && !(added > 0 && endsInASpring(null.variant, candidate.place)))
             return fail({error(phrase("nothing there has a motion of its own"))});
     }

@@ -214,8 +214,7 @@ private:
         Variant variant;
         Allowed with;
     };
-    static constexpr std::size_t oneByOne = 0, allAlike = 1;  // ways to draw the inputs, the longest first
-    using Drawings = std::array<std::optional<Redrawn>, 2>;
+    using Drawings = std::array<std::optional<Redrawn>, 2>;  // by whether all jumps are alike
     std::optional<Redrawn> redrawn(const NullModel& null, const NullModel& there, bool areAlike,
                                    double threshold) const;
     Drawings drawings(const NullModel& null, double threshold) const;

@@ -234,10 +234,8 @@ std::optional<Search::Redrawn> Search::redrawn(const NullModel& null, const Null
 /// Each way to draw the inputs beside the parameters as they are: the jumps alone, all alike, and all one by one.
 Search::Drawings Search::drawings(const NullModel& null, double threshold) const {
     Drawings both;
-    parallelFor(2, options_.threads, [&](int i) {
-        const auto way = static_cast<std::size_t>(i);
-        both[way] = redrawn(null, null, way == allAlike, threshold);
-    });
+    parallelFor(2, options_.threads,
+                [&](int i) { both[static_cast<std::size_t>(i)] = redrawn(null, null, i == 1, threshold); });
     return both;
 }
 
@@ -245,13 +243,13 @@ Search::Drawings Search::drawings(const NullModel& null, double threshold) const
 bool Search::placeEdges(NullModel& null, Drawings first, double threshold, double most) {
     Variant placed;
     std::vector<InputEdge> edges;
-    for (const std::size_t way : {allAlike, oneByOne}) {
+    for (const bool areAlike : {true, false}) {
         // the parameters made up for the jumps where they were: with them the jumps move on
         NullModel there = null;
         double before = 0;
         for (int pass = 0; pass < mostPasses; ++pass) {
             std::optional<Redrawn> next =
-                pass == 0 ? std::move(first[way]) : redrawn(null, there, way == allAlike, threshold);
+                pass == 0 ? std::move(first[areAlike]) : redrawn(null, there, areAlike, threshold);
             if (!next || !(next->with.gain.effective > before)) break;
             before = next->with.gain.effective;
             Variant moved = null.variant;

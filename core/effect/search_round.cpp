@@ -347,7 +347,7 @@ void Search::continueBest(const NullModel& null, std::vector<Trial>& trials) {
 std::vector<std::size_t> Search::equivalents(const NullModel& null, const std::vector<Trial>& trials,
                                              std::size_t best) const {
     std::vector<std::size_t> members{best};
-    const Complement complement(null.fit.optimum.jacobian);
+    const Complement& complement = null.scores().plain;
     const auto direction = [&](const Trial& t) {
         const Eigen::MatrixXd rest = complement(Eigen::MatrixXd(t.screened.probes.front().column));
         return Eigen::VectorXd(rest.col(0).normalized());

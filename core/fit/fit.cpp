@@ -12,6 +12,7 @@
 #include <random>
 
 #include "core/base/parallel.hpp"
+#include "core/base/stopwatch.hpp"
 #include "core/fit/difference_slopes.hpp"
 #include "core/fit/misfit.hpp"
 #include "core/fit/partial_records.hpp"
@@ -492,7 +493,7 @@ FitResult fitted(const FitProblem& problem, const FitOptions& options, const Pro
 FitResult fit(const FitProblem& problem, const FitOptions& options, const Progress& progress) {
     const auto begin = std::chrono::steady_clock::now();
     FitResult result = fitted(problem, options, progress);
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    result.seconds = secondsSince(begin);
     return result;
 }
 

@@ -55,11 +55,7 @@ SimulationTask taskFor(const FitProblem& problem, int experiment, const Eigen::V
                        std::vector<Eigen::Index>* columns) {
     const FitExperiment& recorded = problem.experiments[static_cast<std::size_t>(experiment)];
     const std::vector<int> driven = drivenParameters(problem, experiment);
-    SimulationTask task;
-    task.system = recorded.system.get();
-    task.inputs = &recorded.inputs;
-    task.parameters = recorded.parameters;
-    if (recorded.isInterpreted) task.execution = Execution::Interpreted;
+    SimulationTask task = taskOf(recorded);
     for (std::size_t i = 0; i < driven.size(); ++i) {
         if (driven[i] < 0) continue;
         task.parameters[static_cast<std::size_t>(driven[i])] = values[static_cast<Eigen::Index>(i)];
@@ -319,6 +315,15 @@ bool FitProblem::hasClocks() const {
 const GridPlan* FitProblem::knownPlan(int experiment) const {
     const auto e = static_cast<std::size_t>(experiment);
     return e < knownPlans.size() ? &knownPlans[e] : nullptr;
+}
+
+SimulationTask taskOf(const FitExperiment& experiment) {
+    SimulationTask task;
+    task.system = experiment.system.get();
+    task.inputs = &experiment.inputs;
+    task.parameters = experiment.parameters;
+    if (experiment.isInterpreted) task.execution = Execution::Interpreted;
+    return task;
 }
 
 GridPlan planFor(const FitProblem& problem, int experiment, const Eigen::VectorXd& values,

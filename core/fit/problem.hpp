@@ -91,6 +91,9 @@ struct Linearisation {
     Text failure;                          // which experiment, when, which variable
 };
 
+/// The simulation of one experiment with its own parameters; it must outlive the task.
+SimulationTask taskOf(const FitExperiment& experiment);
+
 /// The grid plan of one experiment at these values of the fit parameters.
 GridPlan planFor(const FitProblem& problem, int experiment, const Eigen::VectorXd& values,
                  const SimulationOptions& options = {}, const Progress& progress = {},

@@ -13,6 +13,7 @@
 #include <span>
 #include <utility>
 
+#include "core/base/stopwatch.hpp"
 #include "core/simulate/grid.hpp"
 #include "core/simulate/sample_recorder.hpp"
 #include "core/simulate/sliding.hpp"
@@ -404,8 +405,8 @@ private:
         if (++steps_ > options_.stepLimit) return fail(nextSample_, worstState(), "step limit"), false;
         if ((steps_ & 255) != 1) return true;  // the clock is not read at every step
         if (progress_.stopRequested()) return fail(nextSample_, {}, "cancelled"), false;
-        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started_;
-        if (spent.count() > options_.wallClockLimit) return fail(nextSample_, worstState(), "time limit"), false;
+        if (secondsSince(started_) > options_.wallClockLimit)
+            return fail(nextSample_, worstState(), "time limit"), false;
         if (standsStill()) return fail(nextSample_, worstState(), "the step became too small for the tolerance"), false;
         return true;
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/stopwatch.hpp"
 #include "core/simulate/grid.hpp"
 #include "core/simulate/sample_recorder.hpp"
 #include "core/simulate/step_method.hpp"
@@ -35,8 +36,7 @@ public:
             if (dynamics_.evaluations() > options_.evaluationLimit) return stop(k, "step limit");
             if ((k & 255) == 0) {
                 if (progress_.stopRequested()) return stop(k, "cancelled");
-                const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started;
-                if (spent.count() > options_.wallClockLimit) return stop(k, "time limit");
+                if (secondsSince(started) > options_.wallClockLimit) return stop(k, "time limit");
             }
             if (!interval(k) || !record(k + 1)) return false;
         }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/base/stopwatch.hpp"
 #include "core/simulate/sample_recorder.hpp"
 #include "core/simulate/step_method.hpp"
 
@@ -95,8 +96,7 @@ public:
             if (dynamics_.evaluations() > options_.evaluationLimit) return fail(k + 1, time(k), "step limit");
             if ((k & 255) == 0) {
                 if (progress_.stopRequested()) return fail(k + 1, time(k), "cancelled");
-                const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started;
-                if (spent.count() > options_.wallClockLimit) return fail(k + 1, time(k), "time limit");
+                if (secondsSince(started) > options_.wallClockLimit) return fail(k + 1, time(k), "time limit");
             }
             if (const char* reason = interval(k)) return fail(k + 1, time_, reason);
             if (!recorder_.record(k + 1, x_.data(), dx_.data())) return fail(k + 1, time(k + 1), recorder_.reason());

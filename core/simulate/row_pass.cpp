@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/stopwatch.hpp"
 #include "core/simulate/all_finite.hpp"
 #include "core/simulate/grid.hpp"
 #include "core/simulate/sample_recorder.hpp"
@@ -166,8 +167,7 @@ public:
         for (int k = run_.first; k < last_;) {
             if (dynamics_.evaluations() > options_.evaluationLimit) return stop(k, "step limit");
             if (progress_.stopRequested()) return stop(k, "cancelled");
-            const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started;
-            if (spent.count() > options_.wallClockLimit) return stop(k, "time limit");
+            if (secondsSince(started) > options_.wallClockLimit) return stop(k, "time limit");
             const bool isImplicit = run_.plan.methodIn(k) == GridMethod::Esdirk;
             if (!(isImplicit ? implicitStretch(k) : explicitStretch(k))) return false;
         }

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/stopwatch.hpp"
 #include "core/simulate/interval_stepper.hpp"
 
 namespace analogon {
@@ -125,8 +126,7 @@ private:
     bool comparesStates() const { return !dynamics_.shape().delays.empty(); }
 
     bool isOverLimit(std::chrono::steady_clock::time_point started) const {
-        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started;
-        return progress_.stopRequested() || spent.count() > options_.wallClockLimit;
+        return progress_.stopRequested() || secondsSince(started) > options_.wallClockLimit;
     }
 
     /// The reference, interval by interval, and what each of them takes.

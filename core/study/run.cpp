@@ -6,6 +6,7 @@
 #include <chrono>
 #include <fstream>
 
+#include "core/base/stopwatch.hpp"
 #include "core/fit/clock.hpp"
 #include "core/flat/parameter_change.hpp"
 #include "core/report/report.hpp"
@@ -138,7 +139,7 @@ Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const P
     if (!progress.stopRequested()) addConfidence(*task, options.profiled, options.discover.fit, *state, progress);
     RunResult result = fitted(study, std::move(*state));
     result.finding.interrupted = progress.stopRequested();
-    result.finding.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    result.finding.seconds = secondsSince(begin);
     return {std::move(result), task.diagnostics()};
 }
 

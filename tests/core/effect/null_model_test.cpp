@@ -70,10 +70,7 @@ TEST(NullModel, ObservesWhatIsSwitchedOffAlongItsOwnStates) {
     const std::vector<Trajectory> seen = observe(null, *held, {"joint.Q_flow", "body.T"}, {});
     ASSERT_EQ(seen.size(), 2u);
     for (std::size_t e = 0; e < seen.size(); ++e) {
-        SimulationTask task;
-        task.system = held->system.get();
-        task.inputs = &held->problem.experiments[e].inputs;
-        task.parameters = held->problem.experiments[e].parameters;
+        SimulationTask task = taskOf(held->problem.experiments[e]);
         task.observe = {"joint.Q_flow", "body.T"};
         const Trajectory run = simulateGrid(task, null.fit.plans[e]);
         ASSERT_EQ(seen[e].observed.rows(), 2);

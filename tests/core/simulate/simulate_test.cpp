@@ -177,14 +177,23 @@ end Fast;
     EXPECT_LT((y.outputs - reference.outputs).cwiseAbs().maxCoeff(), 1e-4);
 }
 
-TEST(Simulate, KeepsStatesAndObservesVariables) {
-    const SystemPtr system = compileText(test::motorText, "Motor");
-    ASSERT_TRUE(system);
-    const SampledInputs inputs = noisyVoltage(300);
+/// A run of a motor that keeps its states and is observed.
+struct ObservedMotor {
+    SystemPtr system = compileText(test::motorText, "Motor");
+    SampledInputs inputs = noisyVoltage(300);
     SimulationTask task = taskOf(system, inputs);
-    task.keepStates = true;
-    task.observe = {"tau", "no.such.variable", "w2"};
-    const Trajectory y = simulate(task);
+    Trajectory y;
+
+    ObservedMotor() {
+        task.keepStates = true;
+        task.observe = {"tau", "no.such.variable", "w2"};
+        y = simulate(task);
+    }
+};
+
+TEST(Simulate, KeepsStatesAndObservesVariables) {
+    const ObservedMotor motor;
+    const Trajectory& y = motor.y;
     ASSERT_FALSE(y.failure.failed);
     ASSERT_EQ(y.states.rows(), 5);
     ASSERT_EQ(y.observed.rows(), 3);
@@ -195,13 +204,9 @@ TEST(Simulate, KeepsStatesAndObservesVariables) {
 }
 
 TEST(Simulate, ObservesAlongKnownStates) {
-    const SystemPtr system = compileText(test::motorText, "Motor");
-    ASSERT_TRUE(system);
-    const SampledInputs inputs = noisyVoltage(300);
-    SimulationTask task = taskOf(system, inputs);
-    task.keepStates = true;
-    task.observe = {"tau", "no.such.variable", "w2"};
-    const Trajectory y = simulate(task);
+    const ObservedMotor motor;
+    const SimulationTask& task = motor.task;
+    const Trajectory& y = motor.y;
     ASSERT_FALSE(y.failure.failed);
     const std::optional<Eigen::MatrixXd> seen = observeAlong(task, y.states);
     ASSERT_TRUE(seen);
