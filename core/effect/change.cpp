@@ -5,6 +5,7 @@
 
 #include "core/base/range.hpp"
 #include "core/effect/likeliest.hpp"
+#include "core/effect/model_state.hpp"
 #include "core/effect/trial.hpp"
 #include "core/fit/clock.hpp"
 #include "core/flat/parameter_change.hpp"
@@ -117,6 +118,27 @@ std::optional<Change> fitted(const NullModel& null, const std::vector<FitParamet
     return change;
 }
 
+/// The value of after throughout, in every recording.
+Variant heldAfter(const Change& change) {
+    Variant held = change.variant;
+    for (ParameterValue& v : held.values)
+        if (v.name == change.parameter) v.value = change.after;
+    return held;
+}
+
+/// The change at its moment in every recording.
+Variant changedInAll(const Change& change) {
+    Variant all = change.variant;
+    const auto isOfChange = [&](const std::string& name) {
+        return name == stepOf(change.parameter) || name == momentOf(change.parameter);
+    };
+    for (FitParameter& p : all.task.parameters)
+        if (isOfChange(p.name)) p.experiment = -1;
+    for (ParameterValue& v : all.values)
+        if (isOfChange(v.name)) v.experiment = -1;
+    return all;
+}
+
 }  // namespace
 
 double explainedByChange(const NullModel& null) {
@@ -149,6 +171,26 @@ std::optional<Change> bestChange(const NullModel& null, FitOptions options, int 
     takeBest(near, best, threads, progress, fit);
     const std::optional<Change> exact = fitted(null, prepared->problem.parameters, *best, options, progress);
     return exact && exact->explained > best->explained ? exact : best;
+}
+
+Outcome<ErrorsOfChange> errorsOf(const Change& change, const std::vector<Recording>& recordings,
+                                 const SimulationOptions& simulation, const Progress& progress) {
+    ErrorsOfChange errors;
+    std::vector<ModelState> states;
+    for (Variant variant : {change.variant, heldAfter(change), changedInAll(change)}) {
+        variant.task.recordings = recordings;
+        variant.plans.clear();
+        Outcome<ModelState> state = stateOf(variant, change.fit, simulation, progress, Detail::Errors);
+        if (!state) return state.diagnostics();
+        states.push_back(std::move(*state));
+    }
+    const ModelState &before = states[0], &after = states[1], &alike = states[2];
+    errors.fitted = errorPercentOf(before, Role::Fit);  // a check alone does not have the step there
+    for (std::size_t e = 0; e < before.experiments.size(); ++e)
+        if (before.experiments[e].role == Role::Validate)
+            errors.checks.push_back({before.experiments[e].name, before.experiments[e].errorPercent,
+                                     after.experiments[e].errorPercent, alike.experiments[e].errorPercent});
+    return errors;
 }
 
 }  // namespace analogon

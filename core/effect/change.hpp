@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/effect/screen.hpp"
 
@@ -25,5 +27,24 @@ std::optional<Change> bestChange(const NullModel& null, FitOptions options, int 
 
 /// What the likeliest change explains of the residual, to first order.
 double explainedByChange(const NullModel& null);
+
+/// Errors [%] of a recording that was not fitted: nothing tells in which condition it was taken.
+struct CheckOfChange {
+    std::string experiment;
+    double before{}, after{};  // with the one value throughout, with the other
+    double alike{};            // where it changes at the same time of the recording
+
+    double least() const { return std::min({before, after, alike}); }
+};
+
+/// Errors [%] of a model with a change.
+struct ErrorsOfChange {
+    double fitted{};
+    std::vector<CheckOfChange> checks;
+};
+
+/// Holds a model with a change against recordings, those it was fitted to and those that only validate.
+Outcome<ErrorsOfChange> errorsOf(const Change& change, const std::vector<Recording>& recordings,
+                                 const SimulationOptions& simulation, const Progress& progress);
 
 }  // namespace analogon

@@ -93,6 +93,31 @@ Remainder remainderOf(const Change& c, double end) {
     return r;
 }
 
+/// Of all recordings that were not fitted, each in the condition that suits it best [%]; -1: there are none.
+double leastOf(const std::vector<CheckOfChange>& checks) {
+    return checks.empty() ? -1 : meanError(checks, [](const CheckOfChange& c) { return c.least(); });
+}
+
+/// In which condition a recording that was not fitted seems to have been taken.
+Text remarkOf(const CheckOfChange& c, const std::string& parameter) {
+    return phrase(
+        "on '{}', which was not fitted, the error is {:.3g} % with the value of {} before that change, {:.3g} % with "
+        "the one after it, and {:.3g} % with the change at the same time",
+        c.experiment, c.before, parameter, c.after, c.alike);
+}
+
+/// The proposal `left.front()` accounts for what is not there any more beside it.
+void keepWhatIsLeft(const NullModel& with, const SimulationOptions& simulation, std::vector<Remainder>& left) {
+    const std::vector<Remainder> beside = leftovers(with, simulation).structure;
+    left.erase(std::remove_if(left.begin() + 1, left.end(),
+                              [&](const Remainder& r) {
+                                  return std::none_of(beside.begin(), beside.end(), [&](const Remainder& b) {
+                                      return b.output == r.output && b.experiment == r.experiment;
+                                  });
+                              }),
+               left.end());
+}
+
 Text remarkOf(const HeldInstead& h, const std::string& effect, const std::string& at) {
     return h.byBound ? phrase(
                            "{} at {} explains no more than {} beyond its bound of {:.5g}: {:.5g} ± {:.2g}{} instead; "
@@ -587,9 +612,20 @@ Outcome<Finding> Search::run() {
         offer(std::move(proposed), left.noise, finding.final, finding.remainders);
         if (change_) {
             const double end = finding.final.experiments[static_cast<std::size_t>(change_->experiment)].time.back();
-            offerAlone(remainderOf(*change_, end), left.noise, finding.final, finding.remainders);
+            Remainder r = remainderOf(*change_, end);
             finding.warnings.push_back(phrase("the condition seems to have changed in mid run: {} at about {:.4g} s",
                                               change_->parameter, change_->time));
+            if (const Outcome<ErrorsOfChange> errors =
+                    errorsOf(*change_, full_.task.recordings, options_.fit.simulation, progress_)) {
+                r.errorFitWith = errors->fitted;
+                r.errorValidateWith = leastOf(errors->checks);
+                if (r.errorValidateWith >= 0) r.errorValidateWithout = errorPercentOf(finding.final, Role::Validate);
+                for (const CheckOfChange& c : errors->checks)
+                    finding.warnings.push_back(remarkOf(c, change_->parameter));
+            }
+            offerAlone(std::move(r), left.noise, finding.final, finding.remainders);
+            if (!finding.remainders.empty())
+                keepWhatIsLeft(base.with(change_->variant, change_->fit), options_.fit.simulation, finding.remainders);
         }
         if (!heldWrongly.empty()) {
             const HeldInstead& best = heldWrongly.front();
@@ -599,7 +635,17 @@ Outcome<Finding> Search::run() {
                            remarkOfEqual);
         }
         if (dependence_) {
-            offerAlone(remainderOf(*dependence_), left.noise, finding.final, finding.remainders);
+            Remainder r = remainderOf(*dependence_);
+            if (const Outcome<ModelState> with = stateOf(dependence_->variant, dependence_->fit,
+                                                         options_.fit.simulation, progress_, Detail::Errors)) {
+                r.errorFitWith = errorPercentOf(*with, Role::Fit);
+                r.errorValidateWith = validationErrorOf(*with);
+                if (r.errorValidateWith >= 0) r.errorValidateWithout = errorPercentOf(finding.final, Role::Validate);
+            }
+            offerAlone(std::move(r), left.noise, finding.final, finding.remainders);
+            if (!finding.remainders.empty())
+                keepWhatIsLeft(base.with(dependence_->variant, dependence_->fit), options_.fit.simulation,
+                               finding.remainders);
             finding.warnings.push_back(
                 phrase("{} seems to move with the recorded channel {}", dependence_->parameter, dependence_->channel));
         }

@@ -4480,6 +4480,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>der Zustand scheint sich während des Laufs geändert zu haben: {} bei etwa {} s</translation>
     </message>
     <message>
+        <source>on '{}', which was not fitted, the error is {:.3g} % with the value of {} before that change, {:.3g} % with the one after it, and {:.3g} % with the change at the same time</source>
+        <translation>auf '{}', das nicht angepasst wurde, beträgt der Fehler {} % mit dem Wert von {} vor dieser Änderung, {} % mit dem danach und {} % mit der Änderung zur gleichen Zeit</translation>
+    </message>
+    <message>
         <source>nothing there has a motion of its own</source>
         <translation>Dort hat nichts eine eigene Bewegung</translation>
     </message>

@@ -12,13 +12,8 @@ namespace {
 constexpr int samples = 400, change = 200;
 
 /// A body whose joint to the surroundings conducts otherwise from the change on, in small steps of the exact solution.
-NullModel changed(double before, double after) {
-    FitParameter g;
-    g.name = "joint.G";
-    g.unit = "W/K";
-    g.start = 0.2;
-    EstimationTask task = warmBody({g});
-    Recording r = warmBodyRecording("bench", samples);
+Recording recorded(const std::string& name, double before, double after) {
+    Recording r = warmBodyRecording(name, samples);
     double x = 0;
     for (int k = 0; k < samples; ++k) {
         r.time.push_back(k);
@@ -32,7 +27,20 @@ NullModel changed(double before, double after) {
             x = x * decay + p / G * (1 - decay);
         }
     }
-    task.recordings = {r};
+    return r;
+}
+
+NullModel changed(double before, double after, std::vector<Recording> checks = {}) {
+    FitParameter g;
+    g.name = "joint.G";
+    g.unit = "W/K";
+    g.start = 0.2;
+    EstimationTask task = warmBody({g});
+    task.recordings = {recorded("bench", before, after)};
+    for (Recording& check : checks) {
+        check.role = Role::Validate;
+        task.recordings.push_back(std::move(check));
+    }
     Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, {}, {});
     EXPECT_TRUE(null) << format(null.diagnostics());
     return null ? std::move(*null) : NullModel{};
@@ -52,6 +60,25 @@ TEST(Change, NeverTakesAQuantityOfOneSignToTheOther) {
     const std::optional<Change> found = bestChange(changed(0.2, -0.002), {}, 1, {});
     ASSERT_TRUE(found);
     EXPECT_GT(found->after, 0);
+}
+
+TEST(Change, IsHeldAgainstChecksOfEitherCondition) {
+    const NullModel null = changed(
+        0.2, 0.3, {recorded("new", 0.2, 0.2), recorded("worn", 0.3, 0.3), recorded("another that wears", 0.2, 0.3)});
+    const std::optional<Change> found = bestChange(null, {}, 1, {});
+    ASSERT_TRUE(found);
+    const Outcome<ErrorsOfChange> errors = errorsOf(*found, null.variant.task.recordings, {}, {});
+    ASSERT_TRUE(errors) << format(errors.diagnostics());
+    EXPECT_LT(errors->fitted, 0.5);
+    ASSERT_EQ(errors->checks.size(), 3u);
+    EXPECT_EQ(errors->checks[1].experiment, "worn");
+    const double suits[] = {errors->checks[0].before, errors->checks[1].after, errors->checks[2].alike};
+    for (int i = 0; i < 3; ++i) {
+        const CheckOfChange& check = errors->checks[static_cast<std::size_t>(i)];
+        EXPECT_EQ(check.least(), suits[i]) << check.experiment;
+        EXPECT_LT(check.least(), 0.5) << check.experiment;
+        EXPECT_GT(check.before + check.after + check.alike, 10) << check.experiment;
+    }
 }
 
 }  // namespace

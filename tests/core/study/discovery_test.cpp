@@ -1952,6 +1952,9 @@ TEST_F(Discovery, SaysWithWhichUnusedChannelAParameterMoves) {
     EXPECT_NE(equation.find("load.b = "), std::string::npos) << equation;
     EXPECT_NE(equation.find(" - 0.00040"), std::string::npos) << equation;
     EXPECT_EQ(finding.remainders.front().node, "load");
+    EXPECT_EQ(finding.remainders.size(), 1u) << "it accounts for all that is left";
+    EXPECT_GT(finding.remainders.front().errorFitWith, 0);
+    EXPECT_LT(finding.remainders.front().errorFitWith, 0.5 * errorPercentOf(finding.baseline, Role::Fit));
 }
 
 TEST_F(Discovery, SaysWhenAParameterChangedInMidRun) {
@@ -1961,6 +1964,9 @@ TEST_F(Discovery, SaysWhenAParameterChangedInMidRun) {
     ASSERT_FALSE(finding.remainders.empty());
     EXPECT_EQ(finding.remainders.front().node, "load");
     EXPECT_NEAR(finding.remainders.front().from, 16.0, 0.2);
+    EXPECT_EQ(finding.remainders.size(), 1u) << "the change accounts for all that is left";
+    EXPECT_GT(finding.remainders.front().errorFitWith, 0);
+    EXPECT_LT(finding.remainders.front().errorFitWith, 0.5 * errorPercentOf(finding.baseline, Role::Fit));
     ASSERT_FALSE(finding.warnings.empty());
     EXPECT_NE(finding.warnings.front().find("load.b"), std::string::npos) << finding.warnings.front();
 }
