@@ -133,7 +133,11 @@ def judge(truth, report):
         worse = row["before"] is not None and row["after"] is not None and row["after"] > 1.02 * row["before"]
         halved = row["before"] is not None and row["after"] is not None and row["after"] <= 0.5 * row["before"]
         places = [at for h in truth["hidden"] for at in h.get("at", [])]
-        node = (report.get("remainder") or {}).get("node", "")
+        remainder = report.get("remainder") or {}
+        node = remainder.get("node", "")
+        proposed = (remainder.get("error_percent_with_proposal") or {}).get("validate")
+        if proposed is not None:
+            row["proposed"] = proposed / truth["floor"]["validation"]
         if places:  # a component stands for its connectors
             row["node"] = bool(node) and any(at == node or at.startswith(node + ".") for at in places)
         row["right"] = halved or (row["finding"] in ("partial", "unexplained") and not worse)
@@ -213,6 +217,9 @@ def show(rows):
     print("  cases with an effect: " + spread([r.get("ratio") for r in effect]))
     print("  all found:            " + spread([r.get("ratio") for r in effect if r["right"]]))
     print("  no effect:            " + spread([r.get("ratio") for r in rows if r["class"] == "none"]))
+    equations = [r["proposed"] for r in outside if "proposed" in r]
+    print("  with the equation proposed for what the library lacks (%d of %d): " % (len(equations), len(outside)) +
+          spread(equations))
     print("own fit of the base model, validation error over ours: " + spread([r.get("baseline_ratio") for r in rows]))
     print("time [s]: " + spread([r["seconds"] for r in rows], "%.1f"))
 
