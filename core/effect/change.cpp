@@ -186,8 +186,13 @@ Outcome<ErrorsOfChange> errorsOf(const Change& change, const std::vector<Recordi
     }
     const ModelState &before = states[0], &after = states[1], &alike = states[2];
     errors.fitted = errorPercentOf(before, Role::Fit);  // a check alone does not have the step there
+    const auto isWhole = [&](std::size_t e) {           // a simulation that is stopped or fails tells nothing
+        return std::all_of(states.begin(), states.end(), [&](const ModelState& s) {
+            return e < s.experiments.size() && !s.experiments[e].failure.failed;
+        });
+    };
     for (std::size_t e = 0; e < before.experiments.size(); ++e)
-        if (before.experiments[e].role == Role::Validate)
+        if (before.experiments[e].role == Role::Validate && isWhole(e))
             errors.checks.push_back({before.experiments[e].name, before.experiments[e].errorPercent,
                                      after.experiments[e].errorPercent, alike.experiments[e].errorPercent});
     return errors;

@@ -618,7 +618,8 @@ Outcome<Finding> Search::run() {
             if (const Outcome<ErrorsOfChange> errors =
                     errorsOf(*change_, full_.task.recordings, options_.fit.simulation, progress_)) {
                 r.errorFitWith = errors->fitted;
-                r.errorValidateWith = leastOf(errors->checks);
+                if (errors->checks.size() == recordingsOf(full_.task, Role::Validate).size())
+                    r.errorValidateWith = leastOf(errors->checks);
                 if (r.errorValidateWith >= 0) r.errorValidateWithout = errorPercentOf(finding.final, Role::Validate);
                 for (const CheckOfChange& c : errors->checks)
                     finding.warnings.push_back(remarkOf(c, change_->parameter));

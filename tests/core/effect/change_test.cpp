@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stop_token>
 
 #include "tests/core/effect/warm_body.hpp"
 
@@ -79,6 +80,17 @@ TEST(Change, IsHeldAgainstChecksOfEitherCondition) {
         EXPECT_LT(check.least(), 0.5) << check.experiment;
         EXPECT_GT(check.before + check.after + check.alike, 10) << check.experiment;
     }
+}
+
+TEST(Change, TellsNothingOfChecksThatWereNotSimulatedToTheirEnd) {
+    const NullModel null = changed(0.2, 0.3, {recorded("new", 0.2, 0.2)});
+    const std::optional<Change> found = bestChange(null, {}, 1, {});
+    ASSERT_TRUE(found);
+    std::stop_source stop;
+    stop.request_stop();
+    const Outcome<ErrorsOfChange> errors =
+        errorsOf(*found, null.variant.task.recordings, {}, Progress(stop.get_token(), {}));
+    EXPECT_TRUE(!errors || errors->checks.empty());
 }
 
 }  // namespace
