@@ -78,6 +78,14 @@ bool isAtBound(const PlacedEffect& placed, const FitResult& fit) {
 
 bool isAtBound(const Trial& trial) { return isAtBound(trial.variant.effects.back(), trial.fit); }
 
+bool hasShapeAtBound(const PlacedEffect& placed, const FitResult& fit) {
+    return std::any_of(placed.freed.begin() + 1, placed.freed.end(), [&](const FitParameter& p) {
+        const FitEstimate* estimate = fit.find(p.name);
+        const bool isPhase = p.name == placed.instance + "." + placed.effect.phase;  // it may be any
+        return estimate != nullptr && estimate->atBound && !isPhase;
+    });
+}
+
 bool lacksAPart(const PlacedEffect& placed, const FitResult& fit) {
     const auto valueOf = [&](const std::string& name) {
         const FitEstimate* e = fit.find(placed.instance + "." + name);

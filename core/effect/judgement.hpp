@@ -60,6 +60,10 @@ constexpr double leastBesideOffered = 0.2;  // the same, where an equation is of
 bool isAtBound(const PlacedEffect& placed, const FitResult& fit);
 bool isAtBound(const Trial& trial);
 
+/// Whether a further parameter of the effect rests at a bound of its own: as far as the effect goes, it is not enough
+/// (surroundings as hot as they may be), and may stand for something else.
+bool hasShapeAtBound(const PlacedEffect& placed, const FitResult& fit);
+
 /// Whether a part that the effect has as a rule is next to nothing (a breakaway without friction at speed): it may
 /// stand for two others.
 bool lacksAPart(const PlacedEffect& placed, const FitResult& fit);

@@ -345,8 +345,12 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
     goOn(best, first);
     if (beginsAnew_ || progress_.stopRequested()) return best;
     const bool hasMore = best.steps.size() > 1 || hasProposal(best.null);
-    const bool isOdd = std::any_of(best.null.variant.effects.begin(), best.null.variant.effects.end(),
-                                   [&](const PlacedEffect& e) { return lacksAPart(e, best.null.fit); });
+    const std::vector<PlacedEffect>& found = best.null.variant.effects;
+    // surroundings as hot as they may be are those of something else
+    const bool isAtItsEnd = std::any_of(found.begin(), found.end(),
+                                        [&](const PlacedEffect& e) { return hasShapeAtBound(e, best.null.fit); });
+    const bool isOdd = isAtItsEnd || std::any_of(found.begin(), found.end(),
+                                                 [&](const PlacedEffect& e) { return lacksAPart(e, best.null.fit); });
     if (!hasMore && !isOdd && (isNoise(best.null) || isColouredNoise(best.null))) return best;
     if (!isNoise(best.null) && isChangeAll(base, best.null)) return best;
 
@@ -360,8 +364,8 @@ Outcome<Search::Path> Search::bestPathFrom(NullModel& base) {
         const bool isEnough = other != others.front() && work_ > mostWork;
         const bool isDone = !isOdd && levelOf(best.null.fit) < structuredResidual;
         if (progress_.stopRequested() || isDone || isEnough) break;
-        // beside an odd effect that leaves noise it is what goes to the same place that it may stand for
-        if (isNoise(best.null) && !(placeOf(other) == placeOf(*first.chosen))) continue;
+        // beside an effect that lacks a part and leaves noise it is what goes to the same place that it may stand for
+        if (isNoise(best.null) && !isAtItsEnd && !(placeOf(other) == placeOf(*first.chosen))) continue;
         Path path = pathFrom(base, first, other);
         if (beginsAnew_) return best;
         keepBetter(best, std::move(path), base);

@@ -29,7 +29,8 @@ Text remarkOn(const std::vector<InputEdge>& edges) {
     if (areHeld(edges))
         return phrase(
             "the inputs jump just before the next sample ({} jumps): they are held in between and do not run straight "
-            "from sample to sample; the parameters reckon with it, the errors that are reported do not",
+            "from sample to sample, or reach the component half a sample late, which looks nearly the same; the "
+            "parameters reckon with it, the errors that are reported do not",
             edges.size());
     return phrase(
         "the inputs jump between two samples ({} jumps), and the outputs tell when: the parameters reckon with it, the "

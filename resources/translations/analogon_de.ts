@@ -4436,8 +4436,8 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Mit rechtzeitigen Eingängen hat das Modell einen Fehler von {:.2f} %</translation>
     </message>
     <message>
-        <source>the inputs jump just before the next sample ({} jumps): they are held in between and do not run straight from sample to sample; the parameters reckon with it, the errors that are reported do not</source>
-        <translation>Die Eingänge springen kurz vor dem nächsten Abtastwert ({} Sprünge): Sie werden dazwischen gehalten und verlaufen nicht gerade von Wert zu Wert; die Parameter berücksichtigen das, die genannten Fehler nicht</translation>
+        <source>the inputs jump just before the next sample ({} jumps): they are held in between and do not run straight from sample to sample, or reach the component half a sample late, which looks nearly the same; the parameters reckon with it, the errors that are reported do not</source>
+        <translation>Die Eingänge springen kurz vor dem nächsten Abtastwert ({} Sprünge): Sie werden dazwischen gehalten und verlaufen nicht gerade von Wert zu Wert, oder sie erreichen die Komponente einen halben Abtastschritt zu spät, was fast gleich aussieht; die Parameter berücksichtigen das, die genannten Fehler nicht</translation>
     </message>
     <message>
         <source>the inputs jump between two samples ({} jumps), and the outputs tell when: the parameters reckon with it, the errors that are reported are with straight lines from sample to sample; record faster, or log the moment of each jump</source>

@@ -48,6 +48,15 @@ TEST(IsAtBound, IsAnEffectThatEndsWhereItIsNoLongerWhatItIsCalled) {
     EXPECT_FALSE(isAtBound(cogging(), ended(9, false, false, true))) << "a phase may be any";
 }
 
+TEST(HasShapeAtBound, IsAnEffectThatDoesNotGoFarEnough) {
+    PlacedEffect placed = cogging();
+    placed.effect.phase = "phi_0";
+    EXPECT_FALSE(hasShapeAtBound(placed, ended(9, false)));
+    EXPECT_TRUE(hasShapeAtBound(placed, ended(15, true)));
+    EXPECT_FALSE(hasShapeAtBound(placed, ended(9, false, true))) << "its strength is no shape";
+    EXPECT_FALSE(hasShapeAtBound(placed, ended(9, false, false, true))) << "a phase may be any";
+}
+
 TEST(LacksAPart, IsABreakawayWithoutFrictionAtSpeed) {
     PlacedEffect placed;
     placed.instance = "stribeck";

@@ -402,8 +402,11 @@ TEST_F(Discovery, TakesACommandThatIsHeldForNoDeadTime) {
     const Finding finding = search(shaft);
     EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
     EXPECT_EQ(finding.kind, FindingKind::Adequate);
-    EXPECT_TRUE(std::any_of(finding.warnings.begin(), finding.warnings.end(),
-                            [](const Text& w) { return w.english().find("held in between") != std::string::npos; }));
+    const auto held = std::find_if(finding.warnings.begin(), finding.warnings.end(), [](const Text& w) {
+        return w.english().find("held in between") != std::string::npos;
+    });
+    ASSERT_NE(held, finding.warnings.end());
+    EXPECT_NE(held->find("half a sample late"), std::string::npos) << "which the data do not tell from it";
 }
 
 TEST_F(Discovery, TakesAnInputThatIsStampedLateForNoEffect) {
