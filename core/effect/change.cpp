@@ -185,7 +185,7 @@ Outcome<ErrorsOfChange> errorsOf(const Change& change, const std::vector<Recordi
         states.push_back(std::move(*state));
     }
     const ModelState &before = states[0], &after = states[1], &alike = states[2];
-    errors.fitted = errorPercentOf(before, Role::Fit);  // a check alone does not have the step there
+    errors.fitted = errorPercentOf(before, Role::Fit);  // its own step is there: only a check is without it
     const auto isWhole = [&](std::size_t e) {           // a simulation that is stopped or fails tells nothing
         return std::all_of(states.begin(), states.end(), [&](const ModelState& s) {
             return e < s.experiments.size() && !s.experiments[e].failure.failed;

@@ -146,11 +146,10 @@ Text remarkOfEqual(const HeldInstead& h) {
                   h.parameter, h.value, h.standardError, behindNumber(h.unit), h.held);
 }
 
-Remainder remainderOf(const HeldInstead& h, const ModelState& without) {
+Remainder remainderOf(const HeldInstead& h) {
     Remainder r = changing(h.parameter, h.explained, phrase("{} = {:.5g}", h.parameter, h.value));
     r.errorFitWith = h.errorFitWith;
     r.errorValidateWith = h.errorValidateWith;
-    if (r.errorValidateWith >= 0) r.errorValidateWithout = errorPercentOf(without, Role::Validate);
     return r;
 }
 
@@ -605,11 +604,14 @@ Outcome<Finding> Search::run() {
             r.node = places.front();
             r.equalNodes.assign(places.begin() + 1, places.end());
         }
-        for (Remainder& r : proposed)
-            if (r.errorValidateWith >= 0) r.errorValidateWithout = errorPercentOf(finding.final, Role::Validate);
         if (!proposed.empty())
             finding.warnings.insert(finding.warnings.end(), conclusion.sameByName.begin(), conclusion.sameByName.end());
         offer(std::move(proposed), left.noise, finding.final, finding.remainders);
+        const auto offerChange = [&](Remainder r, const auto& change) {
+            offerAlone(std::move(r), left.noise, finding.final, finding.remainders);
+            if (finding.remainders.size() > 1)
+                keepWhatIsLeft(base.with(change.variant, change.fit), options_.fit.simulation, finding.remainders);
+        };
         if (change_) {
             const double end = finding.final.experiments[static_cast<std::size_t>(change_->experiment)].time.back();
             Remainder r = remainderOf(*change_, end);
@@ -620,17 +622,14 @@ Outcome<Finding> Search::run() {
                 r.errorFitWith = errors->fitted;
                 if (errors->checks.size() == recordingsOf(full_.task, Role::Validate).size())
                     r.errorValidateWith = leastOf(errors->checks);
-                if (r.errorValidateWith >= 0) r.errorValidateWithout = errorPercentOf(finding.final, Role::Validate);
                 for (const CheckOfChange& c : errors->checks)
                     finding.warnings.push_back(remarkOf(c, change_->parameter));
             }
-            offerAlone(std::move(r), left.noise, finding.final, finding.remainders);
-            if (!finding.remainders.empty())
-                keepWhatIsLeft(base.with(change_->variant, change_->fit), options_.fit.simulation, finding.remainders);
+            offerChange(std::move(r), *change_);
         }
         if (!heldWrongly.empty()) {
             const HeldInstead& best = heldWrongly.front();
-            offerAlone(remainderOf(best, finding.final), left.noise, finding.final, finding.remainders);
+            offerAlone(remainderOf(best), left.noise, finding.final, finding.remainders);
             finding.warnings.push_back(remarkOf(best));
             std::transform(heldWrongly.begin() + 1, heldWrongly.end(), std::back_inserter(finding.warnings),
                            remarkOfEqual);
@@ -641,15 +640,13 @@ Outcome<Finding> Search::run() {
                                                          options_.fit.simulation, progress_, Detail::Errors)) {
                 r.errorFitWith = errorPercentOf(*with, Role::Fit);
                 r.errorValidateWith = validationErrorOf(*with);
-                if (r.errorValidateWith >= 0) r.errorValidateWithout = errorPercentOf(finding.final, Role::Validate);
             }
-            offerAlone(std::move(r), left.noise, finding.final, finding.remainders);
-            if (!finding.remainders.empty())
-                keepWhatIsLeft(base.with(dependence_->variant, dependence_->fit), options_.fit.simulation,
-                               finding.remainders);
+            offerChange(std::move(r), *dependence_);
             finding.warnings.push_back(
                 phrase("{} seems to move with the recorded channel {}", dependence_->parameter, dependence_->channel));
         }
+        for (Remainder& r : finding.remainders)
+            if (r.errorValidateWith >= 0) r.errorValidateWithout = errorPercentOf(finding.final, Role::Validate);
     }
     settleVerdicts(finding);
     finding.candidates = std::move(candidates_);
