@@ -106,10 +106,12 @@ Text remarkOf(const CheckOfChange& c, const std::string& parameter) {
         c.experiment, c.before, parameter, c.after, c.alike);
 }
 
-/// The proposal `left.front()` accounts for what is not there any more beside it.
-void keepWhatIsLeft(const NullModel& with, const SimulationOptions& simulation, std::vector<Remainder>& left) {
+/// The proposals, first among what is left, account for what is not there any more beside them.
+void keepWhatIsLeft(const NullModel& with, std::size_t proposals, const SimulationOptions& simulation,
+                    std::vector<Remainder>& left) {
+    if (left.size() <= proposals) return;
     const std::vector<Remainder> beside = leftovers(with, simulation).structure;
-    left.erase(std::remove_if(left.begin() + 1, left.end(),
+    left.erase(std::remove_if(left.begin() + static_cast<std::ptrdiff_t>(proposals), left.end(),
                               [&](const Remainder& r) {
                                   return std::none_of(beside.begin(), beside.end(), [&](const Remainder& b) {
                                       return b.output == r.output && b.experiment == r.experiment;
@@ -287,19 +289,19 @@ Search::Conclusion Search::conclude(NullModel& null, const NullModel& base, bool
     const bool hadProposal = hasProposal(null);
     const double with = misfitIn(base, null), left = excess(null);
     const std::vector<PlacedEffect> beside = null.variant.effects;
-    std::vector<Text> sameByName;
-    std::vector<Remainder> proposed = takeOutProposals(null, sameByName);
+    Conclusion conclusion = takeOutProposals(null);
     if (hadProposal) {
         if (leavesMuch) bringBackDisplaced(null, left);
         removeUnneeded(null, 0, true);  // what was seen only beside a proposal is not kept without it
-        if (!isNoise(null)) removeOutweighed(null, proposed.empty() ? leastOfRest : leastBesideOffered);
+        if (!isNoise(null)) removeOutweighed(null, conclusion.proposed.empty() ? leastOfRest : leastBesideOffered);
     }
     unite(null);
     if (isNoise(null) || levelOf(null.fit) > largeResidual) completeClasses(null);
     treatAlike(null);
-    tellBesideNames(null, beside, proposed);
-    const double misfit = proposed.empty() ? misfitIn(base, null) : with;
-    return {std::move(proposed), std::move(sameByName), leavesMuch, misfit};
+    tellBesideNames(null, beside, conclusion);
+    conclusion.leavesMuch = leavesMuch;
+    conclusion.misfit = conclusion.proposed.empty() ? misfitIn(base, null) : with;
+    return conclusion;
 }
 
 /// A fit may end at another optimum than the best, and what it leaves there is no missing effect. True: the model and
@@ -604,13 +606,17 @@ Outcome<Finding> Search::run() {
             r.node = places.front();
             r.equalNodes.assign(places.begin() + 1, places.end());
         }
-        if (!proposed.empty())
+        if (!proposed.empty()) {
             finding.warnings.insert(finding.warnings.end(), conclusion.sameByName.begin(), conclusion.sameByName.end());
+            finding.proposed = std::move(conclusion.model);
+        }
+        const std::size_t offered = proposed.size();
         offer(std::move(proposed), left.noise, finding.final, finding.remainders);
+        if (offered > 0 && conclusion.with)
+            keepWhatIsLeft(*conclusion.with, offered, options_.fit.simulation, finding.remainders);
         const auto offerChange = [&](Remainder r, const auto& change) {
             offerAlone(std::move(r), left.noise, finding.final, finding.remainders);
-            if (finding.remainders.size() > 1)
-                keepWhatIsLeft(base.with(change.variant, change.fit), options_.fit.simulation, finding.remainders);
+            keepWhatIsLeft(base.with(change.variant, change.fit), 1, options_.fit.simulation, finding.remainders);
         };
         if (change_) {
             const double end = finding.final.experiments[static_cast<std::size_t>(change_->experiment)].time.back();

@@ -129,6 +129,12 @@ struct Remainder {
 /// An equation with the values of what it names: "y = min(u, y_max) with y_max = 4.2".
 Text withValues(const std::string& equation, const std::vector<EffectValue>& values);
 
+/// The model with all equations that are proposed, as they were fitted: what a study becomes when they are accepted.
+struct ProposedModel {
+    ModelState state;                              // without the traces
+    std::map<std::string, std::string> newInputs;  // top-level inputs that were added, and the recorded channel of each
+};
+
 enum class FindingKind { Adequate, Effect, Partial, Unexplained };
 const char* name(FindingKind kind);  // "adequate" …
 
@@ -139,6 +145,7 @@ struct Finding {
     std::vector<AddedEffect> effects;
     std::vector<CandidateResult> candidates;
     std::vector<Remainder> remainders;
+    std::optional<ProposedModel> proposed;  // empty: no equation is, or no block says it
     Text nextExperiment;
     std::vector<Text> warnings;
     Text notSearched{};  // why no effect was looked for; empty: they were

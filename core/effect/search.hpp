@@ -97,9 +97,11 @@ private:
     /// What the end of a path comes to.
     struct Conclusion {
         std::vector<Remainder> proposed;  // equations without a name
-        std::vector<Text> sameByName;     // effects that explain as much as one of these
-        bool leavesMuch{};                // even with them
-        double misfit{};                  // with them
+        std::optional<NullModel> with;    // the model with them; empty: there are none
+        std::optional<ProposedModel> model;
+        std::vector<Text> sameByName;  // effects that explain as much as one of these
+        bool leavesMuch{};             // even with them
+        double misfit{};               // with them
     };
 
     Round tryAll(const NullModel& null);
@@ -162,9 +164,8 @@ private:
     bool reconsider(NullModel& null);
     void crossOver(NullModel& null);
     std::optional<Trial> trialOf(const NullModel& rest, const std::string& fault, const EffectPlace& place);
-    std::vector<Remainder> takeOutProposals(NullModel& null, std::vector<Text>& sameByName);
-    void tellBesideNames(const NullModel& null, const std::vector<PlacedEffect>& before,
-                         std::vector<Remainder>& proposed) const;
+    Conclusion takeOutProposals(NullModel& null);
+    void tellBesideNames(const NullModel& null, const std::vector<PlacedEffect>& before, Conclusion& conclusion) const;
     void setAsideBehindProposal(NullModel& null);
     bool addLaw(NullModel& null);
     std::vector<Trial> tryLaws(NullModel& null);

@@ -32,6 +32,21 @@ std::vector<HeldInstead> equalToFirst(std::vector<HeldInstead> values) {
     return values;
 }
 
+/// The model with all that is proposed, to be written as a study: its traces are not told. Empty: it cannot be
+/// simulated.
+std::optional<ProposedModel> offered(const NullModel& with, const std::optional<ModelState>& state) {
+    if (!state) return std::nullopt;
+    ProposedModel model{*state, {}};
+    for (ExperimentState& e : model.state.experiments) {
+        if (e.failure.failed) return std::nullopt;
+        e.time.clear();
+        for (OutputState& o : e.outputs) o.measured = o.simulated = Eigen::VectorXd();
+    }
+    for (const PlacedEffect& placed : with.variant.effects)
+        if (!placed.newInput.empty()) model.newInputs[placed.newInput] = placed.place.spare;
+    return model;
+}
+
 /// The equation of a proposal with the values that it has in a model, and the errors of that.
 void tell(Remainder& r, const PlacedEffect& placed, const NullModel& model, const std::optional<ModelState>& state) {
     std::vector<EffectValue> values = estimatesOf(placed, model.fit);
@@ -113,15 +128,17 @@ bool Search::addLaw(NullModel& null) {
 }
 
 /// Proposals explain while the search goes on and are offered, not added: the model ends without them. What leaves
-/// structure is offered only where it is more than a disturbance. `sameByName`: the effects that explain as much.
-std::vector<Remainder> Search::takeOutProposals(NullModel& null, std::vector<Text>& sameByName) {
-    std::vector<Remainder> found;
+/// structure is offered only where it is more than a disturbance.
+Search::Conclusion Search::takeOutProposals(NullModel& null) {
+    Conclusion found;
     const bool isDoubtful = hasProposal(null) && !isNoise(null);
     std::optional<ModelState> with;
     if (hasProposal(null))
         if (Outcome<ModelState> state =
                 stateOf(null.variant, null.fit, search_.fit.simulation, progress_, Detail::Errors))
             with = std::move(*state);
+    if (hasProposal(null)) found.with = null;
+    found.model = offered(null, with);
     for (std::size_t i = steps_.size(); i-- > 0;) {
         const PlacedEffect& placed = null.variant.effects[i];
         if (placed.effect.proposal.empty()) continue;
@@ -147,41 +164,48 @@ std::vector<Remainder> Search::takeOutProposals(NullModel& null, std::vector<Tex
                 if (a.equivalent && a.kind == placed.effect.kind)
                     r.equalNodes.push_back(a.at);
                 else if (a.equivalent)
-                    sameByName.push_back(
+                    found.sameByName.push_back(
                         phrase("{} at {} explains as much with more parameters: {}", a.kind, a.at, r.proposedEquation));
-            found.push_back(std::move(r));
+            found.proposed.push_back(std::move(r));
         } else {
             setVerdict(placed, Verdict::NotSignificant, takenOut(noMoreThanDisturbance()));
         }
         null = std::move(*rest);
         steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
     }
-    std::reverse(found.begin(), found.end());
+    std::reverse(found.proposed.begin(), found.proposed.end());
     return found;
 }
 
 /// Proposals are told as they are beside the names that are left; `before`: all effects when they were taken out.
 void Search::tellBesideNames(const NullModel& null, const std::vector<PlacedEffect>& before,
-                             std::vector<Remainder>& proposed) const {
+                             Conclusion& conclusion) const {
     std::vector<PlacedEffect> effects = null.variant.effects, then;
     const std::size_t names = effects.size();
     std::vector<Remainder*> told;
+    std::size_t stood = 0;  // of proposals
     for (const PlacedEffect& e : before) {
-        if (e.effect.proposal.empty()) then.push_back(e);
-        for (Remainder& r : proposed)
+        if (e.effect.proposal.empty())
+            then.push_back(e);
+        else
+            ++stood;
+        for (Remainder& r : conclusion.proposed)
             if (e.effect.className == r.proposedClass && e.place.at == r.node) {
                 effects.push_back(e);
                 told.push_back(&r);
             }
     }
-    if (told.empty() || keysOf(then) == keysOf(null.variant.effects) || progress_.stopRequested()) return;
-    const std::optional<NullModel> with = refittedWith(null, effects);
+    const bool isTold = told.size() == stood && keysOf(then) == keysOf(null.variant.effects);
+    if (told.empty() || isTold || progress_.stopRequested()) return;
+    std::optional<NullModel> with = refittedWith(null, effects);
     if (!with) return;
     std::optional<ModelState> state;
     if (Outcome<ModelState> found =
             stateOf(with->variant, with->fit, search_.fit.simulation, progress_, Detail::Errors))
         state = std::move(*found);
+    conclusion.model = offered(*with, state);
     for (std::size_t i = 0; i < told.size(); ++i) tell(*told[i], with->variant.effects[names + i], *with, state);
+    conclusion.with = std::move(with);
 }
 
 /// What was chosen beside a proposal may only mend the proposal: it is taken out, to be looked at again without it.

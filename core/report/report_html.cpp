@@ -273,6 +273,8 @@ private:
             out_ += "<h2>What is still unexplained</h2>\n";
             for (const Remainder& remainder : finding_.remainders)
                 out_ += "<div class=\"card\">" + escapeHtml(remainderWords(remainder)) + "</div>\n";
+            if (const std::string words = proposedStudyWords(finding_); !words.empty())
+                out_ += "<p class=\"soft\">" + escapeHtml(words) + "</p>\n";
         }
         if (!finding_.nextExperiment.empty())
             out_ += "<h2>Next experiment</h2>\n<div class=\"card\">" + escapeHtml(finding_.nextExperiment.english()) +

@@ -179,6 +179,7 @@ std::string reportJson(const Finding& finding, const ReportContext& context) {
                 json["remainders"].push_back(remainderJson(remainder));
         }
     }
+    if (finding.proposed) json["with_proposals"] = stateJson(finding.proposed->state);
     if (!finding.nextExperiment.empty()) json["next_experiment"] = finding.nextExperiment;
     json["warnings"] = finding.warnings;
     json["final"] = stateJson(finding.final.experiments.empty() ? finding.baseline : finding.final);

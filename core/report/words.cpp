@@ -186,6 +186,11 @@ std::string remainderWords(const Remainder& remainder) {
     return text;
 }
 
+std::string proposedStudyWords(const Finding& finding) {
+    if (!finding.proposed) return {};
+    return "What is proposed is not in the completed study; the study with it, as it was fitted, is in study-proposed.";
+}
+
 std::vector<ReportedEstimate> estimatesOf(const ModelState& state) {
     std::vector<ReportedEstimate> estimates;
     for (const FitEstimate& estimate : state.parameters)

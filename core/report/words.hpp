@@ -25,6 +25,9 @@ Text verdictWords(const CandidateResult& candidate);
 
 std::string remainderWords(const Remainder& remainder);
 
+/// Where the model with all that is proposed is found; empty: nothing is, or it cannot be added.
+std::string proposedStudyWords(const Finding& finding);
+
 /// An estimate, and the name of the experiment if it is a start value of that one alone; empty for all experiments.
 struct ReportedEstimate {
     const FitEstimate* estimate{};

@@ -19,6 +19,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* version = ANALOGON_VERSION;
 constexpr const char* proposalFile = "proposed.mo";
+constexpr const char* completedDirectory = "study";
+constexpr const char* proposedDirectory = "study-proposed";
 
 /// What a study tells of a start value; of a variable ("rotor.w") it is that of its start value ("rotor.w.start").
 /// Where it tells nothing, what is told from now on.
@@ -46,21 +48,50 @@ void completeStarts(Study& study, const ModelState& state) {
                 for (const FitEstimate& e : checked.starts) startIn(x, e.name) = FittedStart{};
 }
 
-/// The study with fitted values in its model, effects wired in, and their parameters among the fitted ones.
-Study completedStudy(const Study& study, const Finding& finding) {
+/// The study with a model that was fitted, its values in the text and its parameters among the fitted ones.
+Study withModel(const Study& study, const ModelState& state) {
     Study completed = study;
-    completed.models[completed.modelFile] = finding.final.modelText;
-    for (const FitEstimate& e : finding.final.parameters)
+    completed.models[completed.modelFile] = state.modelText;
+    for (const FitEstimate& e : state.parameters)
         if (e.experiment < 0) {
             StudyParameter& p = completed.parameters[e.name];
             p.value.reset();  // the model's text holds it now
             if (isClock(e.name)) p.value = e.value;
         }
-    completeStarts(completed, finding.final);
-    for (const AddedEffect& e : finding.effects)
-        if (!e.newInput.empty())
-            for (StudyExperiment& x : completed.experiments) x.inputs[e.newInput].column = e.channel;
+    completeStarts(completed, state);
     return completed;
+}
+
+void mapInput(Study& study, const std::string& input, const std::string& channel) {
+    for (StudyExperiment& x : study.experiments) x.inputs[input].column = channel;
+}
+
+/// The study with effects wired in.
+Study completedStudy(const Study& study, const Finding& finding) {
+    Study completed = withModel(study, finding.final);
+    for (const AddedEffect& e : finding.effects)
+        if (!e.newInput.empty()) mapInput(completed, e.newInput, e.channel);
+    return completed;
+}
+
+/// Blocks that were written for what the library has no name for; empty: none.
+std::string proposedBlocks(const Finding& finding) {
+    std::string text;
+    for (const Remainder& r : finding.remainders)
+        if (!r.proposedBlock.empty()) text += (text.empty() ? "" : "\n") + r.proposedBlock;
+    return text;
+}
+
+/// The study with the equations that are proposed, too, their blocks beside those that it has.
+std::optional<Study> proposedStudy(const Study& study, const Finding& finding) {
+    if (!finding.proposed) return std::nullopt;
+    Study proposed = withModel(study, finding.proposed->state);
+    for (const auto& [input, channel] : finding.proposed->newInputs) mapInput(proposed, input, channel);
+    if (const std::string blocks = proposedBlocks(finding); !blocks.empty()) {
+        std::string& text = proposed.models[proposalFile];
+        text += (text.empty() ? "" : "\n") + blocks;
+    }
+    return proposed;
 }
 
 RunResult fitted(const Study& study, ModelState state) {
@@ -101,14 +132,6 @@ Outcome<Done> writeFile(const fs::path& path, const std::string& content) {
         return fileError(phrase("cannot write the file"), path.string(), 0, 0,
                          phrase("is there space and the right to write?"));
     return Done{};
-}
-
-/// Blocks that were written for what the library has no name for; empty: none.
-std::string proposedBlocks(const Finding& finding) {
-    std::string text;
-    for (const Remainder& r : finding.remainders)
-        if (!r.proposedBlock.empty()) text += (text.empty() ? "" : "\n") + r.proposedBlock;
-    return text;
 }
 
 }  // namespace
@@ -152,6 +175,7 @@ Outcome<RunResult> runDiscover(const Study& study, const RunOptions& options, co
     RunResult result;
     result.finding = std::move(*finding);
     result.completed = completedStudy(study, result.finding);
+    result.proposed = proposedStudy(study, result.finding);
     return {std::move(result), task.diagnostics()};
 }
 
@@ -173,9 +197,11 @@ Outcome<Done> writeResults(const RunResult& result, const std::string& command, 
     Outcome<Done> written = Done{};
     for (const auto& [name, content] : files)
         if (written && !content.empty()) written = writeFile(fresh / name, content);
-    if (written) written = writeStudy(result.completed, fresh / "study");
+    if (written) written = writeStudy(result.completed, fresh / completedDirectory);
+    if (written && result.proposed) written = writeStudy(*result.proposed, fresh / proposedDirectory);
     if (written) {
-        for (const char* name : {"report.json", "report.html", "traces.csv", proposalFile, "study"}) {
+        for (const char* name :
+             {"report.json", "report.html", "traces.csv", proposalFile, completedDirectory, proposedDirectory}) {
             fs::remove_all(directory / name, failed);
             if (!fs::exists(fresh / name)) continue;  // nothing is proposed
             fs::rename(fresh / name, directory / name, failed);

@@ -16,8 +16,9 @@ struct RunOptions {
 
 /// What a command leaves behind.
 struct RunResult {
-    Finding finding;  // simulate and fit fill `baseline` alone (and `final` with the same)
-    Study completed;  // the study with fitted values and effects wired in
+    Finding finding;                  // simulate and fit fill `baseline` alone (and `final` with the same)
+    Study completed;                  // the study with fitted values and effects wired in
+    std::optional<Study> proposed{};  // the same with the equations that are proposed; empty: none can be added
 };
 
 /// What a run works on.
@@ -27,7 +28,8 @@ Outcome<RunResult> runSimulate(const Study& study, const RunOptions& options, co
 Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const Progress& progress = {});
 Outcome<RunResult> runDiscover(const Study& study, const RunOptions& options, const Progress& progress = {});
 
-/// report.json, report.html, traces.csv and study/ under a directory; nothing is half-written.
+/// report.json, report.html, traces.csv and study/ under a directory, and where equations are proposed their blocks in
+/// proposed.mo and the study with them in study-proposed/; nothing is half-written.
 Outcome<Done> writeResults(const RunResult& result, const std::string& command, const std::filesystem::path& directory);
 
 }  // namespace analogon

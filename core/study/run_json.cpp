@@ -266,6 +266,12 @@ void members(Of& of, Remainder& r) {
 }
 
 template <class Of>
+void members(Of& of, ProposedModel& p) {
+    of.member("state", p.state);
+    of.member("new_inputs", p.newInputs);
+}
+
+template <class Of>
 void members(Of& of, Finding& f) {
     of.choice("kind", f.kind);
     of.member("baseline", f.baseline);
@@ -273,6 +279,7 @@ void members(Of& of, Finding& f) {
     of.member("effects", f.effects);
     of.member("candidates", f.candidates);
     of.member("remainders", f.remainders);
+    of.member("proposed", f.proposed);
     of.member("next_experiment", f.nextExperiment);
     of.member("warnings", f.warnings);
     of.member("not_searched", f.notSearched);
@@ -367,7 +374,8 @@ void Reader::read(const Json& json, Value& value) {
         for (const Json& element : json) read(element, value.emplace_back());
     } else if constexpr (std::is_same_v<Value, std::map<std::string, ResidualSummary>>) {
         for (const auto& [name, each] : json.items()) read(each, value[name]);
-    } else if constexpr (std::is_arithmetic_v<Value> || std::is_same_v<Value, std::string>) {
+    } else if constexpr (std::is_arithmetic_v<Value> || std::is_same_v<Value, std::string> ||
+                         std::is_same_v<Value, std::map<std::string, std::string>>) {
         value = json.get<Value>();
     } else {
         const Json* const outer = std::exchange(object_, &json);
@@ -414,6 +422,7 @@ std::string runJson(const PastRun& run, const KeepArray& keep) {
     Json json{{"format", formatName}, {"command", run.command}, {"ended", run.ended}, {"seconds", run.seconds}};
     json["ran_on"] = studyAsJson(*run.ranOn);
     json["completed"] = studyAsJson(run.result->completed);
+    if (run.result->proposed) json["proposed"] = studyAsJson(*run.result->proposed);
     json["finding"] = Writer(keep).written(run.result->finding);
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -429,6 +438,8 @@ PastRun parseRun(const std::string& text, const std::string& name, const Study& 
     run.ranOn = std::make_shared<const Study>(studyFrom(json.at("ran_on"), name, present));
     auto result = std::make_shared<RunResult>();
     result->completed = studyFrom(json.at("completed"), name, present);
+    if (const auto proposed = json.find("proposed"); proposed != json.end())
+        result->proposed = studyFrom(*proposed, name, present);
     Reader(find).read(json.at("finding"), result->finding);
     run.result = std::move(result);
     return run;

@@ -318,6 +318,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>%1 setzen</translation>
     </message>
     <message>
+        <source>Add what is proposed</source>
+        <translation>Vorgeschlagenes aufnehmen</translation>
+    </message>
+    <message>
         <source>Go back to the run of %1</source>
         <translation>Zurück zum Lauf von %1</translation>
     </message>
@@ -4135,6 +4139,18 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>Fits the model with this effect and shows its traces; the result is kept among the runs</source>
         <translation>Passt das Modell mit diesem Effekt an und zeigt seine Kurven; das Ergebnis bleibt bei den Läufen erhalten</translation>
+    </message>
+    <message>
+        <source>Add the equation to the model</source>
+        <translation>Die Gleichung ins Modell aufnehmen</translation>
+    </message>
+    <message>
+        <source>Add the equations to the model</source>
+        <translation>Die Gleichungen ins Modell aufnehmen</translation>
+    </message>
+    <message>
+        <source>Wires in what is proposed, with the values of its fit; one step, which can be undone</source>
+        <translation>Verdrahtet das Vorgeschlagene mit den angepassten Werten; ein Schritt, der sich zurücknehmen lässt</translation>
     </message>
     <message>
         <source>Proposed, not added: %1</source>

@@ -1002,6 +1002,34 @@ TEST_F(Panels, SaysWhatToMindWhatIsProposedAndWhatToMeasureNext) {
     EXPECT_TRUE(facts.front().contains("0.31 %") && facts.front().contains("0.44 %")) << facts.front().toStdString();
 }
 
+TEST_F(Panels, AddsWhatIsProposedAsOneStepThatCanBeUndone) {
+    openLambda();
+    RunResult result = sampleFinding(document(), "thermal.radiation", "Analogon.Effects.Thermal.Radiation",
+                                     "Radiation to constant surroundings", "heater.heatPort", "port", "k_r");
+    result.finding.kind = FindingKind::Unexplained;
+    result.finding.effects.clear();
+    result.proposed = result.completed;
+    result.proposed->models["proposed.mo"] = "model MissingHeat1\nend MissingHeat1;\n";
+    result.completed = document().study();
+    Remainder remainder;
+    remainder.output = "i_mod";
+    remainder.proposedEquation = "Q = a1*(T - T_amb)^3";
+    remainder.proposedClass = "MissingHeat1";
+    result.finding.remainders = {remainder};
+    const Study proposed = *result.proposed;
+    const auto before = document().study().models;
+    document().setResult(RunKind::Discover, std::move(result), document().study());
+    const auto button = [&] { return panel<ResultPanel>()->findChild<QPushButton*>("adoptProposed"); };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return button() != nullptr; }, 5000));
+    button()->click();
+    EXPECT_EQ(document().study().models, proposed.models);
+    EXPECT_NE(document().library().find("MissingHeat1"), nullptr) << "its block is the study's own";
+    EXPECT_TRUE(QTest::qWaitFor([&] { return button() == nullptr; }, 5000)) << "it is offered once";
+    document().undoStack().undo();
+    EXPECT_EQ(document().study().models, before);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return button() != nullptr; }, 5000));
+}
+
 TEST_F(Panels, SaysOfWhatWasTriedWhyItIsNotInTheModel) {
     openLambda();
     RunResult result = sampleFinding(document(), "thermal.radiation", "Analogon.Effects.Thermal.Radiation",

@@ -384,10 +384,17 @@ void Document::setStudyParameter(const std::string& name, const StudyParameter& 
 }
 
 void Document::adoptCompleted(const QString& what) {
-    if (!result_ || isResultAdopted()) return;
-    StudySettings completed = settingsOf(result_->completed);
-    completed.tables = study_->tables;
-    applySettings(std::move(completed), what);
+    if (result_ && !isResultAdopted()) adopt(result_->completed, what);
+}
+
+void Document::adoptProposed() {
+    if (result_ && result_->proposed && !isResultStale()) adopt(*result_->proposed, tr("Add what is proposed"));
+}
+
+void Document::adopt(const Study& completed, const QString& what) {
+    StudySettings settings = settingsOf(completed);
+    settings.tables = study_->tables;
+    applySettings(std::move(settings), what);
     Q_EMIT resultChanged();
 }
 

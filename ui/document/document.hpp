@@ -108,6 +108,8 @@ public:
     /// The value a run starts from: the study's own when it has one, else the text of the model.
     void setParameterValue(const std::string& name, double value);
     void setStudyParameter(const std::string& name, const StudyParameter& parameter, const QString& what);
+    /// Takes a run's study with the equations that are proposed over.
+    void adoptProposed();
     /// Takes a run's completed study over: effects wired in, fitted values.
     void adoptCompleted(const QString& what);
 
@@ -181,6 +183,7 @@ private:
     /// `library`: that of the study, where it has been read already.
     void adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory> files, const QString& path,
                     const std::vector<PastRun>& history = {}, std::optional<Outcome<Library>> library = {});
+    void adopt(const Study& completed, const QString& what);
     void settingsChanged() { ++revision_; }
     void readModel();  // library and diagram from the texts
     void takeLibrary(Outcome<Library> library);

@@ -294,10 +294,28 @@ void ResultPanel::addRemainder(const Finding& finding) {
         if (!r.proposedBlock.empty())  // written for this model alone: no library has it to look up
             label->setToolTip("<pre>" + text(r.proposedBlock).toHtmlEscaped() + "</pre>");
     }
+    addProposalAdoption(finding);
     if (!finding.nextExperiment.empty()) {
         addHeading(tr("Next experiment"));
         addText(inWords(finding.nextExperiment));
     }
+}
+
+/// Whoever finds the equations plausible takes them over as they were fitted.
+void ResultPanel::addProposalAdoption(const Finding& finding) {
+    const RunResult* result = document_.result();
+    if (!result || !result->proposed || document_.isResultStale()) return;
+    const auto equations = std::count_if(finding.remainders.begin(), finding.remainders.end(),
+                                         [](const Remainder& r) { return !r.proposedClass.empty(); });
+    auto* button = new QPushButton(
+        equations > 1 ? tr("Add the equations to the model") : tr("Add the equation to the model"), body_);
+    button->setObjectName("adoptProposed");
+    button->setToolTip(tr("Wires in what is proposed, with the values of its fit; one step, which can be undone"));
+    connect(button, &QPushButton::clicked, this, [this] { document_.adoptProposed(); });
+    auto* row = new QHBoxLayout;
+    row->addWidget(button);
+    row->addStretch(1);
+    column_->addLayout(row);
 }
 
 /// What to mind before trusting the figures above: runs beyond the fitted range, values that drift between runs.

@@ -58,6 +58,7 @@ private:
     void addComparison(const Finding& finding);
     void addEffect(const AddedEffect& effect, bool isOneOfSeveral);
     void addRemainder(const Finding& finding);
+    void addProposalAdoption(const Finding& finding);
     void addCautions(const Finding& finding);
     void addCandidates(const Finding& finding);
     QLabel* addText(const QString& text, bool isCaption = false);

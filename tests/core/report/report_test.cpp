@@ -92,6 +92,13 @@ TEST(ReportJson, NamesTheRemainder) {
     EXPECT_DOUBLE_EQ(json["remainder"]["to"], 8);
     EXPECT_EQ(json["remainder"]["proposed_equation"], "0.1*T_air");
     EXPECT_EQ(json["remainder"]["proposed_block"], "");
+    EXPECT_FALSE(json.contains("with_proposals"));
+    EXPECT_EQ(summaryText(finding).find("study-proposed"), std::string::npos);
+    finding.proposed = ProposedModel{finding.final, {}};
+    const auto with = nlohmann::json::parse(reportJson(finding, discoverContext));
+    EXPECT_EQ(with["with_proposals"], with["final"]) << "of the same shape";
+    EXPECT_NE(summaryText(finding).find("study-proposed"), std::string::npos) << "and where it is, is told";
+    EXPECT_NE(reportHtml(finding, discoverContext).find("study-proposed"), std::string::npos);
 }
 
 TEST(ReportJson, KeepsStartValuesOfExperimentsApart) {

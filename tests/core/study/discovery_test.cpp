@@ -483,6 +483,37 @@ TEST_F(Discovery, WritesALawForWhatASensorPicksUp) {
     EXPECT_NE(law.proposedEquation.find("rad/(s.N.m)"), std::string::npos) << law.proposedEquation;
 }
 
+/// Whoever accepts the equation opens a study that runs as was told, and runs on.
+TEST_F(Discovery, WritesAStudyWithTheEquationThatIsProposed) {
+    Shaft shaft;
+    shaft.torque = [](double, double w, double) { return 0.03 * w; };
+    shaft.pickUp = 2;
+    search(shaft);
+    const Outcome<RunResult> result = runDiscover(read(), {});
+    ASSERT_TRUE(result && result->finding.proposed && !result->finding.remainders.empty());
+    EXPECT_TRUE(result->finding.effects.empty()) << "what is proposed is no effect that was added";
+    EXPECT_EQ(result->finding.remainders.size(), 1u) << "what it accounts for is not told again as left";
+    const double told = result->finding.remainders.front().errorFitWith;
+    ASSERT_TRUE(writeResults(*result, "discover", directory_ / "out"));
+
+    const Outcome<Study> proposed = readStudy(directory_ / "out" / "study-proposed");
+    ASSERT_TRUE(proposed) << format(proposed.diagnostics());
+    const Outcome<RunResult> simulated = runSimulate(*proposed, {});
+    ASSERT_TRUE(simulated) << format(simulated.diagnostics());
+    EXPECT_NEAR(errorPercentOf(simulated->finding.final, Role::Fit), told, 1e-3 * told);
+    const Outcome<RunResult> again = runDiscover(*proposed, {});
+    ASSERT_TRUE(again) << format(again.diagnostics());
+    EXPECT_EQ(again->finding.kind, FindingKind::Adequate);
+    EXPECT_EQ(std::count_if(again->finding.final.parameters.begin(), again->finding.final.parameters.end(),
+                            [](const FitEstimate& e) { return e.name.ends_with(".a1"); }),
+              1)
+        << "its coefficient is fitted with the others";
+
+    const Outcome<Study> completed = readStudy(directory_ / "out" / "study");
+    ASSERT_TRUE(completed) << format(completed.diagnostics());
+    EXPECT_EQ(completed->models.size(), 1u) << "the completed study does without";
+}
+
 TEST_F(Discovery, ChoosesNothingByValidation) {
     // a bench that pulled on one day and pushed on the next
     const auto pulled = [](double by) { return Shaft{0.02, [by](double, double w, double) { return 0.03 * w + by; }}; };
@@ -1480,6 +1511,9 @@ TEST_F(Discovery, ProposesAnEquationWhereNoNameFits) {
         << finding.remainders.front().proposedEquation;
     EXPECT_EQ(finding.remainders.front().output, "w");
     EXPECT_FALSE(finding.remainders.front().node.empty());
+    ASSERT_TRUE(finding.proposed);
+    EXPECT_NEAR(errorPercentOf(finding.proposed->state, Role::Fit), finding.remainders.front().errorFitWith, 1e-9);
+    EXPECT_NE(finding.proposed->state.modelText, finding.final.modelText);
 }
 
 TEST_F(Discovery, WritesALawThatNoBlockHas) {

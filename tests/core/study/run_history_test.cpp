@@ -71,6 +71,9 @@ protected:
                                       0.5,
                                       0.6,
                                       0.7});
+        finding.proposed = ProposedModel{finding.baseline, {{"flow", "flow"}}};
+        result->proposed = result->completed;
+        result->proposed->models["proposed.mo"] = "block C end C;";
         finding.nextExperiment = phrase("run {}", phrase("the {} again", "heater")) + " Then stop.";
         finding.warnings = {"plain words", phrase("{} \"quoted\"\n", 1)};
         finding.interrupted = true;
@@ -124,6 +127,10 @@ TEST_F(RunHistory, ReadsBackToTheLastDigit) {
     EXPECT_EQ(finding.final.experiments[0].outputs[0].simulated,
               discovery.result->finding.final.experiments[0].outputs[0].simulated);
     EXPECT_EQ(runs[1].ranOn->models, fit.ranOn->models);
+    EXPECT_FALSE(runs[0].result->proposed);
+    ASSERT_TRUE(runs[1].result->proposed && finding.proposed);
+    EXPECT_EQ(runs[1].result->proposed->models, discovery.result->proposed->models);
+    EXPECT_EQ(finding.proposed->newInputs, discovery.result->finding.proposed->newInputs);
     EXPECT_EQ(runs[1].result->completed.parameters.at("R").value, 3.0000000000000004);
     EXPECT_EQ(runs[1].ranOn->tables.at("train.csv")->columns[1].values,
               fit.ranOn->tables.at("train.csv")->columns[1].values)

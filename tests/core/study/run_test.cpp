@@ -324,12 +324,16 @@ TEST_F(Run, WritesTheBlockOfALawBesideTheReport) {
     law.proposedClass = "MissingTorque1";
     law.proposedBlock = "model MissingTorque1\nend MissingTorque1;\n";
     result.finding.remainders = {law};
+    result.proposed = read();
     ASSERT_TRUE(writeResults(result, "discover", directory_ / "out"));
     EXPECT_EQ(get(directory_ / "out" / "proposed.mo"), law.proposedBlock);
+    EXPECT_TRUE(readStudy(directory_ / "out" / "study-proposed"));
     // what an earlier run proposed is not left beside a report that proposes nothing
     result.finding.remainders.clear();
+    result.proposed.reset();
     ASSERT_TRUE(writeResults(result, "discover", directory_ / "out"));
     EXPECT_FALSE(std::filesystem::exists(directory_ / "out" / "proposed.mo"));
+    EXPECT_FALSE(std::filesystem::exists(directory_ / "out" / "study-proposed"));
 }
 
 }  // namespace
