@@ -14,6 +14,12 @@ namespace {
 
 constexpr std::size_t mostAtOnce = 16;  // terms: each is evaluated with the slopes of all
 
+/// As the blocks of the library look that have an equation and no name.
+constexpr const char* icon = R"(  annotation (Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
+    Rectangle(extent={{-90,90},{90,-90}}, lineColor={213,94,0}, fillColor={255,255,255}, fillPattern=FillPattern.Solid, pattern=LinePattern.Dash, radius=10),
+    Text(extent={{-70,60},{70,-60}}, textString="?", textColor={213,94,0})}));
+)";
+
 std::string coefficient(std::size_t i) { return "a" + std::to_string(i + 1); }
 
 /// The name of a foreign quantity as it comes into the class.
@@ -178,7 +184,7 @@ std::string LawProbe::classText(const std::string& name, const std::vector<std::
     for (const std::string& e : equations) text += "  " + e + ";\n";
     std::vector<std::string> sum;
     for (std::size_t i = 0; i < chosen.size(); ++i) sum.push_back(coefficient(i) + "*" + terms_[chosen[i]].text);
-    text += fmt::format("  {} {};\nend {};\n", site_.sum, fmt::join(sum, " + "), name);
+    text += fmt::format("  {} {};\n{}end {};\n", site_.sum, fmt::join(sum, " + "), icon, name);
     return text;
 }
 

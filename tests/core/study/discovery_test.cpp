@@ -493,6 +493,8 @@ TEST_F(Discovery, WritesAStudyWithTheEquationThatIsProposed) {
     ASSERT_TRUE(result && result->finding.proposed && !result->finding.remainders.empty());
     EXPECT_TRUE(result->finding.effects.empty()) << "what is proposed is no effect that was added";
     EXPECT_EQ(result->finding.remainders.size(), 1u) << "what it accounts for is not told again as left";
+    EXPECT_NE(result->finding.remainders.front().proposedBlock.find("Icon("), std::string::npos)
+        << "without one it would not be seen in the diagram";
     const double told = result->finding.remainders.front().errorFitWith;
     ASSERT_TRUE(writeResults(*result, "discover", directory_ / "out"));
 
