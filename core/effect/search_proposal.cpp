@@ -32,8 +32,14 @@ std::vector<HeldInstead> equalToFirst(std::vector<HeldInstead> values) {
     return values;
 }
 
-/// The model with all that is proposed, to be written as a study: its traces are not told. Empty: it cannot be
-/// simulated.
+/// A model with proposals, held against every recording; empty: it cannot be simulated.
+std::optional<ModelState> stateWith(const NullModel& with, const SimulationOptions& simulation,
+                                    const Progress& progress) {
+    Outcome<ModelState> state = stateOf(with.variant, with.fit, simulation, progress, Detail::Errors);
+    return state ? std::optional(std::move(*state)) : std::nullopt;
+}
+
+/// The same to be written as a study: its traces are not told.
 std::optional<ProposedModel> offered(const NullModel& with, const std::optional<ModelState>& state) {
     if (!state) return std::nullopt;
     ProposedModel model{*state, {}};
@@ -131,13 +137,10 @@ bool Search::addLaw(NullModel& null) {
 /// structure is offered only where it is more than a disturbance.
 Search::Conclusion Search::takeOutProposals(NullModel& null) {
     Conclusion found;
-    const bool isDoubtful = hasProposal(null) && !isNoise(null);
-    std::optional<ModelState> with;
-    if (hasProposal(null))
-        if (Outcome<ModelState> state =
-                stateOf(null.variant, null.fit, search_.fit.simulation, progress_, Detail::Errors))
-            with = std::move(*state);
-    if (hasProposal(null)) found.with = null;
+    if (!hasProposal(null)) return found;
+    const bool isDoubtful = !isNoise(null);
+    const std::optional<ModelState> with = stateWith(null, search_.fit.simulation, progress_);
+    found.with = null;
     found.model = offered(null, with);
     for (std::size_t i = steps_.size(); i-- > 0;) {
         const PlacedEffect& placed = null.variant.effects[i];
@@ -199,10 +202,7 @@ void Search::tellBesideNames(const NullModel& null, const std::vector<PlacedEffe
     if (told.empty() || isTold || progress_.stopRequested()) return;
     std::optional<NullModel> with = refittedWith(null, effects);
     if (!with) return;
-    std::optional<ModelState> state;
-    if (Outcome<ModelState> found =
-            stateOf(with->variant, with->fit, search_.fit.simulation, progress_, Detail::Errors))
-        state = std::move(*found);
+    const std::optional<ModelState> state = stateWith(*with, search_.fit.simulation, progress_);
     conclusion.model = offered(*with, state);
     for (std::size_t i = 0; i < told.size(); ++i) tell(*told[i], with->variant.effects[names + i], *with, state);
     conclusion.with = std::move(with);

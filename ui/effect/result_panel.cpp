@@ -186,10 +186,7 @@ void ResultPanel::addAdoption() {
     connect(button, &QPushButton::clicked, this,
             [this, isFit] { document_.adoptCompleted(isFit ? tr("Write fitted values") : tr("Add what was found")); });
     column_->addSpacing(style::unit);
-    auto* row = new QHBoxLayout;
-    row->addWidget(button);
-    row->addStretch(1);
-    column_->addLayout(row);
+    addButton(button);
 }
 
 void ResultPanel::addComparison(const Finding& finding) {
@@ -273,10 +270,7 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
         // Before it is added there is its place alone.
         Q_EMIT effectChosen(document_.diagram().find(instance.toStdString()) ? instance : placeOf(at));
     });
-    auto* line = new QHBoxLayout;
-    line->addWidget(show);
-    line->addStretch(1);
-    column_->addLayout(line);
+    addButton(show);
 }
 
 void ResultPanel::addRemainder(const Finding& finding) {
@@ -301,6 +295,14 @@ void ResultPanel::addRemainder(const Finding& finding) {
     }
 }
 
+/// A button on a line of its own, no wider than its words.
+void ResultPanel::addButton(QPushButton* button) {
+    auto* line = new QHBoxLayout;
+    line->addWidget(button);
+    line->addStretch(1);
+    column_->addLayout(line);
+}
+
 /// Whoever finds the equations plausible takes them over as they were fitted.
 void ResultPanel::addProposalAdoption(const Finding& finding) {
     const RunResult* result = document_.result();
@@ -312,10 +314,7 @@ void ResultPanel::addProposalAdoption(const Finding& finding) {
     button->setObjectName("adoptProposed");
     button->setToolTip(tr("Wires in what is proposed, with the values of its fit; one step, which can be undone"));
     connect(button, &QPushButton::clicked, this, [this] { document_.adoptProposed(); });
-    auto* row = new QHBoxLayout;
-    row->addWidget(button);
-    row->addStretch(1);
-    column_->addLayout(row);
+    addButton(button);
 }
 
 /// What to mind before trusting the figures above: runs beyond the fitted range, values that drift between runs.
@@ -392,10 +391,7 @@ void ResultPanel::addCandidates(const Finding& finding) {
     try_ = new QPushButton(tr("Try the marked effect"), body_);
     try_->setToolTip(tr("Fits the model with this effect and shows its traces; the result is kept among the runs"));
     try_->setEnabled(false);
-    auto* line = new QHBoxLayout;
-    line->addWidget(try_);
-    line->addStretch(1);
-    column_->addLayout(line);
+    addButton(try_);
     // An equation without a name is only proposed: there is no block to try.
     const auto kindOf = [](const QTreeWidgetItem* item) {
         const QString kind = item ? item->data(0, Qt::UserRole).toString() : QString();

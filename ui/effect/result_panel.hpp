@@ -61,6 +61,7 @@ private:
     void addProposalAdoption(const Finding& finding);
     void addCautions(const Finding& finding);
     void addCandidates(const Finding& finding);
+    void addButton(QPushButton* button);
     QLabel* addText(const QString& text, bool isCaption = false);
     /// What of the study is named in it leads there.
     void makeLinks(QLabel* label, const QString& html);
