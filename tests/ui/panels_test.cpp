@@ -1030,6 +1030,31 @@ TEST_F(Panels, AddsWhatIsProposedAsOneStepThatCanBeUndone) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return button() != nullptr; }, 5000));
 }
 
+/// Colouring the text anew is no typing: what the view holds while it is hidden is not the model.
+TEST_F(Panels, KeepTheModelWhenTheThemeChanges) {
+    openLambda();
+    const auto changeTheme = [&](style::Theme theme) {
+        style::apply(*qApp, theme);
+        QTest::qWait(400);  // longer than typing takes to be taken over
+    };
+    auto* tabs = window.findChild<QTabWidget*>("centre");
+    auto* text = window.findChild<TextView*>();
+    const auto opened = document().study().models;
+    changeTheme(style::Theme::Dark);
+    EXPECT_EQ(document().study().models, opened) << "the text was never shown";
+    tabs->setCurrentWidget(text);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !text->toPlainText().isEmpty(); }, 5000));
+    changeTheme(style::Theme::Light);
+    EXPECT_EQ(document().study().models, opened) << "it is shown";
+    tabs->setCurrentWidget(window.findChild<DiagramView*>());
+    document().setParameterValue("heater.alpha", 0.0042);
+    const auto edited = document().study().models;
+    ASSERT_NE(edited, opened);
+    changeTheme(style::Theme::Dark);
+    EXPECT_EQ(document().study().models, edited) << "it was shown before an edit of the diagram";
+    style::apply(*qApp, style::Theme::Light);
+}
+
 TEST_F(Panels, SaysOfWhatWasTriedWhyItIsNotInTheModel) {
     openLambda();
     RunResult result = sampleFinding(document(), "thermal.radiation", "Analogon.Effects.Thermal.Radiation",

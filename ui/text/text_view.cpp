@@ -39,7 +39,8 @@ TextView::TextView(Document& document, QWidget* parent)
     typing_.setInterval(250);
     connect(&typing_, &QTimer::timeout, this, &TextView::commit);
     connect(this, &QPlainTextEdit::textChanged, this, [this] {
-        if (!isRefreshing_) typing_.start();
+        // colouring it anew changes the text, too, and what a hidden view holds is out of date
+        if (!isRefreshing_ && !isStale_) typing_.start();
     });
     refresh();
     recolour();
