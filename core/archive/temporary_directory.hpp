@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "core/base/outcome.hpp"
+#include "core/base/owned_directory.hpp"
 
 namespace analogon {
 
@@ -12,15 +12,16 @@ namespace analogon {
 class TemporaryDirectory {
 public:
     static Outcome<std::shared_ptr<const TemporaryDirectory>> make();
-    ~TemporaryDirectory();
     TemporaryDirectory(const TemporaryDirectory&) = delete;
     TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
 
 private:
-    explicit TemporaryDirectory(std::filesystem::path path) : path_(std::move(path)) {}
+    TemporaryDirectory(OwnedDirectory around, std::filesystem::path path)
+        : around_(std::move(around)), path_(std::move(path)) {}
 
+    OwnedDirectory around_;  // holds the marker, so that `path` holds nothing but what is put there
     std::filesystem::path path_;
 };
 
