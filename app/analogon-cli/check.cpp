@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <ostream>
 #include <set>
 
 #include "core/archive/archive.hpp"
 #include "core/base/outcome.hpp"
+#include "core/base/regular_file.hpp"
 #include "core/eval/system.hpp"
 #include "core/flat/flat_model.hpp"
 #include "core/library/library.hpp"
@@ -79,10 +78,9 @@ fs::path packageOf(const fs::path& path) {
 
 Outcome<Subject> modelSubject(const Options& options) {
     const std::string name = options.input.string();
-    std::ifstream stream(options.input, std::ios::binary);
-    if (!stream) return fileError("cannot read the file", name);
-    std::string text((std::istreambuf_iterator<char>(stream)), {});
-    const auto source = std::make_shared<const Source>(name, std::move(text));
+    Outcome<std::string> text = readRegularFile(options.input);
+    if (!text) return text.diagnostics();
+    const auto source = std::make_shared<const Source>(name, std::move(*text));
     const syntax::ParseResult parsed = syntax::parse(source);
     if (hasError(parsed.diagnostics)) return parsed.diagnostics;
     Outcome<Library> library = libraryOf(options);

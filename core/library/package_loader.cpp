@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 #include <sstream>
 #include <utility>
 
+#include "core/base/regular_file.hpp"
 #include "core/syntax/parser.hpp"
 
 namespace analogon {
@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int deepestPackage = 32;  // links on the disk may run in circles
+constexpr std::uint64_t largestText = 64u << 20;  // [byte] of a file
+constexpr int deepestPackage = 32;                // links on the disk may run in circles
 
 std::string qualified(const std::string& scope, const std::string& name) {
     return scope.empty() ? name : fmt::format("{}.{}", scope, name);
@@ -127,7 +128,12 @@ std::vector<std::string> PackageLoader::packageOrder(const fs::path& directory, 
     std::vector<std::string> order;
     std::error_code problem;
     const bool isGiven = fs::exists(directory / "package.order", problem);
-    std::ifstream file(directory / "package.order");
+    std::istringstream file;
+    if (isGiven) {
+        Outcome<std::string> text = readRegularFile(directory / "package.order", largestText);
+        diagnostics_.insert(diagnostics_.end(), text.diagnostics().begin(), text.diagnostics().end());
+        if (text) file.str(std::move(*text));
+    }
     std::set<std::string> listed;
     std::string entry;
     for (int line = 1; std::getline(file, entry); ++line) {
@@ -188,14 +194,12 @@ syntax::ClassPtr PackageLoader::parseOne(const fs::path& file, const std::string
 }
 
 SourcePtr PackageLoader::read(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    if (stream && fs::file_size(file) > 0) text << stream.rdbuf();
-    if (!stream || !text) {
-        diagnostics_.push_back(fileError(phrase("the file cannot be read"), file.string()));
+    Outcome<std::string> text = readRegularFile(file, largestText);
+    if (!text) {
+        diagnostics_.insert(diagnostics_.end(), text.diagnostics().begin(), text.diagnostics().end());
         return nullptr;
     }
-    return std::make_shared<const Source>(file.string(), std::move(text).str());
+    return std::make_shared<const Source>(file.string(), std::move(*text));
 }
 
 void PackageLoader::add(const syntax::ClassPtr& definition, const std::string& scope) {

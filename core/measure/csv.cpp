@@ -4,10 +4,10 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <limits>
 #include <unordered_map>
 
+#include "core/base/regular_file.hpp"
 #include "core/base/unit.hpp"
 #include "core/measure/column_header.hpp"
 #include "core/measure/csv_dialect.hpp"
@@ -339,18 +339,9 @@ Outcome<Table> readCsvText(std::string_view text, const std::string& name, const
 }
 
 Outcome<Table> readCsv(const std::filesystem::path& file, const CsvOptions& options) {
-    std::error_code code;
-    if (std::filesystem::is_directory(file, code))
-        return fileError(phrase("this is a directory, not a measurement file"), file.string());
-    std::ifstream stream(file, std::ios::binary | std::ios::ate);
-    if (!stream)
-        return fileError(phrase("the file cannot be opened"), file.string(), 0, 0,
-                         phrase("Check its name and its access rights."));
-    std::string bytes(static_cast<std::size_t>(stream.tellg()), '\0');
-    stream.seekg(0);
-    if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
-        return fileError(phrase("the file cannot be read"), file.string());
-    return readCsvText(bytes, file.string(), options);
+    const Outcome<std::string> bytes = readRegularFile(file);
+    if (!bytes) return bytes.diagnostics();
+    return readCsvText(*bytes, file.string(), options);
 }
 
 }  // namespace analogon

@@ -4356,6 +4356,42 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Prüfen, ob das Verzeichnis existiert, beschreibbar ist und Platz hat.</translation>
     </message>
     <message>
+        <source>this is a directory, not a file</source>
+        <translation>dies ist ein Verzeichnis, keine Datei</translation>
+    </message>
+    <message>
+        <source>this is a pipe or a device, not a file</source>
+        <translation>dies ist eine Pipe oder ein Gerät, keine Datei</translation>
+    </message>
+    <message>
+        <source>Copy what it gives into a file.</source>
+        <translation>Was sie liefert, in eine Datei kopieren.</translation>
+    </message>
+    <message>
+        <source>the file has more than {} MB</source>
+        <translation>die Datei hat mehr als {} MB</translation>
+    </message>
+    <message>
+        <source>another program is saving this study at the moment</source>
+        <translation>ein anderes Programm speichert diese Studie gerade</translation>
+    </message>
+    <message>
+        <source>Try again when it has finished.</source>
+        <translation>Noch einmal versuchen, wenn es fertig ist.</translation>
+    </message>
+    <message>
+        <source>a file has this name</source>
+        <translation>eine Datei heißt so</translation>
+    </message>
+    <message>
+        <source>a directory has this name</source>
+        <translation>ein Verzeichnis heißt so</translation>
+    </message>
+    <message>
+        <source>a link on its way leads to another directory</source>
+        <translation>ein Link auf dem Weg führt in ein anderes Verzeichnis</translation>
+    </message>
+    <message>
         <source>the entry &quot;{}&quot; {}</source>
         <translation>der Eintrag „{}“ {}</translation>
     </message>
@@ -4390,6 +4426,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>Name a new directory.</source>
         <translation>Ein neues Verzeichnis nennen.</translation>
+    </message>
+    <message>
+        <source>this exists already</source>
+        <translation>dies existiert schon</translation>
+    </message>
+    <message>
+        <source>Give another name.</source>
+        <translation>Einen anderen Namen nennen.</translation>
     </message>
     <message>
         <source>there is no place for temporary files: {}</source>
@@ -4910,10 +4954,6 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>'{}' in column '{}' is not a number</source>
         <translation>„{}“ in Spalte „{}“ ist keine Zahl</translation>
-    </message>
-    <message>
-        <source>this is a directory, not a measurement file</source>
-        <translation>dies ist ein Verzeichnis, keine Messdatei</translation>
     </message>
     <message>
         <source>the file cannot be opened</source>

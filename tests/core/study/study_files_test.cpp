@@ -1,5 +1,10 @@
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include "study_fixture.hpp"
 #include "tests/kills.hpp"
+#include "tests/tree.hpp"
 
 using namespace analogon;
 using ::testing::HasSubstr;
@@ -117,6 +122,14 @@ Study otherStudy(Study study) {
     return study;
 }
 
+/// The list of a save, as it lies in the folder of one that is not finished.
+void putList(const fs::path& folder, const std::vector<std::string>& records) {
+    std::string list("analogon-save-1");
+    for (const std::string& record : records) (list += '\0') += record;
+    list += '\0';
+    std::ofstream(folder / ".analogon-list", std::ios::binary) << list << "end" << '\0';
+}
+
 /// Wherever a program is ended that saves into a directory: what is opened then is the old study or the new one, whole.
 TEST_F(StudyFiles, AreOldOrNewWhereverASaveIsEnded) {
     putHeater();
@@ -138,7 +151,7 @@ TEST_F(StudyFiles, AreOldOrNewWhereverASaveIsEnded) {
         return place;
     };
     for (std::size_t written = 0; written <= files.size(); ++written) {
-        const fs::path place = start(".analogon-writing", written);
+        const fs::path place = start(".analogon-writing-1", written);
         const Outcome<Study> study = readStudy(place);
         ASSERT_TRUE(study) << format(study.diagnostics());
         EXPECT_EQ(study->className, before.className) << "ended while it wrote file " << written;
@@ -147,18 +160,140 @@ TEST_F(StudyFiles, AreOldOrNewWhereverASaveIsEnded) {
         EXPECT_TRUE(isAfter(*readStudy(place)));
     }
     for (std::size_t moved = 0; moved <= files.size(); ++moved) {
-        const fs::path place = start(".analogon-saved", files.size());
+        const fs::path place = start(".analogon-saved-1", files.size());
         fs::copy_file(directory_ / "stale.mo", place / "stale.mo");
-        std::ofstream(place / ".analogon-saved" / ".removed") << "stale.mo\n../kept.mo\n";
+        putList(place / ".analogon-saved-1", {"+model.mo", "+study.json", "+train.csv", "-stale.mo", "-../kept.mo"});
         put("kept.mo", "model Kept\nend Kept;\n");
-        for (std::size_t i = 0; i < moved; ++i) fs::rename(place / ".analogon-saved" / files[i], place / files[i]);
+        for (std::size_t i = 0; i < moved; ++i) fs::rename(place / ".analogon-saved-1" / files[i], place / files[i]);
+        const auto tree = treeOf(place);
         const Outcome<Study> study = readStudy(moved % 2 ? place : place / "study.json");
         ASSERT_TRUE(study) << format(study.diagnostics());
         EXPECT_TRUE(isAfter(*study)) << "ended when " << moved << " files were at their places";
         EXPECT_FALSE(study->models.contains("stale.mo"));
-        EXPECT_FALSE(fs::exists(place / ".analogon-saved"));
+        EXPECT_EQ(treeOf(place), tree) << "who reads writes nothing";
+        ASSERT_TRUE(writeStudy(*study, directory_ / "copy" / std::to_string(moved)));
+        EXPECT_TRUE(isAfter(*readStudy(directory_ / "copy" / std::to_string(moved)))) << "copied from where it lies";
+        ASSERT_TRUE(writeStudy(*study, place));
+        EXPECT_TRUE(isAfter(*readStudy(place)));
+        EXPECT_EQ(namesBelow(place), "model.mo study.json train.csv") << "who writes finishes the save";
         EXPECT_TRUE(fs::exists(directory_ / "kept.mo")) << "no other directory is touched";
     }
+}
+
+/// What looks like a save of ours by its name, and leads to files of somebody else.
+TEST_F(StudyFiles, AreReadWithoutTouchingWhatHasOnlyTheNameOfASave) {
+    putHeater();
+    put("other/model.mo", "model Other\nend Other;\n");
+    put("other/study.json", "{}");
+    putList(directory_ / "other", {"+model.mo", "+study.json"});
+    put("study/.analogon-saved-plain/model.mo", "model Plain\nend Plain;\n");
+    put("study/.analogon-saved-linked/study.json", "{}");
+    fs::create_symlink(directory_ / "other" / ".analogon-list",
+                       directory_ / "study" / ".analogon-saved-linked" / ".analogon-list");
+    put("study/.analogon-writing-mine/notes.txt", "keep me");
+    put("study/.analogon-saved-file", "keep me");
+    for (const char* file : {"study.json", "model.mo", "train.csv"})
+        fs::copy_file(directory_ / file, directory_ / "study" / file);
+    for (const char* name : {".analogon-saved", ".analogon-saved-1"})
+        fs::create_directory_symlink(directory_ / "other", directory_ / "study" / name);
+    const auto tree = treeOf(directory_);
+    const Outcome<Study> study = readStudy(directory_ / "study");
+    ASSERT_TRUE(study) << format(study.diagnostics());
+    EXPECT_EQ(study->className, "Heater");
+    EXPECT_EQ(study->models.size(), 1u);
+    EXPECT_EQ(treeOf(directory_), tree);
+
+    ASSERT_TRUE(writeStudy(*study, directory_ / "study"));
+    EXPECT_EQ(namesBelow(directory_ / "study"),
+              ".analogon-saved .analogon-saved-1 .analogon-saved-file .analogon-saved-linked "
+              ".analogon-saved-linked/.analogon-list .analogon-saved-linked/study.json .analogon-saved-plain "
+              ".analogon-saved-plain/model.mo .analogon-writing-mine .analogon-writing-mine/notes.txt model.mo "
+              "study.json train.csv");
+    EXPECT_EQ(get(directory_ / "other" / "study.json"), "{}");
+}
+
+/// A save that is finished follows no link and leaves its directory by no name.
+TEST_F(StudyFiles, AreWrittenThroughNoLink) {
+    putHeater();
+    fs::create_directories(directory_ / "elsewhere");
+    put("place/.analogon-saved-1/data/train.csv", "t\n");
+    put("place/.analogon-saved-1/study.json", get(directory_ / "study.json"));
+    fs::create_symlink("/etc/hostname", directory_ / "place" / ".analogon-saved-1" / "link.csv");
+    putList(directory_ / "place" / ".analogon-saved-1", {"+../../x.csv", "+/x.csv", "+link.csv", "+study.json"});
+    fs::create_directory_symlink(directory_ / "elsewhere", directory_ / "place" / "data");
+    Study study = read();
+    ASSERT_TRUE(writeStudy(study, directory_ / "place"));
+    EXPECT_FALSE(fs::exists(fs::symlink_status(directory_ / "place" / "link.csv"))) << "links are no files of a save";
+    study.directory.clear();
+    study.tables["data/train.csv"] = study.tables.at("train.csv");
+    study.experiments[0].file = "data/train.csv";
+    const Outcome<Done> done = writeStudy(study, directory_ / "place");
+    ASSERT_FALSE(done);
+    EXPECT_THAT(done.diagnostics()[0].message, HasSubstr("a link on its way leads to another directory"));
+    EXPECT_TRUE(fs::is_empty(directory_ / "elsewhere"));
+    EXPECT_TRUE(readStudy(directory_ / "place")) << "the study is as it was";
+}
+
+TEST_F(StudyFiles, TakeThePlaceOfNoOtherMeasurement) {
+    putHeater();
+    put("elsewhere/train.csv", "t,u_heater,T_air,current\n0,1,2,3\n1,2,3,4\n");
+    Study study = read();
+    study.experiments.push_back(study.experiments[0]);
+    study.experiments[1].name = "second";
+    study.experiments[1].file = (directory_ / "elsewhere" / "train.csv").string();
+    study.experiments.erase(study.experiments.begin());
+    const std::string before = get(directory_ / "train.csv");
+    for (int i = 0; i < 2; ++i) {
+        ASSERT_TRUE(writeStudy(study, directory_));
+        EXPECT_EQ(get(directory_ / "train.csv"), before) << "a file of the user beside the study";
+        EXPECT_EQ(read().experiments[0].file, "train_2.csv");
+        EXPECT_FALSE(fs::exists(directory_ / "train_3.csv"));
+    }
+}
+
+TEST_F(StudyFiles, AreNeverReadFromAPipe) {
+    putHeater();
+    for (const char* name : {"train.csv", "model.mo", "study.json"}) {
+        fs::rename(directory_ / name, directory_ / "kept");
+        ASSERT_EQ(mkfifo((directory_ / name).c_str(), 0600), 0);
+        const Outcome<Study> study = readStudy(directory_);
+        if (name == std::string("model.mo")) {
+            EXPECT_TRUE(study) << "what is no file is no model of the study";
+        } else {
+            ASSERT_FALSE(study) << name;
+            EXPECT_EQ(study.diagnostics()[0].message, "this is a pipe or a device, not a file") << name;
+        }
+        fs::rename(directory_ / "kept", directory_ / name);
+    }
+}
+
+/// Two programs save into one directory while a third reads it: it finds one of the two studies, whole.
+TEST_F(StudyFiles, AreWholeWhileTwoProgramsSaveThem) {
+    putHeater();
+    const Study even = read(), odd = otherStudy(even);
+    const fs::path place = directory_ / "shared";
+    ASSERT_TRUE(writeStudy(even, place));
+    std::vector<pid_t> children;
+    for (const Study* study : {&even, &odd}) {
+        children.push_back(fork());
+        if (children.back() != 0) continue;
+        for (int i = 0; i < 30; ++i)
+            if (!writeStudy(*study, place)) _exit(1);
+        _exit(0);
+    }
+    for (int i = 0; i < 100; ++i) {
+        const Outcome<Study> study = readStudy(place);
+        ASSERT_TRUE(study) << format(study.diagnostics());
+        const Study& whole = study->className == "Other" ? odd : even;
+        ASSERT_EQ(study->models, whole.models);
+        ASSERT_EQ(study->tables.at("train.csv")->columns[1].values, whole.tables.at("train.csv")->columns[1].values);
+    }
+    for (const pid_t child : children) {
+        int status = 0;
+        waitpid(child, &status, 0);
+        EXPECT_EQ(status, 0) << "each waits for the other";
+    }
+    EXPECT_EQ(namesBelow(place), "model.mo study.json train.csv");
 }
 
 /// The same by force: a child that saves two studies in turn is killed at random moments.
@@ -186,6 +321,10 @@ TEST_F(StudyFiles, SurviveKills) {
     });
     EXPECT_GT(kills.firsts, 0) << "some kills came after a save";
     EXPECT_LT(kills.firsts, kills.all);
+    ASSERT_TRUE(writeStudy(even, place));
+    EXPECT_EQ(namesBelow(place), "model.mo study.json train.csv") << "nothing is left behind";
+    for (const auto& entry : fs::directory_iterator(directory_))
+        EXPECT_FALSE(entry.path().filename().string().starts_with(".")) << entry.path();
 }
 
 TEST_F(StudyFiles, LeaveNothingHalfWritten) {

@@ -1,0 +1,192 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+
+#include "core/base/directory_lock.hpp"
+#include "core/base/file_fault.hpp"
+#include "core/base/file_step.hpp"
+#include "core/base/owned_directory.hpp"
+#include "core/study/pending_save.hpp"
+#include "core/study/study.hpp"
+
+namespace analogon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool leavesDirectory(const fs::path& path) {
+    return path.is_absolute() || path.has_root_name() || path.lexically_normal().begin()->string() == "..";
+}
+
+bool holdTheSame(const fs::path& a, const fs::path& b) {
+    std::error_code code;
+    if (!fs::is_regular_file(a, code) || !fs::is_regular_file(b, code)) return false;
+    if (fs::file_size(a, code) != fs::file_size(b, code) || code) return false;
+    std::ifstream first(a, std::ios::binary), second(b, std::ios::binary);
+    using Bytes = std::istreambuf_iterator<char>;
+    return std::equal(Bytes(first), Bytes(), Bytes(second), Bytes());
+}
+
+/// Writes the files of a study into a directory of its own, then moves them to their place.
+class StudyWriter {
+public:
+    StudyWriter(const Study& study, const fs::path& target) : study_(study), target_(target) {}
+
+    Outcome<Done> write() {
+        if (Outcome<Done> made = prepare(); !made) return made;
+        if (Outcome<Done> filled = fill(); !filled) return filled;
+        return move();
+    }
+
+private:
+    /// A directory of its own within the target, or beside it where there is none.
+    Outcome<Done> prepare() {
+        std::error_code code;
+        target_ = fs::absolute(target_, code).lexically_normal();
+        if (!target_.has_filename()) target_ = target_.parent_path();
+        isThere_ = fs::is_directory(target_, code);
+        if (isThere_) {
+            target_ = fs::canonical(target_, code);
+            lock_ = DirectoryLock(target_, DirectoryLock::Kind::Exclusive, longestSave);
+            if (lock_.isBusy()) return isBeingSaved(target_);
+        } else if (fs::exists(fs::symlink_status(target_, code))) {
+            return cannotWrite(target_, phrase("a file has this name"));
+        } else {
+            fs::create_directories(target_.parent_path(), code);
+            if (code) return cannotWrite(target_, code);
+        }
+        Outcome<OwnedDirectory> own =
+            OwnedDirectory::make(isThere_ ? target_ : target_.parent_path(), ".analogon-writing-");
+        if (!own) return cannotWrite(target_, own.diagnostics().front().message);
+        own_ = std::move(*own);
+        temporary_ = own_->path() / "new";
+        if (isThere_) code = PendingSave::in(target_).finish(own_->path());
+        if (!code) fs::create_directory(temporary_, code);
+        return code ? Outcome<Done>(cannotWrite(target_, code)) : Outcome<Done>(Done{});
+    }
+
+    /// A file must come to lie where its name says, and at the place of nothing but a file.
+    Outcome<Done> makeRoom(const std::string& name) {
+        std::error_code code;
+        if (leadsAway(target_, name))
+            return cannotWrite(target_ / name, phrase("a link on its way leads to another directory"));
+        if (fs::is_directory(fs::symlink_status(target_ / name, code)))
+            return cannotWrite(target_ / name, phrase("a directory has this name"));
+        fs::create_directories((temporary_ / name).parent_path(), code);
+        return code ? Outcome<Done>(cannotWrite(target_ / name, code)) : Outcome<Done>(Done{});
+    }
+
+    Outcome<Done> put(const std::string& name, const std::string& content) {
+        if (Outcome<Done> room = makeRoom(name); !room) return room;
+        std::ofstream stream(temporary_ / name, std::ios::binary);
+        stream << content;
+        stream.close();
+        syncToDisk(temporary_ / name);
+        if (!stream) return cannotWrite(target_ / name, std::make_error_code(std::errc::io_error));
+        written_.insert(name);
+        return Done{};
+    }
+
+    Outcome<Done> fill() {
+        Study placed = study_;
+        for (StudyExperiment& experiment : placed.experiments) {
+            const std::string from = experiment.file;
+            experiment.file = placeOfMeasurement(from);
+            if (Outcome<Done> done = putMeasurement(from, experiment.file); !done) return done;
+        }
+        for (const auto& [name, text] : study_.models)
+            if (Outcome<Done> done = put(name, text); !done) return done;
+        return put("study.json", studyJson(placed));
+    }
+
+    /// Where a measurement lies in the written study; those from elsewhere come to lie beside study.json, at the place
+    /// of no other file.
+    std::string placeOfMeasurement(const std::string& file) {
+        if (const auto known = places_.find(file); known != places_.end()) return known->second;
+        const fs::path path(file);
+        const bool isFromElsewhere = leavesDirectory(path);
+        std::string place = isFromElsewhere ? path.filename().string() : path.lexically_normal().generic_string();
+        const auto isOfAnother = [&] {
+            std::error_code code;
+            return isFromElsewhere && fs::exists(fs::symlink_status(target_ / place, code)) &&
+                   !holdTheSame(study_.directory / path, target_ / place);
+        };
+        for (int i = 2; taken_.contains(place) || isOfAnother(); ++i)
+            place = fmt::format("{}_{}{}", path.stem().string(), i, path.extension().string());
+        taken_.insert(place);
+        return places_[file] = place;
+    }
+
+    Outcome<Done> putMeasurement(const std::string& from, const std::string& place) {
+        if (written_.contains(place)) return Done{};
+        std::error_code code;
+        const bool isHere = isThere_ && fs::equivalent(target_, study_.directory, code);
+        DirectoryLock lock;
+        if (!isHere && !study_.directory.empty())
+            lock = DirectoryLock(study_.directory, DirectoryLock::Kind::Shared, longestSave);
+        if (lock.isBusy()) return isBeingSaved(study_.directory);
+        const fs::path source = PendingSave::in(study_.directory).place(from);
+        if ((!study_.directory.empty() || source.is_absolute()) && fs::exists(source, code)) {
+            if (fs::equivalent(source, target_ / place, code)) return Done{};  // it is there already
+            if (Outcome<Done> room = makeRoom(place); !room) return room;
+            code.clear();
+            fs::copy_file(source, temporary_ / place, code);
+            if (code) return cannotWrite(target_ / place, code);
+            // A measurement kept read-only at its origin shall not make the copy so.
+            fs::permissions(temporary_ / place, fs::perms::owner_write, fs::perm_options::add, code);
+            syncToDisk(temporary_ / place);
+            written_.insert(place);
+            return Done{};
+        }
+        const auto table = study_.tables.find(from);
+        if (table == study_.tables.end() || !table->second)
+            return fileError(phrase("the measurement is neither on disk nor in the study"), source.string());
+        return put(place, writeCsv(*table->second));
+    }
+
+    /// Blocks of another study that lay here before would become part of this one.
+    std::set<std::string> removedModels() const {
+        std::set<std::string> removed;
+        std::error_code code;
+        if (!fs::exists(target_ / "study.json", code) || fs::equivalent(target_, study_.directory, code))
+            return removed;
+        for (fs::directory_iterator entry(target_, code), end; !code && entry != end; entry.increment(code)) {
+            const std::string name = entry->path().filename().string();
+            if (entry->path().extension() == ".mo" && !study_.models.contains(name)) removed.insert(name);
+        }
+        return removed;
+    }
+
+    Outcome<Done> move() {
+        std::error_code code;
+        if (isThere_) {
+            code = commitSave(temporary_, target_, written_, removedModels());
+            if (!code) code = PendingSave::in(target_).finish(own_->path());
+        } else {
+            syncToDisk(temporary_);
+            code = renameToNew(temporary_, target_);
+            if (!code) syncToDisk(target_.parent_path());
+        }
+        return code ? Outcome<Done>(cannotWrite(target_, code)) : Outcome<Done>(Done{});
+    }
+
+    const Study& study_;
+    fs::path target_, temporary_;
+    bool isThere_{};
+    DirectoryLock lock_;
+    std::optional<OwnedDirectory> own_;
+    std::map<std::string, std::string> places_;
+    std::set<std::string> taken_, written_;
+};
+
+}  // namespace
+
+Outcome<Done> writeStudy(const Study& study, const std::filesystem::path& directory) {
+    return StudyWriter(study, directory).write();
+}
+
+}  // namespace analogon
