@@ -28,6 +28,7 @@ int generate(const Options& options, std::ostream& out, std::ostream& err) {
         err << format(faults) << std::endl;
         return static_cast<int>(inputAtFault);
     };
+    if (const Outcome<Done> isNew = checkNewPlace(options.out); !isNew) return fails(isNew.diagnostics());
     const Outcome<GenerateRequest> request = requestOf(options);
     if (!request) return fails(request.diagnostics());
     Outcome<Library> library = builtInLibrary();

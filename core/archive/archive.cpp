@@ -264,13 +264,20 @@ Outcome<Done> zipDirectory(const fs::path& directory, const fs::path& file) {
     return zipWhole(directory, file, nullptr);
 }
 
+Outcome<Done> checkNewPlace(const fs::path& path) {
+    std::error_code code;
+    if (!fs::exists(fs::symlink_status(path, code))) return Done{};
+    if (fs::is_directory(path, code) && fs::is_empty(path, code)) return Done{};
+    const bool isFile = !fs::is_directory(path, code);
+    return fileError(isFile ? phrase("this exists already") : phrase("this exists already and is not empty"),
+                     path.string(), 0, 0, isFile ? phrase("Give another name.") : phrase("Name a new directory."));
+}
+
 Outcome<Done> unpackArchive(const fs::path& archive, const fs::path& directory) {
     std::error_code code;
     fs::path target = fs::absolute(directory, code).lexically_normal();
     if (!target.has_filename()) target = target.parent_path();
-    if (fs::exists(target, code) && !(fs::is_directory(target, code) && fs::is_empty(target, code)))
-        return fileError(phrase("this exists already and is not empty"), target.string(), 0, 0,
-                         phrase("Name a new directory."));
+    if (Outcome<Done> isNew = checkNewPlace(target); !isNew) return isNew;
     fs::create_directories(target.parent_path(), code);
     const fs::path beside = besideOf(target);
     fs::remove_all(beside, code);

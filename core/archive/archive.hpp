@@ -43,6 +43,9 @@ Outcome<Done> saveStudy(const Study& study, const std::filesystem::path& path,
 /// The files below a directory as a plain zip file, for formats of other tools. Atomic as saveStudy.
 Outcome<Done> zipDirectory(const std::filesystem::path& directory, const std::filesystem::path& file);
 
+/// Whether something new can be written there: nothing has that name, or it is an empty directory.
+Outcome<Done> checkNewPlace(const std::filesystem::path& path);
+
 /// The files of an archive, byte for byte, in a directory that does not exist yet or is empty. All or nothing.
 Outcome<Done> unpackArchive(const std::filesystem::path& archive, const std::filesystem::path& directory);
 
