@@ -15,6 +15,7 @@
 #include "app/analogon-cli/progress_view.hpp"
 #include "core/archive/archive.hpp"
 #include "core/report/report.hpp"
+#include "core/study/results.hpp"
 #include "core/study/run.hpp"
 
 namespace analogon::cli {
@@ -77,6 +78,8 @@ int runStudy(const Options& options) {
     if (!opened) return fails(opened.diagnostics());
     if (!opened.diagnostics().empty()) std::cerr << format(opened.diagnostics()) << std::endl;
     const Study* const study = &opened->study;
+    Outcome<ResultsPlace> place = ResultsPlace::take(options.out, options.input);
+    if (!place) return fails(place.diagnostics());
 
     Interrupt interrupt;
     ProgressView view(options.progress, std::cerr, isatty(STDERR_FILENO) != 0);
@@ -95,9 +98,11 @@ int runStudy(const Options& options) {
     }
     if (!result.diagnostics().empty()) std::cerr << format(result.diagnostics()) << std::endl;
     for (const Text& remark : result->finding.final.remarks) view.note(remark);
-    if (const Outcome<Done> written = writeResults(*result, name(options.command), options.out); !written)
-        return fails(written.diagnostics());
-    std::cout << summaryText(result->finding) << "\nreport: " << (options.out / "report.html").string() << std::endl;
+    std::cout << summaryText(result->finding) << std::endl;  // whatever becomes of the files
+    const Outcome<Done> written = place->write(*result, name(options.command));
+    if (!written) return fails(written.diagnostics());
+    if (!written.diagnostics().empty()) std::cerr << format(written.diagnostics()) << std::endl;
+    std::cout << "report: " << (options.out / "report.html").string() << std::endl;
     if (!interrupt.wasRaised()) {
         if (options.command != Command::Fit || result->finding.final.status != FitStatus::Failed) return done;
         return fails(

@@ -13,7 +13,6 @@
 #include <string_view>
 #include <utility>
 
-#include "core/base/file_fault.hpp"
 #include "core/base/file_handle.hpp"
 
 namespace analogon {
@@ -81,24 +80,28 @@ int mark(const fs::path& path) {
     return -1;
 }
 
+Diagnostic noneIn(const fs::path& place, int fault) {
+    return fileError(std::error_code(fault, std::generic_category()).message(), place.string());
+}
+
 }  // namespace
 
-Outcome<OwnedDirectory> OwnedDirectory::make(const fs::path& place, const std::string& prefix) {
-    removeAbandoned(place, prefix);
+Outcome<OwnedDirectory> OwnedDirectory::make(const fs::path& place, const std::string& prefix, Left left) {
+    if (left == Left::Removed) removeAbandoned(place, prefix);
     for (int i = 0; i < 100; ++i) {
         const fs::path path = place / (prefix + randomEnding());
         if (mkdir(path.c_str(), ownMode) != 0) {
             if (errno == EEXIST) continue;
-            return cannotWrite(place, std::error_code(errno, std::generic_category()));
+            return noneIn(place, errno);
         }
         errno = 0;
         if (const int lock = mark(path); lock >= 0) return OwnedDirectory(path, FileHandle(lock));
         const int fault = errno;
         rmdir(path.c_str());
         if (fault == ENOENT || fault == EEXIST || fault == EWOULDBLOCK || fault == 0) continue;  // a cleaner was faster
-        return cannotWrite(place, std::error_code(fault, std::generic_category()));
+        return noneIn(place, fault);
     }
-    return cannotWrite(place, std::make_error_code(std::errc::file_exists));
+    return noneIn(place, EEXIST);
 }
 
 std::optional<OwnedDirectory> OwnedDirectory::adopt(const fs::path& path) {

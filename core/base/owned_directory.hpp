@@ -14,9 +14,11 @@ namespace analogon {
 /// end with the process, so what a killed one has left behind is told from what is in use.
 class OwnedDirectory {
 public:
-    /// A new directory `place`/`prefix`XXXXXX that nobody else can read; whatever dead processes of this user have
-    /// left there is removed first.
-    static Outcome<OwnedDirectory> make(const std::filesystem::path& place, const std::string& prefix);
+    enum class Left { Removed, Kept };
+    /// A new directory `place`/`prefix`XXXXXX that nobody else can read. What dead processes of this user have left
+    /// there is removed first, unless it is to be kept. The fault is the reason alone.
+    static Outcome<OwnedDirectory> make(const std::filesystem::path& place, const std::string& prefix,
+                                        Left left = Left::Removed);
     /// One that a dead process of this user has left behind; empty: there is none of that kind at this path.
     static std::optional<OwnedDirectory> adopt(const std::filesystem::path& path);
 

@@ -1,15 +1,11 @@
 #include "core/study/run.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 
 #include "core/base/stopwatch.hpp"
 #include "core/fit/clock.hpp"
 #include "core/flat/parameter_change.hpp"
-#include "core/report/report.hpp"
 #include "core/study/confidence.hpp"
 
 namespace analogon {
@@ -17,10 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* version = ANALOGON_VERSION;
 constexpr const char* proposalFile = "proposed.mo";
-constexpr const char* completedDirectory = "study";
-constexpr const char* proposedDirectory = "study-proposed";
 
 /// What a study tells of a start value; of a variable ("rotor.w") it is that of its start value ("rotor.w.start").
 /// Where it tells nothing, what is told from now on.
@@ -74,14 +67,6 @@ Study completedStudy(const Study& study, const Finding& finding) {
     return completed;
 }
 
-/// Blocks that were written for what the library has no name for; empty: none.
-std::string proposedBlocks(const Finding& finding) {
-    std::string text;
-    for (const Remainder& r : finding.remainders)
-        if (!r.proposedBlock.empty()) text += (text.empty() ? "" : "\n") + r.proposedBlock;
-    return text;
-}
-
 /// The study with the equations that are proposed, too, their blocks beside those that it has.
 std::optional<Study> proposedStudy(const Study& study, const Finding& finding) {
     if (!finding.proposed) return std::nullopt;
@@ -124,17 +109,14 @@ Diagnostics failures(ModelState& state, bool isFitted) {
     return faults;
 }
 
-Outcome<Done> writeFile(const fs::path& path, const std::string& content) {
-    std::ofstream file(path, std::ios::binary);
-    file << content;
-    file.flush();
-    if (!file)
-        return fileError(phrase("cannot write the file"), path.string(), 0, 0,
-                         phrase("is there space and the right to write?"));
-    return Done{};
-}
-
 }  // namespace
+
+std::string proposedBlocks(const Finding& finding) {
+    std::string text;
+    for (const Remainder& r : finding.remainders)
+        if (!r.proposedBlock.empty()) text += (text.empty() ? "" : "\n") + r.proposedBlock;
+    return text;
+}
 
 Outcome<EstimationTask> taskOf(const Study& study, const RunOptions& options) {
     Study widened = study;
@@ -177,43 +159,6 @@ Outcome<RunResult> runDiscover(const Study& study, const RunOptions& options, co
     result.completed = completedStudy(study, result.finding);
     result.proposed = proposedStudy(study, result.finding);
     return {std::move(result), task.diagnostics()};
-}
-
-Outcome<Done> writeResults(const RunResult& result, const std::string& command, const fs::path& directory) {
-    std::error_code failed;
-    fs::create_directories(directory, failed);
-    if (failed)
-        return fileError(phrase("cannot create the directory: {}", failed.message()), directory.string(), 0, 0,
-                         phrase("give another --out"));
-    // everything is written beside first and moved when it is whole
-    const fs::path fresh =
-        directory / fmt::format(".writing-{}", std::chrono::steady_clock::now().time_since_epoch().count());
-    fs::create_directories(fresh, failed);
-    const ReportContext context{result.completed.name, command, version};
-    const std::pair<const char*, std::string> files[] = {{"report.json", reportJson(result.finding, context)},
-                                                         {"report.html", reportHtml(result.finding, context)},
-                                                         {"traces.csv", tracesCsv(result.finding)},
-                                                         {proposalFile, proposedBlocks(result.finding)}};
-    Outcome<Done> written = Done{};
-    for (const auto& [name, content] : files)
-        if (written && !content.empty()) written = writeFile(fresh / name, content);
-    if (written) written = writeStudy(result.completed, fresh / completedDirectory);
-    if (written && result.proposed) written = writeStudy(*result.proposed, fresh / proposedDirectory);
-    if (written) {
-        for (const char* name :
-             {"report.json", "report.html", "traces.csv", proposalFile, completedDirectory, proposedDirectory}) {
-            fs::remove_all(directory / name, failed);
-            if (!fs::exists(fresh / name)) continue;  // nothing is proposed
-            fs::rename(fresh / name, directory / name, failed);
-            if (failed) {
-                written =
-                    fileError(phrase("cannot replace the results: {}", failed.message()), (directory / name).string());
-                break;
-            }
-        }
-    }
-    fs::remove_all(fresh, failed);
-    return written;
 }
 
 }  // namespace analogon

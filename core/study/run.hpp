@@ -28,8 +28,11 @@ Outcome<RunResult> runSimulate(const Study& study, const RunOptions& options, co
 Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const Progress& progress = {});
 Outcome<RunResult> runDiscover(const Study& study, const RunOptions& options, const Progress& progress = {});
 
+/// Blocks that were written for what the library has no name for; empty: none.
+std::string proposedBlocks(const Finding& finding);
+
 /// report.json, report.html, traces.csv and study/ under a directory, and where equations are proposed their blocks in
-/// proposed.mo and the study with them in study-proposed/; nothing is half-written.
+/// proposed.mo and the study with them in study-proposed/; the rules are those of ResultsPlace.
 Outcome<Done> writeResults(const RunResult& result, const std::string& command, const std::filesystem::path& directory);
 
 }  // namespace analogon

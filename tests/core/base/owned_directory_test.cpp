@@ -9,8 +9,9 @@
 
 #include <atomic>
 #include <fstream>
-#include <random>
 #include <thread>
+
+#include "tests/kills.hpp"
 
 namespace analogon {
 namespace {
@@ -112,17 +113,12 @@ TEST_F(OwnedDirectories, OfAnotherUserStay) {
 }
 
 TEST_F(OwnedDirectories, LeaveNothingWhereverTheirMakerIsKilled) {
-    std::mt19937 random(11);
-    for (int i = 0; i < 200; ++i) {
-        const pid_t child = fork();
-        if (child == 0)
-            for (;;) (void)OwnedDirectory::make(place, prefix);
-        std::this_thread::sleep_for(std::chrono::microseconds(200 + random() % 2000));
-        kill(child, SIGKILL);
-        waitpid(child, nullptr, 0);
+    const auto make = [&] { (void)OwnedDirectory::make(place, prefix); };
+    (void)killWhileSaving(11, make, [&] {
         removeAbandoned(place, prefix);
-        ASSERT_EQ(entries(), 0u) << "kill " << i;
-    }
+        EXPECT_EQ(entries(), 0u);
+        return true;
+    });
 }
 
 TEST_F(OwnedDirectories, AreMadeByManyAtOnce) {

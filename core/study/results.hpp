@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "core/base/directory_lock.hpp"
+#include "core/study/run.hpp"
+
+namespace analogon {
+
+/// The directory that a command's results go to. It is tested and locked before the work begins, so that what stands
+/// in the way is told at once and no other run writes there meanwhile.
+///
+/// It must be new, empty, or hold earlier results, told by a file inside. Results take the place of earlier ones in a
+/// single step: whenever the program is ended, the old ones are there or the new ones. What else lies there stays, and
+/// so does, under another name, what somebody has changed since it was written.
+class ResultsPlace {
+public:
+    /// `study`: what the results come from, which must not lie among results that would be replaced.
+    static Outcome<ResultsPlace> take(const std::filesystem::path& directory, const std::filesystem::path& study = {});
+    /// Where nothing was written, the directory goes again that was made.
+    ~ResultsPlace();
+    ResultsPlace(ResultsPlace&&) = default;
+    ResultsPlace& operator=(ResultsPlace&&) = delete;
+
+    /// Notes: what was kept under another name.
+    Outcome<Done> write(const RunResult& result, const std::string& command);
+
+private:
+    explicit ResultsPlace(std::filesystem::path directory) : directory_(std::move(directory)) {}
+    Outcome<Done> prepare(const std::filesystem::path& study);
+    Outcome<Done> probe() const;
+
+    std::filesystem::path directory_;
+    std::vector<std::filesystem::path> made_;  // directories that were not there before, the outermost first
+    DirectoryLock lock_;
+};
+
+}  // namespace analogon
