@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "app/analogon-cli/interrupt.hpp"
 #include "core/archive/archive.hpp"
 #include "core/export/export.hpp"
 
@@ -32,6 +33,7 @@ int pack(const Options& options, std::ostream& out, std::ostream& err) {
     std::error_code code;
     if (fs::is_directory(target, code)) target /= opened->study.name + archiveEnding;
     if (target.extension() != archiveEnding) target += archiveEnding;
+    if (const Outcome<Done> isFree = checkArchivePlace(target); !isFree) return fails(isFree.diagnostics(), err);
     if (const Outcome<Done> saved = saveStudy(opened->study, target, opened->history); !saved)
         return fails(saved.diagnostics(), err);
     out << "packed: " << target.string() << std::endl;
@@ -42,7 +44,12 @@ int unpack(const Options& options, std::ostream& out, std::ostream& err) {
     if (std::error_code code; !fs::exists(options.input, code))
         return fails({fileError("there is no such file", options.input.string())}, err);
     const fs::path target = options.out.empty() ? options.input.stem() : options.out;
-    const Outcome<Done> unpacked = unpackArchive(options.input, target);
+    const Interrupt interrupt;
+    const Outcome<Done> unpacked = unpackArchive(options.input, target, Progress(interrupt.token(), {}));
+    if (!unpacked && interrupt.wasRaised()) {
+        err << "interrupted: nothing was unpacked" << std::endl;
+        return interrupted;
+    }
     if (!unpacked) return fails(unpacked.diagnostics(), err);
     tell(unpacked.diagnostics(), err);
     out << "unpacked: " << target.string() << std::endl;

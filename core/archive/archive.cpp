@@ -10,10 +10,18 @@
 #include <QBuffer>
 #include <QFile>
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 
+#include "core/archive/archive_limits.hpp"
 #include "core/archive/zip_directory.hpp"
 #include "core/base/file_fault.hpp"
+#include "core/base/file_step.hpp"
+#include "core/base/owned_directory.hpp"
+#include "core/base/regular_file.hpp"
+#include "core/base/whole_file.hpp"
+#include "core/study/json_places.hpp"
+#include "core/study/pending_save.hpp"
 
 namespace analogon {
 
@@ -21,10 +29,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t largestStudy = 4ull << 30;  // [byte] unpacked
-constexpr qint64 chunk = 1 << 20;                   // [byte]
+constexpr qint64 chunk = 1 << 20;  // [byte]
 
-QString qString(const fs::path& path) { return QString::fromStdString(path.string()); }
+/// Opened by its bytes: a name that is no UTF-8 is no QString.
+bool openFile(QFile& file, const fs::path& path, int flags, QIODevice::OpenMode mode) {
+    const int handle = open(path.c_str(), flags | O_CLOEXEC, 0666);
+    return handle >= 0 && file.open(handle, mode, QFileDevice::AutoCloseHandle);
+}
+
+bool openForReading(QFile& file, const fs::path& path) {
+    return openFile(file, path, O_RDONLY | O_NONBLOCK, QIODevice::ReadOnly);
+}
+
+bool openNew(QFile& file, const fs::path& path) {
+    return openFile(file, path, O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW, QIODevice::ReadWrite);
+}
+
+std::error_code lastFault() { return {errno, std::generic_category()}; }
 
 Diagnostic damaged(const fs::path& archive, const std::string& entry, const char* what) {
     return fileError(phrase("the entry \"{}\" {}", escapedName(entry), Text(what, {}, what)), archive.string(), 0, 0,
@@ -32,18 +53,21 @@ Diagnostic damaged(const fs::path& archive, const std::string& entry, const char
 }
 
 /// Unpacks one entry; never more than the archive said it holds.
-Outcome<Done> unpackEntry(QuaZip& zip, const fs::path& archive, const ZipEntry& entry, const fs::path& target) {
+Outcome<Done> unpackEntry(QuaZip& zip, const fs::path& archive, const ZipEntry& entry, const fs::path& target,
+                          const Progress& progress) {
     if (!zip.setCurrentFile(QString::fromStdString(entry.name), QuaZip::csSensitive))
         return damaged(archive, entry.name, "cannot be found");
     QuaZipFile from(&zip);
     if (!from.open(QIODevice::ReadOnly)) return damaged(archive, entry.name, "cannot be read: its header is damaged");
     std::error_code code;
     fs::create_directories(target.parent_path(), code);
-    QFile to(qString(target));
-    if (code || !to.open(QIODevice::WriteOnly)) return cannotWrite(target, to.errorString().toStdString());
+    QFile to;
+    if (code) return cannotWrite(target, code);
+    if (!openNew(to, target)) return cannotWrite(target, lastFault());
     std::uint64_t left = entry.size;
     QByteArray bytes(chunk, Qt::Uninitialized);
     for (;;) {
+        if (progress.stopRequested()) return fileError(phrase("interrupted"), archive.string());
         const qint64 count = from.read(bytes.data(), chunk);
         if (count < 0) return damaged(archive, entry.name, "is damaged: its compressed data cannot be read");
         if (count == 0) break;
@@ -61,21 +85,19 @@ Outcome<Done> unpackEntry(QuaZip& zip, const fs::path& archive, const ZipEntry& 
 }
 
 /// All entries below a directory; returns the warnings.
-Outcome<Done> unpackInto(const fs::path& archive, const fs::path& directory) {
+Outcome<Done> unpackInto(const fs::path& archive, const fs::path& directory, const Progress& progress = {}) {
     const Outcome<std::vector<ZipEntry>> entries = readZipDirectory(archive);
     if (!entries) return entries.diagnostics();
-    std::uint64_t total = 0;
-    for (const ZipEntry& e : *entries) total += e.size;
-    if (total > largestStudy)
-        return fileError(phrase("the archive unpacks to {} MB, more than {} MB", total >> 20, largestStudy >> 20),
-                         archive.string());
-    QuaZip zip(qString(archive));
-    if (!zip.open(QuaZip::mdUnzip)) return fileError(phrase("this is no zip archive"), archive.string());
+    if (Outcome<Done> isBounded = checkLimits(archive, *entries); !isBounded) return isBounded;
+    QFile file;
+    QuaZip zip(&file);
+    if (!openForReading(file, archive) || !zip.open(QuaZip::mdUnzip))
+        return fileError(phrase("this is no zip archive"), archive.string());
     Diagnostics warnings = entries.diagnostics();
     for (const ZipEntry& entry : *entries) {
-        Outcome<Done> done = unpackEntry(zip, archive, entry, directory / entry.name);
+        Outcome<Done> done = unpackEntry(zip, archive, entry, directory / entry.name, progress);
         if (done) continue;
-        if (!entry.name.starts_with(historyFolder + std::string("/"))) return done;
+        if (progress.stopRequested() || !entry.name.starts_with(historyFolder + std::string("/"))) return done;
         std::error_code code;
         fs::remove(directory / entry.name, code);  // a damaged history costs the history, not the study
         std::transform(done.diagnostics().begin(), done.diagnostics().end(), std::back_inserter(warnings), asWarning);
@@ -102,6 +124,30 @@ std::vector<PastRun> historyIn(const fs::path& directory, const Study& study, Di
     return history ? std::move(*history) : std::vector<PastRun>();
 }
 
+/// A recording that a run saw at another place, and that is not here: named without the way there.
+void keepWithin(Study& study) {
+    for (StudyExperiment& e : study.experiments)
+        if (leavesDirectory(e.file)) e.file = fs::path(e.file).filename().string();
+}
+
+bool leadsOut(const Study& study) {
+    return std::any_of(study.experiments.begin(), study.experiments.end(),
+                       [](const StudyExperiment& e) { return leavesDirectory(e.file); });
+}
+
+void keepWithin(PastRun& run) {
+    if (leadsOut(*run.ranOn)) {
+        auto ranOn = std::make_shared<Study>(*run.ranOn);
+        keepWithin(*ranOn);
+        run.ranOn = std::move(ranOn);
+    }
+    if (!leadsOut(run.result->completed) && !(run.result->proposed && leadsOut(*run.result->proposed))) return;
+    auto result = std::make_shared<RunResult>(*run.result);
+    keepWithin(result->completed);
+    if (result->proposed) keepWithin(*result->proposed);
+    run.result = std::move(result);
+}
+
 /// Paths below the temporary directory as entries of the archive.
 Diagnostics renamed(Diagnostics diagnostics, const std::string& from, const std::string& to) {
     for (Diagnostic& d : diagnostics) {
@@ -112,12 +158,32 @@ Diagnostics renamed(Diagnostics diagnostics, const std::string& from, const std:
     return diagnostics;
 }
 
+/// An archive reads itself alone: a measurement from elsewhere would be a file of whoever opens it.
+Outcome<Done> checkReach(const fs::path& directory, const fs::path& archive) {
+    const fs::path place = directory / "study.json";
+    Outcome<std::string> text = readRegularFile(place);
+    if (!text) return Done{};  // told when it is read
+    const auto json = std::make_shared<const Source>((archive / "study.json").string(), std::move(*text));
+    const Outcome<Study> study = parseStudyJson(json);
+    if (!study) return Done{};
+    Diagnostics faults;
+    for (std::size_t i = 0; i < study->experiments.size(); ++i) {
+        const StudyExperiment& e = study->experiments[i];
+        if (!leavesDirectory(e.file)) continue;
+        faults.push_back(error(phrase("experiment '{}': the file '{}' is not in the archive", e.name, e.file),
+                               JsonPlaces(json).value(fmt::format("/experiments/{}/file", i)),
+                               phrase("An archive reads itself alone: put the measurement into it.")));
+    }
+    return faults.empty() ? Outcome<Done>(Done{}) : Outcome<Done>(faults);
+}
+
 Outcome<OpenedStudy> openArchive(const fs::path& archive) {
     Outcome<std::shared_ptr<const TemporaryDirectory>> files = TemporaryDirectory::make();
     if (!files) return files.diagnostics();
     const fs::path directory = (*files)->path();
     const Outcome<Done> unpacked = unpackInto(archive, directory);
     if (!unpacked) return unpacked.diagnostics();
+    if (const Outcome<Done> isWithin = checkReach(directory, archive); !isWithin) return isWithin.diagnostics();
     Outcome<Study> study = readStudy(directory);
     Diagnostics messages = renamed(study.diagnostics(), directory.string(), archive.string());
     if (!study) return messages;
@@ -132,6 +198,7 @@ Outcome<OpenedStudy> openArchive(const fs::path& archive) {
     }
     Diagnostics lost;
     std::vector<PastRun> history = historyIn(directory, *study, lost);
+    for (PastRun& run : history) keepWithin(run);
     for (Diagnostic& d : renamed(std::move(lost), directory.string(), archive.string()))
         messages.push_back(std::move(d));
     return {OpenedStudy{std::move(*study), *files, archive, std::move(history)}, std::move(messages)};
@@ -162,9 +229,8 @@ bool putEntry(QuaZip& zip, const std::string& name, QIODevice& from, bool isStor
 
 /// The files of a directory as a zip file, on the disk when this returns; the type (null: none) stands first.
 Outcome<Done> writeZip(const fs::path& directory, const fs::path& target, const fs::path& shown, const char* mimetype) {
-    QFile file(qString(target));
-    if (!file.open(QIODevice::ReadWrite | QIODevice::Truncate))
-        return cannotWrite(shown, file.errorString().toStdString());
+    QFile file;
+    if (!openNew(file, target)) return cannotWrite(shown, lastFault());
     QuaZip zip(&file);
     zip.setAutoClose(false);
     zip.setUtf8Enabled(true);
@@ -177,8 +243,8 @@ Outcome<Done> writeZip(const fs::path& directory, const fs::path& target, const 
     }
     for (const std::string& name : filesBelow(directory)) {
         if (!isWritten) break;
-        QFile from(qString(directory / name));
-        isWritten = from.open(QIODevice::ReadOnly) &&
+        QFile from;
+        isWritten = openForReading(from, directory / name) &&
                     putEntry(zip, name, from, name.ends_with(traceEnding)) &&  // digits of doubles: nothing to compress
                     from.error() == QFile::NoError;
     }
@@ -190,35 +256,8 @@ Outcome<Done> writeZip(const fs::path& directory, const fs::path& target, const 
     return Done{};
 }
 
-/// A new name is only safe once the directory that holds it is on the disk as well.
-void syncDirectory(const fs::path& directory) {
-    const int handle = open(directory.c_str(), O_RDONLY | O_DIRECTORY);
-    if (handle < 0) return;
-    fsync(handle);
-    close(handle);
-}
-
-/// Beside the file, so that it can be moved over it. What an interrupted save has left is used again.
-fs::path besideOf(const fs::path& target) {
-    return target.parent_path() / ("." + target.filename().string() + ".writing");
-}
-
 Outcome<Done> zipWhole(const fs::path& directory, const fs::path& path, const char* mimetype) {
-    std::error_code code;
-    fs::path target = fs::absolute(path, code);
-    if (fs::is_symlink(target, code)) target = fs::canonical(target, code);
-    if (fs::is_directory(target, code)) return cannotWrite(target, "a directory has this name");
-    const fs::path beside = besideOf(target);
-    if (Outcome<Done> done = writeZip(directory, beside, target, mimetype); !done) {
-        fs::remove(beside, code);
-        return done;
-    }
-    if (fs::exists(target, code)) fs::permissions(beside, fs::status(target, code).permissions(), code);
-    code.clear();
-    fs::rename(beside, target, code);
-    if (code) return cannotWrite(target, code);
-    syncDirectory(target.parent_path());
-    return Done{};
+    return writeWhole(path, [&](const fs::path& beside) { return writeZip(directory, beside, path, mimetype); });
 }
 
 Outcome<Done> saveArchive(const Study& study, const fs::path& path, const std::vector<PastRun>& history) {
@@ -273,22 +312,37 @@ Outcome<Done> checkNewPlace(const fs::path& path) {
                      path.string(), 0, 0, isFile ? phrase("Give another name.") : phrase("Name a new directory."));
 }
 
-Outcome<Done> unpackArchive(const fs::path& archive, const fs::path& directory) {
+Outcome<Done> checkArchivePlace(const fs::path& path) {
+    std::error_code code;
+    if (!fs::exists(fs::symlink_status(path, code))) return Done{};
+    std::string begin;
+    if (checkRegularFile(path)) {
+        std::ifstream stream(path, std::ios::binary);
+        begin.resize(38 + std::string(archiveType).size());
+        stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    }
+    if (begin.starts_with("PK") && begin.ends_with(archiveType)) return Done{};
+    return fileError(phrase("this exists already and is no study"), path.string(), 0, 0, phrase("Give another name."));
+}
+
+Outcome<Done> unpackArchive(const fs::path& archive, const fs::path& directory, const Progress& progress) {
     std::error_code code;
     fs::path target = fs::absolute(directory, code).lexically_normal();
     if (!target.has_filename()) target = target.parent_path();
     if (Outcome<Done> isNew = checkNewPlace(target); !isNew) return isNew;
-    fs::create_directories(target.parent_path(), code);
-    const fs::path beside = besideOf(target);
-    fs::remove_all(beside, code);
+    fs::path place = target.parent_path();
+    while (!fs::exists(place, code) && place != place.parent_path()) place = place.parent_path();
+    const Outcome<OwnedDirectory> own = OwnedDirectory::make(place, ".analogon-writing-");
+    if (!own) return cannotWrite(target, own.diagnostics().front().message);
+    const fs::path beside = own->path() / "new";
     code.clear();
     if (!fs::create_directory(beside, code)) return cannotWrite(target, code);
-    Outcome<Done> done = unpackInto(archive, beside);
-    if (done) {
-        fs::rename(beside, target, code);
-        if (code) done = cannotWrite(target, code);
-    }
-    fs::remove_all(beside, code);
+    Outcome<Done> done = unpackInto(archive, beside, progress);
+    if (!done) return done;
+    fs::create_directories(target.parent_path(), code);
+    if (!code) fs::rename(beside, target, code);
+    if (code) return cannotWrite(target, code);
+    syncToDisk(target.parent_path());
     return done;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/archive/temporary_directory.hpp"
+#include "core/base/progress.hpp"
 #include "core/study/run_history.hpp"
 #include "core/study/study.hpp"
 
@@ -30,9 +31,9 @@ Diagnostics namedAs(Diagnostics diagnostics, const OpenedStudy& opened);
 bool isArchive(const std::filesystem::path& path);
 
 /// Reads a study directory, its study.json or an archive. Messages about an archive name its entries as
-/// "lambda.analogon/model.mo". Faults: see readZipDirectory and readStudy; an entry that is damaged, larger than it
-/// says, or an archive that unpacks to more than 4 GB. A history that is damaged is lost, with a warning; the study is
-/// not.
+/// "lambda.analogon/model.mo". Faults: see readZipDirectory and readStudy; an entry that is damaged or larger than it
+/// says, one of ArchiveLimits, a measurement outside of the archive. A history that is damaged is lost, with a warning;
+/// the study is not.
 Outcome<OpenedStudy> openStudy(const std::filesystem::path& path);
 
 /// Writes a study and its history into an archive (ending .analogon) or a directory. Whatever happens in between, the
@@ -46,7 +47,12 @@ Outcome<Done> zipDirectory(const std::filesystem::path& directory, const std::fi
 /// Whether something new can be written there: nothing has that name, or it is an empty directory.
 Outcome<Done> checkNewPlace(const std::filesystem::path& path);
 
-/// The files of an archive, byte for byte, in a directory that does not exist yet or is empty. All or nothing.
-Outcome<Done> unpackArchive(const std::filesystem::path& archive, const std::filesystem::path& directory);
+/// Whether an archive can be written there: nothing has that name, or it is a study that was packed before.
+Outcome<Done> checkArchivePlace(const std::filesystem::path& path);
+
+/// The files of an archive, byte for byte, in a directory that does not exist yet or is empty. All or nothing, also
+/// where it is stopped.
+Outcome<Done> unpackArchive(const std::filesystem::path& archive, const std::filesystem::path& directory,
+                            const Progress& progress = {});
 
 }  // namespace analogon

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/base/file_fault.hpp"
+#include "core/base/regular_file.hpp"
 
 namespace analogon {
 
@@ -222,6 +223,9 @@ std::string escapedName(const std::string& name) {
     return shown.size() < longest ? shown : shown + "…";
 }
 
-Outcome<std::vector<ZipEntry>> readZipDirectory(const std::filesystem::path& file) { return ZipReader(file).read(); }
+Outcome<std::vector<ZipEntry>> readZipDirectory(const std::filesystem::path& file) {
+    if (const Outcome<Done> isFile = checkRegularFile(file); !isFile) return isFile.diagnostics();
+    return ZipReader(file).read();
+}
 
 }  // namespace analogon

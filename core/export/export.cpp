@@ -1,7 +1,6 @@
 #include "core/export/export.hpp"
 
-#include <fstream>
-
+#include "core/base/whole_file.hpp"
 #include "core/export/fmu.hpp"
 #include "core/export/modelica.hpp"
 #include "core/report/report.hpp"
@@ -13,42 +12,45 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Written beside and moved, so that no half file is ever seen.
-Outcome<Exported> writeWhole(const fs::path& file, const std::string& text) {
-    fs::path beside = file;
-    beside += ".writing";
+Outcome<Exported> written(const fs::path& file, const std::string& text) {
+    const Outcome<Done> done = writeWhole(file, text);
+    return done ? Outcome<Exported>(Exported{}) : Outcome<Exported>(done.diagnostics());
+}
+
+/// What is exported never takes the place of what it was made from.
+Outcome<Done> checkTarget(const Study& study, const fs::path& file) {
+    std::vector<std::string> names{"study.json"};
+    for (const auto& [name, text] : study.models) names.push_back(name);
+    for (const StudyExperiment& e : study.experiments) names.push_back(e.file);
     std::error_code code;
-    if (fs::is_directory(file, code)) return fileError(phrase("this is a directory; name a file"), file.string());
-    std::ofstream stream(beside, std::ios::binary);
-    stream << text;
-    stream.close();
-    if (stream) fs::rename(beside, file, code);
-    if (stream && !code) return Exported{};
-    fs::remove(beside, code);
-    return fileError(phrase("this cannot be written"), file.string(), 0, 0,
-                     phrase("Check that the directory exists, may be written and has room."));
+    for (const std::string& name : names)
+        if (!study.directory.empty() && fs::equivalent(study.directory / name, file, code))
+            return fileError(phrase("this is a file of the study itself"), file.string(), 0, 0,
+                             phrase("Give another name."));
+    return Done{};
 }
 
 }  // namespace
 
 Outcome<Exported> exportStudy(const Study& study, ExportFormat format, const fs::path& file, const Progress& progress) {
+    if (Outcome<Done> isFree = checkTarget(study, file); !isFree) return isFree.diagnostics();
     switch (format) {
         case ExportFormat::Modelica: {
             const Outcome<std::string> text = modelicaText(study);
-            return text ? writeWhole(file, *text) : text.diagnostics();
+            return text ? written(file, *text) : text.diagnostics();
         }
         case ExportFormat::Csv: {
             const Outcome<RunResult> result = runSimulate(study, {}, progress);
-            return result ? writeWhole(file, tracesCsv(result->finding)) : result.diagnostics();
+            return result ? written(file, tracesCsv(result->finding)) : result.diagnostics();
         }
         case ExportFormat::Fmu:
             break;
     }
     const Outcome<Fmu> fmu = fmuOf(study);
     if (!fmu) return fmu.diagnostics();
-    const Outcome<Done> written = writeFmu(*fmu, file);
-    if (!written) return written.diagnostics();
-    return {Exported{fmu->hasModelExchange}, written.diagnostics()};
+    const Outcome<Done> done = writeFmu(*fmu, file);
+    if (!done) return done.diagnostics();
+    return {Exported{fmu->hasModelExchange}, done.diagnostics()};
 }
 
 }  // namespace analogon

@@ -1,14 +1,19 @@
 #include "core/archive/archive.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <fstream>
 #include <random>
+#include <set>
 #include <sstream>
 
+#include "core/archive/archive_limits.hpp"
 #include "core/archive/zip_directory.hpp"
 #include "core/study/run.hpp"
 #include "tests/kills.hpp"
+#include "tests/tree.hpp"
 
 namespace analogon {
 namespace {
@@ -289,6 +294,183 @@ TEST_F(Archive, RefusesHostileArchives) {
         << "nothing was unpacked";
 }
 
+/// What is unpacked is bounded before it is: by entry, by all of them, by how far they expand, by their number.
+TEST_F(Archive, IsRefusedWhereItHoldsTooMuch) {
+    const ZipEntry study{"study.json", 8, 0, 1000, 4000, 0};
+    const auto fault = [&](std::vector<ZipEntry> entries) {
+        entries.push_back(study);
+        const Outcome<Done> checked = checkLimits("a.analogon", entries);
+        return checked ? std::string() : checked.diagnostics().front().message.english();
+    };
+    constexpr std::uint64_t mega = 1u << 20;
+    EXPECT_EQ(fault({{"train.csv", 8, 0, 100 * mega, 1500 * mega, 0}}), "");
+    EXPECT_EQ(fault({{"zeros.csv", 8, 0, mega / 40, 20 * mega, 0}}), "") << "small enough whatever it expands to";
+    EXPECT_EQ(fault({{"train.csv", 8, 0, mega, 1000 * mega, 0}}),
+              "the entry \"train.csv\" unpacks to 1000 times its size, more than 250");
+    EXPECT_EQ(fault({{"model.mo", 8, 0, 10 * mega, 100 * mega, 0}}),
+              "the entry \"model.mo\" unpacks to 100 MB, more than 64 MB");
+    EXPECT_EQ(fault({{"train.csv", 8, 0, 1000 * mega, 3000 * mega, 0}}),
+              "the entry \"train.csv\" unpacks to 3000 MB, more than 2048 MB");
+    std::vector<ZipEntry> many;
+    for (int i = 0; i < 60; ++i) many.push_back({fmt::format("{}.csv", i), 8, 0, mega / 60, 16 * mega, 0});
+    EXPECT_NE(fault(many).find("the archive unpacks to 9"), std::string::npos) << fault(many);
+    many.assign(5, {"x.csv", 8, 0, 100 * mega, 1000 * mega, 0});
+    EXPECT_EQ(fault(many), "the archive unpacks to 5000 MB, more than 4096 MB");
+    many.assign(20'001, {"x.csv", 8, 0, 10, 10, 0});
+    EXPECT_EQ(fault(many), "the archive holds 20002 files, more than 20000");
+}
+
+TEST_F(Archive, OfAMegabyteThatHoldsAHundredIsRefusedAtOnce) {
+    fs::create_directories(root / "from");
+    std::ofstream(root / "from" / "study.json") << "{}";
+    std::ofstream(root / "from" / "zeros.csv") << std::string(100u << 20, '0');
+    ASSERT_TRUE(zipDirectory(root / "from", root / "bomb.analogon"));
+    EXPECT_LT(fs::file_size(root / "bomb.analogon"), 1u << 20);
+    const auto opened = openStudy(root / "bomb.analogon");
+    ASSERT_FALSE(opened);
+    EXPECT_NE(opened.diagnostics().front().message.find("times its size"), std::string::npos);
+    EXPECT_FALSE(unpackArchive(root / "bomb.analogon", root / "out"));
+    EXPECT_FALSE(fs::exists(root / "out"));
+}
+
+TEST_F(Archive, ReadsItselfAlone) {
+    std::ofstream(root / "secret.csv") << "t,u\n0,1\n1,2\n";
+    for (const std::string& file :
+         {(root / "secret.csv").string(), std::string("../secret.csv"), std::string("data/../../secret.csv")}) {
+        fs::remove_all(root / "from");
+        fs::create_directories(root / "from");
+        std::ofstream(root / "from" / "study.json")
+            << "{\"format\": \"analogon-study-1\", \"class\": \"M\",\n \"experiments\": [{\"name\": \"x\", \"role\": "
+               "\"fit\", \"file\": \""
+            << file << "\", \"time\": \"t\", \"inputs\": {}, \"outputs\": {\"y\": \"u\"}}], \"parameters\": {}}";
+        std::ofstream(root / "from" / "model.mo") << "model M\nend M;\n";
+        ASSERT_TRUE(zipDirectory(root / "from", root / "a.analogon"));
+        const auto opened = openStudy(root / "a.analogon");
+        ASSERT_FALSE(opened) << file;
+        const std::string shown = format(opened.diagnostics());
+        EXPECT_NE(shown.find("is not in the archive"), std::string::npos) << shown;
+        EXPECT_TRUE(shown.starts_with((root / "a.analogon/study.json:2:").string())) << shown;
+    }
+}
+
+TEST_F(Archive, IsNeverReadFromAPipeNorWrittenOverOne) {
+    ASSERT_EQ(mkfifo((root / "pipe.analogon").c_str(), 0600), 0);
+    const auto opened = openStudy(root / "pipe.analogon");
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.diagnostics().front().message, "this is a pipe or a device, not a file");
+    EXPECT_FALSE(saveStudy(example(), root / "pipe.analogon"));
+    EXPECT_TRUE(fs::is_fifo(root / "pipe.analogon"));
+    fs::create_symlink("/dev/full", root / "full.analogon");
+    EXPECT_FALSE(saveStudy(example(), root / "full.analogon"));
+    EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST_F(Archive, LiesAtPathsThatAreNoUtf8) {
+    const fs::path place = root /
+                           "pr\xfc"
+                           "fstand";
+    fs::create_directories(place);
+    ASSERT_TRUE(saveStudy(example(), place / "st\xfc"
+                                             "ck.analogon"));
+    const auto opened = openStudy(place /
+                                  "st\xfc"
+                                  "ck.analogon");
+    ASSERT_TRUE(opened) << format(opened.diagnostics());
+    EXPECT_EQ(opened->study.models, example().models);
+    ASSERT_TRUE(unpackArchive(place / "st\xfc"
+                                      "ck.analogon",
+                              place / "aus\xff"));
+    EXPECT_EQ(bytesOf(place / "aus\xff" / "model.mo"), example().models.at("model.mo"));
+    EXPECT_TRUE(openStudy(place / "aus\xff"));
+    std::ofstream(place / "aus\xff" / "mehr\xe4.mo") << "model More\nend More;\n";
+    const auto more = openStudy(place / "aus\xff");
+    ASSERT_TRUE(more);
+    EXPECT_TRUE(saveStudy(more->study, root / "more.analogon"));
+    EXPECT_EQ(readStudy(place / "aus\xff")->models.size(), 2u);
+}
+
+TEST_F(Archive, LeavesNothingWhereUnpackingIsStopped) {
+    ASSERT_TRUE(saveStudy(example(), root / "a.analogon"));
+    std::stop_source stop;
+    stop.request_stop();
+    const auto unpacked = unpackArchive(root / "a.analogon", root / "deep" / "out", Progress(stop.get_token(), {}));
+    ASSERT_FALSE(unpacked);
+    EXPECT_EQ(namesBelow(root), "a.analogon");
+}
+
+/// What has the name that our own files beside the target would have had is not touched.
+TEST_F(Archive, IsWrittenBesideFilesOfAnyName) {
+    for (const char* name : {".a.analogon.writing", ".out.writing", ".analogon-writing-1"}) {
+        fs::create_directories(root / name);
+        std::ofstream(root / name / "notes.txt") << "mine";
+    }
+    std::ofstream(root / "kept") << "mine";
+    fs::create_symlink(root / "kept", root / ".b.analogon.writing");
+    const auto before = treeOf(root).size();
+    for (const char* name : {"a.analogon", "b.analogon"}) ASSERT_TRUE(saveStudy(example(), root / name));
+    ASSERT_TRUE(unpackArchive(root / "a.analogon", root / "out"));
+    EXPECT_EQ(bytesOf(root / "kept"), "mine");
+    for (const char* name : {"a.analogon", "b.analogon", "out"}) fs::remove_all(root / name);
+    EXPECT_EQ(treeOf(root).size(), before);
+}
+
+/// As the window saves: a directory or a file, with the runs that the study has seen.
+TEST_F(Archive, AndItsHistoryAreWholeWhenTheProgramIsKilled) {
+    Study odd = example(), even = odd;
+    even.className = "Other";
+    const Outcome<RunResult> result = runSimulate(odd, {});
+    ASSERT_TRUE(result);
+    const PastRun run{"fit", "2026-03-01T14:02:11", 1, std::make_shared<const Study>(odd),
+                      std::make_shared<const RunResult>(*result)};
+    for (const char* name : {"killed.analogon", "killed"}) {
+        const fs::path place = root / name;
+        ASSERT_TRUE(saveStudy(odd, place, {run}));
+        const auto save = [&] {
+            (void)saveStudy(even, place, {run, run});
+            (void)saveStudy(odd, place, {run});
+        };
+        const Kills kills = killWhileSaving(31, save, [&] {
+            const auto opened = openStudy(place);
+            EXPECT_TRUE(opened) << format(opened.diagnostics());
+            if (!opened) return false;
+            EXPECT_TRUE(opened.diagnostics().empty()) << format(opened.diagnostics());
+            EXPECT_TRUE(opened->history.size() == 1 || opened->history.size() == 2) << opened->history.size();
+            return opened->study.className == "Other";
+        });
+        EXPECT_GT(kills.all, 0);
+        ASSERT_TRUE(saveStudy(odd, place, {run}));
+    }
+    std::set<std::string> names;
+    for (const auto& [name, text] : treeOf(root)) names.insert(name.substr(0, name.find('/')));
+    EXPECT_EQ(names, (std::set<std::string>{"killed", "killed.analogon"}));
+    for (const auto& entry : fs::directory_iterator(root / "killed"))
+        EXPECT_FALSE(entry.path().filename().string().starts_with(".")) << entry.path();
+}
+
+/// A child that unpacks is killed at random moments: the directory is not there, or whole.
+TEST_F(Archive, IsUnpackedWholeOrNotAtAllWhenTheProgramIsKilled) {
+    ASSERT_TRUE(saveStudy(example(), root / "a.analogon"));
+    const fs::path out = root / "place" / "out";
+    fs::create_directories(out.parent_path());
+    const auto unpack = [&] {
+        if (unpackArchive(root / "a.analogon", out)) fs::rename(out, out.parent_path() / "unpacked");
+        fs::remove_all(out.parent_path() / "unpacked");
+    };
+    const Kills kills = killWhileSaving(23, unpack, [&] {
+        const bool isThere = fs::exists(out);
+        if (isThere) {
+            EXPECT_TRUE(openStudy(out)) << namesBelow(out);
+        }
+        fs::remove_all(out);
+        fs::remove_all(out.parent_path() / "unpacked");
+        EXPECT_TRUE(unpackArchive(root / "a.analogon", out)) << "the next one finds its place";
+        EXPECT_EQ(std::distance(fs::directory_iterator(out.parent_path()), fs::directory_iterator{}), 1);
+        fs::remove_all(out);
+        return isThere;
+    });
+    EXPECT_GT(kills.all, 0);
+}
+
 /// Saves two versions in turn in a child that is killed at a random moment: the file is always one of the two.
 TEST_F(Archive, IsOldOrNewWhenTheProgramIsKilled) {
     const fs::path file = root / "killed.analogon";
@@ -311,6 +493,8 @@ TEST_F(Archive, IsOldOrNewWhenTheProgramIsKilled) {
         return isNew;
     });
     EXPECT_GT(kills.firsts, 0) << "some kills came after a save";
+    ASSERT_TRUE(saveStudy(odd, file));
+    EXPECT_EQ(namesBelow(root), "killed.analogon") << "nothing is left behind";
 }
 
 }  // namespace
