@@ -8,10 +8,14 @@
 #include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
+#include "core/base/directory_lock.hpp"
 #include "core/base/file_fault.hpp"
+#include "core/base/file_step.hpp"
+#include "core/base/owned_directory.hpp"
+#include "core/base/regular_file.hpp"
+#include "core/study/pending_save.hpp"
 #include "core/study/run_json.hpp"
 
 namespace analogon {
@@ -48,11 +52,9 @@ bool writeFile(const fs::path& file, const char* bytes, std::size_t count) {
 }
 
 std::string contentOf(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw std::runtime_error(fmt::format("'{}' is not there", file.filename().string()));
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
+    Outcome<std::string> text = readRegularFile(file);
+    if (!text) throw std::runtime_error(fmt::format("'{}' is not there", file.filename().string()));
+    return std::move(*text);
 }
 
 /// Arrays of a run, each once, as long as there is room for all of them.
@@ -85,6 +87,53 @@ private:
     std::uint64_t room_;
     std::set<std::string> kept_;
 };
+
+/// Told by what it holds: a run by its format, a trace by the name that its values give it.
+bool isWrittenByUs(const fs::path& file) {
+    if (!isOwnFile(file) || !isPlainFile(file)) return false;
+    const Outcome<std::string> bytes = readRegularFile(file);
+    if (!bytes) return false;
+    if (file.extension() == ".json") return bytes->find("\"analogon-run-") < 100;
+    std::vector<double> values(bytes->size() / sizeof(double));
+    std::memcpy(values.data(), bytes->data(), values.size() * sizeof(double));
+    return nameOf(values) == file.filename();
+}
+
+std::vector<fs::path> ownFiles(const fs::path& directory) {
+    std::vector<fs::path> files;
+    std::error_code code;
+    for (fs::directory_iterator entry(directory, code), end; !code && entry != end; entry.increment(code))
+        if (isWrittenByUs(entry->path())) files.push_back(entry->path());
+    return files;
+}
+
+std::size_t entriesOf(const fs::path& directory) {
+    std::error_code code;
+    std::size_t count = 0;
+    for (fs::directory_iterator entry(directory, code), end; !code && entry != end; entry.increment(code)) ++count;
+    return count;
+}
+
+/// The new files first, so that a run which is kept is there all the time; other files stay.
+std::error_code replaceFiles(const fs::path& fresh, const fs::path& place, const std::vector<fs::path>& old) {
+    std::vector<fs::path> files;
+    std::error_code code;
+    for (fs::directory_iterator entry(fresh, code), end; !code && entry != end; entry.increment(code))
+        files.push_back(entry->path());
+    std::set<fs::path> kept;
+    for (const fs::path& file : files) {
+        const fs::path target = place / file.filename();
+        if (fs::exists(fs::symlink_status(target, code)) && std::find(old.begin(), old.end(), target) == old.end())
+            return std::make_error_code(std::errc::file_exists);  // of somebody else
+        code.clear();
+        fs::rename(file, target, code);
+        if (code) return code;
+        kept.insert(target);
+    }
+    for (const fs::path& file : old)
+        if (!kept.contains(file)) fs::remove(file, code);
+    return {};
+}
 
 std::vector<double> readTrace(const fs::path& directory, const std::string& name) {
     const std::string bytes = contentOf(directory / fs::path(name).filename());
@@ -152,29 +201,26 @@ Outcome<std::vector<PastRun>> readHistory(const fs::path& directory, const Study
 }
 
 Outcome<Done> replaceHistory(const std::vector<PastRun>& runs, const fs::path& studyDirectory) {
-    const fs::path place = studyDirectory / historyFolder, beside = studyDirectory / ".run-history.writing";
+    const fs::path place = studyDirectory / historyFolder;
     std::error_code code;
-    fs::remove_all(beside, code);
-    if (!runs.empty())
-        if (Outcome<Done> done = writeHistory(runs, beside); !done) {
-            fs::remove_all(beside, code);
-            return done;
-        }
-    std::vector<fs::path> old;
-    for (const auto& entry : fs::directory_iterator(place, code))
-        if (isOwnFile(entry.path())) old.push_back(entry.path());
-    for (const fs::path& file : old) fs::remove(file, code);
-    if (fs::is_empty(place, code)) fs::remove(place, code);
-    code.clear();
-    if (runs.empty()) return Done{};
-    fs::create_directories(place, code);
-    std::vector<fs::path> fresh;
-    for (const auto& entry : fs::directory_iterator(beside, code)) fresh.push_back(entry.path());
-    for (const fs::path& file : fresh) {
-        fs::rename(file, place / file.filename(), code);
-        if (code) return cannotWrite(place / file.filename(), code);
+    const bool isThere = fs::exists(fs::symlink_status(place, code));
+    if (!isThere && runs.empty()) return Done{};
+    if (isThere && !isPlainDirectory(place))
+        return cannotWrite(place, phrase("a link on its way leads to another directory"));
+    const DirectoryLock lock(studyDirectory, DirectoryLock::Kind::Exclusive, longestSave);
+    if (lock.isBusy()) return isBeingSaved(studyDirectory);
+    const Outcome<OwnedDirectory> own = OwnedDirectory::make(studyDirectory, ".analogon-writing-");
+    if (!own) return cannotWrite(place, own.diagnostics().front().message);
+    const fs::path fresh = own->path() / historyFolder;
+    if (Outcome<Done> done = writeHistory(runs, fresh); !done) return done;
+    if (!isThere) {
+        code = renameToNew(fresh, place);
+    } else if (const std::vector<fs::path> old = ownFiles(place);
+               old.size() != entriesOf(place) || exchange(fresh, place)) {
+        code = replaceFiles(fresh, place, old);
+    } else if (runs.empty()) {
+        fs::remove(place, code);
     }
-    fs::remove(beside, code);  // fails where something could not be listed and moved
     return code ? Outcome<Done>(cannotWrite(place, code)) : Outcome<Done>(Done{});
 }
 

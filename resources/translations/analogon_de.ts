@@ -4392,6 +4392,42 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>ein Link auf dem Weg führt in ein anderes Verzeichnis</translation>
     </message>
     <message>
+        <source>this was changed since it was written; it is kept as &quot;{}&quot;</source>
+        <translation>dies wurde geändert, seit es geschrieben wurde; es bleibt als „{}“ erhalten</translation>
+    </message>
+    <message>
+        <source>this directory holds something else than results</source>
+        <translation>dieses Verzeichnis enthält etwas anderes als Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Give a new or an empty directory, or one with earlier results.</source>
+        <translation>Ein neues oder leeres Verzeichnis angeben, oder eines mit früheren Ergebnissen.</translation>
+    </message>
+    <message>
+        <source>results need a directory, and this is none</source>
+        <translation>Ergebnisse brauchen ein Verzeichnis, und dies ist keines</translation>
+    </message>
+    <message>
+        <source>another run writes its results there</source>
+        <translation>ein anderer Lauf schreibt seine Ergebnisse dorthin</translation>
+    </message>
+    <message>
+        <source>Wait until it has ended, or give another directory.</source>
+        <translation>Warten, bis er beendet ist, oder ein anderes Verzeichnis angeben.</translation>
+    </message>
+    <message>
+        <source>the study itself lies among the results that would be replaced</source>
+        <translation>die Studie selbst liegt unter den Ergebnissen, die ersetzt würden</translation>
+    </message>
+    <message>
+        <source>Give another directory.</source>
+        <translation>Ein anderes Verzeichnis angeben.</translation>
+    </message>
+    <message>
+        <source>this is a file of the study itself</source>
+        <translation>dies ist eine Datei der Studie selbst</translation>
+    </message>
+    <message>
         <source>the entry &quot;{}&quot; {}</source>
         <translation>der Eintrag „{}“ {}</translation>
     </message>
@@ -4410,6 +4446,42 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>this archive holds no study.json</source>
         <translation>dieses Archiv enthält keine study.json</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>Do not trust this file, or unpack it with another tool and open its directory.</source>
+        <translation>Dieser Datei nicht trauen, oder sie mit einem anderen Werkzeug entpacken und das Verzeichnis öffnen.</translation>
+    </message>
+    <message>
+        <source>the archive holds {} files, more than {}</source>
+        <translation>das Archiv enthält {} Dateien, mehr als {}</translation>
+    </message>
+    <message>
+        <source>the entry &quot;{}&quot; unpacks to {} MB, more than {} MB</source>
+        <translation>der Eintrag „{}“ ist entpackt {} MB groß, mehr als {} MB</translation>
+    </message>
+    <message>
+        <source>the entry &quot;{}&quot; unpacks to {} times its size, more than {}</source>
+        <translation>der Eintrag „{}“ ist entpackt das {}-Fache seiner Größe, mehr als das {}-Fache</translation>
+    </message>
+    <message>
+        <source>the archive unpacks to {} times its size, more than {}</source>
+        <translation>das Archiv ist entpackt das {}-Fache seiner Größe, mehr als das {}-Fache</translation>
+    </message>
+    <message>
+        <source>experiment '{}': the file '{}' is not in the archive</source>
+        <translation>Experiment „{}“: die Datei „{}“ liegt nicht im Archiv</translation>
+    </message>
+    <message>
+        <source>An archive reads itself alone: put the measurement into it.</source>
+        <translation>Ein Archiv liest nur sich selbst: die Messung hineinlegen.</translation>
+    </message>
+    <message>
+        <source>this exists already and is no study</source>
+        <translation>dies existiert schon und ist keine Studie</translation>
     </message>
     <message>
         <source>A study archive holds study.json, a model (.mo) and its measurements at its top.</source>
@@ -4654,14 +4726,6 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>{}, the other inputs at their means, would tell {} by {:.0f} standard deviations</source>
         <translation>{}, die übrigen Eingänge im Mittel, würde {} um {} Standardabweichungen unterscheiden</translation>
-    </message>
-    <message>
-        <source>this is a directory; name a file</source>
-        <translation>dies ist ein Verzeichnis; eine Datei nennen</translation>
-    </message>
-    <message>
-        <source>this cannot be written</source>
-        <translation>dies lässt sich nicht schreiben</translation>
     </message>
     <message>
         <source>converged after {} simulations</source>
@@ -5010,26 +5074,6 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>look at the values of the parameters near that variable</source>
         <translation>die Werte der Parameter in der Nähe dieser Variablen ansehen</translation>
-    </message>
-    <message>
-        <source>cannot write the file</source>
-        <translation>die Datei lässt sich nicht schreiben</translation>
-    </message>
-    <message>
-        <source>is there space and the right to write?</source>
-        <translation>gibt es Platz und das Recht zu schreiben?</translation>
-    </message>
-    <message>
-        <source>cannot create the directory: {}</source>
-        <translation>das Verzeichnis lässt sich nicht anlegen: {}</translation>
-    </message>
-    <message>
-        <source>give another --out</source>
-        <translation>ein anderes --out angeben</translation>
-    </message>
-    <message>
-        <source>cannot replace the results: {}</source>
-        <translation>die Ergebnisse lassen sich nicht ersetzen: {}</translation>
     </message>
     <message>
         <source>there is no such file or directory</source>

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <QDir>
+#include <QDirIterator>
 #include <QDropEvent>
 #include <QMimeData>
 #include <QStandardPaths>
@@ -14,6 +13,7 @@
 #include <QWindow>
 
 #include "core/archive/archive.hpp"
+#include "core/base/owned_directory.hpp"
 #include "ui/document/document.hpp"
 #include "ui/fit/run_controller.hpp"
 #include "ui/window/main_window.hpp"
@@ -51,14 +51,21 @@ protected:
         window.open(lambdaFile());
         ASSERT_TRUE(QTest::qWaitFor([&] { return document().isOpen() && document().before(); }, 20000));
     }
+    static QDir recoveryPlace() {
+        return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery");
+    }
+    /// Of the work in this window; empty: there is none.
+    static QString keptCopy() {
+        QDirIterator copies(recoveryPlace().path(), {"copy.analogon"}, QDir::Files, QDirIterator::Subdirectories);
+        return copies.hasNext() ? copies.next() : QString();
+    }
     /// What a program that ended without saving leaves behind; the study belongs into `file` of the test's directory.
     QString abandonedCopy(const QString& file) {
-        const pid_t gone = fork();
-        if (gone == 0) _exit(0);
-        waitpid(gone, nullptr, 0);
-        const QDir place(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery");
-        place.mkpath(".");
-        const QString copy = place.filePath(QString::number(gone) + ".analogon");
+        recoveryPlace().mkpath(".");
+        auto left = OwnedDirectory::make(recoveryPlace().path().toStdString(), "work-", OwnedDirectory::Left::Kept);
+        EXPECT_TRUE(left);
+        const QString copy = QString::fromStdString((left->path() / "copy.analogon").string());
+        left->release();
         const Outcome<Study> study = readStudy(ANALOGON_ROOT "/examples/lambda-sensor-heating");
         EXPECT_TRUE(study);
         EXPECT_TRUE(saveStudy(*study, copy.toStdString()));

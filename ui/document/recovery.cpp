@@ -1,28 +1,41 @@
 #include "ui/document/recovery.hpp"
 
-#include <signal.h>
-#include <unistd.h>
-
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QStandardPaths>
-#include <cerrno>
+#include <filesystem>
+#include <optional>
 
 #include "core/archive/archive.hpp"
+#include "core/base/owned_directory.hpp"
 #include "ui/document/document.hpp"
 
 namespace analogon::ui {
 
 namespace {
 
+namespace fs = std::filesystem;
+
+constexpr const char* prefix = "work-";
+
 QDir place() { return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery"); }
 
-/// Beside the copy: where the study came from.
+/// In a directory of its own: the copy of a study, and beside it where this came from.
+QString copyIn(const fs::path& directory) { return QFile::decodeName((directory / "copy.analogon").c_str()); }
 QString noteOf(const QString& file) { return file + ".origin"; }
 
 }  // namespace
+
+/// The directory that this program keeps its copy in. Where there is a copy at its end, it stays for the next one.
+struct Recovery::Store {
+    explicit Store(OwnedDirectory directory) : own(std::move(directory)) {}
+    ~Store() {
+        if (QFile::exists(copyIn(own.path()))) own.release();
+    }
+    OwnedDirectory own;
+};
 
 Recovery::Recovery(Document& document, QObject* parent) : QObject(parent), document_(document) {
     delay_.setSingleShot(true);
@@ -39,7 +52,7 @@ Recovery::Recovery(Document& document, QObject* parent) : QObject(parent), docum
 
 Recovery::~Recovery() = default;
 
-QString Recovery::file() const { return place().filePath(QStringLiteral("%1.analogon").arg(getpid())); }
+QString Recovery::file() const { return store_ ? copyIn(store_->own.path()) : QString(); }
 
 void Recovery::changed() {
     if (!document_.isModified()) return clear();
@@ -48,11 +61,18 @@ void Recovery::changed() {
 
 void Recovery::write() {
     if (!document_.isModified()) return;
+    if (!store_) {
+        place().mkpath(".");
+        auto own =
+            OwnedDirectory::make(QFile::encodeName(place().path()).toStdString(), prefix, OwnedDirectory::Left::Kept);
+        if (!own) return;
+        store_ = std::make_shared<Store>(std::move(*own));
+    }
     const QString target = file(), origin = document_.path();
     writer_.start<Outcome<Done>>(
         tr("Keeping a copy"),
-        [study = document_.study(), history = document_.pastRuns(), target, origin](const Progress&) -> Outcome<Done> {
-            QDir().mkpath(QFileInfo(target).path());
+        [study = document_.study(), history = document_.pastRuns(), store = store_, target,
+         origin](const Progress&) -> Outcome<Done> {
             QFile note(noteOf(target));
             if (note.open(QIODevice::WriteOnly)) note.write(origin.toUtf8());
             return saveStudy(study, target.toStdString(), history);
@@ -65,8 +85,8 @@ void Recovery::write() {
 
 void Recovery::clear() {
     delay_.stop();
-    QFile::remove(file());
-    QFile::remove(noteOf(file()));
+    if (store_) QFile::remove(file());
+    if (store_) QFile::remove(noteOf(file()));
     dropInherited();
 }
 
@@ -77,20 +97,21 @@ void Recovery::dropInherited() {
 
 std::vector<Recovered> Recovery::abandoned() {
     std::vector<Recovered> result;
-    for (const QFileInfo& entry : place().entryInfoList({"*.analogon"}, QDir::Files, QDir::Time)) {
-        const auto owner = static_cast<pid_t>(entry.completeBaseName().toLongLong());
-        const bool isAlive = owner <= 0 || kill(owner, 0) == 0 || errno != ESRCH;
-        if (isAlive) continue;
-        QFile note(noteOf(entry.filePath()));
+    for (const QFileInfo& entry : place().entryInfoList({prefix + QString("*")}, QDir::Dirs, QDir::Time)) {
+        const fs::path directory = QFile::encodeName(entry.filePath()).toStdString();
+        std::optional<OwnedDirectory> own = OwnedDirectory::adopt(directory);
+        const QFileInfo copy(copyIn(directory));
+        if (!own || !copy.isFile()) continue;  // one that holds nothing goes here
+        own->release();
+        QFile note(noteOf(copy.filePath()));
         const QString origin = note.open(QIODevice::ReadOnly) ? QString::fromUtf8(note.readAll()) : QString();
-        result.push_back({entry.filePath(), origin, entry.lastModified().toString("yyyy-MM-dd hh:mm")});
+        result.push_back({copy.filePath(), origin, copy.lastModified().toString("yyyy-MM-dd hh:mm")});
     }
     return result;
 }
 
 void Recovery::discard(const Recovered& recovered) {
-    QFile::remove(recovered.file);
-    QFile::remove(noteOf(recovered.file));
+    (void)OwnedDirectory::adopt(fs::path(QFile::encodeName(recovered.file).toStdString()).parent_path());
 }
 
 }  // namespace analogon::ui

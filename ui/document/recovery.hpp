@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QString>
 #include <QTimer>
+#include <memory>
 #include <vector>
 
 #include "ui/job/job.hpp"
@@ -18,8 +19,8 @@ struct Recovered {
     QString saved;  // when, for people
 };
 
-/// Keeps a copy of a study with unsaved changes in a file of its own, a moment after each change, and takes it away
-/// once the study is saved or closed.
+/// Keeps a copy of a study with unsaved changes in a directory of its own, a moment after each change, and takes it
+/// away once the study is saved or closed. Programs that are no more are told by the lock of their directory.
 class Recovery : public QObject {
     Q_OBJECT
 
@@ -39,8 +40,10 @@ private:
     void dropInherited();
     QString file() const;
 
+    struct Store;
     Document& document_;
-    QString inherited_;  // the copy this work was recovered from, until it has one of its own or is saved
+    std::shared_ptr<Store> store_;  // null: nothing was to be kept yet
+    QString inherited_;             // the copy this work was recovered from, until it has one of its own or is saved
     QTimer delay_;
     JobRunner writer_;
 };
