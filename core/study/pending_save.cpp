@@ -49,6 +49,10 @@ Diagnostic isBeingSaved(const fs::path& study) {
                      phrase("Try again when it has finished."));
 }
 
+bool leavesDirectory(const fs::path& path) {
+    return path.is_absolute() || path.has_root_name() || path.lexically_normal().begin()->string() == "..";
+}
+
 bool leadsAway(const fs::path& directory, const fs::path& name) {
     if (name.is_absolute() || name.empty()) return true;
     fs::path at = directory;

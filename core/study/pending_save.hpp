@@ -44,6 +44,8 @@ std::error_code commitSave(const std::filesystem::path& written, const std::file
 constexpr std::chrono::seconds longestSave{10};
 Diagnostic isBeingSaved(const std::filesystem::path& study);
 
+/// Whether a path leads out of the directory that it is relative to.
+bool leavesDirectory(const std::filesystem::path& path);
 /// Whether a name leads through a link below a directory, or out of it: nothing is written there.
 bool leadsAway(const std::filesystem::path& directory, const std::filesystem::path& name);
 

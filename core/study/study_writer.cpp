@@ -18,10 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool leavesDirectory(const fs::path& path) {
-    return path.is_absolute() || path.has_root_name() || path.lexically_normal().begin()->string() == "..";
-}
-
 bool holdTheSame(const fs::path& a, const fs::path& b) {
     std::error_code code;
     if (!fs::is_regular_file(a, code) || !fs::is_regular_file(b, code)) return false;
