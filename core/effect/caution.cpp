@@ -251,6 +251,17 @@ double samplingInterval(const EstimationTask& task) {
     return steps.empty() ? 0 : median(std::move(steps));
 }
 
+namespace {
+
+/// Whether any input runs on straight lines between its samples.
+bool joinsSamples(const EstimationTask& task) {
+    return std::any_of(task.recordings.begin(), task.recordings.end(), [](const Recording& r) {
+        return std::any_of(r.inputNames.begin(), r.inputNames.end(), [&](const auto& name) { return !r.isHeld(name); });
+    });
+}
+
+}  // namespace
+
 std::vector<Text> delaysBelowSampling(const EstimationTask& task, const std::vector<AddedEffect>& effects) {
     const double interval = samplingInterval(task);
     if (!(interval > 0)) return {};
@@ -259,7 +270,8 @@ std::vector<Text> delaysBelowSampling(const EstimationTask& task, const std::vec
         if (!effect.kind.ends_with(".delay") || effect.parameters.empty()) continue;
         const double delay = effect.parameters.front().value;
         if (!(delay < interval)) continue;
-        const bool isHeld = effect.kind.starts_with("actuator") && std::abs(delay / interval - 0.5) < 0.25;
+        const bool isHeld =
+            effect.kind.starts_with("actuator") && std::abs(delay / interval - 0.5) < 0.25 && joinsSamples(task);
         const Text reason =
             isHeld ? phrase(
                          "a command that is held between its samples looks like half a sample of dead time, since "

@@ -9,6 +9,7 @@
 #include "core/base/range.hpp"
 #include "core/effect/caution.hpp"
 #include "core/fit/clock.hpp"
+#include "core/fit/held_input.hpp"
 
 namespace analogon {
 namespace {
@@ -84,6 +85,11 @@ std::vector<InputClock> with(std::vector<InputClock> clocks, const std::vector<s
     return clocks;
 }
 
+std::vector<double> delayedBy(std::vector<double> time, double late) {
+    for (double& t : time) t += late;
+    return time;
+}
+
 }  // namespace
 
 void setClocks(std::vector<Recording>& recordings, const std::vector<Recording>& stamped,
@@ -99,7 +105,9 @@ void setClocks(std::vector<Recording>& recordings, const std::vector<Recording>&
             const Eigen::RowVectorXd column = from.inputs.row(static_cast<Eigen::Index>(i));
             const bool isLate = clock != clocks.end() && clock->late != 0 && from.time.size() > 1;
             recordings[r].inputs.row(own - recordings[r].inputNames.begin()) =
-                isLate ? onLinesAt(from.time, column, clock->late) : column;
+                !isLate                           ? column
+                : from.isHeld(from.inputNames[i]) ? heldMeans(from.time, column, delayedBy(from.time, clock->late))
+                                                  : onLinesAt(from.time, column, clock->late);
         }
     }
 }

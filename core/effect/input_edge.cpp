@@ -76,6 +76,8 @@ std::vector<InputEdge> inputEdges(const EstimationTask& task) {
         const Recording& recording = task.recordings[r];
         if (recording.role != Role::Fit) continue;
         for (Eigen::Index i = 0; i < recording.inputs.rows(); ++i) {
+            if (recording.isHeld(recording.inputNames[static_cast<std::size_t>(i)]))
+                continue;  // when it jumps is known
             const Eigen::VectorXd u = recording.inputs.row(i).transpose();
             const double range = rangeOf(u).width();
             const double least = std::max(leastJump * range, clearOfNoise * whiteNoise(u));
@@ -127,6 +129,8 @@ void place(Recording& recording, int index, const std::vector<InputEdge>& edges)
         for (const double at : momentsOf(here->second)) {
             time.push_back(from.time[static_cast<std::size_t>(k)] + at * width);
             Eigen::VectorXd& then = inputs.emplace_back((1 - at) * from.inputs.col(k) + at * from.inputs.col(k + 1));
+            for (Eigen::Index i = 0; i < then.size(); ++i)
+                if (from.isHeld(from.inputNames[static_cast<std::size_t>(i)])) then[i] = from.inputs(i, k);
             for (const auto& [input, edge] : here->second) then[input] = valueAt(from.inputs, input, *edge, at);
             origin.emplace_back(k, at);
         }

@@ -57,6 +57,8 @@ std::vector<NoisyInput> quieten(EstimationTask& task) {
         Recording& recording = task.recordings[r];
         if (recording.role != Role::Fit) continue;
         for (Eigen::Index i = 0; i < recording.inputs.rows(); ++i) {
+            // what is held is what was commanded, not what was measured of it
+            if (recording.isHeld(recording.inputNames[static_cast<std::size_t>(i)])) continue;
             const double noise = whiteNoise(recording.inputs.row(i).transpose());
             if (!(noise > 0)) continue;
             recording.inputs.row(i) = filtered(recording.inputs.row(i), noise);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/fit/held_input.hpp"
+
 namespace analogon {
 namespace {
 
@@ -42,6 +44,9 @@ void thin(Recording& recording, int factor) {
         for (std::size_t s = 0; s < from.spares.size(); ++s)
             recording.spares[s].values[static_cast<std::size_t>(b)] = entry(from.spares[s].values);
     }
+    for (Eigen::Index i = 0; i < from.inputs.rows(); ++i)
+        if (from.isHeld(from.inputNames[static_cast<std::size_t>(i)]))
+            recording.inputs.row(i) = heldMeans(from.time, from.inputs.row(i), recording.time);
 }
 
 }  // namespace

@@ -34,6 +34,7 @@ struct DelaySlot {
 struct InputLayout {
     int inputs{};
     bool hasDerivatives{};
+    std::vector<char> differentiated;  // by input; empty: none is
     std::vector<DelaySlot> delays;
     std::vector<ExpressionId> taps;
     int slots{};

@@ -111,6 +111,22 @@ LinearRecurrence recurrenceOf(const LinearRates& rates, double h) {
     return recurrence;
 }
 
+void holdInputs(LinearRecurrence& recurrence, std::size_t n, std::size_t m, const std::vector<char>& held) {
+    const std::size_t size = n + 2 * m + 1, K = recurrence.tangents.size() / (n * size);
+    for (std::size_t j = 0; j < std::min(m, held.size()); ++j) {
+        if (held[j] == 0) continue;
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::size_t begin = i * size + n + j, end = begin + m;
+            recurrence.matrix[begin] += recurrence.matrix[end];
+            recurrence.matrix[end] = 0;
+            for (std::size_t k = 0; k < K; ++k) {
+                recurrence.tangents[begin * K + k] += recurrence.tangents[end * K + k];
+                recurrence.tangents[end * K + k] = 0;
+            }
+        }
+    }
+}
+
 void emitRecurrence(const SystemPrograms& s, ProgramEmitter& emitter, const std::vector<VectorCode::Entity>& begin,
                     const std::vector<VectorCode::Entity>& end, std::vector<std::uint32_t>& entries,
                     std::vector<std::uint32_t>& slopes) {

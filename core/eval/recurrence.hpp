@@ -26,6 +26,9 @@ struct LinearRecurrence {
     std::vector<double> matrix, tangents;
 };
 LinearRecurrence recurrenceOf(const LinearRates& rates, double h);
+/// The same where some inputs keep the value that they have at t (zero-order hold): what multiplied u(t + h) multiplies
+/// u(t) as well, and u(t + h) counts for nothing.
+void holdInputs(LinearRecurrence& recurrence, std::size_t states, std::size_t slots, const std::vector<char>& held);
 
 /// The recurrence as code on the registers of the states.
 struct RecurrenceCode {

@@ -44,32 +44,45 @@ bool isExpensive(Opcode opcode) {
     }
 }
 
-bool isPureOf(const Instruction& i, const std::vector<char>& isPure) {
+/// What a register depends on: constants alone (both bits), and slots that all run linearly or are all held (one bit);
+/// 0: on more.
+enum Purity : char { Impure = 0, OfLinear = 1, OfHeld = 2, Constant = 3 };
+
+char purityOf(const Instruction& i, const std::vector<char>& purity) {
     if (i.opcode == Opcode::SolveLinear || i.opcode == Opcode::SolveNonlinear || i.active[InputsConstant] != 0)
-        return false;
+        return Impure;
     const std::uint32_t operands[] = {i.a, i.b, i.c};
-    for (int k = 0; k < registerOperands(i.opcode); ++k)
-        if (!isPure[operands[k]]) return false;
-    return true;
+    char common = Constant;
+    for (int k = 0; k < registerOperands(i.opcode); ++k) common = static_cast<char>(common & purity[operands[k]]);
+    return common;
 }
 
-/// Registers of a program that depend on slots and constants alone, cost something, and are read by what depends on
-/// more.
-std::vector<std::uint32_t> inputTerms(const SystemPrograms& s, const Program& program,
-                                      const std::vector<ResultRegister>& results) {
+struct InputTerm {
+    std::uint32_t place{};  // register
+    bool isHeld{};          // from one row to the next
+};
+
+/// Registers of a program that depend on slots of one kind and constants alone, cost something, and are read by what
+/// depends on more.
+std::vector<InputTerm> inputTerms(const SystemPrograms& s, const Program& program,
+                                  const std::vector<ResultRegister>& results, const std::vector<char>& held) {
     std::vector<char> isPure(s.registerCount, 0), isCostly(s.registerCount, 0);
-    for (const auto& [reg, value] : s.preloads) isPure[reg] = 1;
-    for (const Instruction& i : s.prelude.code) isPure[i.dst] = isPureOf(i, isPure);
-    for (int i = 0; i < s.layout.slots; ++i) isPure[s.firstSlot + static_cast<std::uint32_t>(i)] = 1;
+    for (const auto& [reg, value] : s.preloads) isPure[reg] = Constant;
+    for (const Instruction& i : s.prelude.code) isPure[i.dst] = purityOf(i, isPure);
+    for (int i = 0; i < s.layout.slots; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        isPure[s.firstSlot + at] = at < held.size() && held[at] != 0 ? OfHeld : OfLinear;
+    }
     std::set<std::uint32_t> terms;
     for (const Instruction& i : program.code) {
         if (i.opcode == Opcode::SolveLinear || i.opcode == Opcode::SolveNonlinear) continue;
         const std::uint32_t operands[] = {i.a, i.b, i.c};
         const int count = registerOperands(i.opcode);
-        const bool pure = isPureOf(i, isPure);
+        const char purity = purityOf(i, isPure);
+        const bool pure = purity != Impure;
         bool costly = isExpensive(i.opcode);
         for (int k = 0; k < count; ++k) costly = costly || isCostly[operands[k]];
-        isPure[i.dst] = pure;
+        isPure[i.dst] = purity;
         isCostly[i.dst] = pure && costly;
         for (int k = 0; k < count && !pure; ++k)
             if (isCostly[operands[k]]) terms.insert(operands[k]);
@@ -89,20 +102,22 @@ std::vector<std::uint32_t> inputTerms(const SystemPrograms& s, const Program& pr
         }
     }
     for (const ResultRegister& result : results) read(result.place);
-    return {terms.begin(), terms.end()};
+    std::vector<InputTerm> found;
+    for (const std::uint32_t reg : terms) found.push_back({reg, isPure[reg] == OfHeld});
+    return found;
 }
 
 class RowEmitter {
 public:
-    RowEmitter(const SystemPrograms& s, int lanes, VectorTarget target, RowCode& code)
-        : s_(s), lanes_(lanes), target_(target), code_(code) {
+    RowEmitter(const SystemPrograms& s, int lanes, VectorTarget target, const std::vector<char>& held, RowCode& code)
+        : s_(s), lanes_(lanes), target_(target), held_(held), code_(code) {
         RowLayout& layout = code.layout;
         layout.slots = s.layout.slots;
         layout.lanes = lanes;
         layout.outputs = static_cast<int>(s.outputResults.size());
         layout.states = static_cast<int>(s.states.size());
-        if (!code.isExact) rateTerms_ = inputTerms(s, s.derivative, s.stateDerivatives);
-        outputTerms_ = inputTerms(s, s.output, s.outputResults);
+        if (!code.isExact) rateTerms_ = inputTerms(s, s.derivative, s.stateDerivatives, held);
+        outputTerms_ = inputTerms(s, s.output, s.outputResults, {});
         layout.rateTerms = static_cast<int>(rateTerms_.size());
         layout.outputTerms = static_cast<int>(outputTerms_.size());
     }
@@ -110,6 +125,11 @@ public:
     bool run() { return walk(true, code_.walk) && (code_.isExact || walk(false, code_.step)) && tabulation(); }
 
 private:
+    bool isHeld(int slot) const {
+        const auto i = static_cast<std::size_t>(slot);
+        return i < held_.size() && held_[i] != 0;
+    }
+
     Entity inRow(ProgramEmitter& emitter, int offset) const {
         return emitter.code().add(Space::Row, static_cast<std::uint32_t>(offset), 1, true);
     }
@@ -144,17 +164,23 @@ private:
         points.time[1] = out.emit(Op::Add, 1, points.time[0], points.half);
         points.time[2] = inRow(emitter, next + RowLayout::time);
         for (int i = 0; i < layout.slots; ++i) {
-            const Entity begin = inRow(emitter, layout.slot() + i), end = inRow(emitter, next + layout.slot() + i);
+            const Entity begin = inRow(emitter, layout.slot() + i);
             points.slots[0].push_back(begin);
+            if (isHeld(i)) {
+                for (const int p : {1, 2}) points.slots[p].push_back(begin);
+                continue;
+            }
+            const Entity end = inRow(emitter, next + layout.slot() + i);
             points.slots[1].push_back(
                 out.emit(Op::Multiply, 1, emitter.constant(0.5), out.emit(Op::Add, 1, begin, end)));
             points.slots[2].push_back(end);
         }
         for (int i = 0; i < layout.rateTerms; ++i) {
-            const std::uint32_t reg = rateTerms_[static_cast<std::size_t>(i)];
-            points.known[0][reg] = inRow(emitter, layout.rateTerm(0) + i);
-            points.known[1][reg] = inRow(emitter, layout.rateTerm(1) + i);
-            points.known[2][reg] = inRow(emitter, next + layout.rateTerm(0) + i);
+            const auto [reg, isHeld] = rateTerms_[static_cast<std::size_t>(i)];
+            const Entity begin = inRow(emitter, layout.rateTerm(0) + i);
+            points.known[0][reg] = begin;
+            points.known[1][reg] = isHeld ? begin : inRow(emitter, layout.rateTerm(1) + i);
+            points.known[2][reg] = isHeld ? begin : inRow(emitter, next + layout.rateTerm(0) + i);
         }
         return points;
     }
@@ -173,7 +199,7 @@ private:
             emitter.bind(s_.firstSlot + static_cast<std::uint32_t>(i), points.slots[0][static_cast<std::size_t>(i)]);
         ProgramEmitter::Known known;
         for (int i = 0; i < layout.outputTerms; ++i)
-            known[outputTerms_[static_cast<std::size_t>(i)]] = inRow(emitter, layout.outputTerm() + i);
+            known[outputTerms_[static_cast<std::size_t>(i)].place] = inRow(emitter, layout.outputTerm() + i);
         emitter.run(s_.output, nullptr, &known);
         for (int i = 0; i < layout.outputs; ++i) {
             const ResultRegister& y = s_.outputResults[static_cast<std::size_t>(i)];
@@ -197,9 +223,9 @@ private:
         for (int i = 0; i < layout.slots; ++i)
             emitter.bind(s_.firstSlot + static_cast<std::uint32_t>(i), inRow(emitter, i));
         int place = 0;
-        const auto put = [&](const Program& program, const std::vector<std::uint32_t>& terms) {
+        const auto put = [&](const Program& program, const std::vector<InputTerm>& terms) {
             emitter.run(pureOf(program, terms));
-            for (const std::uint32_t reg : terms) {
+            for (const auto& [reg, isHeld] : terms) {
                 const Entity to = out.add(Space::Result, static_cast<std::uint32_t>(place++), 1, false);
                 out.emitTo(to, VectorCode::Operation::Move, emitter.value(reg));
                 out.store(to);
@@ -211,8 +237,9 @@ private:
     }
 
     /// What of a program these registers need.
-    static Program pureOf(const Program& program, const std::vector<std::uint32_t>& terms) {
-        std::set<std::uint32_t> needed(terms.begin(), terms.end());
+    static Program pureOf(const Program& program, const std::vector<InputTerm>& terms) {
+        std::set<std::uint32_t> needed;
+        for (const InputTerm& term : terms) needed.insert(term.place);
         Program pure;
         pure.constants = program.constants;
         for (std::size_t k = program.code.size(); k-- > 0;) {
@@ -230,17 +257,19 @@ private:
     const SystemPrograms& s_;
     int lanes_{};
     VectorTarget target_{};
+    const std::vector<char>& held_;
     RowCode& code_;
-    std::vector<std::uint32_t> rateTerms_, outputTerms_;
+    std::vector<InputTerm> rateTerms_, outputTerms_;
 };
 
 }  // namespace
 
-std::shared_ptr<const RowCode> compileRows(const SystemPrograms& s, int lanes, bool isExact, VectorTarget target) {
+std::shared_ptr<const RowCode> compileRows(const SystemPrograms& s, int lanes, bool isExact, VectorTarget target,
+                                           const std::vector<char>& held) {
     if (s.layout.hasDerivatives || !s.delays.empty() || s.states.empty()) return nullptr;
     auto code = std::make_shared<RowCode>();
     code->isExact = isExact;
-    if (!RowEmitter(s, lanes, target, *code).run()) return nullptr;
+    if (!RowEmitter(s, lanes, target, held, *code).run()) return nullptr;
     return code;
 }
 

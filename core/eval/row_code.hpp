@@ -10,7 +10,7 @@
 namespace analogon {
 
 /// Loops over the rows of a table, one row a step: whole stretches of a record without a call in between. Only for
-/// slots that do not depend on the parameters and are continuous from row to row.
+/// slots that do not depend on the parameters, and are continuous from row to row or held in each.
 struct RowCode {
     RowLayout layout;
     bool isExact{};        // by the recurrence, else Runge-Kutta
@@ -22,8 +22,9 @@ struct RowCode {
     std::vector<std::uint32_t> entries, tangents;
 };
 
-/// Null: the target is not to be had, or slots jump from row to row.
-std::shared_ptr<const RowCode> compileRows(const SystemPrograms& programs, int lanes, bool isExact,
-                                           VectorTarget target);
+/// `held`: slots of which the value of a row lasts to the next one (empty: none; the matrix of exact steps tells by
+/// itself). Null: the target is not to be had, or other slots jump from row to row.
+std::shared_ptr<const RowCode> compileRows(const SystemPrograms& programs, int lanes, bool isExact, VectorTarget target,
+                                           const std::vector<char>& held = {});
 
 }  // namespace analogon

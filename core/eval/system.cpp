@@ -71,12 +71,14 @@ struct System::Impl {
         return at->second;
     }
 
-    mutable std::map<std::tuple<int, bool, VectorTarget>, std::shared_ptr<const RowCode>> rows;  // bool: exact
+    // bool: exact; the inputs that are held
+    mutable std::map<std::tuple<int, bool, VectorTarget, std::vector<char>>, std::shared_ptr<const RowCode>> rows;
 
-    std::shared_ptr<const RowCode> rowsFor(int lanes, bool isExact, VectorTarget target) const {
+    std::shared_ptr<const RowCode> rowsFor(int lanes, bool isExact, VectorTarget target,
+                                           const std::vector<char>& held) const {
         const std::lock_guard lock(codeMutex);
-        const auto [at, isNew] = rows.try_emplace({lanes, isExact, target});
-        if (isNew) at->second = compileRows(programs, lanes, isExact, target);
+        const auto [at, isNew] = rows.try_emplace({lanes, isExact, target, held});
+        if (isNew) at->second = compileRows(programs, lanes, isExact, target, held);
         return at->second;
     }
 
@@ -121,6 +123,11 @@ const std::vector<SignalInfo>& System::outputs() const { return impl_->programs.
 const std::vector<SignalInfo>& System::parameters() const { return impl_->programs.parameters; }
 const std::vector<DelayInfo>& System::delays() const { return impl_->programs.delays; }
 bool System::needsInputDerivative() const { return impl_->programs.layout.hasDerivatives; }
+bool System::isDifferentiated(int input) const {
+    const std::vector<char>& differentiated = impl_->programs.layout.differentiated;
+    const auto i = static_cast<std::size_t>(input);
+    return i < differentiated.size() && differentiated[i] != 0;
+}
 bool System::isLinearTimeInvariant() const { return impl_->programs.isLinearTimeInvariant; }
 bool System::isSmooth() const {
     const auto isPlain = [](const Instruction& i) {
@@ -503,13 +510,14 @@ bool System::prepareRecurrence(Workspace& w, double h) const {
     return true;
 }
 
-const RowLayout* System::prepareRows(Workspace& w, double h) const {
+const RowLayout* System::prepareRows(Workspace& w, double h, const std::vector<char>& held) const {
     Registers& r = w.data_->registers;
     const bool isExact = h > 0.0;
     impl_->equip(r);
     std::optional<LinearRecurrence> exact;
     if (isExact && !(exact = exactSteps(*this, w, h))) return nullptr;
-    r.rowCode = impl_->rowsFor(r.lanes, isExact, r.target);
+    if (exact) holdInputs(*exact, static_cast<std::size_t>(stateCount()), static_cast<std::size_t>(slotCount()), held);
+    r.rowCode = impl_->rowsFor(r.lanes, isExact, r.target, isExact ? std::vector<char>() : held);
     if (!r.rowCode) return nullptr;
     prepare(r.rowScratch[0], r.rowCode->walk);
     prepare(r.rowScratch[1], r.rowCode->step);

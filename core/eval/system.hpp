@@ -98,6 +98,7 @@ public:
     const std::vector<SignalInfo>& parameters() const;
     const std::vector<DelayInfo>& delays() const;
     bool needsInputDerivative() const;
+    bool isDifferentiated(int input) const;           // by the model
     int parameterIndex(std::string_view name) const;  // -1 when unknown
     int inputIndex(std::string_view name) const;
     int outputIndex(std::string_view name) const;
@@ -144,8 +145,9 @@ public:
 
     // Whole stretches of such steps in one go, over a table of rows that the caller fills.
 
-    /// Makes the code ready: exact steps of length h, or Runge-Kutta steps where h is 0. Null: there is none.
-    const RowLayout* prepareRows(Workspace& w, double h) const;
+    /// Makes the code ready: exact steps of length h, or Runge-Kutta steps where h is 0. `held`: the inputs that keep
+    /// their values from row to row and jump there (empty: none). Null: there is none.
+    const RowLayout* prepareRows(Workspace& w, double h, const std::vector<char>& held = {}) const;
     /// What depends on slots alone: `count` times slotCount() values in, RowLayout::terms() out.
     void tabulate(Workspace& w, const double* slots, double* terms, std::int64_t count) const;
     /// Over `count` rows, with one more behind them: outputs and states at their begins into `results`

@@ -21,7 +21,7 @@ private:
     std::string nameOf(VariableId id) const { return (*s().model)[id].name; }
 
     void layOutInputs();
-    bool usesInputDerivatives() const;
+    std::vector<char> differentiatedInputs() const;
     void layOutDelay(ExpressionId delay, std::map<std::pair<int, std::uint32_t>, int>& inputDelays,
                      std::map<std::pair<std::uint32_t, std::uint32_t>, int>& tapDelays);
     void describeSignals();
@@ -43,24 +43,27 @@ private:
     Diagnostics faults_;
 };
 
-bool Builder::usesInputDerivatives() const {
+/// By input; empty: none is.
+std::vector<char> Builder::differentiatedInputs() const {
     LeafCollector collect(pool());
-    const auto uses = [&](std::span<const ExpressionId> roots) {
-        const auto& leaves = collect.leaves(roots);
-        return std::any_of(leaves.begin(), leaves.end(), [&](ExpressionId leaf) {
+    std::vector<char> differentiated;
+    const auto look = [&](std::span<const ExpressionId> roots) {
+        for (const ExpressionId leaf : collect.leaves(roots)) {
             const ExpressionNode& node = pool()[leaf];
-            return node.operation == Operation::Derivative &&
-                   (*s().model)[node.variable].causality == FlatCausality::Input;
-        });
+            if (node.operation != Operation::Derivative) continue;
+            differentiated.resize(s().inputs.size());
+            for (std::size_t i = 0; i < s().inputs.size(); ++i)
+                if (s().inputs[i] == node.variable) differentiated[i] = 1;
+        }
     };
-    for (const SolutionBlock& block : s().blocks)
-        if (uses(block.expressions)) return true;
-    for (const SolutionBlock& block : s().initialBlocks)
-        if (uses(block.expressions)) return true;
-    if (uses(s().stateDerivatives)) return true;
+    for (const SolutionBlock& block : s().blocks) look(block.expressions);
+    for (const SolutionBlock& block : s().initialBlocks) look(block.expressions);
+    look(s().stateDerivatives);
     std::vector<ExpressionId> aliases;
     for (const auto& [variable, stand] : s().aliases) aliases.push_back(stand);
-    return uses(aliases);
+    look(aliases);
+    if (std::count(differentiated.begin(), differentiated.end(), 0) == std::ssize(differentiated)) return {};
+    return differentiated;
 }
 
 void Builder::layOutDelay(ExpressionId delay, std::map<std::pair<int, std::uint32_t>, int>& inputDelays,
@@ -93,7 +96,8 @@ void Builder::layOutDelay(ExpressionId delay, std::map<std::pair<int, std::uint3
 void Builder::layOutInputs() {
     InputLayout& layout = out_.layout;
     layout.inputs = static_cast<int>(s().inputs.size());
-    layout.hasDerivatives = usesInputDerivatives();
+    layout.differentiated = differentiatedInputs();
+    layout.hasDerivatives = !layout.differentiated.empty();
     std::map<std::pair<int, std::uint32_t>, int> inputDelays;
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> tapDelays;
     for (const ExpressionId delay : s().delays) layOutDelay(delay, inputDelays, tapDelays);

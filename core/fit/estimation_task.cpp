@@ -147,6 +147,15 @@ public:
                 recording.inputNames.end())
                 fault(recording, phrase("input {} has no channel", input.name), phrase("map a column to it"));
         setSignals(experiment, recording);
+        for (const int i : experiment.inputs.heldInputs())
+            if (system.isDifferentiated(i)) {
+                const std::string& name = system.inputs()[static_cast<std::size_t>(i)].name;
+                fault(
+                    recording,
+                    phrase("the model needs the slope of the input {}, which is held between its samples", name),
+                    phrase(
+                        "what jumps has no slope: give it \"interpolation\": \"linear\", or let the model filter it"));
+            }
         experiment.weights = Eigen::VectorXd::Zero(system.outputCount());
         for (std::size_t i = 0; i < recording.outputNames.size(); ++i) {
             const int output = system.outputIndex(recording.outputNames[i]);
@@ -246,6 +255,15 @@ private:
 
 }  // namespace
 
+bool Recording::isHeld(const std::string& input) const {
+    return std::find(held.begin(), held.end(), input) != held.end();
+}
+
+double Recording::between(Eigen::Index input, Eigen::Index sample, double part) const {
+    if (part == 0 || isHeld(inputNames[static_cast<std::size_t>(input)])) return inputs(input, sample);
+    return (1 - part) * inputs(input, sample) + part * inputs(input, sample + 1);
+}
+
 void Recording::addInput(std::string input, const Eigen::VectorXd& values) {
     inputNames.push_back(std::move(input));
     inputs.conservativeResize(inputs.rows() + 1, values.size());
@@ -266,6 +284,9 @@ void setSignals(FitExperiment& experiment, const Recording& recording) {
     const auto samples = static_cast<Eigen::Index>(recording.time.size());
     experiment.inputs.time = recording.time;
     experiment.inputs.values = inOrder(system.inputs(), recording.inputNames, recording.inputs, samples);
+    experiment.inputs.held.clear();
+    for (std::size_t i = 0; i < system.inputs().size() && !recording.held.empty(); ++i)
+        experiment.inputs.held.push_back(recording.isHeld(system.inputs()[i].name) ? 1 : 0);
     experiment.measured = inOrder(system.outputs(), recording.outputNames, recording.outputs, samples);
 }
 

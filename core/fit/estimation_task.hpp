@@ -55,7 +55,11 @@ struct Recording {
     std::vector<SpareChannel> spares;
     std::vector<RecordingClock> clocks{};
     std::vector<ChannelUnit> units{};
+    std::vector<std::string> held{};  // of the inputs: they keep the value of a sample until the next one
 
+    bool isHeld(const std::string& input) const;
+    /// An input at a moment between a sample and the next one, of which this part has passed.
+    double between(Eigen::Index input, Eigen::Index sample, double part) const;
     /// One more top-level input, with a value for each sample.
     void addInput(std::string input, const Eigen::VectorXd& values);
 };

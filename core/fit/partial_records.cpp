@@ -5,6 +5,7 @@
 
 #include "core/fit/coordinates.hpp"
 #include "core/fit/difference_slopes.hpp"
+#include "core/fit/held_input.hpp"
 #include "core/fit/misfit.hpp"
 #include "core/fit/uncertainty.hpp"
 
@@ -27,6 +28,7 @@ FitExperiment taken(const FitExperiment& from, Index count, Index stride) {
     to.weights = from.weights;
     to.parameters = from.parameters;
     to.isInterpreted = from.isInterpreted;
+    to.inputs.held = from.inputs.held;
     to.inputs.values.resize(from.inputs.values.rows(), count);
     to.measured.resize(from.measured.rows(), count);
     for (Index k = 0; k < count; ++k) {
@@ -34,6 +36,9 @@ FitExperiment taken(const FitExperiment& from, Index count, Index stride) {
         if (to.inputs.values.rows() > 0) to.inputs.values.col(k) = from.inputs.values.col(k * stride);
         to.measured.col(k) = from.measured.col(k * stride);
     }
+    for (const int i : from.inputs.heldInputs())
+        if (stride > 1)
+            to.inputs.values.row(i) = heldMeans(from.inputs.time, from.inputs.values.row(i), to.inputs.time);
     return to;
 }
 
@@ -71,17 +76,18 @@ bool isMeasuredAlike(const FitProblem& problem, const FitProblem& part) {
     return true;
 }
 
-/// Whether the lines between the samples left meet those left out, but for a few: steps are drawn as short ramps, and
-/// nothing falls between them.
+/// Whether the lines between the samples left (what is held after them) meet those left out, but for a few: steps are
+/// drawn as short ramps, and nothing falls between them.
 bool keepsInputs(const FitExperiment& all, const FitExperiment& thinned) {
     constexpr double tolerated = 0.1;  // root mean square, of the range
     const Index samples = sampleCount(all), stride = (samples - 1) / std::max<Index>(1, sampleCount(thinned) - 1);
     for (Index i = 0; i < all.inputs.values.rows(); ++i) {
         const auto u = all.inputs.values.row(i), left = thinned.inputs.values.row(i);
+        const bool isHeld = all.inputs.isHeld(i);
         double squares = 0.0;
         for (Index j = 0; j + 1 < left.size(); ++j) {
-            const double rise = (left[j + 1] - left[j]) / static_cast<double>(stride);
-            for (Index k = 1; k < stride; ++k) {
+            const double rise = isHeld ? 0.0 : (left[j + 1] - left[j]) / static_cast<double>(stride);
+            for (Index k = isHeld ? 0 : 1; k < stride; ++k) {
                 const double gap = u[j * stride + k] - left[j] - static_cast<double>(k) * rise;
                 squares += gap * gap;
             }

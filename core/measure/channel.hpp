@@ -9,6 +9,10 @@
 
 namespace analogon {
 
+/// How an input runs between its samples: on straight lines, or held at each until the next. Automatic: as its file
+/// says (a status, an integer that is one), and on lines where it says nothing.
+enum class Interpolation { Automatic, Linear, Hold };
+
 /// How a model quantity is taken from a column: value = scale * convert(cell) + offset.
 struct ChannelMapping {
     std::string column;
@@ -18,6 +22,7 @@ struct ChannelMapping {
     double weight{1};  // of an output in the fit
     double clock{0};   // [s] by which the channel's own logger is ahead of the others
     bool fitsClock{};  // that is to be found by the fit (of an output)
+    Interpolation interpolation{Interpolation::Automatic};  // of an input
 
     friend bool operator==(const ChannelMapping&, const ChannelMapping&) = default;
 };

@@ -15,6 +15,7 @@
 
 #include "core/base/stopwatch.hpp"
 #include "core/simulate/grid.hpp"
+#include "core/simulate/moving_jump.hpp"
 #include "core/simulate/sample_recorder.hpp"
 #include "core/simulate/sliding.hpp"
 
@@ -80,6 +81,7 @@ public:
           recorder_(dynamics, slots_, inputs, 0, last_, keepStates, result),
           sliding_(
               dynamics, [this](double t) { slotsAt(t, nullptr); }, u_),
+          moving_(dynamics, slots_),
           started_(std::chrono::steady_clock::now()) {
         const auto n = static_cast<std::size_t>(n_), K = static_cast<std::size_t>(K_);
         u_.resize(static_cast<std::size_t>(dynamics.shape().slots));
@@ -93,7 +95,7 @@ public:
     void execute() {
         double* const du = du_.empty() ? nullptr : du_.data();
         time_ = inputs_.time.front();
-        slots_.at(0, time_, u_.data(), du);
+        slots_.atSample(0, u_.data(), du);
         if (!dynamics_.initialise(time_, u_.data(), du, x_.data(), K_ > 0 ? dx_.data() : nullptr) ||
             !recorder_.start(x_.data(), dx_.data())) {
             return fail(0, dynamics_.failure(), recorder_.reason());
@@ -107,11 +109,18 @@ public:
         for (std::size_t i = 0; i < stops_.size(); ++i) {
             // Just inside the piece that begins here, whatever rounding did to the time.
             interval_ = slots_.intervalOf(time_, interval_);
+            if (i == 0) enterPiece(stops_[i]);
             if (!integrateTo(stops_[i])) return;
-            if (restartsAtKinks_ && i + 1 < stops_.size()) {
-                CVodeGetDky(cvodes_.get(), time_, 0, y_.get());
-                restart();
+            if (i + 1 == stops_.size()) break;
+            const bool isJump = std::binary_search(jumps_.begin(), jumps_.end(), stops_[i]);
+            if (!restartsAtKinks_ && !isJump) {
+                enterPiece(stops_[i + 1]);
+                continue;
             }
+            CVodeGetDky(cvodes_.get(), time_, 0, y_.get());
+            if (isJump && !passJump(stops_[i + 1])) return;
+            if (!isJump) enterPiece(stops_[i + 1]);
+            restart();
         }
     }
 
@@ -149,19 +158,72 @@ private:
         }
     }
 
+    /// The piece that begins here ends at this stop: while it lasts, whatever the rounding of a time, held inputs have
+    /// the values that they have in it.
+    void enterPiece(double stop) {
+        if (!slots_.hasHeld()) return;
+        interval_ = slots_.intervalOf(time_, interval_);
+        lastInterval_ = slots_.intervalOf(stop, interval_);
+        if (lastInterval_ > interval_ && stop == sampleTime(lastInterval_)) --lastInterval_;
+        const double within = 0.5 * (time_ + stop);
+        if (!slots_.heldDelays().empty()) slots_.holdLines(within);
+        if (moving_.any() && time_ == inputs_.time.front()) moving_.begin(within);
+    }
+
+    /// A held input jumps here: what held the model between two sides may end, or begin.
+    bool passJump(double nextStop) {
+        const double within = 0.5 * (time_ + nextStop);
+        enterPiece(nextStop);
+        double* const x = N_VGetArrayPointer(y_.get());
+        if (moving_.any()) {
+            slotsAt(time_, nullptr);
+            CVodeGetSensDky(cvodes_.get(), time_, 0, sensitivities_->get());
+            gather(sensitivities_->get(), dx_.data());
+            if (!moving_.pass(time_, within, u_.data(), x, dx_.data()))
+                return fail(nextSample_, dynamics_.failure(), "not finite"), false;
+            hasMoved_ = true;
+        }
+        if (sliding_.isActive()) sliding_.leave(time_, x);
+        std::copy_n(x, n_, x_.begin());
+        joinWhatHolds();
+        std::copy_n(x_.begin(), n_, x);
+        return true;
+    }
+
     /// Steps must not straddle a kink. With few kinks the integration restarts at each; with a kink in almost every
-    /// sample it runs on at its order, unless the slopes of the inputs themselves enter the equations.
+    /// sample it runs on at its order, unless the slopes of the inputs themselves enter the equations. At the jumps of
+    /// a held input it always does.
     void findStops() {
         const std::vector<int> kinks = trueKinks(inputs_);
         for (int k : kinks) {
             if (k > 0) stops_.push_back(sampleTime(k));
         }
-        const std::vector<double> delayed = slots_.delayedTimes(kinks);
+        const std::vector<double> delayed = arrivalsOf(kinks);
         stops_.insert(stops_.end(), delayed.begin(), delayed.end());
         std::sort(stops_.begin(), stops_.end());
         stops_.erase(std::unique(stops_.begin(), stops_.end()), stops_.end());
+        if (slots_.hasHeld()) {
+            const std::vector<int> jumps = jumpsOf(inputs_);
+            jumps_ = arrivalsOf(jumps);
+            for (int k : jumps) jumps_.push_back(sampleTime(k));
+            std::sort(jumps_.begin(), jumps_.end());
+        }
         restartsAtKinks_ =
             dynamics_.shape().needsInputDerivative || stops_.size() * 4 < static_cast<std::size_t>(last_);
+    }
+
+    /// When a kink at these samples arrives by the delays; beside a jump no piece may be as short as rounding.
+    std::vector<double> arrivalsOf(const std::vector<int>& samples) {
+        std::vector<double> arrivals = slots_.delayedTimes(samples);
+        if (!slots_.hasHeld()) return arrivals;
+        const double rounding = 1e-9 * (inputs_.time.back() - inputs_.time.front()) / last_;
+        int near = 0;
+        for (double& t : arrivals) {
+            near = slots_.intervalOf(t, near);
+            for (const int k : {near, near + 1})
+                if (std::abs(t - sampleTime(k)) <= rounding) t = sampleTime(k);
+        }
+        return arrivals;
     }
 
     bool integrateTo(double stop) {
@@ -396,6 +458,9 @@ private:
     /// Starts anew from where it is: y holds the state.
     bool restart() {
         if (K_ > 0) CVodeGetSensDky(cvodes_.get(), time_, 0, sensitivities_->get());
+        if (std::exchange(hasMoved_, false))
+            for (int k = 0; k < K_; ++k)
+                for (int i = 0; i < n_; ++i) (*sensitivities_)[k][i] = dx_[static_cast<std::size_t>(i * K_ + k)];
         interval_ = slots_.intervalOf(time_, interval_);
         if (CVodeReInit(cvodes_.get(), time_, y_.get()) != CV_SUCCESS) return false;
         return K_ == 0 || CVodeSensReInit(cvodes_.get(), CV_STAGGERED, sensitivities_->get()) == CV_SUCCESS;
@@ -474,6 +539,7 @@ private:
         // The piece in force: a time on its end still belongs to it.
         int k = slots_.intervalOf(t, interval_);
         if (k > interval_ && t == sampleTime(k)) --k;
+        if (slots_.hasHeld()) k = std::max(interval_, std::min(k, lastInterval_));
         slots_.at(k, t, u_.data(), du);
     }
 
@@ -492,9 +558,12 @@ private:
     InputSlots slots_;
     SampleRecorder recorder_;
     Sliding sliding_;
+    MovingJumps moving_;
     std::chrono::steady_clock::time_point started_;
     std::vector<double> u_, du_, x_, dx_, dxdot_, jacobian_, sampleX_, sampleDx_;
-    std::vector<double> stops_;
+    std::vector<double> stops_, jumps_;
+    bool hasMoved_{};     // the tangents in dx_, at a jump that depends on the parameters
+    int lastInterval_{};  // of the piece under way, where inputs are held
     bool restartsAtKinks_{true};
     double time_{};
     int interval_{}, nextSample_{};

@@ -61,7 +61,7 @@ private:
         if (run_.startState) {
             std::copy_n(run_.startState, n_, x_.data());
         } else {
-            slots_.at(std::min(run_.first, std::max(0, slots_.intervals() - 1)), time(run_.first), u_[0].data());
+            slots_.atSample(run_.first, u_[0].data());
             if (!dynamics_.initialise(time(run_.first), u_[0].data(), nullptr, x_.data(),
                                       K_ > 0 ? dx_.data() : nullptr)) {
                 return false;
@@ -106,7 +106,7 @@ private:
 
     bool record(int sample) {
         const Eigen::Index column = sample - run_.first;
-        slots_.at(std::min(sample, std::max(0, slots_.intervals() - 1)), time(sample), u_[0].data());
+        slots_.atSample(sample, u_[0].data());
         double* const y = run_.sink ? y_.data() : result_.outputs.data() + column * result_.outputs.rows();
         if (!dynamics_.outputsOfState(time(sample), u_[0].data(), y, K_ > 0 ? dy_.data() : nullptr)) return false;
         if (run_.keepStates) dynamics_.storeState(result_.states.data() + column * n_, nullptr);

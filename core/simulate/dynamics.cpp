@@ -18,7 +18,7 @@ std::span<double> view(double* data, int count) {
 }  // namespace
 
 SystemDynamics::SystemDynamics(const SimulationTask& task, bool withDirections)
-    : system_(*task.system), execution_(task.execution), parameters_(task.parameters) {
+    : system_(*task.system), execution_(task.execution), parameters_(task.parameters), held_(task.inputs->held) {
     shape_.states = system_.stateCount();
     shape_.inputs = system_.inputCount();
     shape_.slots = system_.slotCount();

@@ -124,7 +124,7 @@ public:
     }
     bool isStateFinite() override { return system_.isStateFinite(stepping()); }
     bool outputsOfState(double t, const double* u, double* y, double* dy) override;
-    const RowLayout* prepareRows(double h) override { return system_.prepareRows(stepping(), h); }
+    const RowLayout* prepareRows(double h) override { return system_.prepareRows(stepping(), h, held_); }
     void tabulate(const double* slots, double* terms, std::int64_t count) override {
         system_.tabulate(stepping(), slots, terms, count);
     }
@@ -159,6 +159,7 @@ private:
     Execution execution_{};
     std::vector<double> parameters_;
     std::vector<double> directions_;  // parameters x K, row-major
+    std::vector<char> held_;          // SampledInputs::held
     Workspace values_;
     Workspace tangents_;
     std::unique_ptr<Partials> byState_;

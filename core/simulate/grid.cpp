@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/stopwatch.hpp"
+#include "core/simulate/moving_jump.hpp"
 #include "core/simulate/sample_recorder.hpp"
 #include "core/simulate/step_method.hpp"
 
@@ -28,7 +29,12 @@ public:
     /// Evaluates the slopes at both ends; false when that failed.
     bool setEnd(int interval, double t, const double* x, const double* dx) {
         keep(t, x, dx, endTime_, end_);
-        return slope(interval, beginTime_, begin_, beginSlope_) && slope(interval, endTime_, end_, endSlope_);
+        // the slopes on the inside of both ends, where a held input jumps
+        if (slots_.hasHeld()) slots_.holdLines(0.5 * (beginTime_ + endTime_));
+        const bool isKnown =
+            slope(interval, beginTime_, begin_, beginSlope_) && slope(interval, endTime_, end_, endSlope_);
+        if (slots_.hasHeld()) slots_.releaseLines();
+        return isKnown;
     }
 
     bool at(double t, double* x, double* dx, double* xdot) override {
@@ -86,6 +92,8 @@ public:
           slots_(dynamics, inputs),
           recorder_(dynamics, slots_, inputs, run.first, last_, run.keepStates, result),
           interpolant_(dynamics, slots_),
+          jumps_(dynamics, slots_),
+          u_(static_cast<std::size_t>(dynamics.shape().slots)),
           x_(static_cast<std::size_t>(dynamics.shape().states)),
           dx_(x_.size() * static_cast<std::size_t>(dynamics.shape().directions)) {}
 
@@ -113,8 +121,7 @@ private:
             const Dynamics::Shape& shape = dynamics_.shape();
             std::vector<double> u(static_cast<std::size_t>(shape.slots));
             std::vector<double> du(slots_.hasTangents() ? u.size() * static_cast<std::size_t>(shape.directions) : 0);
-            slots_.at(std::min(run_.first, std::max(0, slots_.intervals() - 1)), time(run_.first), u.data(),
-                      du.empty() ? nullptr : du.data());
+            slots_.atSample(run_.first, u.data(), du.empty() ? nullptr : du.data());
             if (!dynamics_.initialise(time(run_.first), u.data(), du.empty() ? nullptr : du.data(), x_.data(),
                                       dx_.empty() ? nullptr : dx_.data())) {
                 return false;
@@ -130,12 +137,25 @@ private:
         for (const double end : slots_.piecesOf(k)) {
             // A piece gets its share of the substeps.
             const double share = run_.plan.substepsIn(k) * (end - begin) / length;
+            if (jumps_.any() && !jump(k, begin, 0.5 * (begin + end))) return "not finite";
             if (const char* reason = piece(k, begin, end, std::max(1, static_cast<int>(std::ceil(share - 1e-6))))) {
                 return reason;
             }
             begin = end;
         }
         return nullptr;
+    }
+
+    /// Into the piece that begins here and holds `within`.
+    bool jump(int k, double begin, double within) {
+        if (k == run_.first && begin == time(k)) {
+            jumps_.begin(within);
+            return true;
+        }
+        slots_.holdLines(within);
+        slots_.at(k, begin, u_.data());
+        slots_.releaseLines();
+        return jumps_.pass(begin, within, u_.data(), x_.data(), dx_.data());
     }
 
     const char* piece(int k, double begin, double end, int substeps) {
@@ -189,6 +209,8 @@ private:
     InputSlots slots_;
     SampleRecorder recorder_;
     HermiteInterpolant interpolant_;
+    MovingJumps jumps_;
+    std::vector<double> u_;
     std::unique_ptr<StepMethod> explicit_, implicit_;
     std::vector<double> x_, dx_;
     double time_{};

@@ -11,6 +11,9 @@ InputSlots::InputSlots(Dynamics& dynamics, const SampledInputs& inputs) : inputs
     inputCount_ = shape.inputs;
     needsSlopes_ = shape.needsInputDerivative;
     firstDelay_ = inputCount_ * (needsSlopes_ ? 2 : 1);
+    held_ = inputs.heldInputs();
+    for (std::size_t d = 0; d < delays_.size(); ++d)
+        if (delays_[d].input >= 0 && inputs.isHeld(delays_[d].input)) heldDelays_.push_back(static_cast<int>(d));
     directions_ = shape.directions;
     const std::size_t tangentCount = delays_.size() * static_cast<std::size_t>(directions_);
     times_.assign(delays_.size(), 0.0);
@@ -37,7 +40,7 @@ int InputSlots::intervalOf(double t, int hint) const {
 }
 
 double InputSlots::slope(int input, int interval) const {
-    if (sampleCount_ < 2) return 0.0;
+    if (sampleCount_ < 2 || inputs_.isHeld(input)) return 0.0;
     const auto k = static_cast<std::size_t>(interval);
     return (inputs_.values(input, interval + 1) - inputs_.values(input, interval)) /
            (inputs_.time[k + 1] - inputs_.time[k]);
@@ -53,6 +56,7 @@ void InputSlots::at(int interval, double t, double* u, double* du, const double*
                                           inputs_.time[static_cast<std::size_t>(interval)]);
         const double* right = left + inputCount_;
         for (int i = 0; i < inputCount_; ++i) u[i] = left[i] + fraction * (right[i] - left[i]);
+        for (const int i : held_) u[i] = left[i];
     }
     if (needsSlopes_) {
         for (int i = 0; i < inputCount_; ++i) u[inputCount_ + i] = slope(i, interval);
@@ -87,6 +91,29 @@ void InputSlots::at(int interval, double t, double* u, double* du, const double*
         const double* dT = timeTangents_.data() + d * static_cast<std::size_t>(directions_);
         for (int k = 0; tangents && k < directions_; ++k) tangents[k] = rate * ((dt ? dt[k] : 0.0) - dT[k]);
     }
+}
+
+void InputSlots::atSample(int sample, double* u, double* du, const double* dt) {
+    const double t = inputs_.time[static_cast<std::size_t>(sample)];
+    const int interval = std::min(sample, std::max(0, intervals() - 1));
+    at(interval, t, u, du, dt);
+    for (const int i : held_) u[i] = inputs_.values(i, sample);
+    for (const int d : heldDelays_) {
+        const auto at = static_cast<std::size_t>(d);
+        u[firstDelay_ + d] = inputs_.values(delays_[at].input, heldSampleOf(t - times_[at], interval));
+    }
+}
+
+int InputSlots::heldSampleOf(double past, int hint) const {
+    if (sampleCount_ < 2) return 0;
+    const double rounding = 1e-9 * (inputs_.time.back() - inputs_.time.front()) / intervals();
+    if (past + rounding >= inputs_.time.back()) return sampleCount_ - 1;
+    return intervalOf(past + rounding, hint);
+}
+
+double InputSlots::heldAt(int delay, double t) const {
+    const auto d = static_cast<std::size_t>(delay);
+    return inputs_.values(delays_[d].input, heldSampleOf(t - times_[d], cursors_[d]));
 }
 
 int InputSlots::lineOf(double past, int hint) const {

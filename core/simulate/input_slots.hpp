@@ -6,9 +6,10 @@
 
 namespace analogon {
 
-/// The vector u of a system at any time of an interval between two samples: inputs by linear interpolation,
+/// The vector u of a system at any time of an interval between two samples: inputs by linear interpolation or held,
 /// their slopes where the model needs them, inputs delayed by T (before the first sample: its value). The
-/// slots of delayed signals of the model's own hold what setTapSlots() was last given.
+/// slots of delayed signals of the model's own hold what setTapSlots() was last given. At the end of an interval a
+/// held input still has the value that it has in it: atSample() is what is seen at the sample.
 class InputSlots {
 public:
     InputSlots(Dynamics& dynamics, const SampledInputs& inputs);
@@ -20,6 +21,8 @@ public:
     /// Fills u (and du, slots x K, unless null) for a time of interval k (time[k] <= t <= time[k + 1]). `dt` (K, or
     /// null: zero) are the tangents of that time itself.
     void at(int interval, double t, double* u, double* du = nullptr, const double* dt = nullptr);
+    /// The same at a sample, a held input having taken its value there.
+    void atSample(int sample, double* u, double* du = nullptr, const double* dt = nullptr);
 
     /// Times inside an interval at which a kink of a delayed input arrives: steps must not straddle them. Ascending,
     /// the end of the interval last. Intervals must be asked for in ascending order.
@@ -33,6 +36,11 @@ public:
     const std::vector<double>& delayTimes() const { return times_; }
     const std::vector<double>& delayTangents() const { return timeTangents_; }  // delays x K
     int firstDelaySlot() const { return firstDelay_; }
+    bool hasHeld() const { return !held_.empty(); }
+    /// Delays of held inputs.
+    const std::vector<int>& heldDelays() const { return heldDelays_; }
+    /// What arrives there of a held input's delay at a time, on no sample's arrival.
+    double heldAt(int delay, double t) const;
 
     /// Values (and tangents, null: none) of the slots of one delay of a tap.
     void setTapSlot(int delay, double value, const double* tangents);
@@ -41,7 +49,8 @@ public:
 
 private:
     double slope(int input, int interval) const;
-    int lineOf(double past, int hint) const;  // interval of a past time; -1: before the first sample
+    int lineOf(double past, int hint) const;        // interval of a past time; -1: before the first sample
+    int heldSampleOf(double past, int hint) const;  // the last sample at or before a past time, within rounding
 
     const SampledInputs& inputs_;
     std::vector<DelayInfo> delays_;
@@ -53,6 +62,7 @@ private:
     std::vector<double> pieces_;
     bool holdsLines_{};
     std::vector<double> tapValues_, tapTangents_;
+    std::vector<int> held_, heldDelays_;  // inputs, and delays of such
 };
 
 }  // namespace analogon

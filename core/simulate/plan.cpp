@@ -93,8 +93,8 @@ private:
 
     /// What depends on the inputs alone, for the plan that is looked at most.
     void takeTerms(const GridPlan* inForce) {
-        const bool isKnown =
-            inForce && inForce->terms && *inForce == oneStep() && inForce->terms->owner == dynamics_.identity();
+        const bool isKnown = inForce && inForce->terms && *inForce == oneStep() &&
+                             inForce->terms->owner == dynamics_.identity() && inForce->terms->held == inputs_.held;
         terms_ = isKnown ? inForce->terms : tabulateTerms(dynamics_, inputs_, oneStep(), progress_);
     }
 
@@ -185,7 +185,7 @@ private:
         for (int i = 0; i < places; ++i) {
             const int k = static_cast<int>(static_cast<long>(i) * (sampleCount_ - 2) / (places - 1));
             const double t = inputs_.time[static_cast<std::size_t>(k)];
-            slots.at(k, t, u.data());
+            slots.atSample(k, u.data());
             if (!dynamics_.jacobian(t, surveyRun_.states.col(k).data(), u.data(), xdot.data(), jacobian.data()))
                 return false;
             const double h = inputs_.time[static_cast<std::size_t>(k) + 1] - t;

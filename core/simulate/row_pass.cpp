@@ -21,7 +21,7 @@ constexpr std::size_t kMostTerms = 3u << 20;  // doubles that may be kept
 class RowTable {
 public:
     RowTable(const RowLayout& layout, Dynamics& dynamics, const SampledInputs& inputs, const InputTerms* terms)
-        : layout_(layout), dynamics_(dynamics), inputs_(inputs), kept_(terms) {
+        : layout_(layout), dynamics_(dynamics), inputs_(inputs), kept_(terms), held_(inputs.heldInputs()) {
         const auto capacity = static_cast<std::size_t>(kMostRows + kMostSubsteps + 1);
         rows_.resize(capacity * static_cast<std::size_t>(layout.size()));
         slots_.resize(capacity * static_cast<std::size_t>(layout.slots));
@@ -58,6 +58,7 @@ public:
             to[RowLayout::step] = h;
             const double fraction = static_cast<double>(s) / substeps;
             for (int i = 0; i < layout_.slots; ++i) to[layout_.slot() + i] = left[i] + fraction * (right[i] - left[i]);
+            for (const int i : held_) to[layout_.slot() + i] = left[i];
         }
     }
 
@@ -138,7 +139,8 @@ private:
     Dynamics& dynamics_;
     const SampledInputs& inputs_;
     const InputTerms* kept_{};
-    std::size_t used_{};  // rows taken from what was kept
+    std::size_t used_{};     // rows taken from what was kept
+    std::vector<int> held_;  // inputs
     int count_{};
     std::vector<double> rows_, slots_, terms_;
 };
@@ -185,8 +187,8 @@ private:
 
     const InputTerms* termsOf(const GridRun& run) const {
         const InputTerms* const terms = run.plan.terms.get();
-        const bool fits =
-            terms && run.first == 0 && terms->owner == dynamics_.identity() && terms->count == layout_.terms();
+        const bool fits = terms && run.first == 0 && terms->owner == dynamics_.identity() &&
+                          terms->count == layout_.terms() && terms->held == inputs_.held;
         return fits ? terms : nullptr;
     }
 
@@ -207,7 +209,7 @@ private:
         if (run_.startState) {
             std::copy_n(run_.startState, x_.size(), x_.data());
         } else {
-            slots_.at(std::min(run_.first, std::max(0, slots_.intervals() - 1)), time(run_.first), u_.data());
+            slots_.atSample(run_.first, u_.data());
             if (!dynamics_.initialise(time(run_.first), u_.data(), nullptr, x_.data(), K_ > 0 ? dx_.data() : nullptr)) {
                 return false;
             }
@@ -286,7 +288,7 @@ private:
 
     /// Outputs of a single sample.
     bool look(int sample) {
-        slots_.at(std::min(sample, std::max(0, slots_.intervals() - 1)), time(sample), u_.data());
+        slots_.atSample(sample, u_.data());
         double* const to = resultOf(sample);
         if (!dynamics_.outputsOfState(time(sample), u_.data(), to + layout_.value(0), K_ > 0 ? dy_.data() : nullptr))
             return false;
@@ -399,6 +401,7 @@ std::shared_ptr<const InputTerms> tabulateTerms(Dynamics& dynamics, const Sample
     auto terms = std::make_shared<InputTerms>();
     terms->owner = dynamics.identity();
     terms->count = layout->terms();
+    terms->held = inputs.held;
     terms->begin.reserve(rows * static_cast<std::size_t>(layout->terms()));
     terms->middle.reserve(rows * static_cast<std::size_t>(layout->rateTerms));
     RowTable table(*layout, dynamics, inputs, nullptr);

@@ -59,9 +59,18 @@ SampleRecorder::SampleRecorder(Dynamics& dynamics, InputSlots& slots, const Samp
 
 bool SampleRecorder::evaluateTaps(int interval, double t, const double* dt, const double* x, const double* dx) {
     double* const du = du_.empty() ? nullptr : du_.data();
-    slots_.at(interval, t, u_.data(), du, dt);
+    const int sample = slots_.hasHeld() ? sampleAt(interval, t) : -1;
+    if (sample >= 0)
+        slots_.atSample(sample, u_.data(), du, dt);
+    else
+        slots_.at(interval, t, u_.data(), du, dt);
     return K_ > 0 ? dynamics_.outputs(t, x, dx, u_.data(), du, y_.data(), dy_.data(), taps_.data(), dtaps_.data())
                   : dynamics_.outputs(t, x, u_.data(), y_.data(), taps_.data());
+}
+
+int SampleRecorder::sampleAt(int interval, double t) const {
+    if (t == sampleTime(interval)) return interval;
+    return interval < slots_.intervals() && t == sampleTime(interval + 1) ? interval + 1 : -1;
 }
 
 void SampleRecorder::keepTap(DelayedTap& delayed, int sample) {
@@ -134,10 +143,9 @@ bool SampleRecorder::record(int sample, const double* x, const double* dx) {
         slots_.setTapSlot(delayed.delay, delayed.values[static_cast<std::size_t>(column)],
                           K_ > 0 ? delayed.tangents.data() + static_cast<std::size_t>(column) * K : nullptr);
     }
-    const int interval = std::min(sample, std::max(0, slots_.intervals() - 1));
     const double t = sampleTime(sample);
     double* const du = du_.empty() ? nullptr : du_.data();
-    slots_.at(interval, t, u_.data(), du);
+    slots_.atSample(sample, u_.data(), du);
     reason_ = "not finite";
     double* const y = trajectory_.outputs.data() + static_cast<Eigen::Index>(column) * trajectory_.outputs.rows();
     if (K_ == 0) {

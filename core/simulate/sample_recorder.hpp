@@ -49,6 +49,7 @@ private:
         std::vector<double> tangents;  // samples x K
     };
     bool evaluateTaps(int interval, double t, const double* dt, const double* x, const double* dx);
+    int sampleAt(int interval, double t) const;  // at an end of the interval; -1: between
     bool startTaps(const double* x, const double* dx);
     void keepTap(DelayedTap& delayed, int sample);
     double sampleTime(int sample) const { return inputs_.time[static_cast<std::size_t>(sample)]; }

@@ -5,6 +5,27 @@
 
 namespace analogon {
 
+bool SampledInputs::hasHeld() const {
+    return std::any_of(held.begin(), held.end(), [](char each) { return each != 0; });
+}
+
+std::vector<int> SampledInputs::heldInputs() const {
+    std::vector<int> rows;
+    for (Eigen::Index i = 0; i < values.rows(); ++i)
+        if (isHeld(i)) rows.push_back(static_cast<int>(i));
+    return rows;
+}
+
+std::vector<int> jumpsOf(const SampledInputs& inputs) {
+    std::vector<int> jumps;
+    const std::vector<int> held = inputs.heldInputs();
+    for (Eigen::Index k = 1; k < inputs.values.cols(); ++k)
+        if (std::any_of(held.begin(), held.end(),
+                        [&](int i) { return inputs.values(i, k) != inputs.values(i, k - 1); }))
+            jumps.push_back(static_cast<int>(k));
+    return jumps;
+}
+
 std::vector<int> trueKinks(const SampledInputs& inputs, double tolerance) {
     const int count = static_cast<int>(inputs.time.size());
     std::vector<int> kinks;
@@ -23,6 +44,10 @@ std::vector<int> trueKinks(const SampledInputs& inputs, double tolerance) {
         bool isKink = false;
         for (Eigen::Index i = 0; i < inputs.values.rows() && !isKink; ++i) {
             if (range[i] == 0.0) continue;
+            if (inputs.isHeld(i)) {
+                isKink = inputs.values(i, k) != inputs.values(i, k - 1);
+                continue;
+            }
             const double base = inputs.values(i, origin);
             const double onLine = base + fraction * (inputs.values(i, origin + 1) - base);
             // The first piece's rounding is magnified by the extrapolation.

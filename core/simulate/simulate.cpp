@@ -42,6 +42,8 @@ const char* misfit(const SimulationTask& task) {
     if (task.directions.cols() > 0 && task.directions.rows() != system.parameterCount()) {
         return "directions do not have the shape the system asks for";
     }
+    for (const int i : task.inputs->heldInputs())
+        if (system.isDifferentiated(i)) return "the model needs the slope of an input that is held";
     if (!allFinite(task.inputs->values.data(), task.inputs->values.size())) return "an input is not finite";
     return nullptr;
 }
@@ -138,7 +140,8 @@ GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options, 
     if (!isAll) taken = nullptr;
     GridPlan plan = choosePlan(dynamics, *task.inputs, options, progress, inForce, taken);
     if (plan.terms || (taken && *taken)) return plan;
-    if (inForce && plan == *inForce && inForce->terms && inForce->terms->owner == task.system->identity()) {
+    if (inForce && plan == *inForce && inForce->terms && inForce->terms->owner == task.system->identity() &&
+        inForce->terms->held == task.inputs->held) {
         plan.terms = inForce->terms;
     } else {
         plan.terms = tabulateTerms(dynamics, *task.inputs, plan, progress);
@@ -185,7 +188,7 @@ std::optional<Eigen::MatrixXd> observeAlong(const SimulationTask& task, const Ei
     Eigen::MatrixXd observed(dynamics.observedCount(), samples);
     for (int k = 0; k < samples; ++k) {
         const double t = task.inputs->time[static_cast<std::size_t>(k)];
-        slots.at(std::min(k, std::max(0, slots.intervals() - 1)), t, u.data());
+        slots.atSample(k, u.data());
         if (!dynamics.observed(t, states.col(k).data(), u.data(), observed.col(k).data()))
             observed.col(k).setConstant(std::numeric_limits<double>::quiet_NaN());
     }

@@ -40,6 +40,7 @@ struct SimulationOptions {
 struct InputTerms {
     std::shared_ptr<const void> owner;  // System::identity() of the system they belong to
     int count{};                        // terms a point
+    std::vector<char> held;             // SampledInputs::held
     std::vector<double> begin, middle;  // of each step, those of the rates alone in its middle
 };
 

@@ -134,7 +134,7 @@ private:
         const auto started = std::chrono::steady_clock::now();
         InputSlots slots(dynamics_, inputs_);
         IntervalStepper stepper(dynamics_, slots, inputs_, options_);
-        slots.at(0, time(0), u_.data());
+        slots.atSample(0, u_.data());
         if (!dynamics_.initialise(time(0), u_.data(), nullptr, x_.data(), nullptr)) return false;
         found_.assign(static_cast<std::size_t>(count_ - 1), {});
         if (comparesStates()) states_.resize(static_cast<Eigen::Index>(n_), count_);
@@ -146,7 +146,7 @@ private:
             lowest_ = lowest_.cwiseMin(x);
             highest_ = highest_.cwiseMax(x);
             if (comparesStates()) states_.col(k) = x;
-            slots.at(std::min(k, count_ - 2), time(k), u_.data());
+            slots.atSample(k, u_.data());
             if (!dynamics_.outputs(time(k), x_.data(), u_.data(), reference_.col(k).data(), nullptr)) return false;
             if (k + 1 == count_) return true;
             if (dynamics_.evaluations() > options_.evaluationLimit) return false;

@@ -198,11 +198,12 @@ private:
         std::map<std::string, ChannelMapping> mappings;
         const Node node = owner.member(name);
         if (!isObject(node, phrase("an object {{model signal: column}}"))) return mappings;
-        for (const auto& [signal, value] : node.value->items()) mappings[signal] = readMapping(node.member(signal));
+        for (const auto& [signal, value] : node.value->items())
+            mappings[signal] = readMapping(node.member(signal), name == "inputs");
         return mappings;
     }
 
-    ChannelMapping readMapping(const Node& node) {
+    ChannelMapping readMapping(const Node& node, bool isInput) {
         ChannelMapping mapping;
         if (!node.value->is_object()) {
             if (node.value->is_string()) {
@@ -226,9 +227,40 @@ private:
             if (!mapping.fitsClock && !clock.value->is_number())
                 expected(clock, phrase("a number of seconds, or \"fit\""));
         }
+        if (const Node interpolation = node.member("interpolation"))
+            mapping.interpolation = readInterpolation(interpolation, isInput);
         Json kept;
-        keepUnknown(node, {"column", "unit", "scale", "offset", "weight", "clock"}, phrase("a mapped column"), kept);
+        keepUnknown(node, {"column", "unit", "scale", "offset", "weight", "clock", "interpolation"},
+                    phrase("a mapped column"), kept);
         return mapping;
+    }
+
+    Interpolation readInterpolation(const Node& node, bool isInput) {
+        const std::string word = node.value->is_string() ? node.value->get<std::string>() : "";
+        if (!isInput)
+            fault(node,
+                  phrase("{}: an output is compared where it was measured, never between its samples", path(node)),
+                  phrase("Remove \"interpolation\" here; it belongs to an input."));
+        else if (word == "linear" || word == "hold")
+            return word == "hold" ? Interpolation::Hold : Interpolation::Linear;
+        else if (!node.value->is_string())
+            expected(node, phrase("\"linear\" or \"hold\""));
+        else
+            fault(node, phrase("{}: expected \"linear\" or \"hold\", found \"{}\"", path(node), word),
+                  meantInterpolation(word));
+        return Interpolation::Automatic;
+    }
+
+    static Text meantInterpolation(const std::string& word) {
+        // what other programs call them
+        for (const char* const held : {"held", "zoh", "zero-order", "zero-order-hold", "zero_order_hold", "previous",
+                                       "step", "steps", "stairs", "constant", "none"})
+            if (suggestion(word, {held}) == held) return phrase("Did you mean \"{}\"?", "hold");
+        for (const char* const line : {"line", "lines", "straight", "foh", "first-order", "first-order-hold", "ramp"})
+            if (suggestion(word, {line}) == line) return phrase("Did you mean \"{}\"?", "linear");
+        const std::string alike = suggestion(word, {"linear", "hold"});
+        if (!alike.empty()) return phrase("Did you mean \"{}\"?", alike);
+        return phrase("\"linear\": on straight lines between the samples; \"hold\": each value until the next sample.");
     }
 
     std::optional<StudyStart> readStart(const Node& node) {
@@ -334,6 +366,8 @@ Json mappingJson(const ChannelMapping& mapping) {
         json["clock"] = "fit";
     else if (mapping.clock != plain.clock)
         json["clock"] = mapping.clock;
+    if (mapping.interpolation != plain.interpolation)
+        json["interpolation"] = mapping.interpolation == Interpolation::Hold ? "hold" : "linear";
     return json;
 }
 

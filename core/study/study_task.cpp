@@ -6,6 +6,7 @@
 
 #include "core/base/unit.hpp"
 #include "core/fit/clock.hpp"
+#include "core/fit/held_input.hpp"
 #include "core/flat/flat_model.hpp"
 #include "core/flat/parameter_change.hpp"
 #include "core/study/json_places.hpp"
@@ -242,9 +243,18 @@ private:
                 fault(fmt::format("{}/inputs/{}/clock", pointer, JsonPlaces::escape(recording.inputNames[i])),
                       phrase("experiment '{}': the clock of an input cannot be fitted", experiment.name),
                       phrase("Give its offset in seconds, or fit the clocks of the outputs."));
-            if (mapping.clock == 0.0 || recording.inputs.cols() == 0) continue;
+            if (mapping.clock == 0.0 || recording.inputs.cols() == 0 || recording.isHeld(recording.inputNames[i]))
+                continue;
             auto row = recording.inputs.row(static_cast<Eigen::Index>(i));
             row = onLinesAt(recording.time, row, mapping.clock);
+        }
+    }
+
+    /// The clocks of held inputs: each jumps at moments of its own, and they become samples of the recording.
+    static void shiftHeldInputs(const StudyExperiment& experiment, Recording& recording) {
+        for (std::size_t i = 0; i < recording.inputNames.size(); ++i) {
+            const double clock = experiment.inputs.at(recording.inputNames[i]).clock;
+            if (clock != 0.0 && recording.isHeld(recording.inputNames[i])) shiftHeld(recording, i, clock);
         }
     }
 
@@ -265,6 +275,8 @@ private:
         recording.time = *time;
         const bool complete = checkSignals(experiment, pointer);
         recording.inputNames = mapped(experiment.inputs, signals_.inputNames);
+        for (const std::string& input : recording.inputNames)
+            if (experiment.inputs.at(input).interpolation == Interpolation::Hold) recording.held.push_back(input);
         recording.outputNames = mapped(experiment.outputs, signals_.outputNames);
         const bool read = readRows(table, experiment, recording.inputNames, experiment.inputs, signals_.inputs,
                                    pointer + "/inputs", EmptyCells::Fault, recording.inputs, recording.units) &
@@ -276,6 +288,7 @@ private:
         if (complete && read && recording.time.size() > 1) readClocks(experiment, pointer, recording);
         readStarts(table, experiment, pointer, recording);
         addSpares(table, experiment, recording);
+        if (complete && read) shiftHeldInputs(experiment, recording);
         if (complete && read) task_.recordings.push_back(std::move(recording));
     }
 
