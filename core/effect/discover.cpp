@@ -10,6 +10,7 @@
 #include "core/base/unit.hpp"
 #include "core/effect/caution.hpp"
 #include "core/effect/dependence.hpp"
+#include "core/effect/held_command.hpp"
 #include "core/effect/model_state.hpp"
 #include "core/effect/reason.hpp"
 #include "core/effect/remainder.hpp"
@@ -683,6 +684,27 @@ Outcome<Finding> Search::run() {
     return finding;
 }
 
+namespace {
+
+struct HeldInputs {
+    HeldReading reading;
+    double errorOnLines{};  // [%]
+};
+
+/// The inputs of a task that are held by what a fit on straight lines leaves, where the shape of one tells of it.
+std::optional<HeldInputs> heldInputs(const EstimationTask& task, const FitOptions& options, const Progress& progress) {
+    if (!anyLooksHeld(task) || progress.stopRequested()) return std::nullopt;
+    const Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, options, progress);
+    if (!null) return std::nullopt;
+    const std::optional<HeldReading> reading = heldReading(*null, options, progress);
+    if (!reading) return std::nullopt;
+    const Outcome<ModelState> state = stateOf(null->variant, null->fit, options.simulation, progress, Detail::Errors);
+    if (!state) return std::nullopt;
+    return HeldInputs{*reading, errorPercentOf(*state, Role::Fit)};
+}
+
+}  // namespace
+
 Outcome<ModelState> fitModel(const EstimationTask& task, const FitOptions& options, const Progress& progress) {
     Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, options, progress);
     if (!null) return null.diagnostics();
@@ -692,17 +714,36 @@ Outcome<ModelState> fitModel(const EstimationTask& task, const FitOptions& optio
     if (!state) return state;
     for (const Role role : {Role::Fit, Role::Validate})
         for (Text& sentence : wrongStarts(*state, role)) state->remarks.push_back(std::move(sentence));
+    if (const auto reading = heldReading(*null, options, progress))
+        for (Text& remark : heldRemarks(task, *reading, errorPercentOf(*state, Role::Fit), false))
+            state->remarks.push_back(std::move(remark));
     return state;
 }
 
 Outcome<ModelState> simulateModel(const EstimationTask& task, const SimulationOptions& options,
                                   const Progress& progress) {
     const Variant variant{task, {}, {}};
-    return stateOf(variant, {}, options, progress);
+    Outcome<ModelState> state = stateOf(variant, {}, options, progress);
+    // the values at which a model stands say little: which reading is right is seen where they are fitted
+    FitOptions fit;
+    fit.simulation = options;
+    if (const auto found = heldInputs(task, fit, progress); state && found)
+        for (Text& remark : heldRemarks(task, found->reading, found->errorOnLines, false))
+            state->remarks.push_back(std::move(remark));
+    return state;
 }
 
 Outcome<Finding> discover(const EstimationTask& task, const DiscoverOptions& options, const Progress& progress) {
-    return Search(task, options, progress).run();
+    const auto held = heldInputs(task, options.fit, progress);
+    if (!held) return Search(task, options, progress).run();
+    EstimationTask read = task;
+    holdInputs(read, held->reading.inputs);
+    Outcome<Finding> finding = Search(read, options, progress).run();
+    if (!finding) return finding;
+    finding->heldInputs = held->reading.inputs;
+    std::vector<Text> remarks = heldRemarks(task, held->reading, held->errorOnLines, true);
+    finding->warnings.insert(finding->warnings.begin(), remarks.begin(), remarks.end());
+    return finding;
 }
 
 }  // namespace analogon

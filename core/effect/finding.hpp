@@ -148,7 +148,8 @@ struct Finding {
     std::optional<ProposedModel> proposed;  // empty: no equation is, or no block says it
     Text nextExperiment;
     std::vector<Text> warnings;
-    Text notSearched{};  // why no effect was looked for; empty: they were
+    std::vector<std::string> heldInputs{};  // that the study joins by straight lines; all is told with them held
+    Text notSearched{};                     // why no effect was looked for; empty: they were
     bool interrupted{};
     double seconds{};
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,7 +56,8 @@ struct Recording {
     std::vector<SpareChannel> spares;
     std::vector<RecordingClock> clocks{};
     std::vector<ChannelUnit> units{};
-    std::vector<std::string> held{};  // of the inputs: they keep the value of a sample until the next one
+    std::vector<std::string> held{};              // of the inputs: they keep the value of a sample until the next one
+    std::map<std::string, std::string> asHeld{};  // by input: how the study would say that it is held (JSON)
 
     bool isHeld(const std::string& input) const;
     /// An input at a moment between a sample and the next one, of which this part has passed.

@@ -59,9 +59,18 @@ void mapInput(Study& study, const std::string& input, const std::string& channel
     for (StudyExperiment& x : study.experiments) x.inputs[input].column = channel;
 }
 
+/// What was told with inputs held is so in a study that says it.
+Study withHeld(Study study, const std::vector<std::string>& inputs) {
+    for (StudyExperiment& x : study.experiments)
+        for (const std::string& input : inputs)
+            if (const auto mapping = x.inputs.find(input); mapping != x.inputs.end())
+                mapping->second.interpolation = Interpolation::Hold;
+    return study;
+}
+
 /// The study with effects wired in.
 Study completedStudy(const Study& study, const Finding& finding) {
-    Study completed = withModel(study, finding.final);
+    Study completed = withHeld(withModel(study, finding.final), finding.heldInputs);
     for (const AddedEffect& e : finding.effects)
         if (!e.newInput.empty()) mapInput(completed, e.newInput, e.channel);
     return completed;
@@ -70,7 +79,7 @@ Study completedStudy(const Study& study, const Finding& finding) {
 /// The study with the equations that are proposed, too, their blocks beside those that it has.
 std::optional<Study> proposedStudy(const Study& study, const Finding& finding) {
     if (!finding.proposed) return std::nullopt;
-    Study proposed = withModel(study, finding.proposed->state);
+    Study proposed = withHeld(withModel(study, finding.proposed->state), finding.heldInputs);
     for (const auto& [input, channel] : finding.proposed->newInputs) mapInput(proposed, input, channel);
     if (const std::string blocks = proposedBlocks(finding); !blocks.empty()) {
         std::string& text = proposed.models[proposalFile];

@@ -72,6 +72,9 @@ Outcome<Done> writeStudy(const Study& study, const std::filesystem::path& direct
 /// Whether the offset of the clock of an output's own logger is to be found by the fit.
 bool asksForClock(const std::vector<StudyExperiment>& experiments, const std::string& output);
 
+/// A mapping as study.json has it, on one line.
+std::string mappingText(const ChannelMapping& mapping);
+
 /// study.json text.
 std::string studyJson(const Study& study);
 

@@ -444,6 +444,16 @@ Outcome<Study> parseStudyJson(const SourcePtr& json) {
     return StudyReader(tree, places).read();
 }
 
+std::string mappingText(const ChannelMapping& mapping) {
+    std::string text;
+    for (const char c : mappingJson(mapping).dump(0, ' ', false, Json::error_handler_t::replace))
+        if (c != '\n')
+            text += c;
+        else if (text.back() == ',')
+            text += ' ';
+    return text;
+}
+
 std::string studyJson(const Study& study) {
     Json json{{"format", formatName}, {"class", study.className}};
     json["experiments"] = Json::array();

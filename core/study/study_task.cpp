@@ -275,8 +275,12 @@ private:
         recording.time = *time;
         const bool complete = checkSignals(experiment, pointer);
         recording.inputNames = mapped(experiment.inputs, signals_.inputNames);
-        for (const std::string& input : recording.inputNames)
-            if (experiment.inputs.at(input).interpolation == Interpolation::Hold) recording.held.push_back(input);
+        for (const std::string& input : recording.inputNames) {
+            ChannelMapping mapping = experiment.inputs.at(input);
+            if (mapping.interpolation == Interpolation::Hold) recording.held.push_back(input);
+            mapping.interpolation = Interpolation::Hold;
+            recording.asHeld[input] = mappingText(mapping);
+        }
         recording.outputNames = mapped(experiment.outputs, signals_.outputNames);
         const bool read = readRows(table, experiment, recording.inputNames, experiment.inputs, signals_.inputs,
                                    pointer + "/inputs", EmptyCells::Fault, recording.inputs, recording.units) &

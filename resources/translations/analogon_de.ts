@@ -3391,6 +3391,32 @@ Ihre Spalten werden dann den Ein- und Ausgängen des Modells zugeordnet.</transl
         <translation>, in Sekunden</translation>
     </message>
     <message>
+        <source>held</source>
+        <translation>gehalten</translation>
+    </message>
+    <message>
+        <source>
+held: each value lasts until the next sample</source>
+        <translation>
+gehalten: Jeder Wert gilt bis zum nächsten Abtastwert</translation>
+    </message>
+    <message>
+        <source>Hold %1 between its samples</source>
+        <translation>%1 zwischen den Abtastwerten halten</translation>
+    </message>
+    <message>
+        <source>Join the samples of %1</source>
+        <translation>Abtastwerte von %1 verbinden</translation>
+    </message>
+    <message>
+        <source>Held between its samples</source>
+        <translation>Zwischen den Abtastwerten gehalten</translation>
+    </message>
+    <message>
+        <source>Straight between its samples</source>
+        <translation>Gerade zwischen den Abtastwerten</translation>
+    </message>
+    <message>
         <source>Set the clock of %1</source>
         <translation>Uhr von %1 setzen</translation>
     </message>
@@ -4556,6 +4582,34 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Was an Ausgang „{}“ von „{}“ bleibt, ist nicht ganz Rauschen, aber viel weniger, als das Gefundene erklärt: So viel können die Formen seiner Blöcke lassen (ein gerundeter Vorzeichenwechsel, ein genaues Quadrat)</translation>
     </message>
     <message>
+        <source>the input '{}' is held between its samples by what the outputs say, and the study joins them by straight lines: held, the model leaves an error of {:.2f} %, on straight lines of {:.2f} %</source>
+        <translation>Der Eingang „{}“ wird nach dem, was die Ausgänge sagen, zwischen seinen Abtastwerten gehalten, und die Studie verbindet sie durch Geraden: Gehalten lässt das Modell einen Fehler von {:.2f} %, auf Geraden von {:.2f} %</translation>
+    </message>
+    <message>
+        <source>the input '{}' is held between its samples by what the outputs say, or reaches the component half a sample late, which looks nearly the same, and the study joins them by straight lines: held, the model leaves an error of {:.2f} %, on straight lines of {:.2f} %</source>
+        <translation>Der Eingang „{}“ wird nach dem, was die Ausgänge sagen, zwischen seinen Abtastwerten gehalten, oder er erreicht das Bauteil einen halben Abtastwert später, was fast gleich aussieht; die Studie verbindet sie durch Geraden: Gehalten lässt das Modell einen Fehler von {:.2f} %, auf Geraden von {:.2f} %</translation>
+    </message>
+    <message>
+        <source>write &quot;{}&quot;: {} under &quot;inputs&quot; of the study (in the window: the menu of the input among the measurements)</source>
+        <translation>in der Studie unter &quot;inputs&quot; schreiben: &quot;{}&quot;: {} (im Fenster: das Menü des Eingangs bei den Messungen)</translation>
+    </message>
+    <message>
+        <source>{}; all that is told here is with it held: {}</source>
+        <translation>{}; alles hier Gesagte gilt mit gehaltenem Eingang: {}</translation>
+    </message>
+    <message>
+        <source>{}; the parameters that are told here are those of the lines: {}</source>
+        <translation>{}; die hier genannten Parameter sind die der Geraden: {}</translation>
+    </message>
+    <message>
+        <source>the model needs the slope of the input {}, which is held between its samples</source>
+        <translation>Das Modell braucht die Steigung des Eingangs {}, der zwischen seinen Abtastwerten gehalten wird</translation>
+    </message>
+    <message>
+        <source>what jumps has no slope: give it &quot;interpolation&quot;: &quot;linear&quot;, or let the model filter it</source>
+        <translation>Was springt, hat keine Steigung: „interpolation“ auf „linear“ setzen, oder das Modell filtern lassen</translation>
+    </message>
+    <message>
         <source>the input '{}' is stamped {:.3g} s late ({:.2g} samples; a mean over the last sample is late by half of one): the search reckons with it, the errors that are reported do not; set it in the study as its &quot;clock&quot;: {:.3g}</source>
         <translation>Der Eingang „{}“ trägt seinen Zeitstempel {:.3g} s zu spät ({:.2g} Abtastwerte; ein Mittel über den letzten Abtastwert kommt um einen halben zu spät): Die Suche berücksichtigt das, die genannten Fehler nicht; in der Studie als &quot;clock&quot;: {:.3g} eintragen</translation>
     </message>
@@ -5256,6 +5310,26 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>{}: Ein Gewicht kann nicht negativ sein</translation>
     </message>
     <message>
+        <source>{}: an output is compared where it was measured, never between its samples</source>
+        <translation>{}: Ein Ausgang wird verglichen, wo er gemessen wurde, nie zwischen seinen Abtastwerten</translation>
+    </message>
+    <message>
+        <source>Remove &quot;interpolation&quot; here; it belongs to an input.</source>
+        <translation>„interpolation“ hier entfernen; es gehört zu einem Eingang.</translation>
+    </message>
+    <message>
+        <source>&quot;linear&quot; or &quot;hold&quot;</source>
+        <translation>&quot;linear&quot; oder &quot;hold&quot;</translation>
+    </message>
+    <message>
+        <source>{}: expected &quot;linear&quot; or &quot;hold&quot;, found &quot;{}&quot;</source>
+        <translation>{}: erwartet wird &quot;linear&quot; oder &quot;hold&quot;, gefunden wurde &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;linear&quot;: on straight lines between the samples; &quot;hold&quot;: each value until the next sample.</source>
+        <translation>&quot;linear&quot;: auf Geraden zwischen den Abtastwerten; &quot;hold&quot;: jeder Wert bis zum nächsten Abtastwert.</translation>
+    </message>
+    <message>
         <source>a number of seconds, or &quot;fit&quot;</source>
         <translation>eine Zahl in Sekunden, oder &quot;fit&quot;</translation>
     </message>
@@ -5554,6 +5628,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>no convergence of an implicit step</source>
         <translation>keine Konvergenz eines impliziten Schritts</translation>
+    </message>
+    <message>
+        <source>the model needs the slope of an input that is held</source>
+        <translation>das Modell braucht die Steigung eines Eingangs, der gehalten wird</translation>
     </message>
     <message>
         <source>no convergence of an algebraic loop</source>

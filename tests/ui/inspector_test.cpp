@@ -224,6 +224,34 @@ TEST_F(Inspector, TakesTheClockOfALoggerAndListsWhatTheFitFinds) {
     EXPECT_EQ(studyJson(document().study()), original);
 }
 
+TEST_F(Inspector, TakesAnInputAsHeldFromItsMenu) {
+    auto* measurements = window.findChild<MeasurementPanel*>();
+    const auto input = [&]() -> const ChannelMapping& {
+        return document().study().experiments.front().inputs.at("ctrl_var");
+    };
+    const auto chooseOfInput = [&](const QString& action) {
+        QTreeWidget* tree = measurements->tree();
+        QTreeWidgetItem* item =
+            measurements->signalItem(QString::fromStdString(document().study().experiments.front().name), "ctrl_var");
+        ASSERT_TRUE(item);
+        choose(tree, tree->indexFromItem(item, 0), action);
+    };
+    const std::string original = studyJson(document().study());
+    chooseOfInput("Straight between its samples");
+    EXPECT_EQ(studyJson(document().study()), original) << "what it is already changes nothing";
+    chooseOfInput("Held between its samples");
+    EXPECT_EQ(input().interpolation, Interpolation::Hold);
+    EXPECT_NE(studyJson(document().study()).find("\"interpolation\": \"hold\""), std::string::npos);
+    const QTreeWidgetItem* item =
+        measurements->signalItem(QString::fromStdString(document().study().experiments.front().name), "ctrl_var");
+    EXPECT_TRUE(item->text(1).endsWith("held")) << item->text(1).toStdString();
+    const Outcome<EstimationTask> task = estimationTask(document().study());
+    ASSERT_TRUE(task);
+    EXPECT_TRUE(task->recordings.front().isHeld("ctrl_var"));
+    document().undoStack().undo();
+    EXPECT_EQ(studyJson(document().study()), original);
+}
+
 TEST_F(Inspector, TheClockOfAnOutputIsRenamedWithIt) {
     typeClock("i_mod", "fit");
     ASSERT_TRUE(model()->setData(at("clock i_mod", ParameterModel::Max), "0.5", Qt::EditRole));

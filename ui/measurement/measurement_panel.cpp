@@ -1,5 +1,6 @@
 #include "ui/measurement/measurement_panel.hpp"
 
+#include <QActionGroup>
 #include <QApplication>
 #include <QComboBox>
 #include <QHeaderView>
@@ -33,6 +34,7 @@ QString columnText(const Table* table, const ChannelMapping& mapping) {
     const std::string unit = mapping.unit.empty() && column ? column->unit : mapping.unit;
     QString text = QString::fromStdString(mapping.column);
     if (!unit.empty()) text += QStringLiteral("  [%1]").arg(QString::fromStdString(unit));
+    if (mapping.interpolation == Interpolation::Hold) text += QStringLiteral(" · ") + MeasurementPanel::tr("held");
     return text;
 }
 
@@ -46,6 +48,8 @@ QString mappingTip(const ChannelMapping& mapping, const QString& file) {
     QString tip = MeasurementPanel::tr("Column %1 of %2").arg(QString::fromStdString(mapping.column), file);
     if (mapping.scale != 1) tip += MeasurementPanel::tr("\nscaled by %1").arg(style::numberText(mapping.scale, 6));
     if (mapping.offset != 0) tip += MeasurementPanel::tr("\nshifted by %1").arg(style::numberText(mapping.offset, 6));
+    if (mapping.interpolation == Interpolation::Hold)
+        tip += MeasurementPanel::tr("\nheld: each value lasts until the next sample");
     if (mapping.weight != 1) tip += MeasurementPanel::tr("\nweight %1").arg(style::numberText(mapping.weight, 6));
     return tip;
 }
@@ -302,6 +306,32 @@ void MeasurementPanel::setClock(const QTreeWidgetItem* item, const QString& type
     });
 }
 
+void MeasurementPanel::holdInput(const QTreeWidgetItem* item, bool isHeld) {
+    const ChannelMapping* mapping = mappingOf(item);
+    const bool isInput = mapping && static_cast<Kind>(item->data(0, kindRole).toInt()) == Kind::Input;
+    if (!isInput || (mapping->interpolation == Interpolation::Hold) == isHeld) return;
+    const std::string signal = item->data(0, signalRole).toString().toStdString();
+    const QString what = isHeld ? tr("Hold %1 between its samples") : tr("Join the samples of %1");
+    change(item, what.arg(QString::fromStdString(signal)), [&](StudyExperiment& e) {
+        e.inputs[signal].interpolation = isHeld ? Interpolation::Hold : Interpolation::Linear;
+    });
+}
+
+/// How an input runs between its samples.
+void MeasurementPanel::addInterpolation(QMenu& menu, const QTreeWidgetItem* item) {
+    const ChannelMapping* mapping = mappingOf(item);
+    if (!mapping || static_cast<Kind>(item->data(0, kindRole).toInt()) != Kind::Input) return;
+    auto* group = new QActionGroup(&menu);
+    for (const bool isHeld : {false, true}) {
+        QAction* action = menu.addAction(isHeld ? tr("Held between its samples") : tr("Straight between its samples"),
+                                         this, [this, item, isHeld] { holdInput(item, isHeld); });
+        action->setCheckable(true);
+        action->setChecked((mapping->interpolation == Interpolation::Hold) == isHeld);
+        group->addAction(action);
+    }
+    menu.addSeparator();
+}
+
 void MeasurementPanel::setRole(const QTreeWidgetItem* item, bool isFit) {
     const StudyExperiment* experiment = experimentOf(item);
     if (!experiment || (experiment->role == Role::Fit) == isFit) return;
@@ -347,6 +377,7 @@ void MeasurementPanel::showMenu(QPoint at) {
                 tree_->showColumn(Clock);
                 tree_->editItem(item, Clock);
             });
+        addInterpolation(*menu, item);
         while (item->parent()) item = item->parent();
         const bool isFit = experiment->role == Role::Fit;
         menu->addSeparator();

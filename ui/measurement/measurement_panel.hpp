@@ -4,6 +4,7 @@
 #include <functional>
 
 class QLabel;
+class QMenu;
 class QToolButton;
 class QStackedLayout;
 class QTreeWidget;
@@ -34,6 +35,9 @@ public:
     /// The row of a signal of an experiment, to point at it; null: none.
     QTreeWidgetItem* signalItem(const QString& experiment, const QString& signal) const;
 
+    /// Whether the input of a row keeps each value until its next sample, or runs on straight lines between them.
+    void holdInput(const QTreeWidgetItem* item, bool isHeld);
+
 Q_SIGNALS:
     void experimentChosen(const QString& name);
     void importWanted(const QString& path);
@@ -55,6 +59,7 @@ private:
     void setRange(const QTreeWidgetItem* item, const QString& text);
     /// "fit", seconds, or a number with a unit of time; what is none of these changes nothing.
     void setClock(const QTreeWidgetItem* item, const QString& typed);
+    void addInterpolation(QMenu& menu, const QTreeWidgetItem* item);
     void removeExperiment();
     void showMenu(QPoint at);
     void showValuesOf(const QTreeWidgetItem* item);

@@ -403,7 +403,7 @@ TEST_F(Discovery, TakesACommandThatIsHeldForNoDeadTime) {
     EXPECT_TRUE(finding.effects.empty()) << finding.effects.front().kind;
     EXPECT_EQ(finding.kind, FindingKind::Adequate);
     const auto held = std::find_if(finding.warnings.begin(), finding.warnings.end(), [](const Text& w) {
-        return w.english().find("held in between") != std::string::npos;
+        return w.english().find("held between its samples") != std::string::npos;
     });
     ASSERT_NE(held, finding.warnings.end());
     EXPECT_NE(held->find("half a sample late"), std::string::npos) << "which the data do not tell from it";
