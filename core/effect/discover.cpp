@@ -691,9 +691,9 @@ struct HeldInputs {
     double errorOnLines{};  // [%]
 };
 
-/// The inputs of a task that are held by what a fit on straight lines leaves, where the shape of one tells of it.
+/// The inputs of a task that are held by what a fit on straight lines leaves.
 std::optional<HeldInputs> heldInputs(const EstimationTask& task, const FitOptions& options, const Progress& progress) {
-    if (!anyLooksHeld(task) || progress.stopRequested()) return std::nullopt;
+    if (progress.stopRequested()) return std::nullopt;
     const Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, options, progress);
     if (!null) return std::nullopt;
     const std::optional<HeldReading> reading = heldReading(*null, options, progress);
@@ -727,7 +727,8 @@ Outcome<ModelState> simulateModel(const EstimationTask& task, const SimulationOp
     // the values at which a model stands say little: which reading is right is seen where they are fitted
     FitOptions fit;
     fit.simulation = options;
-    if (const auto found = heldInputs(task, fit, progress); state && found)
+    if (!state || !anyLooksHeld(task)) return state;
+    if (const auto found = heldInputs(task, fit, progress))
         for (Text& remark : heldRemarks(task, found->reading, found->errorOnLines, false))
             state->remarks.push_back(std::move(remark));
     return state;

@@ -57,6 +57,24 @@ bool looksHeld(EstimationTask task, const std::string& input) {
     return isAny && areAll;
 }
 
+/// Whether the outputs move so fast that half a sample of the inputs may explain what is asked for: it moves them by
+/// no more than half of what they move from sample to sample.
+bool isMovedBySamples(const NullModel& onLines) {
+    const double asked = (1 - std::sqrt(muchLess)) * std::sqrt(onLines.sumOfSquares());
+    const std::vector<int> fitted = recordingsOf(onLines.variant.task, Role::Fit);
+    double squares = 0;
+    for (const ResidualChannel& c : onLines.channels) {
+        const auto e = static_cast<std::size_t>(c.experiment);
+        if (e >= onLines.fit.optimum.trajectories.size()) return true;
+        const Eigen::VectorXd& noise = onLines.noise.at(static_cast<std::size_t>(fitted.at(e)));
+        const Eigen::MatrixXd& y = onLines.fit.optimum.trajectories[e].outputs;
+        const Eigen::Index last = y.cols() - 1;
+        const auto row = y.row(c.output);
+        squares += (row.tail(last) - row.head(last)).squaredNorm() / (noise[c.output] * noise[c.output]);
+    }
+    return !(0.5 * std::sqrt(squares) < 0.8 * asked);
+}
+
 class Readings {
 public:
     Readings(const NullModel& onLines, const FitOptions& options, const Progress& progress)
@@ -140,7 +158,8 @@ std::optional<HeldReading> heldReading(const NullModel& onLines, const FitOption
     std::vector<std::string> inputs = inputsOnLines(task);
     if (inputs.size() > mostInputs) inputs.resize(mostInputs);
     const bool isSettled = onLines.fit.optimum.ok && onLines.fit.optimum.jacobian.allFinite();
-    if (progress.stopRequested() || inputs.empty() || samples > mostSamples || !isSettled || isNoise(onLines))
+    if (progress.stopRequested() || inputs.empty() || samples > mostSamples || !isSettled ||
+        !isMovedBySamples(onLines) || isNoise(onLines))
         return std::nullopt;
 
     std::vector<std::vector<std::string>> groups;
@@ -196,19 +215,18 @@ std::vector<Text> heldRemarks(const EstimationTask& task, const HeldReading& rea
                 ? phrase(
                       "the input '{}' is held between its samples by what the outputs say, or reaches the component "
                       "half a sample late, which looks nearly the same, and the study joins them by straight lines: "
-                      "held, the model leaves an error of {:.2f} %, on straight lines of {:.2f} %",
+                      "held, a fit leaves an error of {:.2f} %, on straight lines one of {:.2f} %",
                       input, reading.errorPercent, errorOnLines)
                 : phrase(
                       "the input '{}' is held between its samples by what the outputs say, and the study joins them "
-                      "by straight lines: held, the model leaves an error of {:.2f} %, on straight lines of {:.2f} %",
+                      "by straight lines: held, a fit leaves an error of {:.2f} %, on straight lines one of {:.2f} %",
                       input, reading.errorPercent, errorOnLines);
         const Text remedy = phrase(
             "write \"{}\": {} under \"inputs\" of the study (in the window: the menu of the input "
             "among the measurements)",
             input, mapping);
-        remarks.push_back(
-            isReckonedWith ? phrase("{}; all that is told here is with it held: {}", found, remedy)
-                           : phrase("{}; the parameters that are told here are those of the lines: {}", found, remedy));
+        remarks.push_back(isReckonedWith ? phrase("{}; all that is told here is with it held: {}", found, remedy)
+                                         : phrase("{}; {}", found, remedy));
     }
     return remarks;
 }

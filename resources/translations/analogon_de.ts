@@ -4582,12 +4582,12 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Was an Ausgang „{}“ von „{}“ bleibt, ist nicht ganz Rauschen, aber viel weniger, als das Gefundene erklärt: So viel können die Formen seiner Blöcke lassen (ein gerundeter Vorzeichenwechsel, ein genaues Quadrat)</translation>
     </message>
     <message>
-        <source>the input '{}' is held between its samples by what the outputs say, and the study joins them by straight lines: held, the model leaves an error of {:.2f} %, on straight lines of {:.2f} %</source>
-        <translation>Der Eingang „{}“ wird nach dem, was die Ausgänge sagen, zwischen seinen Abtastwerten gehalten, und die Studie verbindet sie durch Geraden: Gehalten lässt das Modell einen Fehler von {:.2f} %, auf Geraden von {:.2f} %</translation>
+        <source>the input '{}' is held between its samples by what the outputs say, and the study joins them by straight lines: held, a fit leaves an error of {:.2f} %, on straight lines one of {:.2f} %</source>
+        <translation>Der Eingang „{}“ wird nach dem, was die Ausgänge sagen, zwischen seinen Abtastwerten gehalten, und die Studie verbindet sie durch Geraden: Gehalten lässt eine Anpassung einen Fehler von {:.2f} %, auf Geraden einen von {:.2f} %</translation>
     </message>
     <message>
-        <source>the input '{}' is held between its samples by what the outputs say, or reaches the component half a sample late, which looks nearly the same, and the study joins them by straight lines: held, the model leaves an error of {:.2f} %, on straight lines of {:.2f} %</source>
-        <translation>Der Eingang „{}“ wird nach dem, was die Ausgänge sagen, zwischen seinen Abtastwerten gehalten, oder er erreicht das Bauteil einen halben Abtastwert später, was fast gleich aussieht; die Studie verbindet sie durch Geraden: Gehalten lässt das Modell einen Fehler von {:.2f} %, auf Geraden von {:.2f} %</translation>
+        <source>the input '{}' is held between its samples by what the outputs say, or reaches the component half a sample late, which looks nearly the same, and the study joins them by straight lines: held, a fit leaves an error of {:.2f} %, on straight lines one of {:.2f} %</source>
+        <translation>Der Eingang „{}“ wird nach dem, was die Ausgänge sagen, zwischen seinen Abtastwerten gehalten, oder er erreicht das Bauteil einen halben Abtastwert später, was fast gleich aussieht; die Studie verbindet sie durch Geraden: Gehalten lässt eine Anpassung einen Fehler von {:.2f} %, auf Geraden einen von {:.2f} %</translation>
     </message>
     <message>
         <source>write &quot;{}&quot;: {} under &quot;inputs&quot; of the study (in the window: the menu of the input among the measurements)</source>
@@ -4598,8 +4598,8 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>{}; alles hier Gesagte gilt mit gehaltenem Eingang: {}</translation>
     </message>
     <message>
-        <source>{}; the parameters that are told here are those of the lines: {}</source>
-        <translation>{}; die hier genannten Parameter sind die der Geraden: {}</translation>
+        <source>{}; {}</source>
+        <translation>{}; {}</translation>
     </message>
     <message>
         <source>the model needs the slope of the input {}, which is held between its samples</source>
