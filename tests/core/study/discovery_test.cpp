@@ -406,7 +406,7 @@ TEST_F(Discovery, TakesACommandThatIsHeldForNoDeadTime) {
         return w.english().find("held between its samples") != std::string::npos;
     });
     ASSERT_NE(held, finding.warnings.end());
-    EXPECT_NE(held->find("half a sample late"), std::string::npos) << "which the data do not tell from it";
+    EXPECT_NE(held->find("\"interpolation\": \"hold\""), std::string::npos) << "the remedy is told";
 }
 
 TEST_F(Discovery, TakesAnInputThatIsStampedLateForNoEffect) {

@@ -42,9 +42,9 @@ TEST(HeldInputOfAStudy, IsReadAndWritten) {
 }
 
 TEST(HeldInputOfAStudy, AWordThatIsNoneIsAFaultThatSaysWhatWasMeant) {
-    const std::pair<const char*, const char*> wrong[] = {
-        {"\"held\"", "\"hold\""},     {"\"Hold\"", "\"hold\""},     {"\"zoh\"", "\"hold\""},
-        {"\"lineal\"", "\"linear\""}, {"\"previous\"", "\"hold\""}, {"\"spline\"", "straight lines"}};
+    const std::pair<const char*, const char*> wrong[] = {{"\"held\"", "\"hold\""},     {"\"Hold\"", "\"hold\""},
+                                                         {"\"zoh\"", "\"hold\""},      {"\"lineal\"", "\"linear\""},
+                                                         {"\"previous\"", "\"hold\""}, {"\"cubic\"", "straight lines"}};
     for (const auto& [word, hint] : wrong) {
         const Outcome<Study> study = withInput(std::string(R"({"column": "U", "interpolation": )") + word + "}");
         ASSERT_FALSE(study) << word;
