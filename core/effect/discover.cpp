@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/base/number_text.hpp"
 #include "core/base/stopwatch.hpp"
 #include "core/base/unit.hpp"
 #include "core/effect/caution.hpp"
@@ -96,7 +97,10 @@ Remainder remainderOf(const Change& c, double end) {
 
 /// Of all recordings that were not fitted, each in the condition that suits it best [%]; -1: there are none.
 double leastOf(const std::vector<CheckOfChange>& checks) {
-    return checks.empty() ? -1 : meanError(checks, [](const CheckOfChange& c) { return c.least(); });
+    const auto all = [](const CheckOfChange&) { return true; };
+    return checks.empty() ? -1
+                          : meanError(
+                                checks, [](const CheckOfChange& c) { return c.least(); }, all);
 }
 
 /// In which condition a recording that was not fitted seems to have been taken.
@@ -121,32 +125,34 @@ void keepWhatIsLeft(const NullModel& with, std::size_t proposals, const Simulati
                left.end());
 }
 
+Text estimateText(const HeldInstead& h) { return Text::number(valueText(h.value, h.standardError)); }
+
 Text remarkOf(const HeldInstead& h, const std::string& effect, const std::string& at) {
     return h.byBound ? phrase(
-                           "{} at {} explains no more than {} beyond its bound of {:.5g}: {:.5g} ± {:.2g}{} instead; "
+                           "{} at {} explains no more than {} beyond its bound of {:.5g}: {}{} instead; "
                            "keep the bound only if it is known for certain",
-                           effect, at, h.parameter, h.held, h.value, h.standardError, behindNumber(h.unit))
+                           effect, at, h.parameter, h.held, estimateText(h), behindNumber(h.unit))
                      : phrase(
-                           "{} at {} explains no more than another value of {}, which is held at {:.5g}: {:.5g} ± "
-                           "{:.2g}{} instead; hold it only if it is known for certain",
-                           effect, at, h.parameter, h.held, h.value, h.standardError, behindNumber(h.unit));
+                           "{} at {} explains no more than another value of {}, which is held at {:.5g}: {}{} "
+                           "instead; hold it only if it is known for certain",
+                           effect, at, h.parameter, h.held, estimateText(h), behindNumber(h.unit));
 }
 
 Text remarkOf(const HeldInstead& h) {
     return h.byBound ? phrase(
-                           "{} beyond its bound of {:.5g} explains more than any effect: {:.5g} ± {:.2g}{} fits; widen "
+                           "{} beyond its bound of {:.5g} explains more than any effect: {}{} fits; widen "
                            "the bound",
-                           h.parameter, h.held, h.value, h.standardError, behindNumber(h.unit))
+                           h.parameter, h.held, estimateText(h), behindNumber(h.unit))
                      : phrase(
-                           "another value of {} explains more than any effect: it is held at {:.5g}, and {:.5g} ± "
-                           "{:.2g}{} fits; correct it, or let it be fitted",
-                           h.parameter, h.held, h.value, h.standardError, behindNumber(h.unit));
+                           "another value of {} explains more than any effect: it is held at {:.5g}, and {}{} "
+                           "fits; correct it, or let it be fitted",
+                           h.parameter, h.held, estimateText(h), behindNumber(h.unit));
 }
 
 /// What explains as much as the value that is told first.
 Text remarkOfEqual(const HeldInstead& h) {
-    return phrase("{} of {:.5g} ± {:.2g}{} instead of {:.5g} explains as much: the data do not tell which is wrong",
-                  h.parameter, h.value, h.standardError, behindNumber(h.unit), h.held);
+    return phrase("{} of {}{} instead of {:.5g} explains as much: the data do not tell which is wrong", h.parameter,
+                  estimateText(h), behindNumber(h.unit), h.held);
 }
 
 Remainder remainderOf(const HeldInstead& h) {
@@ -160,6 +166,17 @@ Remainder remainderOf(const Dependence& d) {
     return changing(d.parameter, d.explained,
                     fmt::format("{} = {:.4g} {} {:.4g}*({} - {:.4g})", d.parameter, d.value, d.slope < 0 ? "-" : "+",
                                 std::abs(d.slope / d.range), d.channel, d.middle));
+}
+
+}  // namespace
+
+namespace {
+
+/// Where the model cannot be simulated at its start values, it is fitted from others within the bounds.
+FitOptions fromAnywhere(FitOptions options) {
+    constexpr int others = 128;
+    options.otherStarts = others;
+    return options;
 }
 
 }  // namespace
@@ -375,8 +392,12 @@ Outcome<Finding> Search::run() {
         });
 
     say("fit", base_.task.className, 0);
-    Outcome<NullModel> null = fitNull(base_, {}, NoiseLevel::Estimate, options_.fit, progress_);
+    Outcome<NullModel> null = fitNull(base_, {}, NoiseLevel::Estimate, fromAnywhere(options_.fit), progress_);
     if (!null) return null.diagnostics();
+    if (null->beginning) {  // what follows begins where the model can be simulated
+        base_.values = full_.values = null->beginning->values;
+        finding.warnings.push_back(null->beginning->remark);
+    }
     std::optional<NullModel> onAll;
     const auto fitAll = [&]() -> Outcome<Done> {
         if (thinning_ < 2) return Done{};
@@ -706,12 +727,13 @@ std::optional<HeldInputs> heldInputs(const EstimationTask& task, const FitOption
 }  // namespace
 
 Outcome<ModelState> fitModel(const EstimationTask& task, const FitOptions& options, const Progress& progress) {
-    Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, options, progress);
+    Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, fromAnywhere(options), progress);
     if (!null) return null.diagnostics();
     // what a cancelled fit came to is simulated to its end: the best so far is a result, a part of a trace is none
     Outcome<ModelState> state =
         stateOf(null->variant, null->fit, options.simulation, progress.stopRequested() ? Progress() : progress);
     if (!state) return state;
+    if (null->beginning) state->remarks.insert(state->remarks.begin(), null->beginning->remark);
     for (const Role role : {Role::Fit, Role::Validate})
         for (Text& sentence : wrongStarts(*state, role)) state->remarks.push_back(std::move(sentence));
     if (const auto reading = heldReading(*null, options, progress))
@@ -723,7 +745,14 @@ Outcome<ModelState> fitModel(const EstimationTask& task, const FitOptions& optio
 Outcome<ModelState> simulateModel(const EstimationTask& task, const SimulationOptions& options,
                                   const Progress& progress) {
     const Variant variant{task, {}, {}};
-    Outcome<ModelState> state = stateOf(variant, {}, options, progress);
+    SimulationOptions watched = options;
+    double shown = 0;  // what is simulated once more does not set the bar back
+    watched.reached = [&](double part) {
+        shown = std::max(shown, part);
+        progress.report({"simulate", {}, shown});
+    };
+    watched.reached(0);
+    Outcome<ModelState> state = stateOf(variant, {}, watched, progress);
     // the values at which a model stands say little: which reading is right is seen where they are fitted
     FitOptions fit;
     fit.simulation = options;

@@ -8,6 +8,7 @@
 
 #include "core/base/median.hpp"
 #include "core/base/range.hpp"
+#include "core/effect/model_state.hpp"
 
 namespace analogon {
 namespace {
@@ -300,7 +301,7 @@ ModelState withoutFaults(ModelState state, const std::vector<FaultySamples>& fau
             o.measured.segment(f.begin, f.end - f.begin).setConstant(std::nan(""));
             o.figures = errorFigures(o.simulated.transpose(), o.measured.transpose());
         }
-        e.errorPercent = meanError(e.outputs, [](const OutputState& o) { return o.figures.errorPercent; });
+        e.errorPercent = errorPercentOf(e.outputs);
     }
     return state;
 }

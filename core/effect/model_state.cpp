@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/range.hpp"
+#include "core/base/unit.hpp"
 #include "core/fit/clock.hpp"
 #include "core/fit/own_parameters.hpp"
 #include "core/fit/uncertainty.hpp"
@@ -31,7 +33,7 @@ ExperimentState experimentState(const FitExperiment& experiment, Role role, cons
         state.outputs.push_back(outputState(experiment.system->outputs()[static_cast<std::size_t>(o)],
                                             trajectory.outputs.row(o), experiment.measured.row(o)));
     }
-    state.errorPercent = meanError(state.outputs, [](const OutputState& o) { return o.figures.errorPercent; });
+    state.errorPercent = errorPercentOf(state.outputs);
     return state;
 }
 
@@ -88,6 +90,7 @@ public:
                const Progress& progress) {
         FitOptions options;
         options.simulation = simulation;
+        options.simulation.reached = nullptr;
         options.findsRobustErrors = true;
         values_ = problem.startValues();
         for (int e = 0; e < static_cast<int>(problem.experiments.size()); ++e) {
@@ -145,6 +148,25 @@ void addDeviations(const FitProblem& problem, int experiment, const Eigen::Vecto
         const int row = fitted.system->outputIndex(output.name);
         if (row >= 0 && band.row(row).allFinite()) output.deviation = band.row(row).transpose();
     }
+}
+
+/// What an error in percent is a part of where a channel has no range.
+std::vector<Text> standstillRemarks(const ModelState& state) {
+    std::vector<Text> remarks;
+    for (const ExperimentState& e : state.experiments)
+        for (const OutputState& o : e.outputs) {
+            const Range range = rangeOf(o.measured);
+            if (range.isEmpty() || range.width() > 0 || !std::isfinite(o.figures.rmse)) continue;
+            const std::string unit = behindNumber(o.unit);
+            remarks.push_back(
+                o.figures.hasScale()
+                    ? phrase("experiment '{}': {} stands still at {:.5g}{}: its error is told in percent of that",
+                             e.name, o.name, range.high, unit)
+                    : phrase("experiment '{}': {} is 0 throughout: it has no error in percent, the root mean square "
+                             "deviation is {:.3g}{}",
+                             e.name, o.name, o.figures.rmse, unit));
+        }
+    return remarks;
 }
 
 /// Residual of one output over the fitted experiments, one after the other.
@@ -225,6 +247,22 @@ std::vector<Text> switchingRemarks(const FitProblem& problem, const Linearisatio
 
 }  // namespace
 
+namespace {
+
+/// Of all recordings, those of a role are one stretch of what is to be simulated.
+SimulationOptions ofRole(SimulationOptions options, const std::vector<Recording>& recordings, Role role) {
+    if (!options.reached) return options;
+    const auto isFit = [](const Recording& r) { return r.role == Role::Fit; };
+    const double share = static_cast<double>(std::count_if(recordings.begin(), recordings.end(), isFit)) /
+                         static_cast<double>(std::max<std::size_t>(1, recordings.size()));
+    options.reached = [all = options.reached, share, role](double part) {
+        all(role == Role::Fit ? share * part : share + (1 - share) * part);
+    };
+    return options;
+}
+
+}  // namespace
+
 Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const SimulationOptions& simulation,
                             const Progress& progress, Detail detail) {
     ModelState state;
@@ -247,14 +285,17 @@ Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const 
         if (problem.experiments.empty()) continue;
         const OpenStarts open(problem, role, fit, simulation, progress);
         const Eigen::VectorXd& values = open.values();
-        Linearisation l = linearise(problem, values, false, {}, simulation, progress);
+        const SimulationOptions watched = ofRole(simulation, variant.task.recordings, role);
+        Linearisation l = linearise(problem, values, false, {}, watched, progress);
         std::optional<Linearisation> close;
-        if (fit.simulations == 0) close = integrateCloselyWhereNeeded(problem, values, simulation, progress, l);
+        if (fit.simulations == 0) close = integrateCloselyWhereNeeded(problem, values, watched, progress, l);
         const bool hasBands = detail == Detail::Report && fit.covariance.size() > 0;
         Eigen::MatrixXd covariance = hasBands ? covarianceIn(problem, role, fit) : Eigen::MatrixXd();
         if (hasBands) open.addTo(problem, covariance);
         for (std::size_t e = 0; e < std::min(problem.experiments.size(), l.trajectories.size()); ++e) {
             ExperimentState experiment = experimentState(problem.experiments[e], role, l.trajectories[e]);
+            experiment.failure.cause =
+                causeOf(problem, static_cast<int>(e), values, experiment.failure, simulation, progress);
             open.addTo(static_cast<int>(e), experiment);
             if (hasBands)
                 addDeviations(problem, static_cast<int>(e), values, covariance, simulation, progress, experiment);
@@ -266,6 +307,7 @@ Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const 
     }
     for (auto& [index, experiment] : byRecording) state.experiments.push_back(std::move(experiment));
     summariseResiduals(state);
+    for (Text& remark : standstillRemarks(state)) state.remarks.push_back(std::move(remark));
     if (std::any_of(state.residual.begin(), state.residual.end(), [](const auto& r) { return isColoured(r.second); }))
         std::for_each(state.parameters.begin(), state.parameters.end(), reckonWithColour);
     return state;
@@ -294,11 +336,22 @@ void addOtherParameters(const FlatModel& model, const PlacedEffect& placed, std:
     }
 }
 
+double errorPercentOf(const std::vector<OutputState>& outputs) {
+    return meanError(
+        outputs, [](const OutputState& o) { return o.figures.errorPercent; },
+        [](const OutputState& o) { return o.figures.hasScale(); });
+}
+
 double errorPercentOf(const ModelState& state, Role role) {
     std::vector<const ExperimentState*> experiments;
     for (const ExperimentState& e : state.experiments)
         if (e.role == role) experiments.push_back(&e);
-    return meanError(experiments, [](const ExperimentState* e) { return e->errorPercent; });
+    const auto hasScale = [](const ExperimentState* e) {
+        return std::any_of(e->outputs.begin(), e->outputs.end(),
+                           [](const OutputState& o) { return o.figures.hasScale(); });
+    };
+    return meanError(
+        experiments, [](const ExperimentState* e) { return e->errorPercent; }, hasScale);
 }
 
 double validationErrorOf(const ModelState& state) {

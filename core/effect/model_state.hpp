@@ -22,6 +22,9 @@ Outcome<FlatModel> flattened(const EstimationTask& task, const std::string& text
 /// behind a reciprocal), without a standard error.
 void addOtherParameters(const FlatModel& model, const PlacedEffect& placed, std::vector<EffectValue>& values);
 
+/// Root mean square of error_percent over outputs, those left out that are 0 throughout.
+double errorPercentOf(const std::vector<OutputState>& outputs);
+
 /// Root mean square of error_percent over the experiments of a role; 0 when there is none.
 double errorPercentOf(const ModelState& state, Role role);
 

@@ -19,19 +19,44 @@ constexpr double allRounding = 1.15;  // of the rms of what a converter rounds o
 constexpr double roughly = 30;            // times the integration's tolerance, for what is only compared
 constexpr double indistinctShare = 0.03;  // of a large residual
 
+bool standsStill(const FitExperiment& experiment, Eigen::Index output) {
+    return !(rangeOf(experiment.measured.row(output)).width() > 0);
+}
+
+/// Where a channel stands still its sensor is as noisy as where it moves; nothing else tells its noise if it is 0
+/// throughout.
+double noiseAtRest(const FitProblem& problem, const std::vector<Eigen::VectorXd>& noise, Eigen::Index output) {
+    constexpr double ofNominal = 1e-3;
+    double largest = 0;
+    for (std::size_t e = 0; e < problem.experiments.size(); ++e)
+        if (problem.experiments[e].isFitted(output)) largest = std::max(largest, noise[e][output]);
+    const System& system = *problem.experiments.front().system;
+    return largest > 0 ? largest : ofNominal * system.outputs()[static_cast<std::size_t>(output)].nominal;
+}
+
 /// Noise of every output from what the model leaves, in the units of the output.
 std::vector<Eigen::VectorXd> noiseOf(const EstimationTask& task, const PreparedTask& prepared, const FitResult& fit) {
-    std::vector<Eigen::VectorXd> noise(task.recordings.size());
-    for (std::size_t e = 0; e < prepared.problem.experiments.size(); ++e) {
-        const FitExperiment& experiment = prepared.problem.experiments[e];
-        Eigen::VectorXd& n = noise[static_cast<std::size_t>(prepared.fitRecordings[e])];
-        n = Eigen::VectorXd::Zero(experiment.measured.rows());
-        for (Eigen::Index o = 0; o < n.size(); ++o) {
+    const std::vector<FitExperiment>& experiments = prepared.problem.experiments;
+    std::vector<Eigen::VectorXd> found(experiments.size());
+    for (std::size_t e = 0; e < experiments.size(); ++e) {
+        const FitExperiment& experiment = experiments[e];
+        found[e] = Eigen::VectorXd::Zero(experiment.measured.rows());
+        for (Eigen::Index o = 0; o < found[e].size(); ++o) {
             if (experiment.weights[o] <= 0) continue;
             const Eigen::VectorXd r =
                 (fit.optimum.trajectories[e].outputs.row(o) - experiment.measured.row(o)).transpose();
             const Eigen::VectorXd m = experiment.measured.row(o).transpose();
-            n[o] = std::max(channelNoise(r, m), 1e-300);
+            found[e][o] = channelNoise(r, m);
+        }
+    }
+    std::vector<Eigen::VectorXd> noise(task.recordings.size());
+    for (std::size_t e = 0; e < experiments.size(); ++e) {
+        Eigen::VectorXd& n = noise[static_cast<std::size_t>(prepared.fitRecordings[e])];
+        n = found[e];
+        for (Eigen::Index o = 0; o < n.size(); ++o) {
+            if (experiments[e].weights[o] <= 0) continue;
+            if (standsStill(experiments[e], o)) n[o] = std::max(n[o], noiseAtRest(prepared.problem, found, o));
+            n[o] = std::max(n[o], 1e-300);
         }
     }
     return noise;
@@ -126,6 +151,7 @@ Outcome<NullModel> fitNull(const Variant& start, const std::vector<Eigen::Vector
         if (!null.fit.optimum.ok)
             return numericalError(null.fit.message, phrase("give other start values, or narrower bounds"));
         null.variant.values = valuesOf(null.fit);
+        if (null.fit.beganElsewhere) null.beginning = {null.variant.values, null.fit.remarks.front()};
         null.variant.plans = stepsOf(null.fit);
         null.channels = residualChannels(prepared->problem);
         if (pass + 1 < passes) null.noise = noiseOf(null.variant.task, *prepared, null.fit);
@@ -162,8 +188,24 @@ bool isOfCounts(const Eigen::VectorXd& residual, double step) {
 
 }  // namespace
 
+namespace {
+
+/// Whether a residual, in units of the noise, stands off by a good part of it and by more than chance: what stays the
+/// same throughout has no autocorrelation, and is no noise for that.
+bool standsOff(const Eigen::VectorXd& residual) {
+    constexpr double share = 0.5, deviations = 4;
+    const auto count = static_cast<double>(residual.size());
+    const double mean = residual.sum() / count;
+    const double scatter = std::max(1.0, std::sqrt((residual.array() - mean).square().sum() / count));
+    return std::abs(mean) > std::max(share, deviations / std::sqrt(count)) * scatter;
+}
+
+}  // namespace
+
 bool isNoise(const ResidualChannel& channel, const Eigen::VectorXd& residuals) {
-    const auto isWhite = [](const Eigen::VectorXd& r) { return summarise(r).whiteProbability > whiteSignificance; };
+    const auto isWhite = [](const Eigen::VectorXd& r) {
+        return summarise(r).whiteProbability > whiteSignificance && !standsOff(r);
+    };
     const Eigen::VectorXd own = residuals.segment(channel.begin, channel.end - channel.begin);
     if (isWhite(own)) return true;
     const double step = quantisationStep(channel.measured);

@@ -25,6 +25,12 @@ struct ScoresBeside {
     Eigen::VectorXd whiteResidual;
 };
 
+/// Where a model had to be fitted from other start values than its own, which it cannot be simulated at.
+struct OtherBeginning {
+    std::vector<ParameterValue> values;  // that the first fit ended with
+    Text remark;
+};
+
 /// A fitted model against which candidates are held: its residual, Jacobian and noise.
 struct NullModel {
     Variant variant;
@@ -33,6 +39,7 @@ struct NullModel {
     std::vector<ResidualChannel> channels;
     Whitener whitener;  // from the residual of this model
     double period{};    // [s] at which the residual repeats most strongly, see dominantPeriod
+    std::optional<OtherBeginning> beginning;
 
     double sumOfSquares() const { return fit.optimum.residuals.squaredNorm(); }
     int parameterCount() const { return static_cast<int>(fit.estimates.size()); }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/number_text.hpp"
 #include "core/base/parallel.hpp"
 #include "core/effect/caution.hpp"
 #include "core/effect/input_edge.hpp"
@@ -467,10 +468,10 @@ std::vector<Text> Search::recordingRemarks(const NullModel& null) const {
             if (e.name != start.parameter || e.experiment != start.experiment) continue;
             const Recording& recording = full_.task.recordings[static_cast<std::size_t>(start.recording)];
             remarks.push_back(
-                phrase("'{}' does not begin where the model was told: {} is {:.5g} ± {:.2g}{}{} there, not {:.5g}; "
+                phrase("'{}' does not begin where the model was told: {} is {}{}{} there, not {:.5g}; "
                        "it is fitted for this recording (\"initial\": \"fit\")",
-                       recording.name, start.parameter, e.value, e.standardError, e.unit.empty() ? "" : " ", e.unit,
-                       start.value));
+                       recording.name, start.parameter, Text::number(valueText(e.value, e.standardError)),
+                       e.unit.empty() ? "" : " ", e.unit, start.value));
         }
     return remarks;
 }

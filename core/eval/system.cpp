@@ -15,6 +15,7 @@
 #include "core/eval/program_code.hpp"
 #include "core/eval/recurrence.hpp"
 #include "core/eval/row_code.hpp"
+#include "core/eval/senseless.hpp"
 #include "core/eval/system_builder.hpp"
 
 namespace analogon {
@@ -621,6 +622,24 @@ bool System::observed(Workspace& w, double t, std::span<const double> x, std::sp
         values[i] = handles[i] < 0 ? std::numeric_limits<double>::quiet_NaN()
                                    : r.values[observation.results[static_cast<std::size_t>(handles[i])]];
     return true;
+}
+
+Text System::senselessOperation(double t, std::span<const double> p, std::span<const double> x,
+                                std::span<const double> u) const {
+    const SystemPrograms& s = impl_->programs;
+    const Observation& observation = impl_->observe();
+    Registers r;
+    r.target = VectorTarget::Interpreter;
+    r.resize(std::max<std::size_t>(s.registerCount, observation.program.registerCount),
+             std::max(s.guessCount, observation.guessCount));
+    // where a block cannot be solved, what follows is not computed
+    std::fill(r.values.begin(), r.values.end(), std::numeric_limits<double>::quiet_NaN());
+    for (const auto& [reg, value] : s.preloads) r.values[reg] = value;
+    load(r, s.firstParameter, p.first(s.parameters.size()));
+    Evaluation evaluation(s, r, false, {});
+    evaluation.at(t, x, u);
+    if (runValues(s.prelude, s.tables, r)) runValues(observation.program, observation.tables, r);
+    return analogon::senselessOperation(s, observation, t, r.values);
 }
 
 std::string System::failure(const Workspace& w) const { return w.data_ ? w.data_->registers.failure : std::string(); }

@@ -176,6 +176,10 @@ public:
     /// Whether that was an algebraic loop without a solution; otherwise a value that is not finite.
     bool failedToSolve(const Workspace& w) const;
 
+    /// Which operation of which equation has no value at a point, in words; empty: none. Slow path, from scratch.
+    Text senselessOperation(double t, std::span<const double> p, std::span<const double> x,
+                            std::span<const double> u) const;
+
     /// x' affine in x and u (input derivatives and delayed values are entries of u), with coefficients that are
     /// constant for fixed p, and free of time: the exact recurrence applies.
     bool isLinearTimeInvariant() const;

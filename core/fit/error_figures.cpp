@@ -35,9 +35,11 @@ ErrorFigures errorFigures(const Eigen::Ref<const Eigen::RowVectorXd>& simulated,
     }
     ErrorFigures figures;
     figures.rmse = std::sqrt(square / n);
-    figures.errorPercent = high > low ? 100.0 * figures.rmse / (high - low) : nan;
+    // A channel that stands still has no range: its magnitude takes the place, where it has one.
+    const double scale = high > low ? high - low : std::abs(high);
+    figures.errorPercent = scale > 0.0 ? 100.0 * figures.rmse / scale : nan;
     figures.relativeRmsPercent = norm > 0.0 ? 100.0 * std::sqrt(square / norm) : nan;
-    figures.fitPercent = spread > 0.0 ? 100.0 * (1.0 - std::sqrt(square / spread)) : nan;
+    figures.fitPercent = high > low && spread > 0.0 ? 100.0 * (1.0 - std::sqrt(square / spread)) : nan;
     figures.maxAbs = largest;
     return figures;
 }

@@ -106,13 +106,16 @@ Eigen::MatrixXd inOrder(const std::vector<SignalInfo>& signals, const std::vecto
     return ordered;
 }
 
-/// 1 / noise where the noise is known, else 1 / range of the channel.
-double weightOf(const Eigen::Ref<const Eigen::RowVectorXd>& measured, double noise) {
+/// 1 / noise where the noise is known, else 1 / range of the channel. Where it stands still: over its range in all
+/// recordings that are fitted, its magnitude, or its nominal value.
+double weightOf(const Eigen::Ref<const Eigen::RowVectorXd>& measured, double noise, const Range& elsewhere,
+                double nominal) {
     if (noise > 0.0 && std::isfinite(noise)) return 1.0 / noise;
     const Range range = rangeOf(measured);
     if (range.isEmpty()) return 0.0;  // nothing measured
-    if (range.width() > 0) return 1.0 / range.width();
-    return range.high != 0.0 ? 1.0 / std::abs(range.high) : 1.0;
+    for (const double scale : {range.width(), elsewhere.width(), std::abs(range.high), nominal})
+        if (scale > 0.0) return 1.0 / scale;
+    return 1.0;
 }
 
 /// Whether a stamp may lie outside the recording, with a clock that is ahead by this or that.
@@ -162,7 +165,9 @@ public:
             const auto row = static_cast<Eigen::Index>(i);
             const double importance = row < recording.weights.size() ? recording.weights[row] : 1.0;
             const double deviation = noise && output < noise->size() ? (*noise)[output] : 0.0;
-            experiment.weights[output] = importance * weightOf(experiment.measured.row(output), deviation);
+            experiment.weights[output] =
+                importance * weightOf(experiment.measured.row(output), deviation, fittedRange(recording.outputNames[i]),
+                                      system.outputs()[static_cast<std::size_t>(output)].nominal);
         }
         for (const SignalInfo& info : system.parameters()) experiment.parameters.push_back(info.value);
         addClocks(recording, experiment);
@@ -180,6 +185,16 @@ public:
 private:
     void fault(const Recording& recording, const Text& text, const Text& hint = {}) {
         faults_.push_back(error(phrase("experiment '{}': {}", recording.name, text), {}, hint));
+    }
+
+    Range fittedRange(const std::string& output) const {
+        Range range;
+        for (const Recording& r : task_.recordings) {
+            const auto at = std::find(r.outputNames.begin(), r.outputNames.end(), output);
+            const auto row = at - r.outputNames.begin();
+            if (r.role == Role::Fit && row < r.outputs.rows()) range.take(rangeOf(r.outputs.row(row)));
+        }
+        return range;
     }
 
     void checkChannels(const Recording& recording, bool isInput, const std::vector<std::string>& names,

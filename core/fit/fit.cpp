@@ -7,15 +7,14 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <optional>
-#include <random>
 
 #include "core/base/parallel.hpp"
 #include "core/base/stopwatch.hpp"
 #include "core/fit/difference_slopes.hpp"
 #include "core/fit/misfit.hpp"
 #include "core/fit/partial_records.hpp"
+#include "core/fit/starts.hpp"
 #include "core/fit/uncertainty.hpp"
 
 namespace analogon {
@@ -269,34 +268,6 @@ Descent descend(const FitProblem& problem, const Eigen::VectorXd& start, const F
     return descent;
 }
 
-/// Latin hypercube (McKay et al. 1979) over the bounds, or about the start: start s of dimension i lies in its own
-/// stratum. The first start is the problem's own. Each depends on the seed and its index alone.
-std::vector<Eigen::VectorXd> startsOf(const FitProblem& problem, const FitOptions& options) {
-    const auto K = static_cast<Eigen::Index>(problem.parameters.size());
-    const Eigen::VectorXd own = problem.startValues();
-    std::vector<Eigen::VectorXd> starts{own};
-    const int further = options.starts - 1;
-    if (further <= 0) return starts;
-    starts.resize(static_cast<std::size_t>(options.starts), own);
-    const Coordinates coordinates(problem.parameters);
-    for (Eigen::Index i = 0; i < K; ++i) {
-        std::mt19937_64 random(options.seed * 0x9E3779B97F4A7C15ull + static_cast<std::uint64_t>(i));
-        std::vector<int> strata(static_cast<std::size_t>(further));
-        std::iota(strata.begin(), strata.end(), 0);
-        // Own shuffle and own uniform numbers: those of the standard library differ between implementations.
-        for (std::size_t s = strata.size(); s > 1; --s) std::swap(strata[s - 1], strata[random() % s]);
-        for (int s = 0; s < further; ++s) {
-            const double within = static_cast<double>(random() >> 11) * 0x1p-53;
-            const double fraction = (strata[static_cast<std::size_t>(s)] + within) / further;
-            const int index = static_cast<int>(i);
-            starts[static_cast<std::size_t>(s) + 1][i] = options.startsWithin > 1.0
-                                                             ? coordinates.near(index, fraction, options.startsWithin)
-                                                             : coordinates.within(index, fraction);
-        }
-    }
-    return starts;
-}
-
 double objectiveOf(const FitProblem& problem, double cost, double scatter) {
     if (problem.scatter > 0.0 || !problem.hasPriors()) return cost;
     return cost / (scatter * scatter) + problem.residualCount() * std::log(scatter);
@@ -353,6 +324,38 @@ void addRemarks(const FitProblem& problem, const Descent& best, const Uncertaint
     }
 }
 
+/// "a = 0.01, h0 = 0.2"
+Text valuesText(const FitProblem& problem, const Eigen::VectorXd& values) {
+    Text list;
+    for (std::size_t i = 0; i < problem.parameters.size(); ++i) {
+        if (i > 0) list += ", ";
+        list += phrase("{} = {:.4g}", nameOf(problem, problem.parameters[i]), values[static_cast<Eigen::Index>(i)]);
+    }
+    return list;
+}
+
+/// What no parameter moves says nothing of the scatter of what is fitted: it may be off by any amount, or be at rest.
+struct Unmoved {
+    double squares{};
+    Eigen::Index count{};
+};
+
+Unmoved unmovedChannels(const FitProblem& problem, const Linearisation& optimum) {
+    Unmoved unmoved;
+    Eigen::Index row = 0;
+    for (const FitExperiment& e : problem.experiments)
+        for (Eigen::Index o = 0; o < e.measured.rows(); ++o) {
+            if (!e.isFitted(o)) continue;
+            const Eigen::Index count = e.measured.cols() - e.measured.row(o).array().isNaN().count();
+            if (optimum.jacobian.middleRows(row, count).isZero(0.0)) {
+                unmoved.squares += optimum.residuals.segment(row, count).squaredNorm();
+                unmoved.count += count;
+            }
+            row += count;
+        }
+    return unmoved;
+}
+
 /// Residuals, Jacobian and confidence at the best point found.
 void conclude(const FitProblem& problem, const FitOptions& options, Descent& best, FitResult& result,
               const Progress& progress) {
@@ -395,8 +398,12 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
     if ((result.optimum.ok || isReduced) && K > 0) {
         std::vector<std::string> names;
         for (const FitParameter& p : problem.parameters) names.push_back(nameOf(problem, p));
-        const auto freedom = static_cast<double>(problem.residualCount() - K);
-        double variance = freedom > 0 ? std::max(0.0, 2.0 * result.cost - priors.squares()) / freedom : 1.0;
+        const Unmoved unmoved = result.optimum.ok && result.optimum.jacobian.cols() == K
+                                    ? unmovedChannels(problem, result.optimum)
+                                    : Unmoved();
+        const auto freedom = static_cast<double>(problem.residualCount() - K - unmoved.count);
+        const double squares = 2.0 * result.cost - priors.squares() - unmoved.squares;
+        double variance = freedom > 0 ? std::max(0.0, squares) / freedom : 1.0;
         if (options.loss != RobustLoss::None) variance = best.lossScale * best.lossScale;
         if (problem.weightsAreNoise) variance = std::max(variance, 1.0);
         const ReducedMisfit reduced =
@@ -441,6 +448,23 @@ const FitEstimate* FitResult::find(const std::string& name, int experiment) cons
 
 namespace {
 
+FitResult onlySimulated(const FitProblem& problem, const FitOptions& options, const Progress& progress) {
+    FitResult result;
+    Descent only;
+    for (std::size_t e = 0; e < problem.experiments.size(); ++e)
+        only.plans.push_back(planFor(problem, static_cast<int>(e), {}, options.simulation));
+    only.minimum.values.resize(0);
+    only.minimum.status = FitStatus::Converged;
+    only.minimum.message = phrase("no parameter is free");
+    conclude(problem, options, only, result, progress);
+    result.startCost = result.cost;
+    if (std::isfinite(result.cost)) return result;
+    result.status = FitStatus::Failed;
+    result.message = failureAt(problem, result.values, options.simulation, progress);
+    if (result.message.empty()) result.message = result.optimum.failure;
+    return result;
+}
+
 FitResult fitted(const FitProblem& problem, const FitOptions& options, const Progress& progress) {
     FitResult result;
     const Diagnostics faults = validate(problem);
@@ -448,29 +472,36 @@ FitResult fitted(const FitProblem& problem, const FitOptions& options, const Pro
         result.message = format(faults);
         return result;
     }
+    if (problem.parameters.empty()) return onlySimulated(problem, options, progress);
     const std::vector<Eigen::VectorXd> starts = startsOf(problem, options);
     std::vector<Descent> descents(starts.size());
-    if (problem.parameters.empty()) {
-        Descent& only = descents.front();
-        for (std::size_t e = 0; e < problem.experiments.size(); ++e) {
-            only.plans.push_back(planFor(problem, static_cast<int>(e), starts.front(), options.simulation));
-        }
-        only.minimum.values = starts.front();
-        only.minimum.status = FitStatus::Converged;
-        only.minimum.message = phrase("no parameter is free");
-        conclude(problem, options, only, result, progress);
-        result.startCost = result.cost;
-        if (!std::isfinite(result.cost)) {
-            result.status = FitStatus::Failed;
-            result.message = result.optimum.failure;
-        }
-        return result;
+    const auto descendFrom = [&](const std::vector<Eigen::VectorXd>& begins, std::size_t first) {
+        parallelFor(static_cast<int>(begins.size()), std::max(1, options.threads), [&](int index) {
+            const auto s = static_cast<std::size_t>(index);
+            if (progress.stopRequested() && index > 0) return;
+            descents[first + s] = descend(problem, begins[s], options, progress);
+        });
+    };
+    descendFrom(starts, 0);
+    const auto cannotBegin = [](const Descent& d) {
+        return d.minimum.status == FitStatus::Failed && !std::isfinite(d.minimum.cost);
+    };
+    std::vector<Eigen::VectorXd> elsewhere;
+    Text failure;
+    if (options.otherStarts > 0 && !progress.stopRequested() &&
+        std::all_of(descents.begin(), descents.end(), cannotBegin)) {
+        failure = failureAt(problem, starts.front(), options.simulation, progress);
+        if (failure.empty()) failure = descents.front().minimum.message;
+        const StartsElsewhere looked = startsElsewhere(problem, options, progress);
+        elsewhere = looked.starts;
+        result.simulations += looked.simulations;
+        result.failedSimulations += looked.failedSimulations;
+        const std::size_t first = descents.size();
+        descents.resize(first + elsewhere.size());
+        descendFrom(elsewhere, first);
+        descents.front().minimum.message = phrase(
+            "{}; nor can it be simulated at any of {} other starts within the bounds", failure, options.otherStarts);
     }
-    parallelFor(static_cast<int>(starts.size()), std::max(1, options.threads), [&](int index) {
-        const auto s = static_cast<std::size_t>(index);
-        if (progress.stopRequested() && index > 0) return;
-        descents[s] = descend(problem, starts[s], options, progress);
-    });
     const auto objective = [&](const Descent& d) { return objectiveOf(problem, d.minimum.cost, d.scatter); };
     std::size_t best = 0;
     for (std::size_t s = 0; s < descents.size(); ++s) {
@@ -480,7 +511,14 @@ FitResult fitted(const FitProblem& problem, const FitOptions& options, const Pro
         result.partSimulations += descents[s].partSimulations;
     }
     conclude(problem, options, descents[best], result, progress);
-    result.startCost = descents.front().startCost;
+    result.startCost = descents[best < starts.size() ? 0 : best].startCost;
+    if (best >= starts.size()) {
+        result.beganElsewhere = true;
+        result.remarks.insert(result.remarks.begin(),
+                              phrase("the model cannot be simulated at its start values ({}); the fit began elsewhere "
+                                     "within the bounds, at {}",
+                                     failure, valuesText(problem, elsewhere[best - starts.size()])));
+    }
     if (progress.stopRequested()) {
         result.status = FitStatus::Cancelled;
         result.message = phrase("cancelled; the best parameters so far are kept");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <iterator>
@@ -29,6 +30,9 @@ struct FitOptions {
     double costTolerance{1e-10};  // relative fall of the cost at which the fit has converged
     int starts{1};                // > 1: further starts from a Latin hypercube within the bounds, best one kept
     double startsWithin{};        // > 1: these lie within this factor of the start values, of whatever bounds
+    /// > 0: where the model cannot be simulated at its start values, so many others from the Latin hypercube are looked
+    /// at, and the fit begins at the best of them.
+    int otherStarts{};
     std::uint64_t seed{1};
     int threads{1};
     bool beginsWithPart{
@@ -87,6 +91,7 @@ struct FitResult {
     Linearisation optimum;                    // residuals, Jacobian, trajectories at the optimum
     std::vector<GridPlan> plans;
     bool takesDifferences{};    // the tangents of this model mislead (core/fit/difference_slopes.hpp)
+    bool beganElsewhere{};      // the model cannot be simulated at its start values (FitOptions::otherStarts)
     std::vector<Text> remarks;  // "R and k only appear as k/R here: fix one"
 
     /// nullptr: not fitted. `experiment`: -1 of a parameter that all share.
@@ -103,23 +108,32 @@ FitResult fit(const FitProblem& problem, const FitOptions& options = {}, const P
 /// Error figures of one output (contract, section 6). NaN samples are left out.
 struct ErrorFigures {
     double rmse{};
-    double errorPercent{};        // 100 RMSE / (max - min of the measured channel)
+    /// 100 RMSE / (max - min of the measured channel); of a channel that stands still, over its magnitude. NaN: it is 0
+    /// throughout, and only the RMSE tells anything.
+    double errorPercent{};
     double relativeRmsPercent{};  // 100 |y - m| / |m|
     double fitPercent{};          // 100 (1 - |y - m| / |m - mean m|)
     double maxAbs{};
+
+    /// Whether there is something that an error in percent could be a part of.
+    bool hasScale() const { return !(std::isnan(errorPercent) && std::isfinite(rmse)); }
 };
 ErrorFigures errorFigures(const Eigen::Ref<const Eigen::RowVectorXd>& simulated,
                           const Eigen::Ref<const Eigen::RowVectorXd>& measured);
 
-/// Error of several outputs or experiments (contract, section 6): the root of their mean square; 0 of none.
-template <class Parts, class ErrorOf>
-double meanError(const Parts& parts, ErrorOf errorOf) {
+/// Error of several outputs or experiments (contract, section 6): the root of their mean square over those that
+/// `counts` does not leave out; 0 of none, NaN where all are left out.
+template <class Parts, class ErrorOf, class Counts>
+double meanError(const Parts& parts, ErrorOf errorOf, Counts counts) {
     double squares = 0;
+    int count = 0;
     for (const auto& part : parts) {
+        if (!std::invoke(counts, part)) continue;
         const double each = std::invoke(errorOf, part);
         squares += each * each;
+        ++count;
     }
-    return std::empty(parts) ? 0 : std::sqrt(squares / static_cast<double>(std::size(parts)));
+    return std::empty(parts) ? 0 : std::sqrt(squares / count);
 }
 
 }  // namespace analogon

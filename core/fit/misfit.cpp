@@ -187,7 +187,10 @@ void Misfit::stepUnseen(const Eigen::VectorXd& from, const Eigen::VectorXd& to) 
 }
 
 void Misfit::evaluate(const Eigen::VectorXd& values, ReducedMisfit& reduced) {
+    const int failedBefore = failedSimulations_;
     evaluateSlopes(values, reduced);
+    if (!reduced.ok && failedSimulations_ == failedBefore && !isCancelled())
+        failure_ = phrase("the sensitivities are not finite");
     if (!reduced.ok || !arousesDoubt(values, reduced) || !mislead(values, reduced)) return;
     // perhaps only here: on the way some zone may be narrower than it is in the end
     constexpr int oftenEnough = 3;

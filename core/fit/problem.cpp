@@ -70,6 +70,38 @@ SimulationTask taskFor(const FitProblem& problem, int experiment, const Eigen::V
     return task;
 }
 
+/// How much of an experiment is done: the runs that choose its steps are the first half, however many they are, the one
+/// that is looked at is the second.
+class PartsDone {
+public:
+    PartsDone(const SimulationOptions& options, std::size_t experiment, std::size_t experiments)
+        : reached_(options.reached), experiment_(experiment), experiments_(experiments) {}
+
+    SimulationOptions planning(SimulationOptions options) {
+        if (reached_)
+            options.reached = [this](double part) {
+                if (part < last_) ++runs_;
+                last_ = part;
+                tell(0.5 * (1 - std::pow(0.5, runs_ + part)));
+            };
+        return options;
+    }
+    SimulationOptions simulating(SimulationOptions options, bool isPlanned) const {
+        if (reached_) options.reached = [this, isPlanned](double part) { tell(isPlanned ? part : 0.5 + 0.5 * part); };
+        return options;
+    }
+
+private:
+    void tell(double part) const {
+        reached_((static_cast<double>(experiment_) + part) / static_cast<double>(experiments_));
+    }
+
+    const std::function<void(double)>& reached_;
+    std::size_t experiment_{}, experiments_{};
+    double last_{};
+    int runs_{};
+};
+
 /// One simulation with the experiment's plan of these, or one made here; what is thrown in it is a failure like any
 /// other.
 Trajectory simulated(const FitProblem& problem, std::size_t experiment, SimulationTask task,
@@ -77,18 +109,19 @@ Trajectory simulated(const FitProblem& problem, std::size_t experiment, Simulati
                      SampleSink& sink) {
     try {
         if (problem.beforeSimulation) problem.beforeSimulation(task, options);
-        if (options.engine == Engine::Adaptive) return simulateAdaptive(task, options, progress);
         const bool isPlanned = experiment < plans.size();
+        PartsDone done(options, experiment, problem.experiments.size());
+        if (options.engine == Engine::Adaptive) return simulateAdaptive(task, done.simulating(options, true), progress);
         std::optional<Trajectory> taken;
-        const GridPlan plan =
-            isPlanned ? plans[experiment]
-                      : planGrid(task, options, progress, problem.knownPlan(static_cast<int>(experiment)), &taken);
+        const GridPlan plan = isPlanned ? plans[experiment]
+                                        : planGrid(task, done.planning(options), progress,
+                                                   problem.knownPlan(static_cast<int>(experiment)), &taken);
         if (taken) {
             taken->plan = plan;
             pour(*taken, 0, sink);
             return std::move(*taken);
         }
-        return simulateGrid(task, plan, options, progress, &sink);
+        return simulateGrid(task, plan, done.simulating(options, isPlanned), progress, &sink);
     } catch (const std::exception& fault) {
         Trajectory stopped;
         stopped.engine = options.engine;
@@ -366,6 +399,8 @@ Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values
         BothSinks both(writer, added);
         SampleSink& sink = sums ? static_cast<SampleSink&>(both) : writer;
         result.trajectories.push_back(simulated(problem, e, task, plans, options, progress, sink));
+        if (options.reached)
+            options.reached(static_cast<double>(e + 1) / static_cast<double>(problem.experiments.size()));
         Trajectory& trajectory = result.trajectories.back();
         if (options.engine == Engine::Adaptive) pour(trajectory, static_cast<int>(task.directions.cols()), sink);
         if (!trajectory.failure.failed) writer.applyClocks();
@@ -393,6 +428,20 @@ Linearisation linearise(const FitProblem& problem, const Eigen::VectorXd& values
     result.ok = true;
     if (sums) sums->ok = true;
     return result;
+}
+
+Text causeOf(const FitProblem& problem, int experiment, const Eigen::VectorXd& values, const SimulationFailure& failure,
+             const SimulationOptions& options, const Progress& progress) {
+    return causeOf(taskFor(problem, experiment, values, nullptr), failure, options, progress);
+}
+
+Text failureAt(const FitProblem& problem, const Eigen::VectorXd& values, const SimulationOptions& options,
+               const Progress& progress) {
+    const Linearisation line = linearise(problem, values, false, {}, options, progress);
+    if (line.ok || line.trajectories.empty()) return {};
+    const int experiment = static_cast<int>(line.trajectories.size()) - 1;  // it ends with the first that fails
+    const Text cause = causeOf(problem, experiment, values, line.trajectories.back().failure, options, progress);
+    return cause.empty() ? line.failure : phrase("{}: {}", line.failure, cause);
 }
 
 MisfitSums sumUp(const FitProblem& problem, const Eigen::VectorXd& values, bool withJacobian,

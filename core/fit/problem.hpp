@@ -102,6 +102,13 @@ GridPlan planFor(const FitProblem& problem, int experiment, const Eigen::VectorX
 GridPlan singleStepsFor(const FitProblem& problem, int experiment, const Eigen::VectorXd& values, double errorEstimate,
                         const Progress& progress = {});
 
+/// Why one experiment cannot be simulated at these values of the fit parameters: causeOf().
+Text causeOf(const FitProblem& problem, int experiment, const Eigen::VectorXd& values, const SimulationFailure& failure,
+             const SimulationOptions& options = {}, const Progress& progress = {});
+/// Which experiment cannot be simulated at these values, when, and why; empty: all can.
+Text failureAt(const FitProblem& problem, const Eigen::VectorXd& values, const SimulationOptions& options = {},
+               const Progress& progress = {});
+
 /// What a least-squares step needs of all residuals r and their Jacobian J, without keeping them.
 struct MisfitSums {
     bool ok{};

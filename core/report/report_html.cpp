@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/number_text.hpp"
 #include "core/base/unit.hpp"
-#include "core/report/number_text.hpp"
 #include "core/report/report.hpp"
 #include "core/report/style.hpp"
 #include "core/report/svg_plot.hpp"
@@ -166,7 +166,9 @@ private:
         for (const ExperimentState& experiment : before_.experiments) experimentRows(experiment);
         closeTable();
         out_ +=
-            "<p class=\"soft\"><small>Error: root mean square deviation over the range of the measured channel. "
+            "<p class=\"soft\"><small>Error: root mean square deviation over the range of the measured channel, of one "
+            "that "
+            "stands still over its magnitude. "
             "Fit: 100 % is a perfect match, 0 % no better than the mean.</small></p>\n";
     }
 

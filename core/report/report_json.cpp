@@ -61,10 +61,12 @@ Json experimentJson(const ExperimentState& experiment) {
     Json json{{"role", experiment.role == Role::Fit ? "fit" : "validate"},
               {"error_percent", number(experiment.errorPercent)},
               {"outputs", outputs}};
-    if (experiment.failure.failed)
+    if (experiment.failure.failed) {
         json["failure"] = {{"time", number(experiment.failure.time)},
                            {"variable", experiment.failure.variable},
                            {"reason", experiment.failure.reason}};
+        if (!experiment.failure.cause.empty()) json["failure"]["cause"] = experiment.failure.cause;
+    }
     return json;
 }
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/number_text.hpp"
 #include "core/base/unit.hpp"
 #include "core/measure/table.hpp"
-#include "core/report/number_text.hpp"
 #include "core/report/report.hpp"
 #include "core/report/words.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/report/number_text.hpp"
+#include "core/base/number_text.hpp"
 
 namespace analogon {
 

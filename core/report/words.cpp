@@ -8,7 +8,8 @@
 #include <cmath>
 #include <set>
 
-#include "core/report/number_text.hpp"
+#include "core/base/number_text.hpp"
+#include "core/effect/model_state.hpp"
 
 namespace analogon {
 
@@ -65,14 +66,9 @@ std::string experimentOf(const ModelState& state, const FitEstimate& estimate) {
 bool hasChanged(const Finding& finding) { return !finding.effects.empty() && !finding.final.experiments.empty(); }
 
 double errorPercent(const ModelState& state, Role role) {
-    double sum = 0;
-    int count = 0;
-    for (const ExperimentState& experiment : state.experiments) {
-        if (experiment.role != role) continue;
-        sum += experiment.errorPercent * experiment.errorPercent;
-        ++count;
-    }
-    return count > 0 ? std::sqrt(sum / count) : std::nan("");
+    const bool isAny = std::any_of(state.experiments.begin(), state.experiments.end(),
+                                   [&](const ExperimentState& experiment) { return experiment.role == role; });
+    return isAny ? errorPercentOf(state, role) : std::nan("");
 }
 
 std::string effectWords(const AddedEffect& effect) {

@@ -466,9 +466,26 @@ double coherenceProbability(const Eigen::Ref<const Eigen::VectorXd>& a, const Ei
     return std::min(probability, 1.0);
 }
 
+namespace {
+
+/// What the numbers of a channel alone leave open: at least a millionth of its range. One that does not move but for
+/// a single step of its converter tells that step, and one that does not move at all nothing: sensors are rarely better
+/// than a thousandth of what they show.
+double leastNoise(const Eigen::Ref<const Eigen::VectorXd>& measured) {
+    constexpr double ofRange = 1e-6, ofMagnitude = 1e-3;
+    const Range range = rangeOf(measured);
+    if (range.isEmpty()) return 0;
+    if (!(range.width() > 0)) return ofMagnitude * std::abs(range.high);
+    const bool hasTwoValues = std::all_of(measured.begin(), measured.end(),
+                                          [&](double x) { return std::isnan(x) || x == range.low || x == range.high; });
+    return hasTwoValues ? range.width() / std::sqrt(12.0) : ofRange * range.width();
+}
+
+}  // namespace
+
 double channelNoise(const Eigen::Ref<const Eigen::VectorXd>& residual,
                     const Eigen::Ref<const Eigen::VectorXd>& measured) {
-    return std::max({noiseFromDifferences(residual), quantisationNoise(measured), 1e-6 * rangeOf(measured).width()});
+    return std::max({noiseFromDifferences(residual), quantisationNoise(measured), leastNoise(measured)});
 }
 
 }  // namespace analogon

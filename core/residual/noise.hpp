@@ -12,8 +12,8 @@ namespace analogon {
 double noiseFromDifferences(const Eigen::Ref<const Eigen::VectorXd>& signal);
 
 /// Standard deviation of a channel's noise from what a model leaves of it and from the rounding of its values; at least
-/// a millionth of its range, since a recording that was simulated has none to speak of. `residual` and `measured`: the
-/// same samples.
+/// a millionth of its range, since a recording that was simulated has none to speak of, and at least a thousandth of
+/// the value of a channel that stands still. `residual` and `measured`: the same samples.
 double channelNoise(const Eigen::Ref<const Eigen::VectorXd>& residual,
                     const Eigen::Ref<const Eigen::VectorXd>& measured);
 

@@ -472,6 +472,7 @@ private:
         if (progress_.stopRequested()) return fail(nextSample_, {}, "cancelled"), false;
         if (secondsSince(started_) > options_.wallClockLimit)
             return fail(nextSample_, worstState(), "time limit"), false;
+        if (options_.reached) options_.reached(static_cast<double>(nextSample_) / std::max(1, last_));
         if (standsStill()) return fail(nextSample_, worstState(), "the step became too small for the tolerance"), false;
         return true;
     }

@@ -37,6 +37,7 @@ public:
             if ((k & 255) == 0) {
                 if (progress_.stopRequested()) return stop(k, "cancelled");
                 if (secondsSince(started) > options_.wallClockLimit) return stop(k, "time limit");
+                if (options_.reached) options_.reached(run_.part(k, last_));
             }
             if (!interval(k) || !record(k + 1)) return false;
         }

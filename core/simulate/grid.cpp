@@ -105,6 +105,7 @@ public:
             if ((k & 255) == 0) {
                 if (progress_.stopRequested()) return fail(k + 1, time(k), "cancelled");
                 if (secondsSince(started) > options_.wallClockLimit) return fail(k + 1, time(k), "time limit");
+                if (options_.reached) options_.reached(run_.part(k, last_));
             }
             if (const char* reason = interval(k)) return fail(k + 1, time_, reason);
             if (!recorder_.record(k + 1, x_.data(), dx_.data())) return fail(k + 1, time(k + 1), recorder_.reason());

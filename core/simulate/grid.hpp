@@ -18,6 +18,10 @@ struct GridRun {
     SampleSink* sink{};  // null: all goes into the trajectory
     bool isTrial{};      // nobody looks at it when it is cancelled
 
+    /// Which part of the stretch up to `end` is done at a sample.
+    double part(int sample, int end) const {
+        return end > first ? static_cast<double>(sample - first) / (end - first) : 1.0;
+    }
     /// Whether samples that were not reached are marked: in a long record that costs more than what was simulated.
     bool marksUnreached(const Progress& progress) const { return !isTrial || !progress.stopRequested(); }
 };

@@ -170,6 +170,7 @@ public:
             if (dynamics_.evaluations() > options_.evaluationLimit) return stop(k, "step limit");
             if (progress_.stopRequested()) return stop(k, "cancelled");
             if (secondsSince(started) > options_.wallClockLimit) return stop(k, "time limit");
+            if (options_.reached) options_.reached(run_.part(k, last_));
             const bool isImplicit = run_.plan.methodIn(k) == GridMethod::Esdirk;
             if (!(isImplicit ? implicitStretch(k) : explicitStretch(k))) return false;
         }

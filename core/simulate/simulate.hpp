@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -33,6 +34,9 @@ struct SimulationOptions {
     double wallClockLimit{60};            // [s]
     long stepLimit{20'000'000};           // adaptive engine
     long evaluationLimit{2'000'000'000};  // of the model, in one grid run or in planning one
+    /// Told now and then which part of a run over the samples is done, 0 … 1; each run that chooses the steps begins
+    /// anew. Empty: nobody asks.
+    std::function<void(double)> reached{};
 };
 
 /// Terms of the model that depend on the inputs alone, for every explicit step of a plan: computed once, then looked
@@ -77,6 +81,7 @@ struct SimulationFailure {
     double time{};         // [s] where it stopped
     std::string variable;  // the variable that was not finite, or did not converge; may be empty
     std::string reason;  // "not finite", "step limit", "time limit", "no convergence of an algebraic loop", "cancelled"
+    Text cause{};        // which operation of which equation (causeOf()); empty: not asked, or not found
 };
 
 /// Outputs at the samples, with tangents in the asked directions.
@@ -147,6 +152,11 @@ std::optional<Eigen::MatrixXd> observeAlong(const SimulationTask& task, const Ei
 /// Tangents, when asked for, by CVODES forward sensitivities.
 Trajectory simulateAdaptive(const SimulationTask& task, const SimulationOptions& options = {},
                             const Progress& progress = {});
+
+/// Which operation has no value where a simulation fails at these parameters, in which equation and at which values;
+/// empty: none was found. It is simulated again up to there.
+Text causeOf(const SimulationTask& task, const SimulationFailure& failure, const SimulationOptions& options = {},
+             const Progress& progress = {});
 
 /// Engine and plan chosen by the options.
 Trajectory simulate(const SimulationTask& task, const SimulationOptions& options = {}, const Progress& progress = {});

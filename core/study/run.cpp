@@ -97,10 +97,11 @@ RunResult fitted(const Study& study, ModelState state) {
 }
 
 Diagnostic stopped(const ExperimentState& e) {
-    return numericalError(phrase("the simulation of experiment \"{}\" stopped at t = {:.6g} s: {}{}", e.name,
-                                 e.failure.time, Text(e.failure.reason, {}, e.failure.reason),
-                                 e.failure.variable.empty() ? "" : " (" + e.failure.variable + ")"),
-                          phrase("look at the values of the parameters near that variable"));
+    Text message = phrase("the simulation of experiment \"{}\" stopped at t = {:.6g} s: {}{}", e.name, e.failure.time,
+                          Text(e.failure.reason, {}, e.failure.reason),
+                          e.failure.variable.empty() ? "" : " (" + e.failure.variable + ")");
+    if (!e.failure.cause.empty()) message = phrase("{}: {}", message, e.failure.cause);
+    return numericalError(std::move(message), phrase("look at the values of the parameters near that variable"));
 }
 
 bool hasFailed(const ExperimentState& e) { return e.failure.failed && e.failure.reason != "cancelled"; }

@@ -1,10 +1,17 @@
 #include "core/study/trace_simulator.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace analogon {
 
 namespace {
+
+/// What is simulated to its end has an error in percent, unless the channel is 0 throughout.
+template <class Part>
+double meanOf(const std::vector<Part>& parts, double Part::*error) {
+    return meanError(parts, error, [&](const Part& part) { return !std::isnan(part.*error); });
+}
 
 SimulatedExperiment tracesOf(const FitExperiment& experiment, const Trajectory& trajectory) {
     SimulatedExperiment result{experiment.name, {}, 0};
@@ -15,7 +22,7 @@ SimulatedExperiment tracesOf(const FitExperiment& experiment, const Trajectory& 
                                   {simulated.data(), simulated.data() + simulated.size()},
                                   errorFigures(simulated, experiment.measured.row(o)).errorPercent});
     }
-    result.errorPercent = meanError(result.outputs, &SimulatedTrace::errorPercent);
+    result.errorPercent = meanOf(result.outputs, &SimulatedTrace::errorPercent);
     return result;
 }
 
@@ -49,7 +56,7 @@ std::optional<SimulatedTraces> TraceSimulator::at(const std::vector<Progress::Va
     SimulatedTraces traces;
     for (std::size_t e = 0; e < problem_.experiments.size(); ++e)
         traces.experiments.push_back(tracesOf(problem_.experiments[e], line.trajectories[e]));
-    traces.errorPercent = meanError(traces.experiments, &SimulatedExperiment::errorPercent);
+    traces.errorPercent = meanOf(traces.experiments, &SimulatedExperiment::errorPercent);
     return traces;
 }
 

@@ -4870,6 +4870,70 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Versuch „{}“ ist bei t = {} s gescheitert: {} ({})</translation>
     </message>
     <message>
+        <source>looking for start values: {} of {}</source>
+        <translation>Startwerte werden gesucht: {} von {}</translation>
+    </message>
+    <message>
+        <source>{}; nor can it be simulated at any of {} other starts within the bounds</source>
+        <translation>{}; auch von keinem von {} anderen Startwerten innerhalb der Grenzen lässt es sich simulieren</translation>
+    </message>
+    <message>
+        <source>the model cannot be simulated at its start values ({}); the fit began elsewhere within the bounds, at {}</source>
+        <translation>das Modell lässt sich bei seinen Startwerten nicht simulieren ({}); die Anpassung begann anderswo innerhalb der Grenzen, bei {}</translation>
+    </message>
+    <message>
+        <source>{} = {:.4g}</source>
+        <translation>{} = {}</translation>
+    </message>
+    <message>
+        <source>{} is the root of {:.4g}</source>
+        <translation>{} ist die Wurzel aus {}</translation>
+    </message>
+    <message>
+        <source>{} is the logarithm of {:.4g}</source>
+        <translation>{} ist der Logarithmus von {}</translation>
+    </message>
+    <message>
+        <source>{} is the arcsine of {:.4g}</source>
+        <translation>{} ist der Arkussinus von {}</translation>
+    </message>
+    <message>
+        <source>{} is the arccosine of {:.4g}</source>
+        <translation>{} ist der Arkuskosinus von {}</translation>
+    </message>
+    <message>
+        <source>{} divides {:.4g} by 0</source>
+        <translation>{} teilt {} durch 0</translation>
+    </message>
+    <message>
+        <source>{} is the power of {:.4g} to {:.4g}</source>
+        <translation>{} ist die Potenz von {} hoch {}</translation>
+    </message>
+    <message>
+        <source>{} is beyond all numbers</source>
+        <translation>{} ist jenseits aller Zahlen</translation>
+    </message>
+    <message>
+        <source>{}, in the equation {}</source>
+        <translation>{}, in der Gleichung {}</translation>
+    </message>
+    <message>
+        <source>{} ({}), in the equation {}</source>
+        <translation>{} ({}), in der Gleichung {}</translation>
+    </message>
+    <message>
+        <source>{} ({}, line {})</source>
+        <translation>{} ({}, Zeile {})</translation>
+    </message>
+    <message>
+        <source>experiment '{}': {} stands still at {:.5g}{}: its error is told in percent of that</source>
+        <translation>Versuch „{}“: {} steht still bei {}{}: Der Fehler wird in Prozent davon angegeben</translation>
+    </message>
+    <message>
+        <source>experiment '{}': {} is 0 throughout: it has no error in percent, the root mean square deviation is {:.3g}{}</source>
+        <translation>Versuch „{}“: {} ist durchweg 0: Es gibt keinen Fehler in Prozent, die mittlere quadratische Abweichung ist {}{}</translation>
+    </message>
+    <message>
         <source>experiment '{}': an output is not finite</source>
         <translation>Versuch „{}“: Ein Ausgang ist nicht endlich</translation>
     </message>
@@ -6638,24 +6702,24 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>der Eingang „{}“ von „{}“ ist mit Rauschen aufgezeichnet (Effektivwert {}), das das Modell antreibt und nicht das Bauteil: Die Suche hat es geglättet, die angegebenen Fehler gelten mit ihm; den Eingang rauschärmer aufzeichnen oder glätten</translation>
     </message>
     <message>
-        <source>'{}' does not begin where the model was told: {} is {:.5g} ± {:.2g}{}{} there, not {:.5g}; it is fitted for this recording (&quot;initial&quot;: &quot;fit&quot;)</source>
-        <translation>„{}“ beginnt nicht dort, wo es dem Modell gesagt wurde: {} ist dort {} ± {}{}{}, nicht {}; der Wert wird für diese Aufzeichnung angepasst (&quot;initial&quot;: &quot;fit&quot;)</translation>
+        <source>'{}' does not begin where the model was told: {} is {}{}{} there, not {:.5g}; it is fitted for this recording (&quot;initial&quot;: &quot;fit&quot;)</source>
+        <translation>„{}“ beginnt nicht dort, wo es dem Modell gesagt wurde: {} ist dort {}{}{}, nicht {}; der Wert wird für diese Aufzeichnung angepasst (&quot;initial&quot;: &quot;fit&quot;)</translation>
     </message>
     <message>
         <source>'{}' does not begin where the model was told: what it begins with is estimated from it alone, and its errors are with that ({}; say so in the study with &quot;initial&quot;: &quot;fit&quot;)</source>
         <translation>Die Aufzeichnung „{}“ beginnt nicht dort, wo es dem Modell gesagt wurde: Womit sie beginnt, ist aus ihr allein geschätzt, und ihre Fehler gelten damit ({}; in der Studie mit &quot;initial&quot;: &quot;fit&quot; angeben)</translation>
     </message>
     <message>
-        <source>{} beyond its bound of {:.5g} explains more than any effect: {:.5g} ± {:.2g}{} fits; widen the bound</source>
-        <translation>{} jenseits seiner Grenze von {} erklärt mehr als jeder Effekt: {} ± {}{} passt; die Grenze erweitern</translation>
+        <source>{} beyond its bound of {:.5g} explains more than any effect: {}{} fits; widen the bound</source>
+        <translation>{} jenseits seiner Grenze von {} erklärt mehr als jeder Effekt: {}{} passt; die Grenze erweitern</translation>
     </message>
     <message>
-        <source>{} of {:.5g} ± {:.2g}{} instead of {:.5g} explains as much: the data do not tell which is wrong</source>
-        <translation>{} mit {} ± {}{} statt {} erklärt ebenso viel: Die Daten sagen nicht, welcher Wert falsch ist</translation>
+        <source>{} of {}{} instead of {:.5g} explains as much: the data do not tell which is wrong</source>
+        <translation>{} mit {}{} statt {} erklärt ebenso viel: Die Daten sagen nicht, welcher Wert falsch ist</translation>
     </message>
     <message>
-        <source>another value of {} explains more than any effect: it is held at {:.5g}, and {:.5g} ± {:.2g}{} fits; correct it, or let it be fitted</source>
-        <translation>ein anderer Wert von {} erklärt mehr als jeder Effekt: Er ist auf {} festgehalten, und {} ± {}{} passt; berichtigen oder anpassen lassen</translation>
+        <source>another value of {} explains more than any effect: it is held at {:.5g}, and {}{} fits; correct it, or let it be fitted</source>
+        <translation>ein anderer Wert von {} erklärt mehr als jeder Effekt: Er ist auf {} festgehalten, und {}{} passt; berichtigen oder anpassen lassen</translation>
     </message>
     <message>
         <source>an equation without a name explains as much as {} at {}, and the data do not tell them apart: {}</source>
@@ -6682,12 +6746,12 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Nur Zahlen können gelesen werden; die Zelle eines Ausgangs leer lassen, wo er nicht gemessen wurde.</translation>
     </message>
     <message>
-        <source>{} at {} explains no more than another value of {}, which is held at {:.5g}: {:.5g} ± {:.2g}{} instead; hold it only if it is known for certain</source>
-        <translation>{} bei {} erklärt nicht mehr als ein anderer Wert von {}, gehalten bei {}: stattdessen {} ± {}{}; nur halten, wenn er sicher bekannt ist</translation>
+        <source>{} at {} explains no more than another value of {}, which is held at {:.5g}: {}{} instead; hold it only if it is known for certain</source>
+        <translation>{} bei {} erklärt nicht mehr als ein anderer Wert von {}, gehalten bei {}: stattdessen {}{}; nur halten, wenn er sicher bekannt ist</translation>
     </message>
     <message>
-        <source>{} at {} explains no more than {} beyond its bound of {:.5g}: {:.5g} ± {:.2g}{} instead; keep the bound only if it is known for certain</source>
-        <translation>{} bei {} erklärt nicht mehr als {} jenseits seiner Grenze von {}: stattdessen {} ± {}{}; die Grenze nur behalten, wenn sie sicher bekannt ist</translation>
+        <source>{} at {} explains no more than {} beyond its bound of {:.5g}: {}{} instead; keep the bound only if it is known for certain</source>
+        <translation>{} bei {} erklärt nicht mehr als {} jenseits seiner Grenze von {}: stattdessen {}{}; die Grenze nur behalten, wenn sie sicher bekannt ist</translation>
     </message>
     <message>
         <source>iteration {}</source>
@@ -8732,6 +8796,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>the C compiler (cc) failed</source>
         <translation>der C-Compiler (cc) scheiterte</translation>
+    </message>
+    <message>
+        <source>the C compiler (cc) was still busy after {} s and was ended</source>
+        <translation>der C-Compiler (cc) war nach {} s noch beschäftigt und wurde beendet</translation>
+    </message>
+    <message>
+        <source>the C compiler (cc) was interrupted</source>
+        <translation>der C-Compiler (cc) wurde unterbrochen</translation>
     </message>
     <message>
         <source>the C compiler (cc) failed: {}</source>

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/report/number_text.hpp"
+#include "core/base/number_text.hpp"
 #include "ui/style/translator.hpp"
 
 namespace analogon::ui::style {

@@ -8,7 +8,7 @@
 #include <QUrl>
 #include <cmath>
 
-#include "core/report/number_text.hpp"
+#include "core/base/number_text.hpp"
 #include "core/report/words.hpp"
 #include "ui/effect/finding_words.hpp"
 #include "ui/effect/result_panel.hpp"

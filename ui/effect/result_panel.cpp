@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/report/number_text.hpp"
+#include "core/base/number_text.hpp"
 #include "core/report/words.hpp"
 #include "ui/document/document.hpp"
 #include "ui/document/mention.hpp"

@@ -12,7 +12,8 @@
 #include <cmath>
 #include <set>
 
-#include "core/report/number_text.hpp"
+#include "core/base/number_text.hpp"
+#include "core/report/words.hpp"
 #include "ui/document/document.hpp"
 #include "ui/effect/finding_words.hpp"
 #include "ui/effect/result_panel.hpp"
@@ -26,14 +27,8 @@ namespace analogon::ui {
 namespace {
 
 QString percentOf(const ModelState& state, Role role) {
-    double sum = 0;
-    int count = 0;
-    for (const ExperimentState& e : state.experiments)
-        if (e.role == role) {
-            sum += e.errorPercent * e.errorPercent;
-            ++count;
-        }
-    return count == 0 ? QStringLiteral("–") : style::fixedText(std::sqrt(sum / count), 2) + QStringLiteral(" %");
+    const double error = errorPercent(state, role);
+    return std::isfinite(error) ? style::fixedText(error, 2) + QStringLiteral(" %") : QStringLiteral("–");
 }
 
 QTreeWidget* makeTable(const QStringList& headers, QWidget* parent) {

@@ -8,8 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/number_text.hpp"
 #include "core/fit/clock.hpp"
-#include "core/report/number_text.hpp"
 #include "ui/document/mention.hpp"
 #include "ui/inspector/prior_text.hpp"
 #include "ui/style/number.hpp"

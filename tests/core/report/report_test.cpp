@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "core/report/number_text.hpp"
+#include "core/base/number_text.hpp"
 #include "core/report/words.hpp"
 #include "sample_finding.hpp"
 
@@ -336,22 +336,6 @@ TEST(Words, GiveTheValuesOfWhatAnEquationNames) {
     const std::vector<EffectValue> values{{"s", 250, 1, ""}, {"y_max", 0.004, 0, "m"}, {"u_max", 3, 0, ""}};
     EXPECT_EQ(withValues("y = min(u, y_max)", values), "y = min(u, y_max) with y_max = 0.004 m");
     EXPECT_EQ(withValues("y = u", {}), "y = u");
-}
-
-TEST(Numbers, CarryTheDigitsTheyAreWorth) {
-    EXPECT_EQ(numberText(0.03120), "0.0312");
-    EXPECT_EQ(numberText(2.1e-11), "2.1e-11");
-    EXPECT_EQ(numberText(std::nan("")), "–");
-    EXPECT_EQ(numberText(12345.678), "12346");
-    EXPECT_EQ(valueText(3.0961, 0.0213), "3.096 ± 0.021");
-    EXPECT_EQ(valueText(0.0, 0.5), "0.00 ± 0.50");
-    EXPECT_EQ(valueText(2.1034e-11, 3.1e-13), "(2.103 ± 0.031)e-11");
-    EXPECT_EQ(valueText(1.5, std::nan("")), "1.5");
-    EXPECT_EQ(percentText(8.6), "8.60 %");
-    EXPECT_EQ(percentTexts(0.5024, 0.4971), std::make_pair(std::string("0.502 %"), std::string("0.497 %")));
-    EXPECT_EQ(percentTexts(8.6, 1.1), std::make_pair(std::string("8.60 %"), std::string("1.10 %")));
-    EXPECT_EQ(percentText(0.012345), "0.0123 %");
-    EXPECT_EQ(percentText(123.4), "123 %");
 }
 
 TEST(ReportJson, SaysOfACandidateThatCouldNotBeTriedWhyAndNamesNoVerdictOfItsOwn) {

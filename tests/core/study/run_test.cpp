@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <sstream>
 
+#include "core/report/report.hpp"
 #include "study_fixture.hpp"
 
 namespace analogon {
@@ -84,6 +86,128 @@ end Heater;
     ASSERT_FALSE(result);
     EXPECT_THAT(format(result.diagnostics()), HasSubstr("\"warm-up\" stopped at t = "));
     EXPECT_THAT(format(result.diagnostics()), HasSubstr("(x)"));
+}
+
+TEST_F(Run, ASimulationThatFailsNamesTheOperationAndTheEquation) {
+    put("model.mo", R"(model Heater
+  input Real u(unit="V"), T_amb(unit="K");
+  parameter Real R = 1.5;
+  parameter Real C = 20;
+  Real x(start=1, fixed=true);
+  output Real i(unit="A");
+equation
+  der(x) = -0.1 + 0*(u + T_amb + R + C);
+  i = log(x);
+end Heater;
+)");
+    const Outcome<RunResult> result = runSimulate(read(), {}, {});
+    ASSERT_FALSE(result);
+    EXPECT_THAT(format(result.diagnostics()), HasSubstr("log(x) is the logarithm of"));
+    EXPECT_THAT(format(result.diagnostics()), HasSubstr("in the equation i = log(x) (model.mo, line 9)"));
+}
+
+TEST_F(Run, ASimulationReportsHowFarItIs) {
+    std::ostringstream csv;
+    csv << "t [s],u_heater [V],T_air [K],current [A]\n";
+    for (int k = 0; k < 60000; ++k) csv << 0.1 * k << ",12,293.15," << 6.0 - 1e-5 * k << '\n';
+    put("train.csv", csv.str());
+    std::vector<double> fractions;
+    const Progress progress({}, [&](const Progress::Report& report) {
+        if (report.stage == "simulate") fractions.push_back(report.fraction);
+    });
+    ASSERT_TRUE(runSimulate(read(), {}, progress));
+    ASSERT_GT(fractions.size(), 10u);
+    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end())) << "a bar does not go back";
+    EXPECT_EQ(fractions.front(), 0);
+    EXPECT_EQ(fractions.back(), 1);
+    const auto isBetween = [](double f) { return f > 0.01 && f < 0.99; };
+    EXPECT_GE(std::count_if(fractions.begin(), fractions.end(), isBetween), 5);
+}
+
+/// A motor at rest beside one that moves: supply voltage, speed and a channel of zeros are measured.
+class AtRest : public testing::StudyTest {
+protected:
+    void putStudy(double supplyMeasured, double zeroSimulated = 0) {
+        put("model.mo",
+            "model M\n  input Real u;\n  output Real w = x;\n  output Real supply = 12;\n  output Real zero = " +
+                std::to_string(zeroSimulated) +
+                ";\n  parameter Real k = 1;\n  parameter Real T = 2;\n  Real x(start=0, fixed=true);\n"
+                "equation\n  T*der(x) = k*u - x;\nend M;\n");
+        put("study.json", R"({"format": "analogon-study-1", "class": "M", "experiments": [
+  {"name": "bench", "role": "fit", "file": "a.csv", "time": "t", "inputs": {"u": "u"},
+   "outputs": {"w": "w", "supply": "supply", "zero": "zero"}}],
+ "parameters": {"k": {"fit": true, "min": 0.1, "max": 10}, "T": {"fit": true, "min": 0.1, "max": 10}}})");
+        std::ostringstream csv;
+        csv << "t [s],u,w,supply,zero\n";
+        std::mt19937 random(5);
+        std::normal_distribution<double> noise(0.0, 0.01);
+        double x = 0;
+        for (int k = 0; k < 400; ++k) {
+            const double u = moves_ ? (k / 80) % 2 : 0;
+            csv << 0.1 * k << ',' << u << ',' << (moves_ ? x + noise(random) : 0.0) << ',' << supplyMeasured << ",0\n";
+            for (int s = 0; s < 100; ++s) x += 1e-3 * (2.5 * u - x) / 1.6;
+        }
+        put("a.csv", csv.str());
+    }
+    const OutputState& output(const RunResult& result, const std::string& name) const {
+        for (const OutputState& o : result.finding.final.experiments.at(0).outputs)
+            if (o.name == name) return o;
+        throw std::runtime_error(name);
+    }
+    bool moves_{true};
+};
+
+TEST_F(AtRest, AConstantOutputLeavesTheFitOfTheOthersAlone) {
+    for (const double supply : {12.0, 11.0, 24.0, 0.0}) {
+        putStudy(supply);
+        const Outcome<RunResult> result = runFit(read(), {}, {});
+        ASSERT_TRUE(result) << supply << format(result.diagnostics());
+        const ModelState& state = result->finding.final;
+        EXPECT_EQ(state.status, FitStatus::Converged) << state.message;
+        for (const FitEstimate& e : state.parameters)
+            EXPECT_NEAR(e.value, e.name == "k" ? 2.5 : 1.6, 0.02) << supply << " " << e.name;
+        for (const FitEstimate& e : state.parameters)
+            EXPECT_LT(e.standardError, 0.01) << "what is off by a constant says nothing of the scatter";
+        EXPECT_LT(output(*result, "w").figures.errorPercent, 1);
+    }
+}
+
+TEST_F(AtRest, AConstantErrorIsAnErrorAndNotAdequate) {
+    putStudy(24);
+    const Outcome<RunResult> result = runDiscover(read(), {}, {});
+    ASSERT_TRUE(result) << format(result.diagnostics());
+    EXPECT_NEAR(result->finding.baseline.experiments.at(0).outputs.at(1).figures.errorPercent, 50, 1e-6);
+    EXPECT_NE(result->finding.kind, FindingKind::Adequate);
+    putStudy(12);
+    const Outcome<RunResult> right = runDiscover(read(), {}, {});
+    ASSERT_TRUE(right) << format(right.diagnostics());
+    EXPECT_EQ(right->finding.kind, FindingKind::Adequate);
+}
+
+TEST_F(AtRest, ARecordingThatNeverMovesIsFittedAndSaysWhatItTells) {
+    moves_ = false;
+    putStudy(12);
+    const Outcome<RunResult> fitted = runFit(read(), {}, {});
+    ASSERT_TRUE(fitted) << format(fitted.diagnostics());
+    const ModelState& state = fitted->finding.final;
+    EXPECT_EQ(state.experiments.at(0).errorPercent, 0);
+    std::string remarks;
+    for (const Text& remark : state.remarks) remarks += remark.english() + "\n";
+    EXPECT_THAT(remarks, HasSubstr("k has no influence on what was measured here"));
+    EXPECT_THAT(remarks, HasSubstr("supply stands still at 12: its error is told in percent of that"));
+    EXPECT_THAT(remarks, HasSubstr("zero is 0 throughout: it has no error in percent"));
+    EXPECT_TRUE(runDiscover(read(), {}, {}));
+}
+
+TEST_F(AtRest, AChannelOfZerosHasNoErrorInPercentAndIsJudgedAllTheSame) {
+    putStudy(12, 0.7);
+    const Outcome<RunResult> result = runDiscover(read(), {}, {});
+    ASSERT_TRUE(result) << format(result.diagnostics());
+    EXPECT_NE(result->finding.kind, FindingKind::Adequate);
+    const std::string json = reportJson(result->finding, {"M", "discover", "0"});
+    EXPECT_THAT(json, HasSubstr("\"error_percent\": null"));
+    EXPECT_THAT(json, ::testing::Not(HasSubstr(": nan")));
+    EXPECT_TRUE(std::isfinite(result->finding.baseline.experiments.at(0).errorPercent)) << "of those that have one";
 }
 
 /// Two recordings of one input, the second to validate.

@@ -1,4 +1,4 @@
-#include "core/report/number_text.hpp"
+#include "core/base/number_text.hpp"
 
 #include <fmt/format.h>
 
@@ -51,8 +51,12 @@ std::string valueText(double value, double standardError) {
     const int exponent = decade(std::max(std::abs(value), standardError));
     const bool isScientific = exponent < -3 || exponent > 5;
     const double scale = isScientific ? std::pow(10.0, exponent) : 1;
-    const int decimals = std::clamp(1 - decade(standardError / scale), 0, 9);
-    const std::string both = fmt::format("{:.{}f} ± {:.{}f}", value / scale, decimals, standardError / scale, decimals);
+    const bool isTold = std::abs(value) >= standardError;
+    const int decimals = std::clamp((isTold ? 1 : 0) - decade(standardError / scale), 0, 9);
+    const bool vanishes = value != 0 && std::abs(value) / scale < 0.5 * std::pow(10.0, -decimals);
+    const std::string digits =
+        vanishes ? numberText(value / scale, 1) : fmt::format("{:.{}f}", value / scale, decimals);
+    const std::string both = fmt::format("{} ± {:.{}f}", digits, standardError / scale, decimals);
     return isScientific ? fmt::format("({})e{}", both, exponent) : both;
 }
 
