@@ -72,7 +72,10 @@ int exportStudy(const Options& options, std::ostream& out, std::ostream& err) {
                                  {ExportFormat::Fmu, options.fmuFile, "FMU"},
                                  {ExportFormat::Csv, options.csvFile, "traces"}}) {
         if (wanted.file.empty()) continue;
-        const Outcome<Exported> exported = analogon::exportStudy(opened->study, wanted.format, wanted.file);
+        const Interrupt interrupt;  // a compiler that was started is ended with us
+        const Outcome<Exported> exported =
+            analogon::exportStudy(opened->study, wanted.format, wanted.file, Progress(interrupt.token(), {}));
+        if (interrupt.wasRaised()) return interrupted;
         if (!exported) return fails(namedAs(exported.diagnostics(), *opened), err);
         tell(exported.diagnostics(), err);
         out << wanted.what << ": " << wanted.file.string();

@@ -48,9 +48,9 @@ Outcome<Exported> exportStudy(const Study& study, ExportFormat format, const fs:
     }
     const Outcome<Fmu> fmu = fmuOf(study);
     if (!fmu) return fmu.diagnostics();
-    const Outcome<Done> done = writeFmu(*fmu, file);
-    if (!done) return done.diagnostics();
-    return {Exported{fmu->hasModelExchange}, done.diagnostics()};
+    const Outcome<Done> written = writeFmu(*fmu, file, std::chrono::seconds(120), progress);
+    if (!written) return written.diagnostics();
+    return {Exported{fmu->hasModelExchange}, written.diagnostics()};
 }
 
 }  // namespace analogon

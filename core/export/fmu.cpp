@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,7 +11,9 @@
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <boost/uuid/uuid_io.hpp>
 #include <cctype>
+#include <cmath>
 #include <fstream>
+#include <thread>
 
 #include "core/archive/archive.hpp"
 #include "core/base/file_fault.hpp"
@@ -19,6 +22,7 @@
 #include "core/export/fmu_model.hpp"
 #include "core/export/fmu_text.hpp"
 #include "core/export/present_values.hpp"
+#include "core/flat/parameter_change.hpp"
 
 namespace analogon {
 
@@ -33,15 +37,16 @@ std::string identifierOf(const std::string& name) {
     return result.empty() || std::isdigit(static_cast<unsigned char>(result.front())) ? "m" + result : result;
 }
 
-/// The parameters that keep their names: those of the study, and every other one with a value of its own that is not 0
-/// (a 0 is folded, as in a simulation) and has not shaped the equations.
-std::vector<std::string> tunable(const FlatModel& model, const Study& study) {
+/// The parameters that keep their names: those of the study and its experiment, and every other one with a value of its
+/// own that is not 0 (a 0 is folded, as in a simulation) and has not shaped the equations.
+std::vector<std::string> tunable(const FlatModel& model, const Study& study, const std::vector<std::string>& started) {
     std::vector<std::string> names;
     for (std::uint32_t i = 0; i < model.variables.size(); ++i) {
         const FlatVariable& v = model.variables[i];
         if (v.variability != FlatVariability::Parameter || v.type != FlatType::Real) continue;
         const auto given = study.parameters.find(v.name);
-        const bool isFitted = given != study.parameters.end() && given->second.fit;
+        const bool isFitted = (given != study.parameters.end() && given->second.fit) ||
+                              std::find(started.begin(), started.end(), v.name) != started.end();
         const bool hasOwn =
             v.binding.valid() && model.pool->isConstant(v.binding) && !v.isFinal && !v.isStructural && !v.isProtected;
         if (isFitted || (hasOwn && model.parameterValue({i}).value_or(0) != 0)) names.push_back(v.name);
@@ -52,7 +57,8 @@ std::vector<std::string> tunable(const FlatModel& model, const Study& study) {
 /// Lists the variables with their value references, and which are which.
 class Variables {
 public:
-    Variables(FmuModel& out, const FlatModel& flat) : out_(out), flat_(flat) {}
+    Variables(FmuModel& out, const FlatModel& flat, const Recording* experiment)
+        : out_(out), flat_(flat), experiment_(experiment) {}
 
     void list() {
         const System& system = *out_.system;
@@ -101,10 +107,10 @@ private:
                 continue;
             }
             FmuVariable& v = out_.variables[add(Kind::Parameter, info)];
-            v.start = info.value;
+            v.start = valueOf(info);
             v.isFixed = !actsLater[i] || isDelay[i];
-            if (info.min && *info.min <= info.value) v.min = info.min;
-            if (info.max && *info.max >= info.value) v.max = info.max;
+            if (info.min && *info.min <= *v.start) v.min = info.min;
+            if (info.max && *info.max >= *v.start) v.max = info.max;
         }
     }
 
@@ -135,17 +141,22 @@ private:
         out_.variables.push_back(std::move(v));
     }
 
+    /// A start value that the experiment has for itself goes before the model's own.
+    double valueOf(const SignalInfo& parameter) const {
+        if (experiment_)
+            for (const RecordingStart& start : experiment_->starts)
+                if (start.parameter == parameter.name && std::isfinite(start.value)) return start.value;
+        return parameter.value;
+    }
+
     FmuModel& out_;
     const FlatModel& flat_;
+    const Recording* experiment_{};
     unsigned next_{};
 };
 
 /// The experiment that an importing tool offers, and the inputs as they are at its start.
-Outcome<Done> addExperiment(const Study& study, FmuModel& model) {
-    if (study.experiments.empty()) return Done{};
-    const Outcome<EstimationTask> task = estimationTask(study);
-    if (!task) return task.diagnostics();
-    const Recording& first = task->recordings.front();
+void addExperiment(const Recording& first, FmuModel& model) {
     const auto samples = first.time.size();
     model.experiment = {first.time.front(), first.time.back(),
                         samples > 1 ? (first.time.back() - first.time.front()) / static_cast<double>(samples - 1) : 1};
@@ -153,18 +164,32 @@ Outcome<Done> addExperiment(const Study& study, FmuModel& model) {
         for (const std::size_t input : model.inputs)
             if (model.variables[input].name == first.inputNames[i])
                 model.variables[input].start = first.inputs(static_cast<Eigen::Index>(i), 0);
-    return Done{};
+}
+
+/// The first experiment of a study; nothing: it has none.
+Outcome<std::optional<Recording>> firstExperiment(const Study& study) {
+    if (study.experiments.empty()) return std::optional<Recording>();
+    Outcome<EstimationTask> task = estimationTask(study);
+    if (!task) return task.diagnostics();
+    return std::optional(std::move(task->recordings.front()));
 }
 
 Outcome<FmuModel> fmuModel(const Study& given) {
     const Outcome<Study> study = withPresentValues(given);
     if (!study) return study.diagnostics();
+    const Outcome<std::optional<Recording>> first = firstExperiment(*study);
+    if (!first) return first.diagnostics();
+    const Recording* const experiment = *first ? &**first : nullptr;
     const Outcome<Library> library = studyLibrary(*study);
     if (!library) return library.diagnostics();
     Outcome<FlatModel> flattened = flatten(*library, study->className);
+    std::vector<std::string> started;  // by the experiment, at values of its own
+    if (experiment)
+        for (const RecordingStart& start : experiment->starts) started.push_back(start.parameter);
+    if (flattened) flattened = withStarts(std::move(*flattened), started);
     if (!flattened) return flattened.diagnostics();
     const auto flat = std::make_shared<const FlatModel>(std::move(*flattened));
-    const Outcome<Structure> structure = analyse(flat, {.keep = tunable(*flat, *study)});
+    const Outcome<Structure> structure = analyse(flat, {.keep = tunable(*flat, *study, started)});
     if (!structure) return structure.diagnostics();
     const Outcome<SystemPtr> system = System::build(*structure);
     if (!system) return system.diagnostics();
@@ -176,8 +201,8 @@ Outcome<FmuModel> fmuModel(const Study& given) {
     model.system = *system;
     model.code = (*system)->cCode();
     model.hasModelExchange = (*system)->delays().empty() && !(*system)->needsInputDerivative();
-    Variables(model, *flat).list();
-    if (const Outcome<Done> added = addExperiment(*study, model); !added) return added.diagnostics();
+    Variables(model, *flat, experiment).list();
+    if (experiment) addExperiment(*experiment, model);
     return model;
 }
 
@@ -192,8 +217,11 @@ std::string description(const FmuModel& model, const std::string& guid) {
     std::vector<std::string> parameters, inputs, nominals, delayedInputs, delayedTaps;
     for (const SignalInfo& p : system.parameters()) parameters.push_back(fmt::format("{}", p.value));
     std::vector<std::string> fixed(parameters.size(), "0");
-    for (const FmuVariable& v : model.variables)
+    for (const FmuVariable& v : model.variables) {
+        if (v.kind != Kind::Parameter) continue;
+        if (v.start) parameters[v.valueReference] = fmt::format("{}", *v.start);
         if (v.isFixed) fixed[v.valueReference] = "1";
+    }
     for (const std::size_t input : model.inputs)
         inputs.push_back(fmt::format("{}", model.variables[input].start.value_or(0)));
     for (const SignalInfo& x : system.states()) nominals.push_back(fmt::format("{}", x.nominal));
@@ -237,39 +265,71 @@ Diagnostic sourcesOnly(const Text& why) {
     return note;
 }
 
-/// Runs a program found on PATH with its messages in a file; its exit status, -1: it could not be run.
-int runProgram(std::vector<std::string> arguments, const fs::path& messages) {
+/// How a program ended that was run.
+struct Ended {
+    enum class How { Exited, NotRun, TookTooLong, Stopped };
+    How how{};
+    int status{};
+};
+
+/// Runs a program found on PATH with its messages in a file. What has not ended in time, or when it is to stop, is
+/// ended with all that it has started.
+Ended runProgram(std::vector<std::string> arguments, const fs::path& messages, std::chrono::seconds limit,
+                 const Progress& progress) {
+    using How = Ended::How;
     std::vector<char*> pointers;
     for (std::string& a : arguments) pointers.push_back(a.data());
     pointers.push_back(nullptr);
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_addopen(&files, STDERR_FILENO, messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    posix_spawnattr_setpgroup(&attributes, 0);  // of its own, with what it starts
     pid_t process{};
-    const int failed = posix_spawnp(&process, pointers[0], &files, nullptr, pointers.data(), environ);
+    const int failed = posix_spawnp(&process, pointers[0], &files, &attributes, pointers.data(), environ);
     posix_spawn_file_actions_destroy(&files);
-    if (failed) return -1;
-    int status{};
-    while (waitpid(process, &status, 0) < 0)
-        if (errno != EINTR) return -1;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+    posix_spawnattr_destroy(&attributes);
+    if (failed) return {How::NotRun, 0};
+    const auto end = std::chrono::steady_clock::now() + limit;
+    for (int status{};;) {
+        const pid_t ended = waitpid(process, &status, WNOHANG);
+        if (ended == process) return {How::Exited, WIFEXITED(status) ? WEXITSTATUS(status) : 1};
+        if (ended < 0 && errno != EINTR) return {How::NotRun, 0};
+        const bool isLate = std::chrono::steady_clock::now() > end;
+        if (isLate || progress.stopRequested()) {
+            kill(-process, SIGKILL);
+            while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+            }
+            return {isLate ? How::TookTooLong : How::Stopped, 0};
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
 }
 
 /// binaries/linux64; what comes back is why there is none.
-std::optional<Diagnostic> addBinary(const Fmu& fmu, const fs::path& directory, const fs::path& messages) {
+std::optional<Diagnostic> addBinary(const Fmu& fmu, const fs::path& directory, const fs::path& messages,
+                                    std::chrono::seconds limit, const Progress& progress) {
 #if defined(__linux__) && defined(__x86_64__)
     const fs::path binaries = directory / "binaries" / "linux64";
     std::error_code code;
     fs::create_directories(binaries, code);
     // Without fused multiply-add, so that results are those of the interpreter.
-    const int status =
+    const Ended compiler =
         runProgram({"cc", "-std=c99", "-O2", "-shared", "-fPIC", "-fvisibility=hidden", "-ffp-contract=off",
                     "-DFMI2_OVERRIDE_FUNCTION_PREFIX", "-o", (binaries / (fmu.modelIdentifier + ".so")).string(),
                     (directory / "sources" / "fmu.c").string(), "-lm"},
-                   messages);
-    if (status == 0) return std::nullopt;
+                   messages, limit, progress);
+    const bool hasExited = compiler.how == Ended::How::Exited;
+    if (hasExited && compiler.status == 0) return std::nullopt;
     fs::remove_all(directory / "binaries", code);
-    if (status == -1 || status == 127) return sourcesOnly(phrase("no C compiler (cc) is on PATH"));
+    if (compiler.how == Ended::How::NotRun || (hasExited && compiler.status == 127))
+        return sourcesOnly(phrase("no C compiler (cc) is on PATH"));
+    if (compiler.how == Ended::How::TookTooLong)
+        return sourcesOnly(phrase("the C compiler (cc) was still busy after {} s and was ended", limit.count()));
+    if (compiler.how == Ended::How::Stopped) return sourcesOnly(phrase("the C compiler (cc) was interrupted"));
     std::ifstream stream(messages);
     std::string line;
     std::getline(stream, line);
@@ -279,6 +339,8 @@ std::optional<Diagnostic> addBinary(const Fmu& fmu, const fs::path& directory, c
     (void)fmu;
     (void)directory;
     (void)messages;
+    (void)limit;
+    (void)progress;
     return sourcesOnly(phrase("on this platform none is made"));
 #endif
 }
@@ -301,12 +363,14 @@ Outcome<Fmu> fmuOf(const Study& study) {
     return fmu;
 }
 
-Outcome<Done> writeFmu(const Fmu& fmu, const fs::path& file) {
+Outcome<Done> writeFmu(const Fmu& fmu, const fs::path& file, std::chrono::seconds compilerLimit,
+                       const Progress& progress) {
     const Outcome<std::shared_ptr<const TemporaryDirectory>> place = TemporaryDirectory::make();
     if (!place) return place.diagnostics();
     const fs::path directory = (*place)->path() / "fmu";
     if (Outcome<Done> written = writeFiles(fmu, directory); !written) return written;
-    const std::optional<Diagnostic> note = addBinary(fmu, directory, (*place)->path() / "messages");
+    const std::optional<Diagnostic> note =
+        addBinary(fmu, directory, (*place)->path() / "messages", compilerLimit, progress);
     if (Outcome<Done> zipped = zipDirectory(directory, file); !zipped) return zipped;
     return note ? Outcome<Done>(Done{}, {*note}) : Outcome<Done>(Done{});
 }

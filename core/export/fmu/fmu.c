@@ -87,6 +87,13 @@ static fmi2Status say(const Host* host, fmi2Status status, const char* text, ...
     return status;
 }
 
+/* An array that must be there, unless nothing is in it. */
+static int isMissing(const Instance* m, const char* function, const void* array, size_t count) {
+    if (array || count == 0) return 0;
+    say(&m->host, fmi2Error, "%s: an array is missing", function);
+    return 1;
+}
+
 static fmi2Status notSolved(Instance* m, fmi2Status status) {
     return say(&m->host, status, "no solution at t = %g s: %s", m->time,
                m->equations.failure ? m->equations.failure : "a result is not finite");
@@ -769,7 +776,10 @@ FMI2_FUNCTION(fmi2Status, fmi2SetupExperiment)
     Instance* const m = (Instance*)c;
     if (!m) return fmi2Error;
     if (m->phase != instantiated) return say(&m->host, fmi2Error, "the experiment is set up before the initialization");
-    if (toleranceDefined && tolerance > 0) m->tolerance = fmax(tolerance, 1e-12);
+    if (!isfinite(startTime) || (stopTimeDefined && !(isfinite(stopTime) && stopTime >= startTime)))
+        return say(&m->host, fmi2Error, "fmi2SetupExperiment: there is no time from %g s to %g s", startTime,
+                   stopTimeDefined ? stopTime : startTime);
+    if (toleranceDefined && tolerance > 0 && isfinite(tolerance)) m->tolerance = fmax(tolerance, 1e-12);
     m->startTime = m->time = m->inputTime = startTime;
     m->hasStopTime = stopTimeDefined;
     m->stopTime = stopTime;
@@ -814,6 +824,7 @@ FMI2_FUNCTION(fmi2Status, fmi2GetReal)
     Instance* const m = (Instance*)c;
     size_t i;
     if (!m) return fmi2Error;
+    if (isMissing(m, "fmi2GetReal", references, count) || isMissing(m, "fmi2GetReal", values, count)) return fmi2Error;
     for (i = 0; i < count; ++i) {
         const int r = (int)references[i];
         if (r < 0 || r >= VALUES) return say(&m->host, fmi2Error, "fmi2GetReal: there is no value reference %d", r);
@@ -840,10 +851,13 @@ FMI2_FUNCTION(fmi2Status, fmi2SetReal)
     Instance* const m = (Instance*)c;
     size_t i;
     if (!m) return fmi2Error;
+    if (isMissing(m, "fmi2SetReal", references, count) || isMissing(m, "fmi2SetReal", values, count)) return fmi2Error;
     for (i = 0; i < count; ++i) {
         const int r = (int)references[i];
         if (r < 0 || r >= firstOutput)
             return say(&m->host, fmi2Error, "fmi2SetReal: value reference %d is neither a parameter nor an input", r);
+        if (!isfinite(values[i]))
+            return say(&m->host, fmi2Error, "fmi2SetReal: %g is no value for value reference %d", values[i], r);
         if (r < firstInput) {
             if (m->p[r] == values[i]) continue;
             if (isFixed[r] && m->phase > initializationMode)
@@ -963,6 +977,7 @@ FMI2_FUNCTION(fmi2Status, fmi2CompletedIntegratorStep)
 FMI2_FUNCTION(fmi2Status, fmi2SetTime)(fmi2Component c, fmi2Real time) {
     Instance* const m = (Instance*)c;
     if (!m) return fmi2Error;
+    if (!isfinite(time)) return say(&m->host, fmi2Error, "fmi2SetTime: %g s is no time", time);
     m->time = m->inputTime = time;
     m->isStartNew = m->areOutputsOld = m->areDerivativesOld = 1;
     return fmi2OK;
@@ -971,6 +986,7 @@ FMI2_FUNCTION(fmi2Status, fmi2SetTime)(fmi2Component c, fmi2Real time) {
 FMI2_FUNCTION(fmi2Status, fmi2SetContinuousStates)(fmi2Component c, const fmi2Real x[], size_t count) {
     Instance* const m = (Instance*)c;
     if (!m) return fmi2Error;
+    if (isMissing(m, "fmi2SetContinuousStates", x, count)) return fmi2Error;
     if (count != STATES) return say(&m->host, fmi2Error, "fmi2SetContinuousStates: the model has %d states", STATES);
     if (STATES > 0) memcpy(m->x, x, STATES * sizeof(double));
     m->areOutputsOld = m->areDerivativesOld = 1;
@@ -980,6 +996,7 @@ FMI2_FUNCTION(fmi2Status, fmi2SetContinuousStates)(fmi2Component c, const fmi2Re
 FMI2_FUNCTION(fmi2Status, fmi2GetDerivatives)(fmi2Component c, fmi2Real xdot[], size_t count) {
     Instance* const m = (Instance*)c;
     if (!m) return fmi2Error;
+    if (isMissing(m, "fmi2GetDerivatives", xdot, count)) return fmi2Error;
     if (count != STATES) return say(&m->host, fmi2Error, "fmi2GetDerivatives: the model has %d states", STATES);
     if (!refreshDerivatives(m)) return notSolved(m, fmi2Discard);
     if (STATES > 0) memcpy(xdot, m->xdot, STATES * sizeof(double));
@@ -989,6 +1006,7 @@ FMI2_FUNCTION(fmi2Status, fmi2GetDerivatives)(fmi2Component c, fmi2Real xdot[], 
 FMI2_FUNCTION(fmi2Status, fmi2GetEventIndicators)(fmi2Component c, fmi2Real indicators[], size_t count) {
     Instance* const m = (Instance*)c;
     if (!m) return fmi2Error;
+    if (isMissing(m, "fmi2GetEventIndicators", indicators, count)) return fmi2Error;
     if (count != ROOTS) return say(&m->host, fmi2Error, "fmi2GetEventIndicators: the model has %d of them", ROOTS);
     if (ROOTS == 0) return fmi2OK;
     if (!prepare(m) || !rootsAt(m, m->time, m->x, indicators)) return notSolved(m, fmi2Discard);
@@ -998,6 +1016,7 @@ FMI2_FUNCTION(fmi2Status, fmi2GetEventIndicators)(fmi2Component c, fmi2Real indi
 FMI2_FUNCTION(fmi2Status, fmi2GetContinuousStates)(fmi2Component c, fmi2Real x[], size_t count) {
     Instance* const m = (Instance*)c;
     if (!m) return fmi2Error;
+    if (isMissing(m, "fmi2GetContinuousStates", x, count)) return fmi2Error;
     if (count != STATES) return say(&m->host, fmi2Error, "fmi2GetContinuousStates: the model has %d states", STATES);
     if (!prepare(m)) return notSolved(m, fmi2Discard);
     if (STATES > 0) memcpy(x, m->x, STATES * sizeof(double));
@@ -1007,6 +1026,7 @@ FMI2_FUNCTION(fmi2Status, fmi2GetContinuousStates)(fmi2Component c, fmi2Real x[]
 FMI2_FUNCTION(fmi2Status, fmi2GetNominalsOfContinuousStates)(fmi2Component c, fmi2Real nominals[], size_t count) {
     Instance* const m = (Instance*)c;
     if (!m) return fmi2Error;
+    if (isMissing(m, "fmi2GetNominalsOfContinuousStates", nominals, count)) return fmi2Error;
     if (count != STATES)
         return say(&m->host, fmi2Error, "fmi2GetNominalsOfContinuousStates: the model has %d states", STATES);
     if (STATES > 0) memcpy(nominals, stateNominal, STATES * sizeof(double));
@@ -1021,8 +1041,15 @@ FMI2_FUNCTION(fmi2Status, fmi2SetRealInputDerivatives)
     Instance* const m = (Instance*)c;
     size_t i;
     if (!m) return fmi2Error;
+    if (isMissing(m, "fmi2SetRealInputDerivatives", references, count) ||
+        isMissing(m, "fmi2SetRealInputDerivatives", orders, count) ||
+        isMissing(m, "fmi2SetRealInputDerivatives", values, count))
+        return fmi2Error;
     for (i = 0; i < count; ++i) {
         const int r = (int)references[i];
+        if (!isfinite(values[i]))
+            return say(&m->host, fmi2Error, "fmi2SetRealInputDerivatives: %g is no slope for value reference %d",
+                       values[i], r);
         if (r < firstInput || r >= firstOutput || orders[i] != 1)
             return say(&m->host, fmi2Error,
                        "fmi2SetRealInputDerivatives: the first derivative of an input is taken, no other");
@@ -1049,9 +1076,9 @@ FMI2_FUNCTION(fmi2Status, fmi2DoStep)
     (void)noSetFMUStatePriorToCurrentPoint;
     if (!m) return fmi2Error;
     if (m->phase != stepComplete) return say(&m->host, fmi2Error, "fmi2DoStep: the slave is not initialized");
-    if (!(communicationStepSize > 0))
-        return say(&m->host, fmi2Error, "fmi2DoStep: a step of %g s leads nowhere", communicationStepSize);
     end = currentCommunicationPoint + communicationStepSize;
+    if (!(communicationStepSize > 0) || !isfinite(end))
+        return say(&m->host, fmi2Error, "fmi2DoStep: a step of %g s leads nowhere", communicationStepSize);
     slack = 1e-9 * fmax(fabs(end), communicationStepSize);
     if (fabs(currentCommunicationPoint - m->time) > slack)
         return say(&m->host, fmi2Error, "fmi2DoStep: the slave is at t = %.9g s, not at %.9g s", m->time,
@@ -1081,7 +1108,7 @@ FMI2_FUNCTION(fmi2Status, fmi2GetStatus)(fmi2Component c, const fmi2StatusKind k
     return c ? fmi2Discard : fmi2Error;
 }
 FMI2_FUNCTION(fmi2Status, fmi2GetRealStatus)(fmi2Component c, const fmi2StatusKind kind, fmi2Real* value) {
-    if (!c) return fmi2Error;
+    if (!c || !value) return fmi2Error;
     if (kind != fmi2LastSuccessfulTime) return fmi2Discard;
     *value = ((Instance*)c)->time;
     return fmi2OK;
@@ -1092,7 +1119,7 @@ FMI2_FUNCTION(fmi2Status, fmi2GetIntegerStatus)(fmi2Component c, const fmi2Statu
     return c ? fmi2Discard : fmi2Error;
 }
 FMI2_FUNCTION(fmi2Status, fmi2GetBooleanStatus)(fmi2Component c, const fmi2StatusKind kind, fmi2Boolean* value) {
-    if (!c) return fmi2Error;
+    if (!c || !value) return fmi2Error;
     if (kind != fmi2Terminated) return fmi2Discard;
     *value = fmi2False;
     return fmi2OK;

@@ -560,6 +560,52 @@ TEST(Fmu, SaysThatItHasNoBinaryWithoutACompiler) {
     for (const QString& name : files) EXPECT_FALSE(name.startsWith("binaries")) << name.toStdString();
 }
 
+/// A compiler that never ends, with a process of its own beside it.
+TEST(Fmu, EndsACompilerThatHangsAndHoldsItsSources) {
+    const Outcome<Fmu> fmu = fmuOf(studyOf(tables));
+    ASSERT_TRUE(fmu) << format(fmu.diagnostics());
+    const auto place = *TemporaryDirectory::make();
+    const fs::path compiler = place->path() / "cc", child = place->path() / "child";
+    std::ofstream(compiler) << "#!/bin/sh\nsleep 600 &\necho $! > " << child.string() << "\nwait\n";
+    fs::permissions(compiler, fs::perms::owner_all);
+    const std::string path = std::getenv("PATH") ? std::getenv("PATH") : "";
+    setenv("PATH", (place->path().string() + ":" + path).c_str(), 1);
+    const auto begin = std::chrono::steady_clock::now();
+    const Outcome<Done> written = writeFmu(*fmu, place->path() / "m.fmu", std::chrono::seconds(1));
+    const auto took = std::chrono::steady_clock::now() - begin;
+    setenv("PATH", path.c_str(), 1);
+    ASSERT_TRUE(written) << format(written.diagnostics());
+    EXPECT_THAT(format(written.diagnostics()), HasSubstr("still busy after 1 s"));
+    EXPECT_LT(took, std::chrono::seconds(20));
+    const QStringList files = JlCompress::getFileList(QString::fromStdString((place->path() / "m.fmu").string()));
+    EXPECT_TRUE(files.contains("sources/fmu.c"));
+    for (const QString& name : files) EXPECT_FALSE(name.startsWith("binaries")) << name.toStdString();
+    int sleeper = 0;
+    std::ifstream(child) >> sleeper;
+    ASSERT_GT(sleeper, 0);
+    const auto isGone = [&] {  // or a zombie that nobody has waited for
+        std::ifstream status("/proc/" + std::to_string(sleeper) + "/stat");
+        std::string stat;
+        std::getline(status, stat);
+        return stat.empty() || stat.find(") Z") != std::string::npos;
+    };
+    for (int tries = 0; tries < 200 && !isGone(); ++tries) usleep(10'000);
+    EXPECT_TRUE(isGone()) << "what it has started is ended, too";
+}
+
+TEST(Fmu, StartsAsItsFirstExperimentDoes) {
+    Study study = example("lambda-sensor-heating");
+    study.experiments.front().initial["element.T_start"] = 555.5;
+    const Unpacked fmu = exported(study);
+    EXPECT_EQ(fmu.at("element.T_start").start, 555.5);
+    EXPECT_EQ(fmu.at("element.T_start").variability, "fixed");
+    if (!hasCompiler()) GTEST_SKIP() << "there is no C compiler (cc) on PATH";
+    Instance instance(fmu, fmi2CoSimulation);
+    ASSERT_TRUE(instance.isThere());
+    instance.start(0);
+    EXPECT_EQ(instance.get(fmu.derivatives().front().name.substr(4, fmu.derivatives().front().name.size() - 5)), 555.5);
+}
+
 // ---- the binary ----
 
 class FmuBinary : public testing::Test {
@@ -766,6 +812,54 @@ TEST_F(FmuBinary, RefusesWhatFmiForbids) {
     Unpacked stranger = fmu;
     stranger.guid = "{other}";
     EXPECT_FALSE(Instance(stranger, fmi2CoSimulation).isThere());
+}
+
+TEST_F(FmuBinary, TakesNothingThatIsNotANumberOrNotThere) {
+    const Unpacked fmu = exported(studyOf(dryFriction));
+    Instance instance(fmu, fmi2CoSimulation);
+    ASSERT_TRUE(instance.isThere());
+    const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
+    const fmi2ValueReference parameter = fmu.at("J").reference, input = fmu.at("u").reference;
+    const double* const nothing = nullptr;
+    double* const nowhere = nullptr;
+    const std::size_t one = 1;
+    for (const double bad : {nan, inf, -inf}) {
+        const double* const value = &bad;
+        EXPECT_EQ(instance("fmi2SetReal", &parameter, one, value), fmi2Error);
+        EXPECT_EQ(instance("fmi2SetReal", &input, one, value), fmi2Error);
+        EXPECT_EQ(instance("fmi2SetupExperiment", fmi2Boolean(0), 0.0, bad, fmi2Boolean(0), 0.0), fmi2Error);
+    }
+    EXPECT_EQ(instance("fmi2SetupExperiment", fmi2Boolean(0), 0.0, 1.0, fmi2Boolean(1), 0.5), fmi2Error);
+    instance.start(0);
+    EXPECT_EQ(instance.get("J"), 0.02) << "what was refused is not taken";
+    const fmi2Integer order = 1;
+    const double* const slope = &inf;
+    EXPECT_EQ(instance("fmi2SetRealInputDerivatives", &input, one, &order, slope), fmi2Error);
+    for (const double step : {inf, nan, -1.0, 0.0})
+        EXPECT_EQ(instance("fmi2DoStep", 0.0, step, fmi2Boolean(1)), fmi2Error) << step;
+    double time = nan;
+    EXPECT_EQ(instance("fmi2GetRealStatus", fmi2LastSuccessfulTime, &time), fmi2OK);
+    EXPECT_EQ(time, 0) << "a step that is refused leaves the time where it was";
+    EXPECT_EQ(instance("fmi2DoStep", 0.0, 0.1, fmi2Boolean(1)), fmi2OK);
+
+    const fmi2ValueReference* const noReferences = nullptr;
+    const fmi2Integer* const noOrders = nullptr;
+    EXPECT_EQ(instance("fmi2GetReal", noReferences, one, &time), fmi2Error);
+    EXPECT_EQ(instance("fmi2GetReal", &input, one, nowhere), fmi2Error);
+    EXPECT_EQ(instance("fmi2SetReal", &input, one, nothing), fmi2Error);
+    EXPECT_EQ(instance("fmi2SetRealInputDerivatives", &input, one, noOrders, static_cast<const double*>(&time)),
+              fmi2Error);
+    EXPECT_EQ(instance("fmi2GetRealStatus", fmi2LastSuccessfulTime, nowhere), fmi2Error);
+    EXPECT_EQ(instance("fmi2GetReal", noReferences, std::size_t(0), nowhere), fmi2OK) << "nothing is asked for";
+
+    Instance exchange(fmu, fmi2ModelExchange);
+    ASSERT_TRUE(exchange.isThere());
+    exchange.start(0);
+    const auto states = fmu.derivatives().size();
+    for (const char* get : {"fmi2GetDerivatives", "fmi2GetContinuousStates", "fmi2GetNominalsOfContinuousStates"})
+        EXPECT_EQ(exchange(get, nowhere, states), fmi2Error) << get;
+    EXPECT_EQ(exchange("fmi2SetContinuousStates", nothing, states), fmi2Error);
+    EXPECT_EQ(exchange("fmi2SetTime", inf), fmi2Error);
 }
 
 }  // namespace
