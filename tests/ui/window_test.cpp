@@ -416,6 +416,56 @@ TEST_F(Window, CancelStopsTheSearchSoonAndKeepsTheStudy) {
     EXPECT_TRUE(window.findChild<QAction*>("discover")->isEnabled());
 }
 
+/// A chain that takes its time: many states, a long record.
+fs::path makeSlowStudy() {
+    const fs::path directory = makeStudy("slow", 0, R"(model HeatedBody
+  input Real power(unit="W");
+  output Real T(unit="K") = 293.15 + x[1];
+  Real x[120](each start=0, each fixed=true);
+equation
+  for i in 1:119 loop
+    der(x[i]) = sin(x[i + 1]) - x[i]^3 + 0.001*power;
+  end for;
+  der(x[120]) = cos(x[1]) - x[120];
+end HeatedBody;
+)");
+    std::ofstream(directory / "study.json") << R"({"format": "analogon-study-1", "class": "HeatedBody",
+  "experiments": [{"name": "heating", "role": "fit", "file": "train.csv", "time": "t",
+                   "inputs": {"power": "P"}, "outputs": {"T": "T_body"}}]})";
+    std::ofstream stream(directory / "train.csv");
+    stream << "t [s],P [W],T_body [K]\n";
+    for (int k = 0; k < 300000; ++k) stream << 0.01 * k << ',' << 10 + (k / 700) % 3 << ',' << 293 + k % 7 << '\n';
+    return directory;
+}
+
+TEST_F(Window, ShowsWhatWasMeasuredAtOnceAndALongSimulationWithProgressAndCancel) {
+    std::vector<double> fractions;
+    QObject::connect(&window.controller(), &RunController::progressed, [&](const Progress::Report& report) {
+        if (report.stage == "simulate") fractions.push_back(report.fraction);
+    });
+    ASSERT_NO_FATAL_FAILURE(open(makeSlowStudy()));
+    ASSERT_TRUE(waitUntil([&] { return document().measured() || document().before(); }));
+    ASSERT_TRUE(document().measured()) << "before anything is simulated";
+    QTest::qWait(20);
+    auto* plots = panel<PlotPanel>();
+    ASSERT_EQ(plots->plots().size(), 1u);
+    EXPECT_EQ(plots->plots().front()->content().measured.size(), 300000u);
+    EXPECT_TRUE(plots->plots().front()->content().before.empty());
+
+    QToolButton* cancel = panel<RunBar>()->cancelButton();
+    ASSERT_TRUE(waitUntil([&] { return cancel->isVisible(); }, 20000));
+    EXPECT_FALSE(window.controller().isRunning()) << "nobody has started a run";
+    ASSERT_TRUE(waitUntil([&] { return !fractions.empty() && fractions.back() > 0; }, 20000));
+    QElapsedTimer timer;
+    timer.start();
+    QTest::mouseClick(cancel, Qt::LeftButton);
+    ASSERT_TRUE(waitUntil([&] { return window.controller().shownJob() == nullptr; }, 10000));
+    EXPECT_LT(timer.elapsed(), 2000);
+    EXPECT_TRUE(document().measured());
+    EXPECT_FALSE(document().before()) << "half a simulation is none";
+    EXPECT_FALSE(cancel->isVisible());
+}
+
 TEST_F(Window, DropsTheResultOfAStudyThatWasChangedDuringTheRun) {
     ASSERT_NO_FATAL_FAILURE(open(makeStudy("radiating", 3e-9)));
     clickTool("discover");

@@ -61,16 +61,17 @@ RunBar::RunBar(RunController& controller, QWidget* parent)
         text_->setText(tr("Stopping …"));
     });
     connect(&controller, &RunController::runningChanged, this, [this] {
-        const bool isRunning = controller_.isRunning();
+        const JobRunner* const job = controller_.shownJob();
+        const bool isRunning = job != nullptr;
         isSearching_ = false;
-        text_->setText(isRunning ? controller_.job().what() + QStringLiteral(" …") : QString());
+        text_->setText(job ? job->what() + QStringLiteral(" …") : QString());
         bar_->setRange(0, 0);
         bar_->setVisible(isRunning);
         cancel_->setVisible(isRunning);
         cancel_->setEnabled(true);
     });
     connect(&controller, &RunController::progressed, this, [this](const Progress::Report& report) {
-        if (controller_.job().isCancelling()) return;
+        if (const JobRunner* const job = controller_.shownJob(); !job || job->isCancelling()) return;
         // The fits of single candidates, side by side, say nothing of how far the search is.
         isSearching_ = isSearching_ || (report.stage != "fit" && report.stage != "simulate");
         if (isSearching_ && report.stage == "fit") return;

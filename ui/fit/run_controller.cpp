@@ -93,6 +93,21 @@ RunController::RunController(Document& document, QObject* parent) : QObject(pare
     previewDelay_.setSingleShot(true);
     previewDelay_.setInterval(150);
     connect(&previewDelay_, &QTimer::timeout, this, &RunController::preview);
+    constexpr int patience = 700;  // [ms]
+    patience_.setSingleShot(true);
+    patience_.setInterval(patience);
+    const auto showPreview = [this](bool isShown) {
+        if (std::exchange(isPreviewShown_, isShown) != isShown && !run_.isBusy()) Q_EMIT runningChanged();
+    };
+    connect(&preview_, &JobRunner::started, this, [this] { patience_.start(); });
+    connect(&patience_, &QTimer::timeout, this, [this, showPreview] { showPreview(preview_.isBusy()); });
+    connect(&preview_, &JobRunner::finished, this, [this, showPreview] {
+        patience_.stop();
+        showPreview(false);
+    });
+    connect(&preview_, &JobRunner::progressed, this, [this](const Progress::Report& report) {
+        if (shownJob() == &preview_) Q_EMIT progressed(report);
+    });
     const auto soon = [this] { previewDelay_.start(); };
     connect(&document, &Document::modelChanged, this, soon);
     connect(&document, &Document::parametersChanged, this, soon);
@@ -217,7 +232,17 @@ void RunController::previewEffect() {
         });
 }
 
-void RunController::cancel() { run_.cancel(); }
+const JobRunner* RunController::shownJob() const {
+    if (run_.isBusy()) return &run_;
+    return isPreviewShown_ ? &preview_ : nullptr;
+}
+
+void RunController::cancel() {
+    if (run_.isBusy())
+        run_.cancel();
+    else if (isPreviewShown_)
+        preview_.cancel();
+}
 
 void RunController::conclude(RunKind kind, const Study& ranOn, unsigned long revision, Outcome<RunResult> outcome) {
     const QString name = runName(kind);
@@ -248,19 +273,48 @@ void RunController::preview() {
     if (!document_.definition() && document_.before()) return;  // a text being typed: the last traces stay
     if (!document_.canRun()) return preview_.drop();
     if (document_.result() && !document_.isResultStale()) return;  // its traces are what is shown
-    const Study study = document_.study();
+    if (hasNewRecordings())
+        showMeasured();
+    else
+        simulateAsItStands();
+}
+
+/// Whether the study has recordings of which nothing is shown.
+bool RunController::hasNewRecordings() const {
+    const std::shared_ptr<const ModelState> shown = document_.before() ? document_.before() : document_.measured();
+    const std::vector<StudyExperiment>& recorded = document_.study().experiments;
+    return std::any_of(recorded.begin(), recorded.end(), [&](const StudyExperiment& e) {
+        return !shown || std::none_of(shown->experiments.begin(), shown->experiments.end(),
+                                      [&](const ExperimentState& s) { return s.name == e.name; });
+    });
+}
+
+void RunController::showMeasured() {
+    preview_.start<std::vector<ExperimentState>>(
+        tr("Simulation"), [study = document_.study()](const Progress&) { return measuredExperiments(study); },
+        [this](std::vector<ExperimentState> measured) {
+            document_.setMeasured(std::move(measured));
+            simulateAsItStands();
+        });
+}
+
+void RunController::simulateAsItStands() {
     struct Seen {
         Outcome<RunResult> run;
-        std::vector<ExperimentState> measured;  // when nothing could be simulated
+        std::vector<ExperimentState> measured;  // when nothing could be simulated, or not to its end
     };
     preview_.start<Seen>(
         tr("Simulation"),
-        [study, options = options_](const Progress& progress) {
+        [study = document_.study(), options = options_](const Progress& progress) {
             Seen seen{runSimulate(study, options, progress), {}};
-            if (!seen.run) seen.measured = measuredExperiments(study);
+            if (!seen.run || progress.stopRequested()) seen.measured = measuredExperiments(study);
             return seen;
         },
         [this](Seen seen) {
+            if (preview_.isCancelling()) {
+                document_.setMeasured(std::move(seen.measured));
+                return Q_EMIT concluded(tr("%1 stopped.").arg(runName(RunKind::Simulate)));
+            }
             if (seen.run) return document_.setSimulated(std::move(seen.run->finding.baseline));
             // What the analysis says of the model is told already.
             if (!document_.modelError() && document_.definition()) document_.setRunMessages(seen.run.diagnostics());

@@ -26,7 +26,9 @@ public:
     void leaveEffect();
     void cancel();
     bool isRunning() const { return run_.isBusy(); }
-    const JobRunner& job() const { return run_; }
+    /// The work that the user is shown and may cancel: a run, or a simulation of the model as it stands that takes its
+    /// time; null: none.
+    const JobRunner* shownJob() const;
     RunOptions& options() { return options_; }
 
 Q_SIGNALS:
@@ -40,6 +42,10 @@ Q_SIGNALS:
 private:
     void start(RunKind kind, const RunOptions& options);
     void preview();
+    /// What was measured is there at once, however long the simulation takes.
+    void showMeasured();
+    void simulateAsItStands();
+    bool hasNewRecordings() const;
     void previewEffect();
     /// Simulates the best values a fit has reported, a few times a second and beside it.
     void watch(const Progress::Report& report);
@@ -52,6 +58,8 @@ private:
     JobRunner run_;
     JobRunner preview_;  // simulates the model as it stands whenever it has changed
     QTimer previewDelay_;
+    QTimer patience_;  // that a simulation of the model as it stands may take unseen
+    bool isPreviewShown_{};
     QElapsedTimer clock_;       // of the run
     unsigned long revision_{};  // of the study it runs on
     JobRunner live_;            // simulates the best so far while a fit runs
