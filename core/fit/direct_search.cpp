@@ -98,7 +98,8 @@ Ended runOnce(Search& search, FitMethod method, std::vector<double>& z, double m
 
 }  // namespace
 
-// Eqs. 9 to 13 of the 2014 paper: linear interpolation and the mean square error, minimised by the simplex.
+// Eqs. 9 to 13 of the 2014 paper (docs/method.md, source [1]): linear interpolation and the mean square error,
+// minimised by the simplex.
 Minimum directSearch(Misfit& misfit, Coordinates& coordinates, const FitOptions& options) {
     Search search{misfit, coordinates, options, nullptr};
     const int K = coordinates.size();

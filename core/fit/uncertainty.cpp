@@ -212,15 +212,4 @@ Eigen::MatrixXd predictionBand(const FitProblem& problem, int experiment, const 
     return band;
 }
 
-std::vector<Eigen::MatrixXd> predictionBands(const FitProblem& problem, const FitResult& result,
-                                             const SimulationOptions& options, const Progress& progress) {
-    FitProblem all = problem;
-    for (FitExperiment& experiment : all.experiments) experiment.weights.setOnes();
-    std::vector<Eigen::MatrixXd> bands;
-    for (std::size_t e = 0; e < all.experiments.size(); ++e)
-        bands.push_back(predictionBand(all, static_cast<int>(e), result.values, result.covariance,
-                                       e < result.plans.size() ? &result.plans[e] : nullptr, options, progress));
-    return bands;
-}
-
 }  // namespace analogon

@@ -43,8 +43,4 @@ Eigen::MatrixXd predictionBand(const FitProblem& problem, int experiment, const 
                                const Eigen::MatrixXd& covariance, const GridPlan* plan,
                                const SimulationOptions& options = {}, const Progress& progress = {});
 
-/// The same of all experiments and outputs of a fit, whatever was measured.
-std::vector<Eigen::MatrixXd> predictionBands(const FitProblem& problem, const FitResult& result,
-                                             const SimulationOptions& options = {}, const Progress& progress = {});
-
 }  // namespace analogon
