@@ -14,6 +14,8 @@
 #include "app/analogon-cli/interrupt.hpp"
 #include "app/analogon-cli/progress_view.hpp"
 #include "core/archive/archive.hpp"
+#include "core/base/file_fault.hpp"
+#include "core/report/decision_lines.hpp"
 #include "core/report/report.hpp"
 #include "core/study/results.hpp"
 #include "core/study/run.hpp"
@@ -69,11 +71,29 @@ RunOptions runOptions(const Options& options) {
     run.profiled = options.profiled;
     run.discover.fit.threads = options.threads;
     run.discover.fit.method = methods.at(options.method);
+    run.discover.mostWork = 1e6 * options.mostWork;
+    if (!options.traceFile.empty()) run.discover.trace = std::make_shared<DecisionTrace>();
     return run;
+}
+
+/// Makes room, before a long search, for the file that is to receive its decisions.
+Outcome<Done> prepareTarget(const fs::path& file) {
+    std::error_code code;
+    if (file.empty()) return Done{};
+    if (fs::is_directory(file, code)) return fileError(phrase("this is a directory; name a file"), file.string());
+    fs::create_directories(fs::absolute(file).parent_path(), code);
+    if (code) return cannotWrite(file, code);
+    return Done{};
+}
+
+/// The decisions so far, whatever came of the search.
+Outcome<Done> writeTrace(const RunOptions& run, const fs::path& file) {
+    return run.discover.trace ? writeDecisions(run.discover.trace->decisions(), file) : Done{};
 }
 
 /// simulate, fit and discover: the same but for the call in the middle.
 int runStudy(const Options& options) {
+    if (const Outcome<Done> can = prepareTarget(options.traceFile); !can) return fails(can.diagnostics());
     const Outcome<OpenedStudy> opened = openStudy(options.input);
     if (!opened) return fails(opened.diagnostics());
     if (!opened.diagnostics().empty()) std::cerr << format(opened.diagnostics()) << std::endl;
@@ -89,6 +109,8 @@ int runStudy(const Options& options) {
                                       : options.command == Command::Fit    ? runFit(*study, run, progress)
                                                                            : runDiscover(*study, run, progress);
     view.clear();
+    const Outcome<Done> traced = writeTrace(run, options.traceFile);
+    if (!traced) std::cerr << format(traced.diagnostics()) << std::endl;
     if (!result) {
         if (interrupt.wasRaised()) {
             std::cerr << "interrupted before there was a result" << std::endl;
@@ -102,8 +124,11 @@ int runStudy(const Options& options) {
     const Outcome<Done> written = place->write(*result, name(options.command));
     if (!written) return fails(written.diagnostics());
     if (!written.diagnostics().empty()) std::cerr << format(written.diagnostics()) << std::endl;
+    if (!traced) return inputAtFault;
     std::cout << "report: " << (options.out / "report.html").string() << std::endl;
     if (!interrupt.wasRaised()) {
+        if (result->finding.interrupted)
+            std::cerr << "the search ended at its limit of work; the best result so far was written" << std::endl;
         if (options.command != Command::Fit || result->finding.final.status != FitStatus::Failed) return done;
         return fails(
             {numericalError(result->finding.final.message, phrase("give other start values, or narrower bounds"))});
@@ -198,6 +223,13 @@ void describe(CLI::App& app, Options& options) {
     discover->add_option("--kinds", options.kinds, "Only these kinds of effects, separated by commas")
         ->delimiter(',')
         ->type_name("KIND,…");
+    discover
+        ->add_option("--most-work", options.mostWork,
+                     "End with the best so far after so many million steps of its trials: the same on any machine")
+        ->check(CLI::NonNegativeNumber.description(""))
+        ->type_name("N");
+    discover->add_option("--trace", options.traceFile, "Receives every decision of the search, one JSON object a line")
+        ->type_name("FILE");
 
     CLI::App* exporting = command(Command::Export, "The model as an FMU or as stand-alone Modelica, its traces as CSV");
     exporting->add_option("study", options.input, "The study: a directory, its study.json or an .analogon file")

@@ -27,6 +27,8 @@ struct Options {
     std::string method{"least-squares"};                   // or one without slopes
     std::vector<std::string> profiled;                     // fit: parameters, or "all"
     std::vector<std::string> kinds;                        // of effects; empty: all
+    double mostWork{};                                     // discover: millions of steps; 0: no limit
+    std::filesystem::path traceFile;                       // discover: receives its decisions
     std::vector<std::string> domains;                      // generate
     std::filesystem::path fmuFile, modelicaFile, csvFile;  // export
     std::vector<std::filesystem::path> data;               // generate: one, or several of which the last validates

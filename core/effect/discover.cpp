@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "core/base/number_text.hpp"
 #include "core/base/stopwatch.hpp"
@@ -22,10 +23,19 @@ namespace analogon {
 namespace {
 
 constexpr double integrationShare = 2e-3, coarsestTolerance = 3e-5;  // of the noise, and of a channel's range at most
+constexpr long mostSteps = 5'000'000;  // of the adaptive engine in one simulation: a minute's, as a rule
 constexpr int otherStarts = 7;
 constexpr double startsWithin = 4;  // of the values in the study, by this factor
 constexpr std::size_t fewestOfImitation = 3;
 constexpr double shareOfImitation = 0.05;  // of what they explain together
+
+/// The options with limits in work alone: what is found depends on no clock, and on no other load of the machine.
+DiscoverOptions limitedInWork(DiscoverOptions options) {
+    SimulationOptions& simulation = options.fit.simulation;
+    simulation.wallClockLimit = std::numeric_limits<double>::infinity();
+    simulation.stepLimit = std::min(simulation.stepLimit, mostSteps);
+    return options;
+}
 
 /// What a model leaves, in units of the noise of the model as given, and what its parameters cost (BIC).
 double misfitIn(const NullModel& base, const NullModel& model) {
@@ -185,9 +195,10 @@ Search::Search(const EstimationTask& task, const DiscoverOptions& options, const
     : full_{task, {}, {}},
       thinning_(thinningFor(task, mostSearchedSamples)),
       base_{thinned(task, thinning_), {}, {}},
-      options_(options),
-      search_(options),
-      progress_(progress) {}
+      options_(limitedInWork(options)),
+      search_(options_),
+      asked_(progress.stopToken(), [this] { end_.request_stop(); }),
+      progress_(end_.get_token(), [&progress](const Progress::Report& report) { progress.report(report); }) {}
 
 AddedEffect Search::describe(const NullModel& last, const ModelState& state, const PlacedEffect& placed,
                              const Step& step) const {
@@ -286,6 +297,7 @@ Search::Conclusion Search::conclude(NullModel& null, const NullModel& base, bool
     const bool hasWeak =
         std::any_of(steps_.begin(), steps_.end(), [](const Step& s) { return s.acceptance.evidence < beyondDoubt; });
     if (!isNoise(null) || hasWeak) removeUnneeded(null, 0, true);
+    traceModel("conclude", null, "asked");
     if (onlyImitate(base, null))
         takeOutAll(null, base,
                    phrase("of several effects that explain much together none is missed: they only imitate it"));
@@ -294,7 +306,9 @@ Search::Conclusion Search::conclude(NullModel& null, const NullModel& base, bool
         if (addLaw(null)) {
             removeUnneeded(null, 0, true);
             // beside a law a fit may end elsewhere, where what was needed seems not to be
-            if (!(misfitIn(base, null) < misfitIn(base, before.null))) {
+            const bool isBetter = misfitIn(base, null) < misfitIn(base, before.null);
+            traceModel("law beside names", null, isBetter ? "kept" : "taken back");
+            if (!isBetter) {
                 exchange(before);
                 null = std::move(before.null);
             }
@@ -319,6 +333,7 @@ Search::Conclusion Search::conclude(NullModel& null, const NullModel& base, bool
     tellBesideNames(null, beside, conclusion);
     conclusion.leavesMuch = leavesMuch;
     conclusion.misfit = conclusion.proposed.empty() ? misfitIn(base, null) : with;
+    traceModel("conclude", null, "concluded");
     return conclusion;
 }
 
@@ -340,6 +355,7 @@ bool Search::beginElsewhere(NullModel& null) {
     if (!better) return false;
     base_.values = full_.values = begin.values;
     null = std::move(*better);
+    traceModel("other starts", null, "better");
     return true;
 }
 
@@ -408,6 +424,7 @@ Outcome<Finding> Search::run() {
     };
     Outcome<Done> isFitted = fitAll();
     if (!isFitted) return isFitted.diagnostics();
+    traceModel("null fit", *null, "fitted");
     const bool hasFaults = leaveOutFaults(onAll ? *onAll : *null);
     if (hasFaults) null = fitNull(base_, {}, NoiseLevel::Estimate, options_.fit, progress_);
     if (!null) return null.diagnostics();
@@ -436,6 +453,7 @@ Outcome<Finding> Search::run() {
     FitResult fitAsGiven = given.fit;
     fitAsGiven.optimum = {};
     NullModel base = *null;
+    traceModel("null fit", base, "base");
     search_.fit.simulation.relativeTolerance =
         std::clamp(integrationShare * quietest(base), options_.fit.simulation.relativeTolerance, coarsestTolerance);
     const auto mistake = mistakenUnit(base, {base_.task, {}, {}}, search_.fit, progress_);
@@ -444,8 +462,13 @@ Outcome<Finding> Search::run() {
         const std::optional<Begun> begun = findBeginning(base, Against::Noise, 0);
         return begun && begun->sumOfSquares < mistake->read.sumOfSquares();
     };
-    if (mistake && !isOfBeginning()) {
+    const bool isMistaken = mistake && !isOfBeginning();
+    if (mistake)
+        trace("reading", "unit " + mistake->unit + " as " + mistake->likely,
+              {{"sum_of_squares", mistake->read.sumOfSquares()}}, isMistaken ? "accepted" : "set aside");
+    if (isMistaken) {
         finding = besideMistake(std::move(finding), *null, *mistake);
+        traceFinding(finding);
         finding.seconds = secondsSince(begin);
         return finding;
     }
@@ -487,6 +510,7 @@ Outcome<Finding> Search::run() {
         Conclusion next = conclude(other.null, base, false);
         const bool isBetter = steps_.empty() ? !next.proposed.empty() && next.misfit < conclusion.misfit
                                              : misfitIn(base, other.null) < conclusion.misfit;
+        traceModel("other end", other.null, isBetter ? "taken" : "set aside");
         if (!isBetter) {
             exchange(other);
             continue;
@@ -501,6 +525,7 @@ Outcome<Finding> Search::run() {
         change_.reset();
         dependence_.reset();
         finding.final = backToLastWhole(*null, base).value_or(finding.baseline);
+        traceModel("interrupted", *null, "reported");
         if (!steps_.empty() && !checkStarts_.empty()) {
             setFitted(null->variant.task, checkStarts_, true);
             if (Outcome<ModelState> found = stateOf(null->variant, null->fit, options_.fit.simulation, Progress()))
@@ -556,6 +581,7 @@ Outcome<Finding> Search::run() {
             continue;
         }
         null = std::move(*fitted);
+        traceModel("last fit", *null, "fitted");
         finding.final = std::move(*after);
         reportAsRecorded(*null, finding.final);
         isFinal = true;
@@ -702,6 +728,7 @@ Outcome<Finding> Search::run() {
         for (const auto& sentences : {wrongStarts(finding.final, Role::Fit), stuckReadings(full_.task)})
             finding.warnings.insert(finding.warnings.end(), sentences.begin(), sentences.end());
     finding.seconds = secondsSince(begin);
+    traceFinding(finding);
     return finding;
 }
 

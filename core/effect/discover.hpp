@@ -1,6 +1,9 @@
 #pragma once
 
+#include <memory>
+
 #include "core/base/progress.hpp"
+#include "core/effect/decision_trace.hpp"
 #include "core/effect/finding.hpp"
 
 namespace analogon {
@@ -19,6 +22,8 @@ struct DiscoverOptions {
     int threads{0};                     // 0: as many as the machine has
     std::vector<std::string> kinds;     // empty: all
     std::vector<EffectChoice> choices;  // of all places of these kinds; empty: all
+    double mostWork{};  // in steps of its trials, after which a search ends as if it was stopped; 0: no limit
+    std::shared_ptr<DecisionTrace> trace{};  // receives every decision; null: nobody asks
 };
 
 /// Fits the model as it stands.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "core/base/range.hpp"
@@ -219,11 +220,11 @@ std::optional<Linearisation> integrateCloselyWhereNeeded(const FitProblem& probl
     return close;
 }
 
-/// The same beside a fit, whose figures do not depend on it: bounded.
+/// The same beside a fit, whose figures do not depend on it: bounded in work.
 Linearisation integrateCloselyBeside(const FitProblem& problem, const Eigen::VectorXd& values,
                                      SimulationOptions options, const Progress& progress) {
     options.stepLimit = std::min(options.stepLimit, 200'000L);
-    options.wallClockLimit = std::min(options.wallClockLimit, 10.0);
+    options.wallClockLimit = std::numeric_limits<double>::infinity();
     return integrateClosely(problem, values, options, progress);
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <stop_token>
 
 #include "core/effect/change.hpp"
 #include "core/effect/dependence.hpp"
@@ -251,8 +252,12 @@ private:
     void setVerdict(const Candidate& candidate, Verdict verdict, const Text& why);
     void setVerdict(const PlacedEffect& placed, Verdict verdict, const Text& why);
     void note(const Screened& s, Verdict verdict, const Text& why, std::optional<double> deltaBic, const Text& failure);
-    Text whyUnneeded(const NullModel& null, std::size_t effect, const NullModel& without, const Acceptance& missed,
-                     bool isLast, const std::function<BesideDisturbance(std::size_t most)>& beside) const;
+    struct Need {
+        Text whyNot;                                // empty: the effect has to stay
+        std::optional<double> besideDisturbance{};  // evidence for it beside a disturbance, where that was asked
+    };
+    Need needOf(const NullModel& null, std::size_t effect, const NullModel& without, const Acceptance& missed,
+                bool isLast, const std::function<BesideDisturbance(std::size_t most)>& beside) const;
     void retryNames(const NullModel& null, std::vector<Trial>& trials);
     void drawNamesSharper(const NullModel& null, std::vector<Trial>& trials);
     void retryFrom(const NullModel& null, const std::vector<ParameterValue>& values,
@@ -268,12 +273,27 @@ private:
         progress_.report({std::move(stage), std::move(detail), fraction, bestError_});
     }
 
+    // What is decided, for whoever asks (search_trace.cpp). Never from within a parallel pass.
+    void trace(const std::string& step, const std::string& key, Decision::Figures figures, const std::string& verdict,
+               const Text& reason = {}) const;
+    void traceTest(const std::string& step, const std::string& key, const Acceptance& test, const std::string& verdict,
+                   const Text& reason = {}) const;
+    void traceModel(const std::string& step, const NullModel& model, const std::string& verdict,
+                    const Text& reason = {}) const;
+    void traceScreening(const std::vector<Screened>& screened) const;
+    void traceTrials(const std::string& step, const NullModel& null, const std::vector<Trial>& trials) const;
+    void traceRound(const NullModel& null, const Round& round) const;
+    void traceHeld(const std::string& key, const std::vector<HeldInstead>& values, const std::string& verdict) const;
+    void traceFinding(const Finding& finding) const;
+
     Variant full_;  // on every sample
     int thinning_;
     Variant base_;  // on what the search works with
-    const DiscoverOptions& options_;
+    const DiscoverOptions options_;
     DiscoverOptions search_;  // integration as exact as the noise asks for
-    const Progress& progress_;
+    std::stop_source end_;    // asked for from outside, or by the limit of the work
+    std::stop_callback<std::function<void()>> asked_;
+    const Progress progress_;
     std::vector<EffectClass> catalogue_;
     std::vector<CandidateResult> candidates_;
     std::vector<Step> steps_;
@@ -300,7 +320,6 @@ private:
     std::optional<std::pair<double, double>> errorsOnTime_;  // [%] with both: fitted, validated (negative: none)
     bool takesAsGiven_{};                                    // no recording is drawn otherwise
     bool beginsAnew_{};                                      // what was allowed for in a later round
-    bool writesLaws_{};                                      // for what no class has, in every round
     int round_{}, choices_{};
     double work_{};  // of the trials so far
     double bestError_{-1};

@@ -61,6 +61,16 @@ void Search::seekChange(const NullModel& base) {
     say("reconsider", phrase("parameters that change"), -1);
     change_ = bestChange(base, search_.fit, options_.threads, progress_);
     if (!progress_.stopRequested()) dependence_ = bestDependence(base, search_.fit, options_.threads, progress_);
+    if (change_)
+        trace("course", "change " + change_->parameter,
+              {{"explained", change_->explained},
+               {"time", change_->time},
+               {"before", change_->before},
+               {"after", change_->after}},
+              "best");
+    if (dependence_)
+        trace("course", "dependence " + dependence_->parameter + " on " + dependence_->channel,
+              {{"explained", dependence_->explained}, {"slope", dependence_->slope}}, "best");
 }
 
 /// Whether one change leaves noise alone and is a better account than these effects, by so much evidence.
@@ -87,9 +97,14 @@ void Search::settleChange(const NullModel& base, const NullModel& with) {
     if (!soughtChange_ && isNoise(with) && !(promisedByChange(base) > leastPromised * excess(base))) return;
     seekChange(base);
     const auto settle = [&](auto& change) {
-        if (change &&
-            !(isBetterThan(base, with, *change) && isBorneOut(base, *change, search_.fit.simulation, progress_)))
-            change.reset();
+        if (!change) return;
+        const bool isBetter = isBetterThan(base, with, *change);
+        const bool isTaken = isBetter && isBorneOut(base, *change, search_.fit.simulation, progress_);
+        trace("course", change->parameter, {{"explained", change->explained}, {"gain", gainOf(base, with, *change)}},
+              isTaken    ? "accepted"
+              : isBetter ? "no more than a disturbance"
+                         : "no better than the effects");
+        if (!isTaken) change.reset();
     };
     settle(change_);
     settle(dependence_);

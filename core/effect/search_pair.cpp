@@ -81,9 +81,10 @@ void Search::crossOver(NullModel& null) {
         std::optional<Trial> second = trialOf(*between, faultOf(a.effect), b.place);
         if (!second) continue;
         Outcome<NullModel> crossed = fitNull(second->variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
-        if (!crossed || !(gainOver(null, crossed->sumOfSquares(), crossed->parameterCount() - null.parameterCount()) >
-                          equivalenceMargin))
-            continue;
+        const bool isTaken = crossed && gainOver(null, crossed->sumOfSquares(),
+                                                 crossed->parameterCount() - null.parameterCount()) > equivalenceMargin;
+        if (crossed) traceModel("cross over", *crossed, isTaken ? "taken" : "set aside");
+        if (!isTaken) continue;
         steps_.pop_back();
         steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
         const auto take = [&](const NullModel& before, Trial trial) {
@@ -128,6 +129,7 @@ Search::Round Search::withPairMembers(const NullModel& null, Round round) {
         add(named[p.weaker]);
     }
     std::vector<Trial> more = tryThese(null, members, 2 * trialIterations, startsPerTrial);
+    traceTrials("trial for a pair", null, more);
     round.trials.insert(round.trials.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     round.chosen.reset();
     round.members.clear();
@@ -162,10 +164,16 @@ std::optional<Search::Round> Search::chosenTogether(const NullModel& null, Round
         Outcome<NullModel> both = fitNull(last.variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
         if (!both) continue;
         const Acceptance together = examine(null, both->fit, first.freed() + last.freed(), round.threshold);
-        if (!together.accepted() || isWithinForms(std::max(together.evidence, together.effective))) continue;
+        const bool pass = together.accepted() && !isWithinForms(std::max(together.evidence, together.effective));
+        const Candidate &taken = first.screened.candidate, &beside = last.screened.candidate;
+        traceTest("together", keyOf(taken.effect, taken.place) + " + " + keyOf(beside.effect, beside.place), together,
+                  pass ? "accepted" : "refused");
+        if (!pass) continue;
         const std::optional<NullModel> rest = without(*both, null.variant.effects.size());
         if (!rest) continue;
         const Acceptance missed = examine(*rest, both->fit, first.freed(), 0);
+        traceTest("beside the other", keyOf(taken.effect, taken.place), missed,
+                  missed.accepted() ? "accepted" : "refused");
         if (!missed.accepted()) continue;
         round.chosen = begin;
         round.members = equivalents(null, round.trials, begin);

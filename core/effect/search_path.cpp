@@ -72,6 +72,8 @@ void Search::exchange(Path& path) {
 void Search::goOn(Path& path, Round first) {
     exchange(path);
     ++paths_;
+    round_ = 0;
+    traceModel("path", path.null, "begun");
     for (round_ = 1; round_ <= options_.maxRounds && !progress_.stopRequested(); ++round_) {
         Round round = round_ == 1 ? std::move(first) : tryAll(path.null);
         if (progress_.stopRequested()) break;
@@ -91,6 +93,10 @@ void Search::goOn(Path& path, Round first) {
         if (other) {
             noteAll(*other);
             steps_.push_back(stepOf(path.null, *other));
+        }
+        for (std::size_t i = stood; i < steps_.size(); ++i) {
+            const Candidate& chosen = steps_[i].winner.screened.candidate;
+            traceTest("choose", keyOf(chosen.effect, chosen.place), steps_[i].acceptance, "chosen");
         }
         const Variant wider = steps_.back().winner.variant;
         // the noise shows better with every effect that is explained
@@ -126,6 +132,10 @@ void Search::goOn(Path& path, Round first) {
         }
         if (!opening_) opening_ = Path{path.null, steps_, displaced_, candidates_, {}};
     }
+    traceModel("path", path.null,
+               beginsAnew_         ? "begins anew beside the recordings"
+               : path.meetsAnother ? "meets another"
+                                   : "ended");
     exchange(path);
 }
 
@@ -172,7 +182,9 @@ Outcome<Search::Path> Search::bestPath(NullModel& base) {
     std::optional<Path> begun;
     if (beginAnew(base))
         if (Outcome<Path> found = bestPathOfDrawn(base)) begun = std::move(*found);
-    if (begun && !progress_.stopRequested() && isSimpler(*begun, *path, 0)) return std::move(*begun);
+    const bool isTaken = begun && !progress_.stopRequested() && isSimpler(*begun, *path, 0);
+    if (begun) traceModel("beside starts", begun->null, isTaken ? "taken" : "set aside");
+    if (isTaken) return std::move(*begun);
     base = before.base;
     exchange(before);
     return path;
@@ -196,8 +208,9 @@ Outcome<Search::Path> Search::bestPathOfDrawn(NullModel& base) {
         if (Outcome<Path> found = bestPathBesideRecordings(base)) plain = std::move(*found);
     takesAsGiven_ = false;
     const std::size_t jumps = drawn.edges.empty() || !areHeld(drawn.edges) ? drawn.edges.size() : 1;
-    if (plain && !progress_.stopRequested() && isSimpler(*plain, *path, drawn.clocks.size() + jumps))
-        return std::move(*plain);
+    const bool isTaken = plain && !progress_.stopRequested() && isSimpler(*plain, *path, drawn.clocks.size() + jumps);
+    if (plain) traceModel("recordings as given", plain->null, isTaken ? "taken" : "set aside");
+    if (isTaken) return std::move(*plain);
     base = std::move(drawn.base);
     exchange(drawn);
     return path;
@@ -327,7 +340,9 @@ bool Search::isOnlyOfForm(const NullModel& base, const Path& path, const Path& n
 /// Keeps the better of two paths, and the other among the ends; one that leads where another went adds nothing.
 void Search::keepBetter(Path& best, Path path, const NullModel& base) {
     if (path.meetsAnother) return;
-    if (isBetter(path, best) && !isOnlyOfForm(base, path, best)) std::swap(best, path);
+    const bool isTaken = isBetter(path, best) && !isOnlyOfForm(base, path, best);
+    traceModel("end of path", path.null, isTaken ? "better" : "set aside");
+    if (isTaken) std::swap(best, path);
     otherEnds_.push_back(std::move(path));
 }
 
@@ -428,7 +443,9 @@ bool Search::addLawPath(Path& best, const NullModel& base, Path begin) {
     if (!isNoise(best.null) && levelOf(best.null.fit) < structuredResidual) return false;
     std::optional<Path> path = withLaw(std::move(begin));
     if (beginsAnew_ || !path) return false;
-    if (!isBetter(*path, best) || isOnlyOfForm(base, *path, best)) {
+    const bool isTaken = isBetter(*path, best) && !isOnlyOfForm(base, *path, best);
+    traceModel("end of path", path->null, isTaken ? "better" : "set aside");
+    if (!isTaken) {
         otherEnds_.push_back(std::move(*path));
         return false;
     }
@@ -588,6 +605,7 @@ bool Search::replace(NullModel& null, std::size_t effect, Rivals wanted, const E
     continueBest(*rest, trials);
     rank(*rest, trials);
     retryNear(*rest, null.variant.values, null.sumOfSquares(), trials);
+    traceTrials("rival of " + keyOf(old.effect, old.place), *rest, trials);
     if (trials.empty() || !trials.front().ok || progress_.stopRequested()) return false;
     const auto gainOf = [&](const Trial& t) { return gainOver(null, t.sumOfSquares(), t.freed() - oldFreed); };
     const bool isSimplerEqual = simplerFirst(null, trials.front().evidence - gainOf(trials.front()), oldFreed, trials);
@@ -680,7 +698,10 @@ bool Search::doesForBoth(NullModel& null, std::size_t effect, std::size_t part) 
     steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(part));
     const std::size_t left = effect > part ? effect - 1 : effect;
     const bool isMoved = replace(*one, left, Rivals::New, &lesser.place);
-    if (!isMoved || !(gainOver(null, one->sumOfSquares(), one->parameterCount() - null.parameterCount()) > 0)) {
+    const bool isBetter =
+        isMoved && gainOver(null, one->sumOfSquares(), one->parameterCount() - null.parameterCount()) > 0;
+    if (isMoved) traceModel("unite", *one, isBetter ? "taken" : "set aside");
+    if (!isBetter) {
         exchange(before);
         return false;
     }
@@ -707,6 +728,7 @@ void Search::completeClasses(NullModel& null) {
 
 /// Of the last line of the table that is of this candidate; what is taken out was chosen there.
 void Search::setVerdict(const Candidate& candidate, Verdict verdict, const Text& why) {
+    trace("revise", keyOf(candidate.effect, candidate.place), {}, name(verdict), why);
     const auto isIt = [&](const CandidateResult& c) {
         return c.className == candidate.effect.className && c.at == candidate.place.at;
     };
@@ -731,21 +753,22 @@ void Search::tellErrorWithout(Step& step, const NullModel& without) const {
         step.errorWithout = errorPercentOf(*state, Role::Fit);
 }
 
-/// Why an effect, missed by so much, need not stay; empty: it has to. `beside`: of the model as it stands, once it is
+/// Whether an effect, missed by so much, has to stay. `beside`: of the model as it stands, once it is
 /// asked for. At the last, where something is left that nothing explains, the effect must be more than what a
 /// disturbance takes over; where noise is left, a weak one must be likelier.
-Text Search::whyUnneeded(const NullModel& null, std::size_t effect, const NullModel& without, const Acceptance& missed,
-                         bool isLast, const std::function<BesideDisturbance(std::size_t most)>& beside) const {
+Search::Need Search::needOf(const NullModel& null, std::size_t effect, const NullModel& without,
+                            const Acceptance& missed, bool isLast,
+                            const std::function<BesideDisturbance(std::size_t most)>& beside) const {
     const PlacedEffect& placed = null.variant.effects[effect];
     const bool leavesNoise = isNoise(null);
-    if (!isMissed(missed)) return whyRefused(missed, 0);
-    if (!isTold(placed, null.fit.estimates, missed, leavesNoise)) return indistinct();
-    if (isAtBound(placed, null.fit)) return atBound();
+    if (!isMissed(missed)) return {whyRefused(missed, 0)};
+    if (!isTold(placed, null.fit.estimates, missed, leavesNoise)) return {indistinct()};
+    if (isAtBound(placed, null.fit)) return {atBound()};
     if (!isLast) return {};
     if (!leavesNoise && drivesToBound(without.fit, null.fit))
-        return phrase(
-            "with it a parameter of the model rests at a bound: it does the work of what is known to be there");
-    if (!(missed.heldOut > leastHeldOut)) return whyRefused(missed, leastHeldOut);
+        return {
+            phrase("with it a parameter of the model rests at a bound: it does the work of what is known to be there")};
+    if (!(missed.heldOut > leastHeldOut)) return {whyRefused(missed, leastHeldOut)};
     if (leavesNoise && !(missed.evidence < beyondDoubt)) return {};
     // what is constant hardly differs from a flow that varies slowly, and noise with a memory is noise as well
     const bool isNoiseLeft = leavesNoise || isColouredNoise(null);
@@ -754,8 +777,9 @@ Text Search::whyUnneeded(const NullModel& null, std::size_t effect, const NullMo
     const BesideDisturbance with = beside(most);
     const Eigen::Index rows = null.fit.optimum.residuals.size();
     const int freed = static_cast<int>(placed.freed.size());
-    if (isNoiseLeft ? isLikelier(disturbed, with, rows, freed) : isBorneOut(disturbed, with, rows, freed)) return {};
-    return noMoreThanDisturbance();
+    const bool isMore =
+        isNoiseLeft ? isLikelier(disturbed, with, rows, freed) : isBorneOut(disturbed, with, rows, freed);
+    return {isMore ? Text() : noMoreThanDisturbance(), evidenceBeside(disturbed, with, rows, freed)};
 }
 
 /// Takes each effect out again and keeps only those that are missed. As many as there are threads are judged at once;
@@ -764,7 +788,7 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
     struct Judged {
         std::optional<NullModel> without;
         Acceptance missed;
-        Text why;
+        Need need;
     };
     std::optional<BesideDisturbance> known;  // of the model as it stands
     std::mutex guard;
@@ -779,7 +803,7 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
         Judged judged{without(null, i), {}, {}};
         if (!judged.without) return judged;
         judged.missed = examine(*judged.without, null.fit, static_cast<int>(placed.freed.size()), 0);
-        judged.why = whyUnneeded(null, i, *judged.without, judged.missed, isLast, beside);
+        judged.need = needOf(null, i, *judged.without, judged.missed, isLast, beside);
         return judged;
     };
     std::vector<Judged> judged;
@@ -797,16 +821,21 @@ void Search::removeUnneeded(NullModel& null, std::size_t least, bool isLast) {
             ++i;
             continue;
         }
-        if (own.why.empty()) {
+        const PlacedEffect& placed = null.variant.effects[i];
+        const Text why = own.need.whyNot;
+        traceTest("missed", keyOf(placed.effect, placed.place), own.missed, why.empty() ? "kept" : "taken out", why);
+        if (own.need.besideDisturbance)
+            trace("beside disturbance", keyOf(placed.effect, placed.place),
+                  {{"delta_bic", -*own.need.besideDisturbance}}, why.empty() ? "kept" : "taken out");
+        if (why.empty()) {
             steps_[i].acceptance = own.missed;
             steps_[i].fall = own.without->sumOfSquares() - null.sumOfSquares();
             tellErrorWithout(steps_[i], *own.without);
             ++i;
             continue;
         }
-        const PlacedEffect& unneeded = null.variant.effects[i];
-        setVerdict(unneeded, Verdict::NotSignificant, takenOut(own.why));
-        if (hasProposal(null) && unneeded.effect.proposal.empty()) displaced_.push_back({unneeded, steps_[i]});
+        setVerdict(placed, Verdict::NotSignificant, takenOut(why));
+        if (hasProposal(null) && placed.effect.proposal.empty()) displaced_.push_back({placed, steps_[i]});
         null = std::move(*own.without);
         known.reset();
         steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
@@ -877,6 +906,7 @@ void Search::sharpen(NullModel& null) {
         std::optional<NullModel> sharper = refittedWith(null, effects);
         if (!sharper || !(null.sumOfSquares() - sharper->sumOfSquares() > leastSharpening)) return;
         if (sharper->fit.takesDifferences) return;  // too sharp for the steps: nothing could be screened beside it
+        traceModel("sharpen", *sharper, "drawn sharper");
         null = std::move(*sharper);
     }
 }
@@ -900,7 +930,9 @@ void Search::treatAlike(NullModel& null) {
         const double least = std::min(null.sumOfSquares(), tied->sumOfSquares());
         const double worse = (tied->sumOfSquares() - null.sumOfSquares()) / least * (rows - null.parameterCount()) *
                              independentShare(null, null.fit);
-        if (worse < equivalenceMargin) null = std::move(*tied);
+        const bool isTaken = worse < equivalenceMargin;
+        traceModel("alike", *tied, isTaken ? "taken" : "set aside");
+        if (isTaken) null = std::move(*tied);
     }
 }
 

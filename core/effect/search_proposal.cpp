@@ -100,6 +100,7 @@ bool Search::addLaw(NullModel& null) {
     if (std::any_of(lawless_.begin(), lawless_.end(), [&](const Stay& s) { return s.isLike(here); })) return false;
     std::vector<Trial> trials = tryLaws(null);
     rank(null, trials);
+    traceTrials("law", null, trials);
     std::map<std::size_t, Acceptance> examined;
     const auto accepted = [&](std::size_t i) {
         if (!trials[i].ok) return false;
@@ -125,10 +126,13 @@ bool Search::addLaw(NullModel& null) {
                     {other.effect.kind, other.place.at, trial.evidence - trials[i].evidence, true});
         }
         step.winner = std::move(trial);
+        const Candidate& law = step.winner.screened.candidate;
+        traceTest("law", keyOf(law.effect, law.place), step.acceptance, "chosen", law.effect.proposal);
         steps_.push_back(std::move(step));
         null = std::move(*next);
         return true;
     }
+    traceModel("law", null, "none passes");
     if (!progress_.stopRequested()) lawless_.push_back(here);
     return false;
 }
@@ -162,7 +166,10 @@ Search::Conclusion Search::takeOutProposals(NullModel& null) {
             return isBorneOut(beside[0], beside[1], null.fit.optimum.residuals.size(),
                               static_cast<int>(placed.freed.size()));
         };
-        if (!isDoubtful || isMore()) {
+        const bool isOffered = !isDoubtful || isMore();
+        traceTest("proposal", keyOf(placed.effect, placed.place), gain, isOffered ? "offered" : "taken out",
+                  r.proposedEquation);
+        if (isOffered) {
             for (const Alternative& a : steps_[i].alternatives)
                 if (a.equivalent && a.kind == placed.effect.kind)
                     r.equalNodes.push_back(a.at);
@@ -248,6 +255,7 @@ void Search::bringBackDisplaced(NullModel& null, double leftByProposals) {
         std::optional<NullModel> with = refittedWith(null, effects);
         if (!with) continue;
         const Acceptance missed = examine(null, with->fit, static_cast<int>(each.effect.freed.size()), 0);
+        traceTest("brought back", keyOf(each.effect.effect, each.effect.place), missed, "asked");
         const double fall = null.sumOfSquares() - with->sumOfSquares(), left = excess(*with);
         const auto whyNot = [&]() -> Text {
             if (!isMissed(missed)) return whyRefused(missed, 0);
@@ -294,6 +302,8 @@ Text Search::proposeExperiments(const NullModel& null) {
         const std::optional<ProposedExperiment> next =
             nextExperiment(null, rival.front(), search_.fit.simulation, progress_);
         if (!next) continue;
+        trace("next experiment", keyOf(own.effect, own.place), {{"separation", next->separation}}, "told",
+              next->programme);
         ++count;
         if (!text.empty()) text += ". ";
         constexpr double most = 100;
@@ -318,8 +328,10 @@ Search::HeldValues Search::heldValues(const NullModel& null) {
     for (std::size_t i = 0; i < steps_.size() && !progress_.stopRequested(); ++i) {
         const PlacedEffect& own = null.variant.effects[i];
         say("reconsider", phrase("{} at {}", own.effect.kind, own.place.at), -1);
-        if (const std::optional<NullModel> rest = without(null, i))
+        if (const std::optional<NullModel> rest = without(null, i)) {
             values[steps_[i].order] = heldInstead(*rest, null, search_.fit, progress_);
+            traceHeld(keyOf(own.effect, own.place), values[steps_[i].order], "as good");
+        }
     }
     return values;
 }
@@ -333,6 +345,7 @@ std::vector<HeldInstead> Search::takeOutForHeld(NullModel& null, const HeldValue
         if (isNoise(null)) return {};
         const std::vector<HeldInstead> alone = equalToFirst(heldInstead(null, null, search_.fit, progress_));
         const bool explains = !alone.empty() && alone[0].leavesNoise && alone[0].gain > 3 * equivalenceMargin;
+        traceHeld("", alone, explains ? "taken" : "set aside");
         return explains ? alone : std::vector<HeldInstead>();
     }
     const auto known = held.find(steps_[0].order);
@@ -342,6 +355,7 @@ std::vector<HeldInstead> Search::takeOutForHeld(NullModel& null, const HeldValue
     // itself
     const double share = best.leavesNoise && !isNoise(null) ? 1 : independentShare(null, null.fit);
     if (!(share * best.gain > 3 * equivalenceMargin) || !takeOut(null, 0, otherValue(best))) return {};
+    traceHeld("", equalToFirst(known->second), "taken");
     return equalToFirst(known->second);
 }
 
@@ -358,6 +372,7 @@ std::vector<HeldInstead> Search::takeOutAllForHeld(NullModel& null, const NullMo
     std::vector<HeldInstead> alone = equalToFirst(heldInstead(*without, null, search_.fit, progress_));
     if (alone.empty() || !(alone[0].leavesNoise || !isNoise(null))) return {};
     if (steps_.empty() && !(alone[0].gain > 3 * equivalenceMargin)) return {};
+    traceHeld("", alone, "taken");
     takeOutAll(null, *without, otherValue(alone[0]));
     if (!asRecorded_.empty()) takeRecordingsAsGiven();
     return alone;

@@ -61,6 +61,9 @@ bool isDetermined(const ToldStart& start, const ModelState& state) {
 bool Search::leaveOutFaults(const NullModel& fitted) {
     faults_ = faultySamples(fitted);
     leaveOut(full_.task, faults_);
+    for (const FaultySamples& f : faults_)
+        trace("reading", "faulty samples " + f.output, {{"recording", f.recording}, {"begin", f.begin}, {"end", f.end}},
+              "left out");
     if (!faults_.empty()) base_.task = thinned(full_.task, thinning_);
     return !faults_.empty();
 }
@@ -80,12 +83,13 @@ std::optional<Search::Allowed> Search::allowed(const NullModel& null, const Vari
 /// did: the round is to be repeated beside it.
 bool Search::allowForRecordings(NullModel& null, const Round& round) {
     double most = round.chosen ? round.acceptance.effective : 0;
-    const auto explainsMore = [&](const Variant& variant, int freed) {
+    const auto explainsMore = [&](const std::string& reading, const Variant& variant, int freed) {
         const std::optional<Allowed> there = allowed(null, variant, freed, round.threshold);
-        if (!there || !there->gain.isSignificant || !there->gain.isWorthwhile) return false;
-        if (!(there->gain.effective > most)) return false;
-        most = there->gain.effective;
-        return true;
+        if (!there) return false;
+        const bool isMore = there->gain.isSignificant && there->gain.isWorthwhile && there->gain.effective > most;
+        traceTest("reading", reading, there->gain, isMore ? "explains more" : "refused");
+        if (isMore) most = there->gain.effective;
+        return isMore;
     };
     std::vector<ToldStart> freed;
     std::vector<ParameterValue> values = null.variant.values;  // from which they are fitted
@@ -103,13 +107,14 @@ bool Search::allowForRecordings(NullModel& null, const Round& round) {
             say("reconsider", start.parameter, -1);
             Variant variant = null.variant;
             setFitted(variant.task, start, true);
-            if (explainsMore(variant, 1)) freed = {start};
+            if (explainsMore("start " + start.parameter, variant, 1)) freed = {start};
         }
     Variant quiet = null.variant;
     const std::vector<NoisyInput> noisy = noisyInputs_.empty() ? quieten(quiet.task) : std::vector<NoisyInput>();
     if (!noisy.empty()) {
         say("reconsider", phrase("noise of the inputs"), -1);
-        if (explainsMore(quiet, static_cast<int>(noisy.size()))) return refitQuiet(null, std::move(quiet), noisy);
+        if (explainsMore("noise of inputs", quiet, static_cast<int>(noisy.size())))
+            return refitQuiet(null, std::move(quiet), noisy);
     }
     std::optional<Late> late;
     Drawings drawn;
@@ -172,6 +177,13 @@ bool Search::refitLate(NullModel& null, Late late) {
     Outcome<NullModel> next = fitNull(late.variant, null.noise, NoiseLevel::Estimate, search_.fit, progress_);
     if (!next || progress_.stopRequested()) return false;
     null = std::move(*next);
+    for (const InputClock& clock : late.clocks)
+        trace("reading", "clock " + clock.input,
+              {{"late", clock.late},
+               {"evidence", late.with.gain.evidence},
+               {"effective", late.with.gain.effective},
+               {"share", late.with.gain.share}},
+              "accepted");
     if (clocks_.empty()) stamped_ = base_.task.recordings;
     if (asRecorded_.empty()) asRecorded_ = full_.task.recordings;
     analogon::setClocks(base_.task.recordings, stamped_, late.clocks);
@@ -190,7 +202,9 @@ void Search::holdUnneededClocks(NullModel& null) {
     Outcome<NullModel> stamped = fitNull(variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
     if (!stamped || progress_.stopRequested()) return;
     const Acceptance missed = examine(*stamped, null.fit, static_cast<int>(clocks_.size()), 0);
-    if (missed.isSignificant && missed.isWorthwhile) return;
+    const bool isNeededStill = missed.isSignificant && missed.isWorthwhile;
+    traceTest("reading", "clocks of inputs", missed, isNeededStill ? "kept" : "taken back");
+    if (isNeededStill) return;
     takeRecordingsAsGiven();
     null = std::move(*stamped);
 }
@@ -296,6 +310,9 @@ bool Search::refitPlaced(NullModel& null, Variant placed, std::vector<InputEdge>
     if (asRecorded_.empty()) asRecorded_ = full_.task.recordings;
     place(base_.task, edges);
     place(full_.task, edges);
+    for (const InputEdge& e : edges)
+        trace("reading", "edge " + e.input,
+              {{"recording", e.recording}, {"sample", e.sample}, {"part", e.part}, {"bend", e.bend}}, "accepted");
     edges_ = std::move(edges);
     return true;
 }
@@ -312,6 +329,9 @@ bool Search::refitQuiet(NullModel& null, Variant quiet, const std::vector<NoisyI
         quieten(stamped);
         stamped_ = std::move(stamped.recordings);
     }
+    for (const NoisyInput& input : noisy)
+        trace("reading", "noise of " + input.name, {{"recording", input.recording}, {"deviation", input.deviation}},
+              "accepted");
     noisyInputs_ = noisy;
     return true;
 }
@@ -361,6 +381,9 @@ Outcome<NullModel> Search::fittedWith(Variant variant, const std::vector<Eigen::
 void Search::freeStarts(const std::vector<ToldStart>& starts) {
     setFitted(base_.task, starts, true);
     setFitted(full_.task, starts, true);
+    for (const ToldStart& start : starts)
+        trace("reading", "start " + start.parameter, {{"recording", start.recording}, {"told", start.value}},
+              "accepted");
     freedStarts_.insert(freedStarts_.end(), starts.begin(), starts.end());
 }
 
@@ -394,6 +417,8 @@ void Search::holdUnneededStarts(NullModel& null) {
         Outcome<NullModel> held = fittedWith(null.variant, null.noise, {start}, false);
         if (progress_.stopRequested()) return;
         if (!held || isNeeded(start, null, *held)) continue;
+        trace("reading", "start " + start.parameter, {{"recording", start.recording}, {"told", start.value}},
+              "taken back");
         setFitted(base_.task, {start}, false);
         setFitted(full_.task, {start}, false);
         std::erase_if(freedStarts_, [&](const ToldStart& s) {
@@ -428,6 +453,8 @@ void Search::freeChecks(const NullModel& null) {
     });
     setFitted(base_.task, starts, true);
     setFitted(full_.task, starts, true);
+    for (const ToldStart& start : starts)
+        trace("reading", "start of a check " + start.parameter, {{"recording", start.recording}}, "estimated");
     checkStarts_ = std::move(starts);
 }
 

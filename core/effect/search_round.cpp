@@ -184,6 +184,7 @@ std::vector<Trial> Search::tryThese(const NullModel& null, const std::vector<con
     std::vector<Trial> trials;
     for (const auto& each : begun) trials.push_back(std::move(*each).best());
     for (const Trial& t : trials) work_ += workOf(t.fit);
+    if (options_.mostWork > 0 && work_ > options_.mostWork) end_.request_stop();
     return trials;
 }
 
@@ -387,6 +388,8 @@ void Search::note(const Screened& s, Verdict verdict, const Text& why, std::opti
     c.round = round_;
     c.failure = failure;
     c.reason = why;
+    trace("judge", keyOf(s.candidate.effect, s.candidate.place),
+          {{"score", c.score}, {"delta_bic", deltaBic.value_or(std::nan(""))}}, name(verdict), why);
     candidates_.push_back(std::move(c));
 }
 
@@ -406,6 +409,7 @@ Search::Round Search::tryAll(const NullModel& null) {
         else
             round.threshold = noiseThreshold(directions, logRows, falseAlarmQuantile, 1);
     });
+    traceRound(null, round);
     return round;
 }
 

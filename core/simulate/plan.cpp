@@ -17,6 +17,7 @@ constexpr int kLongestWindow = 700;  // samples looked at in detail at the start
 constexpr int kGlanced = 100;        // samples looked at, of four times as many
 constexpr int kMostExplicit = 32;    // substeps beyond which an explicit method is not worth it
 constexpr int kMostImplicit = 64;
+constexpr long kMostEvaluations = 400'000'000;  // of the model, in planning
 
 struct Window {
     int first{}, last{};
@@ -36,7 +37,7 @@ public:
           tolerance_(10.0 * options.relativeTolerance),
           sampleCount_(static_cast<int>(inputs.time.size())) {
         limited_ = options;
-        limited_.wallClockLimit = std::min(options.wallClockLimit, 20.0);
+        limited_.evaluationLimit = std::min(options.evaluationLimit, kMostEvaluations);
     }
 
     GridPlan choose(const GridPlan* inForce) {

@@ -258,7 +258,10 @@ TEST_F(CommandLine, ExportsAnFmu) {
 TEST_F(CommandLine, EndsSoonWhenInterrupted) {
     const fs::path example = root / "examples" / "water-pump";
     ASSERT_TRUE(fs::exists(example / "study.json"));
-    Process process({"discover", example.string(), "--out", (scratch / "out").string(), "--progress", "json"}, scratch);
+    const fs::path trace = scratch / "trace.jsonl";
+    Process process({"discover", example.string(), "--out", (scratch / "out").string(), "--progress", "json", "--trace",
+                     trace.string()},
+                    scratch);
     for (int i = 0; i < 2000 && process.err().empty(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
     const auto begin = std::chrono::steady_clock::now();
@@ -268,6 +271,28 @@ TEST_F(CommandLine, EndsSoonWhenInterrupted) {
     EXPECT_LT(took.count(), 2.0) << "0.2 s on a machine that does nothing else";
     EXPECT_THAT(process.err(), HasSubstr("interrupted"));
     EXPECT_EQ(fs::exists(scratch / "out"), fs::exists(scratch / "out" / "report.json")) << "all or nothing";
+    EXPECT_TRUE(fs::exists(trace)) << "what was decided so far";
+    EXPECT_FALSE(fs::exists(trace.string() + ".writing"));
+}
+
+TEST_F(CommandLine, WritesTheDecisionsOfASearch) {
+    const fs::path file = scratch / "new" / "trace.jsonl";
+    const std::string directory = study(lag).string(), out = (scratch / "out").string();
+    const Result found = run({"discover", directory, "--out", out, "--trace", file.string()});
+    ASSERT_EQ(found.status, done) << found.err;
+    std::ifstream stream(file);
+    std::vector<nlohmann::json> decisions;
+    for (std::string line; std::getline(stream, line);) decisions.push_back(nlohmann::json::parse(line));
+    ASSERT_GT(decisions.size(), 2u);
+    for (std::size_t i = 0; i < decisions.size(); ++i) EXPECT_EQ(decisions[i]["number"], i);
+    EXPECT_EQ(decisions.front()["step"], "null fit");
+    EXPECT_EQ(decisions.back()["step"], "finding");
+    EXPECT_EQ(decisions.back()["verdict"], "adequate");
+
+    const Result refused = run({"discover", directory, "--out", out + "2", "--trace", scratch.string()});
+    EXPECT_EQ(refused.status, inputAtFault);
+    EXPECT_THAT(refused.err, HasSubstr("this is a directory; name a file"));
+    EXPECT_FALSE(fs::exists(out + "2")) << "said before the search";
 }
 
 TEST_F(CommandLine, GeneratesAStudyThatChecks) {

@@ -5,14 +5,17 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <numbers>
 #include <numeric>
 #include <random>
 #include <set>
+#include <stdexcept>
 
 #include "core/effect/model_state.hpp"
+#include "core/report/decision_lines.hpp"
 #include "core/study/run.hpp"
 #include "study_fixture.hpp"
 
@@ -157,7 +160,21 @@ end Rotor;
         return discovered();
     }
 
+    /// Where the studies of these tests are asked for (tests/search/net.sh), a test leaves its first one there, by the
+    /// name of the test, and ends.
+    void leaveStudy() const {
+        const char* kept = std::getenv("ANALOGON_KEEP_STUDIES");
+        if (kept == nullptr) return;
+        const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+        const std::filesystem::path into =
+            std::filesystem::path(kept) / (std::string(test->test_suite_name()) + "." + test->name());
+        std::filesystem::create_directories(into);
+        std::filesystem::copy(directory_, into, std::filesystem::copy_options::overwrite_existing);
+        throw std::runtime_error("the study was left in " + into.string());
+    }
+
     Finding discovered(const std::vector<std::string>& kinds = {}, const Progress& progress = {}) const {
+        leaveStudy();
         RunOptions options;
         options.discover.kinds = kinds;
         Outcome<RunResult> result = runDiscover(read(), options, progress);
@@ -895,9 +912,11 @@ TEST_F(Discovery, FindsTwoEffectsThatHideEachOther) {
 TEST_F(Discovery, EndsTheSameOnAnyNumberOfThreads) {
     const Finding first = search(dryShaft);
     ASSERT_EQ(first.effects.size(), 2u) << "to be judged side by side";
+    std::vector<std::string> decided;  // by the first
     for (const int threads : {1, 3}) {
         RunOptions options;
         options.discover.threads = threads;
+        options.discover.trace = std::make_shared<DecisionTrace>();
         const Outcome<RunResult> result = runDiscover(read(), options);
         ASSERT_TRUE(result) << format(result.diagnostics());
         const Finding& finding = result->finding;
@@ -920,6 +939,57 @@ TEST_F(Discovery, EndsTheSameOnAnyNumberOfThreads) {
             EXPECT_EQ(a.deltaBic, b.deltaBic) << a.kind << " at " << a.at;
             EXPECT_EQ(a.reason.english(), b.reason.english()) << a.kind << " at " << a.at;
         }
+        std::vector<std::string> lines;
+        for (const Decision& d : options.discover.trace->decisions()) lines.push_back(decisionLine(d, lines.size()));
+        if (decided.empty()) decided = lines;
+        EXPECT_EQ(lines, decided);
+    }
+}
+
+TEST_F(Discovery, TellsWhatItDecided) {
+    const Finding untraced = search({0.02, [](double, double w, double) { return 0.03 * w + 0.1 * signOf(w); }});
+    RunOptions options;
+    options.discover.trace = std::make_shared<DecisionTrace>();
+    const Outcome<RunResult> result = runDiscover(read(), options);
+    ASSERT_TRUE(result) << format(result.diagnostics());
+    const Finding& finding = result->finding;
+    EXPECT_EQ(finding.final.modelText, untraced.final.modelText) << "whoever asks changes nothing";
+    const std::vector<Decision> decisions = options.discover.trace->decisions();
+    const auto countOf = [&](const std::string& what, const std::string& verdict = "", const std::string& key = "") {
+        return std::count_if(decisions.begin(), decisions.end(), [&](const Decision& d) {
+            return d.step == what && (verdict.empty() || d.verdict == verdict) && d.key.starts_with(key);
+        });
+    };
+    ASSERT_EQ(finding.effects.size(), 1u);
+    const std::string found = finding.effects[0].className + "@" + finding.effects[0].at;
+    EXPECT_EQ(decisions.front().step, "null fit");
+    EXPECT_EQ(countOf("choose", "chosen", found), 1);
+    EXPECT_EQ(countOf("found", "reported", found), 1);
+    EXPECT_EQ(decisions.back().step, "finding");
+    EXPECT_EQ(decisions.back().verdict, "effect");
+    for (const CandidateResult& c : finding.candidates) {  // every line of the table was screened, and judged
+        EXPECT_GE(countOf("screen", "", c.className + "@" + c.at), 1) << c.kind << " at " << c.at;
+        EXPECT_GE(countOf("judge", "", c.className + "@" + c.at), 1) << c.kind << " at " << c.at;
+    }
+    EXPECT_GT(countOf("trial", "refitted"), 0);
+    EXPECT_EQ(countOf("path", "begun"), countOf("path") - countOf("path", "begun")) << "each path that begins ends";
+}
+
+TEST_F(Discovery, EndsAtItsLimitOfWorkAsIfStopped) {
+    const Finding whole = search(dryShaft);
+    ASSERT_EQ(whole.effects.size(), 2u);
+    std::string text;
+    for (const int threads : {1, 3}) {
+        RunOptions options;
+        options.discover.threads = threads;
+        options.discover.mostWork = 1;
+        const Outcome<RunResult> result = runDiscover(read(), options);
+        ASSERT_TRUE(result) << format(result.diagnostics());
+        EXPECT_TRUE(result->finding.interrupted);
+        EXPECT_LT(result->finding.effects.size(), 2u);
+        EXPECT_FALSE(result->finding.final.experiments.empty());
+        if (text.empty()) text = result->finding.final.modelText;
+        EXPECT_EQ(result->finding.final.modelText, text);
     }
 }
 
