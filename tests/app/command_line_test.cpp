@@ -287,7 +287,8 @@ TEST_F(CommandLine, WritesTheDecisionsOfASearch) {
     for (std::size_t i = 0; i < decisions.size(); ++i) EXPECT_EQ(decisions[i]["number"], i);
     EXPECT_EQ(decisions.front()["step"], "null fit");
     EXPECT_EQ(decisions.back()["step"], "finding");
-    EXPECT_EQ(decisions.back()["verdict"], "adequate");
+    const auto report = nlohmann::json::parse(contentOf(scratch / "out" / "report.json"));
+    EXPECT_EQ(decisions.back()["verdict"], report["finding"]);
 
     const Result refused = run({"discover", directory, "--out", out + "2", "--trace", scratch.string()});
     EXPECT_EQ(refused.status, inputAtFault);

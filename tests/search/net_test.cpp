@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 
 #include "tests/search/summary.hpp"
 
@@ -41,7 +42,7 @@ protected:
     std::string said() const { return get(directory / "said.txt"); }
     std::string in(const std::string& name) const { return (directory / name).string(); }
 
-    /// A lag y' = (k u + more - y)/T, 200 samples; the model has k and T.
+    /// A lag y' = (k u - y)/T, 300 samples; `more`: by which the reading drifts, which the model has not.
     void putLag(const std::string& name, double more) const {
         const fs::path study = directory / "studies" / name;
         fs::create_directories(study);
@@ -60,11 +61,11 @@ end Lag;
   "parameters": {"T": {"fit": true, "min": 0.1, "max": 10}, "k": {"fit": true, "min": 0.1, "max": 10}}})";
         std::ofstream csv(study / "step.csv");
         csv << "t [s],u [V],y [V]\n";
-        double y = 0;
+        std::mt19937 random(3);
+        std::normal_distribution<double> noise(0, 0.002);
         for (int i = 0; i < 300; ++i) {
-            const double u = (i / 40) % 3 - 1, wiggle = 0.001 * ((i * 7919) % 13 - 6);  // stands for noise
-            csv << 0.05 * i << ',' << u << ',' << y + more + wiggle << '\n';
-            y += (2 * u - y) * (1 - std::exp(-0.05 / 1.5));
+            const double t = 0.05 * i, y = 2 * (1 - std::exp(-t / 1.5)) + more * t;
+            csv << t << ",1," << y + noise(random) << '\n';
         }
     }
 
@@ -73,10 +74,10 @@ end Lag;
 
 TEST_F(SearchNet, RecordsComparesAndSeesWhatIsBroken) {
     putLag("noise", 0);
-    putLag("offset", 0.05);
+    putLag("drift", 0.01);
     fs::copy(root / "examples" / "lambda-sensor-heating", directory / "studies" / "lambda");
     ASSERT_EQ(net("record " + in("studies") + " " + in("one")), 0) << said();
-    for (const char* study : {"noise", "offset", "lambda"})
+    for (const char* study : {"noise", "drift", "lambda"})
         for (const char* threads : {"-1.txt", "-4.txt"}) EXPECT_TRUE(fs::exists(in("one/") + study + threads)) << study;
     const Summary lambda = summaryFrom(get(in("one/lambda-1.txt")));
     EXPECT_EQ(lambda.at("finding"), "effect");

@@ -169,7 +169,9 @@ end Rotor;
         const std::filesystem::path into =
             std::filesystem::path(kept) / (std::string(test->test_suite_name()) + "." + test->name());
         std::filesystem::create_directories(into);
-        std::filesystem::copy(directory_, into, std::filesystem::copy_options::overwrite_existing);
+        std::filesystem::copy(
+            directory_, into,
+            std::filesystem::copy_options::overwrite_existing | std::filesystem::copy_options::recursive);
         throw std::runtime_error("the study was left in " + into.string());
     }
 
