@@ -138,10 +138,11 @@ TEST(Profile, EndsAtABound) {
 }
 
 TEST(PredictionBand, OfALineFollowsFromTheCovariance) {
-    FitProblem problem = line(noise(200, 0.0, 0.1, 5), 0.1);
+    const FitProblem problem = line(noise(200, 0.0, 0.1, 5), 0.1);
     const FitResult best = fit(problem);
-    problem.experiments[0].weights.setOnes();
-    const Eigen::MatrixXd band = predictionBand(problem, 0, best.values, best.covariance, nullptr);
+    FitProblem all = problem;
+    all.experiments[0].weights.setOnes();
+    const Eigen::MatrixXd band = predictionBand(all, 0, best.values, best.covariance, nullptr);
     const Eigen::Matrix2d covariance = best.variance * inverseOf(problem);
     for (Eigen::Index k = 0; k < 200; k += 20) {
         const Eigen::Vector2d x(1.0, problem.experiments[0].inputs.values(0, k));
