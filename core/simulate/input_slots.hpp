@@ -35,6 +35,7 @@ public:
     bool hasTangents() const { return hasTangents_; }  // some delay time depends on the parameters
     const std::vector<double>& delayTimes() const { return times_; }
     const std::vector<double>& delayTangents() const { return timeTangents_; }  // delays x K
+    int firstDelaySlot() const { return firstDelay_; }
     bool hasHeld() const { return !held_.empty(); }
     /// Delays of held inputs.
     const std::vector<int>& heldDelays() const { return heldDelays_; }
