@@ -3,19 +3,19 @@
 # random editing undone and redone, kills while studies, results, archives and directories are written, two programs on
 # one place, and a disk that runs full at every write, as many at once as there are cores. About an hour and a half on
 # two.
-#   packaging/soak.sh [SEEDS] [EVENTS] [SEQUENCES] [KILLS]     (20 50000 2000 3000)
+#   packaging/soak.sh [SEEDS] [EVENTS] [SEQUENCES] [KILLS] [INTERRUPTS]     (20 50000 2000 3000 200)
 # Writes build/soak/summary.log and one log for each run; fails where one of them does.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source packaging/install.sh
-seeds=${1:-20} events=${2:-50000} sequences=${3:-2000} kills=${4:-3000}
+seeds=${1:-20} events=${2:-50000} sequences=${3:-2000} kills=${4:-3000} interrupts=${5:-200}
 
 install_missing "${build_packages[@]}"
 say "Building with the address sanitizer in build/asan, and plainly in build/release"
 cmake --preset asan
 cmake --build --preset asan --target test_ui
 cmake --preset release
-cmake --build --preset release --target test_ui test_archive test_study test_base
+cmake --build --preset release --target test_ui test_archive test_study test_base test_app
 
 export QT_QPA_PLATFORM=offscreen ASAN_OPTIONS=detect_leaks=0:malloc_context_size=3:quarantine_size_mb=64
 logs=build/soak
@@ -65,6 +65,11 @@ for seed in $(seq 1 "$seeds"); do
     start "events-$seed" build/asan/tests/test_ui Panels.SurvivesRandomEvents \
         ANALOGON_EVENTS="$events" ANALOGON_SEED="$seed"
 done
+# Interrupts of the command line at random moments, judged by processor time.
+for seed in 1 2 3 4; do
+    start "interrupts-$seed" build/release/tests/test_app Interrupts.EndTheProgramSoonWhereverItIs \
+        ANALOGON_INTERRUPTS="$interrupts" ANALOGON_SEED="$seed"
+done
 wait
 ! grep -v ': exit 0;' "$logs/summary.log"
-[ "$(wc -l <"$logs/summary.log")" -ge $((seeds + ${#writes[@]} + 2)) ]
+[ "$(wc -l <"$logs/summary.log")" -ge $((seeds + ${#writes[@]} + 6)) ]

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <iostream>
 #include <map>
+#include <mutex>
+#include <utility>
 
 #include "app/analogon-cli/check.hpp"
 #include "app/analogon-cli/convert.hpp"
@@ -15,6 +17,7 @@
 #include "app/analogon-cli/progress_view.hpp"
 #include "core/archive/archive.hpp"
 #include "core/base/file_fault.hpp"
+#include "core/base/stop.hpp"
 #include "core/report/decision_lines.hpp"
 #include "core/report/report.hpp"
 #include "core/study/results.hpp"
@@ -91,70 +94,102 @@ Outcome<Done> writeTrace(const RunOptions& run, const fs::path& file) {
     return run.discover.trace ? writeDecisions(run.discover.trace->decisions(), file) : Done{};
 }
 
+/// What a run has found until now, from its thread to the one that tells of it where the run does not come back.
+class FoundSoFar {
+public:
+    void keep(RunResult result) {
+        const std::lock_guard lock(mutex_);
+        result_ = std::move(result);
+    }
+    std::optional<RunResult> take() {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(result_, std::nullopt);
+    }
+
+private:
+    std::mutex mutex_;
+    std::optional<RunResult> result_;
+};
+
+int endsWithoutResult() {
+    std::cerr << "interrupted before there was a result" << std::endl;
+    return interrupted;
+}
+
+/// The table, whatever becomes of the files; and they.
+int tell(const RunResult& result, const Options& options, ResultsPlace& place, bool wasRaised) {
+    std::cout << summaryText(result.finding) << std::endl;
+    const Outcome<Done> written = place.write(result, name(options.command));
+    if (!written) return fails(written.diagnostics());
+    if (!written.diagnostics().empty()) std::cerr << format(written.diagnostics()) << std::endl;
+    std::cout << "report: " << (options.out / "report.html").string() << std::endl;
+    if (wasRaised && result.finding.interrupted) {
+        std::cerr << "interrupted; the best result so far was written" << std::endl;
+        return interrupted;
+    }
+    if (result.finding.interrupted)
+        std::cerr << "the search ended at its limit of work; the best result so far was written" << std::endl;
+    if (options.command != Command::Fit || result.finding.final.status != FitStatus::Failed) return done;
+    return fails({numericalError(result.finding.final.message, phrase("give other start values, or narrower bounds"))});
+}
+
 /// simulate, fit and discover: the same but for the call in the middle.
-int runStudy(const Options& options) {
+int runStudy(const Options& options, Interrupt& interrupt) {
     if (const Outcome<Done> can = prepareTarget(options.traceFile); !can) return fails(can.diagnostics());
-    const Outcome<OpenedStudy> opened = openStudy(options.input);
+    Outcome<OpenedStudy> opened = [&] {
+        const StopScope scope(interrupt.token());
+        return openStudy(options.input);
+    }();
     if (!opened) return fails(opened.diagnostics());
     if (!opened.diagnostics().empty()) std::cerr << format(opened.diagnostics()) << std::endl;
     const Study* const study = &opened->study;
     Outcome<ResultsPlace> place = ResultsPlace::take(options.out, options.input);
     if (!place) return fails(place.diagnostics());
 
-    Interrupt interrupt;
+    FoundSoFar found;
     ProgressView view(options.progress, std::cerr, isatty(STDERR_FILENO) != 0);
+    const Interrupt::LastWords lastWords(interrupt, [&] {
+        view.clear();
+        if (const std::optional<RunResult> result = found.take())
+            tell(*result, options, *place, true);
+        else
+            endsWithoutResult();
+        opened->files.reset();  // where an archive was unpacked
+    });
     const Progress progress(interrupt.token(), view.sink());
-    const RunOptions run = runOptions(options);
+    RunOptions run = runOptions(options);
+    run.keep = [&](RunResult result) { found.keep(std::move(result)); };
     const Outcome<RunResult> result = options.command == Command::Simulate ? runSimulate(*study, run, progress)
                                       : options.command == Command::Fit    ? runFit(*study, run, progress)
                                                                            : runDiscover(*study, run, progress);
+    interrupt.tell();
     view.clear();
     const Outcome<Done> traced = writeTrace(run, options.traceFile);
     if (!traced) std::cerr << format(traced.diagnostics()) << std::endl;
-    if (!result) {
-        if (interrupt.wasRaised()) {
-            std::cerr << "interrupted before there was a result" << std::endl;
-            return interrupted;
-        }
-        return fails(namedAs(result.diagnostics(), *opened));
-    }
+    if (!result) return interrupt.wasRaised() ? endsWithoutResult() : fails(namedAs(result.diagnostics(), *opened));
     if (!result.diagnostics().empty()) std::cerr << format(result.diagnostics()) << std::endl;
     for (const Text& remark : result->finding.final.remarks) view.note(remark);
-    std::cout << summaryText(result->finding) << std::endl;  // whatever becomes of the files
-    const Outcome<Done> written = place->write(*result, name(options.command));
-    if (!written) return fails(written.diagnostics());
-    if (!written.diagnostics().empty()) std::cerr << format(written.diagnostics()) << std::endl;
-    if (!traced) return inputAtFault;
-    std::cout << "report: " << (options.out / "report.html").string() << std::endl;
-    if (!interrupt.wasRaised()) {
-        if (result->finding.interrupted)
-            std::cerr << "the search ended at its limit of work; the best result so far was written" << std::endl;
-        if (options.command != Command::Fit || result->finding.final.status != FitStatus::Failed) return done;
-        return fails(
-            {numericalError(result->finding.final.message, phrase("give other start values, or narrower bounds"))});
-    }
-    std::cerr << "interrupted; the best result so far was written" << std::endl;
-    return interrupted;
+    const int status = tell(*result, options, *place, interrupt.wasRaised());
+    return traced || status != done ? status : static_cast<int>(inputAtFault);
 }
 
-int execute(const Options& options) {
+int execute(const Options& options, Interrupt& interrupt) {
+    const auto isRun = [&](Command c) { return options.command == c; };
+    if (isRun(Command::Simulate) || isRun(Command::Fit) || isRun(Command::Discover))
+        return runStudy(options, interrupt);
+    const StopScope scope(interrupt.token());
     switch (options.command) {
         case Command::Check:
             return check(options, std::cout, std::cerr);
-        case Command::Simulate:
-        case Command::Fit:
-        case Command::Discover:
-            return runStudy(options);
         case Command::Generate:
             return generate(options, std::cout, std::cerr);
         case Command::Export:
             return exportStudy(options, std::cout, std::cerr);
         case Command::Pack:
             return pack(options, std::cout, std::cerr);
-        case Command::Unpack:
-            break;
+        default:
+            return unpack(options, std::cout, std::cerr);
     }
-    return unpack(options, std::cout, std::cerr);
 }
 
 void addCommon(CLI::App& app, Options& options) {
@@ -282,7 +317,12 @@ int run(int argc, char** argv) {
         app.exit(fault, std::cout, std::cerr);
         return isFault ? inputAtFault : done;
     }
-    return execute(options);
+    Interrupt interrupt;
+    try {
+        return execute(options, interrupt);
+    } catch (const Stopped&) {
+        return endsWithoutResult();
+    }
 }
 
 }  // namespace analogon::cli

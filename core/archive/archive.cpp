@@ -19,6 +19,7 @@
 #include "core/base/file_step.hpp"
 #include "core/base/owned_directory.hpp"
 #include "core/base/regular_file.hpp"
+#include "core/base/stop.hpp"
 #include "core/base/whole_file.hpp"
 #include "core/study/json_places.hpp"
 #include "core/study/pending_save.hpp"
@@ -67,7 +68,7 @@ Outcome<Done> unpackEntry(QuaZip& zip, const fs::path& archive, const ZipEntry& 
     std::uint64_t left = entry.size;
     QByteArray bytes(chunk, Qt::Uninitialized);
     for (;;) {
-        if (progress.stopRequested()) return fileError(phrase("interrupted"), archive.string());
+        if (progress.stopRequested() || isStopped()) return fileError(phrase("interrupted"), archive.string());
         const qint64 count = from.read(bytes.data(), chunk);
         if (count < 0) return damaged(archive, entry.name, "is damaged: its compressed data cannot be read");
         if (count == 0) break;

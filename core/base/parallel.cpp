@@ -7,6 +7,8 @@
 #include <thread>
 #include <vector>
 
+#include "core/base/stop.hpp"
+
 namespace analogon {
 
 int threadCount(int threads) {
@@ -22,7 +24,8 @@ void parallelFor(int count, int threads, const std::function<void(int)>& body) {
     std::atomic<int> next{0};
     std::exception_ptr fault;
     std::mutex guard;
-    const auto work = [&] {
+    const auto work = [&, stop = stopInForce()] {
+        const StopScope scope(stop);
         for (int i = next++; i < count; i = next++) {
             try {
                 body(i);

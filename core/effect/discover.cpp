@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/base/number_text.hpp"
+#include "core/base/stop.hpp"
 #include "core/base/stopwatch.hpp"
 #include "core/base/unit.hpp"
 #include "core/effect/caution.hpp"
@@ -178,6 +179,53 @@ Remainder remainderOf(const Dependence& d) {
                                 std::abs(d.slope / d.range), d.channel, d.middle));
 }
 
+/// Where an effect stands as well, with the same parameters.
+void addTwins(Finding& finding, const PlacedEffect& placed, AddedEffect effect) {
+    for (std::size_t t = 0; t < placed.twins.size(); ++t) {
+        effect.at = placed.twins[t].at;
+        effect.instance = placed.twinInstances[t];
+        effect.alternatives.clear();
+        finding.effects.push_back(effect);
+        finding.warnings.push_back(
+            placed.effect.signalSide == "output"
+                ? phrase("{} stands at {} and {} with one set of parameters: equal sensors, and the data do not "
+                         "tell them apart",
+                         effect.kind, placed.place.at, effect.at)
+                : phrase("{} stands at {} and {} with one set of parameters: they feed equal blocks, and the data "
+                         "do not tell them apart",
+                         effect.kind, placed.place.at, effect.at));
+    }
+}
+
+constexpr std::chrono::milliseconds forTelling{80};  // of work, after a stop, for what is still to be simulated
+
+/// After a stop: work that is cut short, and leaves things as they were, where it takes longer than anybody waits.
+template <class Work>
+void soon(const Work& work) {
+    const StopAfter limit(forTelling);
+    const StopScope scope(limit.token());
+    try {
+        work();
+    } catch (const Stopped&) {
+    }
+}
+
+/// Of records so long that what is made for a simulation takes longer than anybody waits.
+bool areLong(const EstimationTask& task) {
+    constexpr Eigen::Index most = 200'000;  // samples of outputs
+    Eigen::Index count = 0;
+    for (const Recording& r : task.recordings) count += static_cast<Eigen::Index>(r.time.size()) * r.outputs.rows();
+    return count > most;
+}
+
+/// What a fit that was stopped came to: with its traces where they are simulated soon, else with its values alone.
+Outcome<ModelState> stateSoFar(const NullModel& null, const SimulationOptions& simulation) {
+    std::optional<Outcome<ModelState>> state;
+    if (!areLong(null.variant.task)) soon([&] { state = stateOf(null.variant, null.fit, simulation, {}); });
+    if (!state) state = valuesAlone(null.variant, null.fit);
+    return std::move(*state);
+}
+
 }  // namespace
 
 namespace {
@@ -252,20 +300,102 @@ void Search::takeOutAll(NullModel& null, const NullModel& base, const Text& why)
     null = base;
 }
 
-/// Back to the best model that was whole when the search was stopped: what came after it may be half a refit. Returns
-/// its state, if it has effects.
-std::optional<ModelState> Search::backToLastWhole(NullModel& null, const NullModel& base) {
-    takeOutAll(null, base, phrase("the search was stopped before it was borne out"));
-    if (!whole_) return std::nullopt;
-    // what the search had no time to hold against the rest must be clear by itself
-    const auto isClear = [&](const Step& s) {
-        return isMissed(s.acceptance) && isClearlyMissed(s.acceptance) && s.acceptance.heldOut > leastHeldOut;
-    };
-    if (!isNoise(whole_->null) && !std::all_of(whole_->steps.begin(), whole_->steps.end(), isClear))
-        return std::nullopt;
-    exchange(*whole_);
-    null = std::move(whole_->null);
-    return std::move(whole_->state);
+/// What the search had no time to hold against the rest must be clear by itself.
+bool Search::isClear(const Path& path) const {
+    return isNoise(path.null) || std::all_of(path.steps.begin(), path.steps.end(), [](const Step& s) {
+               return isMissed(s.acceptance) && isClearlyMissed(s.acceptance) && s.acceptance.heldOut > leastHeldOut;
+           });
+}
+
+/// The model as given, and with the effects of a path that is not the end of the search.
+Finding Search::tellWhole(const Path& path, const FlatModel* valued) const {
+    Finding finding = *begun_;
+    finding.final = *path.state;
+    addEffects(finding, path.null, path.steps, {}, valued);
+    finding.kind = finding.effects.empty() ? FindingKind::Interrupted
+                   : isNoise(path.null)    ? FindingKind::Effect
+                                           : FindingKind::Partial;
+    finding.interrupted = true;
+    return finding;
+}
+
+/// Adds the effects of a model to what is found of it, with the parameters that `valued` (the model's equations with
+/// their values; null: not at hand) knows beside those that were fitted. Returns what else their values may be.
+std::vector<Text> Search::addEffects(Finding& finding, const NullModel& null, const std::vector<Step>& steps,
+                                     const HeldValues& held, const FlatModel* valued) const {
+    std::vector<Text> heldRemarks;
+    for (std::size_t i = 0; i < steps.size() && i < null.variant.effects.size(); ++i) {
+        const PlacedEffect& placed = null.variant.effects[i];
+        AddedEffect effect = describe(null, finding.final, placed, steps[i]);
+        if (valued) addOtherParameters(*valued, placed, effect.parameters);
+        // what the model is without this effect, and with it; the others are there in both
+        effect.evidence.errorPercentBefore =
+            steps[i].errorWithout >= 0 ? steps[i].errorWithout : errorPercentOf(finding.baseline, Role::Fit);
+        effect.evidence.errorPercentAfter =
+            errorsOnTime_ ? errorsOnTime_->first : errorPercentOf(finding.final, Role::Fit);
+        if (const auto values = held.find(steps[i].order); values != held.end())
+            for (const HeldInstead& h : values->second) {
+                effect.valuesInstead.push_back(h.text());
+                heldRemarks.push_back(remarkOf(h, effect.kind, effect.at));
+            }
+        finding.effects.push_back(effect);
+        addTwins(finding, placed, std::move(effect));
+    }
+    return heldRemarks;
+}
+
+/// Hands on what there is to tell until now.
+void Search::keepSoFar() const {
+    if (!options_.keep || !begun_) return;
+    Finding finding = whole_ && isClear(*whole_) ? tellWhole(*whole_, nullptr) : *begun_;
+    finding.candidates = candidates_;
+    settleVerdicts(finding, finding.candidates);
+    options_.keep(std::move(finding));
+}
+
+/// What a search that was stopped reports: the best model that was whole, since what came after it may be half a refit;
+/// else the model as given. It had no time to say what is left.
+Outcome<Finding> Search::foundSoFar() {
+    if (!begun_) {
+        if (first_.fit.estimates.empty()) return error(phrase("cancelled"));
+        Outcome<ModelState> state = stateSoFar(first_, options_.fit.simulation);
+        if (!state) return state.diagnostics();
+        begun_.emplace();
+        begun_->baseline = begun_->final = std::move(*state);
+        begun_->kind = FindingKind::Interrupted;
+        begun_->interrupted = true;
+    }
+    const bool hasEffects = whole_ && isClear(*whole_);
+    if (hasEffects) {
+        soon([&] {
+            Path& path = *whole_;
+            if (!checkStarts_.empty()) {
+                setFitted(path.null.variant.task, checkStarts_, true);
+                Outcome<ModelState> found = stateOf(path.null.variant, path.null.fit, options_.fit.simulation, {});
+                if (found && !isStopped()) path.state = std::move(*found);
+            }
+            reportAsRecorded(path.null, *path.state);
+        });
+        candidates_ = whole_->candidates;
+    }
+    std::optional<FlatModel> valued;
+    if (hasEffects)
+        soon([&] {
+            if (Outcome<FlatModel> flat = flattened(whole_->null.variant.task, whole_->state->modelText); flat)
+                valued = std::move(*flat);
+        });
+    Finding finding = hasEffects ? tellWhole(*whole_, valued ? &*valued : nullptr) : *begun_;
+    const Text why = takenOut(phrase("the search was stopped before it was borne out"));
+    for (CandidateResult& c : candidates_)
+        if (c.verdict == Verdict::Chosen &&
+            std::none_of(finding.effects.begin(), finding.effects.end(),
+                         [&](const AddedEffect& e) { return e.kind == c.kind && e.at == c.at; })) {
+            c.verdict = Verdict::NotSignificant;
+            c.reason = why;
+        }
+    settleVerdicts(finding, candidates_);
+    finding.candidates = std::move(candidates_);
+    return finding;
 }
 
 /// Where the search has placed the jumps of the inputs or set their clocks, the errors are told with the recordings as
@@ -283,9 +413,8 @@ void Search::reportAsRecorded(const NullModel& null, ModelState& state) {
     }
     Outcome<Variant> whole = withEffects(plain, null.variant.effects, null.variant.values);
     if (!whole) return;
-    // an interrupted search reports as well
     Outcome<ModelState> told = stateOf(*whole, null.fit, options_.fit.simulation, Progress());
-    if (!told) return;
+    if (!told || isStopped()) return;
     errorsOnTime_ = {errorPercentOf(state, Role::Fit), validationErrorOf(state)};
     state.experiments = std::move(told->experiments);
     state.residual = std::move(told->residual);
@@ -392,6 +521,26 @@ Finding Search::besideMistake(Finding finding, const NullModel& null, const Mist
 
 Outcome<Finding> Search::run() {
     const auto begin = std::chrono::steady_clock::now();
+    const auto found = [this]() -> Outcome<Finding> {
+        try {
+            const StopScope scope(progress_.stopToken());
+            Outcome<Finding> whole = searched();
+            stopPoint();  // what was passed over since then may have changed what it says
+            return whole;
+        } catch (const Stopped&) {
+            const std::stop_source nobody;  // asks what is told now to stop, whatever is in force outside
+            const StopScope scope(nobody.get_token());
+            return foundSoFar();
+        }
+    };
+    Outcome<Finding> finding = found();
+    if (!finding) return finding;
+    finding->seconds = secondsSince(begin);
+    traceFinding(*finding);
+    return finding;
+}
+
+Outcome<Finding> Search::searched() {
     Outcome<std::vector<EffectClass>> catalogue = effectCatalogue(base_.task.library);
     if (!catalogue) return catalogue.diagnostics();
     Finding finding;
@@ -408,8 +557,10 @@ Outcome<Finding> Search::run() {
         });
 
     say("fit", base_.task.className, 0);
-    Outcome<NullModel> null = fitNull(base_, {}, NoiseLevel::Estimate, fromAnywhere(options_.fit), progress_);
-    if (!null) return null.diagnostics();
+    first_.variant = base_;
+    if (Outcome<Done> fitted = fitNull(first_, NoiseLevel::Estimate, fromAnywhere(options_.fit), progress_); !fitted)
+        return fitted.diagnostics();
+    Outcome<NullModel> null = first_;
     if (null->beginning) {  // what follows begins where the model can be simulated
         base_.values = full_.values = null->beginning->values;
         finding.warnings.push_back(null->beginning->remark);
@@ -448,6 +599,14 @@ Outcome<Finding> Search::run() {
     finding.baseline = std::move(*state);
     finding.final = finding.baseline;
     bestError_ = errorPercentOf(finding.baseline, Role::Fit);
+    stopPoint();
+    const auto begin = [&] {
+        begun_ = finding;
+        begun_->kind = FindingKind::Interrupted;
+        begun_->interrupted = true;
+    };
+    begin();
+    keepSoFar();
 
     Variant asGiven = given.variant;
     FitResult fitAsGiven = given.fit;
@@ -466,12 +625,7 @@ Outcome<Finding> Search::run() {
     if (mistake)
         trace("reading", "unit " + mistake->unit + " as " + mistake->likely,
               {{"sum_of_squares", mistake->read.sumOfSquares()}}, isMistaken ? "accepted" : "set aside");
-    if (isMistaken) {
-        finding = besideMistake(std::move(finding), *null, *mistake);
-        traceFinding(finding);
-        finding.seconds = secondsSince(begin);
-        return finding;
-    }
+    if (isMistaken) return besideMistake(std::move(finding), *null, *mistake);
     Outcome<Path> path = bestPath(base);
     if (!path) return path.diagnostics();
     null = std::move(path->null);
@@ -487,6 +641,8 @@ Outcome<Finding> Search::run() {
         // before and after are told alike
         if (Outcome<ModelState> told = stateOf(asGiven, fitAsGiven, options_.fit.simulation, Progress()))
             finding.final = finding.baseline = std::move(*told);
+        stopPoint();
+        begin();
     }
     settleChange(base, *null);
     if (change_ || dependence_) {
@@ -519,20 +675,7 @@ Outcome<Finding> Search::run() {
         conclusion = std::move(next);
     }
     std::vector<Remainder> proposed = std::move(conclusion.proposed);
-    const bool wasCut = progress_.stopRequested();
-    if (wasCut) {
-        proposed.clear();
-        change_.reset();
-        dependence_.reset();
-        finding.final = backToLastWhole(*null, base).value_or(finding.baseline);
-        traceModel("interrupted", *null, "reported");
-        if (!steps_.empty() && !checkStarts_.empty()) {
-            setFitted(null->variant.task, checkStarts_, true);
-            if (Outcome<ModelState> found = stateOf(null->variant, null->fit, options_.fit.simulation, Progress()))
-                finding.final = std::move(*found);
-        }
-        if (!steps_.empty()) reportAsRecorded(*null, finding.final);
-    }
+    stopPoint();
     holdUnneededStarts(*null);
     holdUnneededClocks(*null);
     std::vector<HeldInstead> heldWrongly = takeOutAllForHeld(*null, base);
@@ -556,15 +699,15 @@ Outcome<Finding> Search::run() {
     std::optional<NullModel> quiet;
     // the search was content with less: on every sample, and integrated as exactly as was asked for
     const bool isOther = onAll || !noisyInputs_.empty();
-    bool isFinal = isAsGiven() || wasCut;
-    while (!isFinal && !progress_.stopRequested()) {
+    bool isFinal = isAsGiven();
+    while (!isFinal) {
+        stopPoint();
         if (!noisyInputs_.empty()) quiet = *null;
         Outcome<Variant> whole = null->variant;
         if (isOther) whole = withEffects(full_, null->variant.effects, null->variant.values);
         if (!whole) return whole.diagnostics();
         Outcome<NullModel> fitted = fitNull(*whole, onAll ? onAll->noise : null->noise,
                                             isOther ? NoiseLevel::Estimate : NoiseLevel::Keep, options_.fit, progress_);
-        if (progress_.stopRequested()) break;
         if (!fitted) {
             // what the search came to stands, integrated as it was there
             finding.warnings.push_back(
@@ -587,122 +730,85 @@ Outcome<Finding> Search::run() {
         isFinal = true;
     }
     if (isAsGiven()) null = onAll ? *onAll : base;
-    if (!isFinal)
-        if (Outcome<ModelState> found = stateOf(null->variant, null->fit, search_.fit.simulation, Progress()))
-            finding.final = std::move(*found);
     const Outcome<FlatModel> valued = flattened(null->variant.task, finding.final.modelText);
-    std::vector<Text> heldRemarks;
-    for (std::size_t i = 0; i < steps_.size() && i < null->variant.effects.size(); ++i) {
-        AddedEffect effect = describe(*null, finding.final, null->variant.effects[i], steps_[i]);
-        if (valued) addOtherParameters(*valued, null->variant.effects[i], effect.parameters);
-        // what the model is without this effect, and with it; the others are there in both
-        effect.evidence.errorPercentBefore =
-            steps_[i].errorWithout >= 0 ? steps_[i].errorWithout : errorPercentOf(finding.baseline, Role::Fit);
-        effect.evidence.errorPercentAfter =
-            errorsOnTime_ ? errorsOnTime_->first : errorPercentOf(finding.final, Role::Fit);
-        const PlacedEffect& placed = null->variant.effects[i];
-        if (const auto values = held.find(steps_[i].order); values != held.end())
-            for (const HeldInstead& h : values->second) {
-                effect.valuesInstead.push_back(h.text());
-                heldRemarks.push_back(remarkOf(h, effect.kind, effect.at));
-            }
-        finding.effects.push_back(effect);
-        for (std::size_t t = 0; t < placed.twins.size(); ++t) {
-            effect.at = placed.twins[t].at;
-            effect.instance = placed.twinInstances[t];
-            effect.alternatives.clear();
-            finding.effects.push_back(effect);
-            finding.warnings.push_back(
-                placed.effect.signalSide == "output"
-                    ? phrase("{} stands at {} and {} with one set of parameters: equal sensors, and the data do not "
-                             "tell them apart",
-                             effect.kind, placed.place.at, effect.at)
-                    : phrase("{} stands at {} and {} with one set of parameters: they feed equal blocks, and the data "
-                             "do not tell them apart",
-                             effect.kind, placed.place.at, effect.at));
-        }
+    const std::vector<Text> heldRemarks = addEffects(finding, *null, steps_, held, valued ? &*valued : nullptr);
+    stopPoint();
+    Leftovers left = leftovers(quiet ? *quiet : *null, options_.fit.simulation);
+    finding.remainders = std::move(left.structure);
+    const bool isNoiseAlone = !change_ && !dependence_ && heldWrongly.empty();  // else that accounts for it
+    for (const ColouredNoise& n : isNoiseAlone ? left.noise : std::vector<ColouredNoise>())
+        finding.warnings.push_back(
+            phrase("what is left on output '{}' of '{}' is noise with a memory ({:.2g} s): it moves with nothing "
+                   "that is recorded or simulated, and is taken for noise of the measurement",
+                   n.output, n.experiment, n.memory));
+    for (const UnevenNoise& n : isNoiseAlone ? left.uneven : std::vector<UnevenNoise>())
+        finding.warnings.push_back(
+            phrase("the noise on output '{}' of '{}' comes and goes, by a factor of {:.2g}: in units of what it is "
+                   "near each sample, what is left there is noise",
+                   n.output, n.experiment, n.ratio));
+    const bool isSmall = std::all_of(finding.remainders.begin(), finding.remainders.end(),
+                                     [&](const Remainder& r) { return isWithinForms(r.evidence); });
+    if (isSmall && proposed.empty() && !finding.remainders.empty()) {
+        finding.warnings.push_back(
+            phrase("what is left on output '{}' of '{}' is not quite noise, but far less than what was found "
+                   "explains: the forms of its blocks (a rounded change of sign, an exact square) may leave as much",
+                   finding.remainders.front().output, finding.remainders.front().experiment));
+        finding.remainders.clear();
     }
-    finding.interrupted = progress_.stopRequested();
-    if (!finding.interrupted) {
-        Leftovers left = leftovers(quiet ? *quiet : *null, options_.fit.simulation);
-        finding.remainders = std::move(left.structure);
-        const bool isNoiseAlone = !change_ && !dependence_ && heldWrongly.empty();  // else that accounts for it
-        for (const ColouredNoise& n : isNoiseAlone ? left.noise : std::vector<ColouredNoise>())
-            finding.warnings.push_back(
-                phrase("what is left on output '{}' of '{}' is noise with a memory ({:.2g} s): it moves with nothing "
-                       "that is recorded or simulated, and is taken for noise of the measurement",
-                       n.output, n.experiment, n.memory));
-        for (const UnevenNoise& n : isNoiseAlone ? left.uneven : std::vector<UnevenNoise>())
-            finding.warnings.push_back(
-                phrase("the noise on output '{}' of '{}' comes and goes, by a factor of {:.2g}: in units of what it is "
-                       "near each sample, what is left there is noise",
-                       n.output, n.experiment, n.ratio));
-        const bool isSmall = std::all_of(finding.remainders.begin(), finding.remainders.end(),
-                                         [&](const Remainder& r) { return isWithinForms(r.evidence); });
-        if (isSmall && proposed.empty() && !finding.remainders.empty()) {
-            finding.warnings.push_back(phrase(
-                "what is left on output '{}' of '{}' is not quite noise, but far less than what was found "
-                "explains: the forms of its blocks (a rounded change of sign, an exact square) may leave as much",
-                finding.remainders.front().output, finding.remainders.front().experiment));
-            finding.remainders.clear();
-        }
-        for (Remainder& r : finding.remainders) {
-            // a sensor shows on its own output alone
-            const bool isOfAnother = !places.empty() && places.front().starts_with(outputPrefix) &&
-                                     places.front().substr(outputPrefix.size()) != r.output;
-            if (places.empty() || isOfAnother) continue;
-            r.node = places.front();
-            r.equalNodes.assign(places.begin() + 1, places.end());
-        }
-        if (!proposed.empty()) {
-            finding.warnings.insert(finding.warnings.end(), conclusion.sameByName.begin(), conclusion.sameByName.end());
-            finding.proposed = std::move(conclusion.model);
-        }
-        const std::size_t offered = proposed.size();
-        offer(std::move(proposed), left.noise, finding.final, finding.remainders);
-        if (offered > 0 && conclusion.with)
-            keepWhatIsLeft(*conclusion.with, offered, options_.fit.simulation, finding.remainders);
-        const auto offerChange = [&](Remainder r, const auto& change) {
-            offerAlone(std::move(r), left.noise, finding.final, finding.remainders);
-            keepWhatIsLeft(base.with(change.variant, change.fit), 1, options_.fit.simulation, finding.remainders);
-        };
-        if (change_) {
-            const double end = finding.final.experiments[static_cast<std::size_t>(change_->experiment)].time.back();
-            Remainder r = remainderOf(*change_, end);
-            finding.warnings.push_back(phrase("the condition seems to have changed in mid run: {} at about {:.4g} s",
-                                              change_->parameter, change_->time));
-            if (const Outcome<ErrorsOfChange> errors =
-                    errorsOf(*change_, full_.task.recordings, options_.fit.simulation, progress_)) {
-                r.errorFitWith = errors->fitted;
-                if (errors->checks.size() == recordingsOf(full_.task, Role::Validate).size())
-                    r.errorValidateWith = leastOf(errors->checks);
-                for (const CheckOfChange& c : errors->checks)
-                    finding.warnings.push_back(remarkOf(c, change_->parameter));
-            }
-            offerChange(std::move(r), *change_);
-        }
-        if (!heldWrongly.empty()) {
-            const HeldInstead& best = heldWrongly.front();
-            offerAlone(remainderOf(best), left.noise, finding.final, finding.remainders);
-            finding.warnings.push_back(remarkOf(best));
-            std::transform(heldWrongly.begin() + 1, heldWrongly.end(), std::back_inserter(finding.warnings),
-                           remarkOfEqual);
-        }
-        if (dependence_) {
-            Remainder r = remainderOf(*dependence_);
-            if (const Outcome<ModelState> with = stateOf(dependence_->variant, dependence_->fit,
-                                                         options_.fit.simulation, progress_, Detail::Errors)) {
-                r.errorFitWith = errorPercentOf(*with, Role::Fit);
-                r.errorValidateWith = validationErrorOf(*with);
-            }
-            offerChange(std::move(r), *dependence_);
-            finding.warnings.push_back(
-                phrase("{} seems to move with the recorded channel {}", dependence_->parameter, dependence_->channel));
-        }
-        for (Remainder& r : finding.remainders)
-            if (r.errorValidateWith >= 0) r.errorValidateWithout = errorPercentOf(finding.final, Role::Validate);
+    for (Remainder& r : finding.remainders) {
+        // a sensor shows on its own output alone
+        const bool isOfAnother = !places.empty() && places.front().starts_with(outputPrefix) &&
+                                 places.front().substr(outputPrefix.size()) != r.output;
+        if (places.empty() || isOfAnother) continue;
+        r.node = places.front();
+        r.equalNodes.assign(places.begin() + 1, places.end());
     }
-    settleVerdicts(finding);
+    if (!proposed.empty()) {
+        finding.warnings.insert(finding.warnings.end(), conclusion.sameByName.begin(), conclusion.sameByName.end());
+        finding.proposed = std::move(conclusion.model);
+    }
+    const std::size_t offered = proposed.size();
+    offer(std::move(proposed), left.noise, finding.final, finding.remainders);
+    if (offered > 0 && conclusion.with)
+        keepWhatIsLeft(*conclusion.with, offered, options_.fit.simulation, finding.remainders);
+    const auto offerChange = [&](Remainder r, const auto& change) {
+        offerAlone(std::move(r), left.noise, finding.final, finding.remainders);
+        keepWhatIsLeft(base.with(change.variant, change.fit), 1, options_.fit.simulation, finding.remainders);
+    };
+    if (change_) {
+        const double end = finding.final.experiments[static_cast<std::size_t>(change_->experiment)].time.back();
+        Remainder r = remainderOf(*change_, end);
+        finding.warnings.push_back(phrase("the condition seems to have changed in mid run: {} at about {:.4g} s",
+                                          change_->parameter, change_->time));
+        if (const Outcome<ErrorsOfChange> errors =
+                errorsOf(*change_, full_.task.recordings, options_.fit.simulation, progress_)) {
+            r.errorFitWith = errors->fitted;
+            if (errors->checks.size() == recordingsOf(full_.task, Role::Validate).size())
+                r.errorValidateWith = leastOf(errors->checks);
+            for (const CheckOfChange& c : errors->checks) finding.warnings.push_back(remarkOf(c, change_->parameter));
+        }
+        offerChange(std::move(r), *change_);
+    }
+    if (!heldWrongly.empty()) {
+        const HeldInstead& best = heldWrongly.front();
+        offerAlone(remainderOf(best), left.noise, finding.final, finding.remainders);
+        finding.warnings.push_back(remarkOf(best));
+        std::transform(heldWrongly.begin() + 1, heldWrongly.end(), std::back_inserter(finding.warnings), remarkOfEqual);
+    }
+    if (dependence_) {
+        Remainder r = remainderOf(*dependence_);
+        if (const Outcome<ModelState> with =
+                stateOf(dependence_->variant, dependence_->fit, options_.fit.simulation, progress_, Detail::Errors)) {
+            r.errorFitWith = errorPercentOf(*with, Role::Fit);
+            r.errorValidateWith = validationErrorOf(*with);
+        }
+        offerChange(std::move(r), *dependence_);
+        finding.warnings.push_back(
+            phrase("{} seems to move with the recorded channel {}", dependence_->parameter, dependence_->channel));
+    }
+    for (Remainder& r : finding.remainders)
+        if (r.errorValidateWith >= 0) r.errorValidateWithout = errorPercentOf(finding.final, Role::Validate);
+    settleVerdicts(finding, candidates_);
     finding.candidates = std::move(candidates_);
     const std::vector<Recording>& recorded = asRecorded_.empty() ? full_.task.recordings : asRecorded_;
     const std::vector<FaultySamples> unfitted = faultySamples(recorded, finding.final);
@@ -715,8 +821,7 @@ Outcome<Finding> Search::run() {
           driftBetweenRecordings(*null), boundHits(null->fit), delaysBelowSampling(full_.task, finding.effects)})
         finding.warnings.insert(finding.warnings.end(), sentences.begin(), sentences.end());
     finding.warnings.insert(finding.warnings.end(), heldRemarks.begin(), heldRemarks.end());
-    // an interrupted search has not looked at what is left in detail, but must not call it noise
-    const bool leavesStructure = !finding.remainders.empty() || (finding.interrupted && !isNoise(*null));
+    const bool leavesStructure = !finding.remainders.empty();
     finding.kind = !leavesStructure ? (finding.effects.empty() ? FindingKind::Adequate : FindingKind::Effect)
                                     : (finding.effects.empty() ? FindingKind::Unexplained : FindingKind::Partial);
     if (finding.kind == FindingKind::Effect && steps_.size() == 1 && !steps_.front().equation.empty())
@@ -727,8 +832,6 @@ Outcome<Finding> Search::run() {
     if (leavesStructure)
         for (const auto& sentences : {wrongStarts(finding.final, Role::Fit), stuckReadings(full_.task)})
             finding.warnings.insert(finding.warnings.end(), sentences.begin(), sentences.end());
-    finding.seconds = secondsSince(begin);
-    traceFinding(finding);
     return finding;
 }
 
@@ -754,19 +857,33 @@ std::optional<HeldInputs> heldInputs(const EstimationTask& task, const FitOption
 }  // namespace
 
 Outcome<ModelState> fitModel(const EstimationTask& task, const FitOptions& options, const Progress& progress) {
-    Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, fromAnywhere(options), progress);
-    if (!null) return null.diagnostics();
-    // what a cancelled fit came to is simulated to its end: the best so far is a result, a part of a trace is none
-    Outcome<ModelState> state =
-        stateOf(null->variant, null->fit, options.simulation, progress.stopRequested() ? Progress() : progress);
-    if (!state) return state;
-    if (null->beginning) state->remarks.insert(state->remarks.begin(), null->beginning->remark);
+    NullModel null;
+    null.variant.task = task;
+    const auto state = [&]() -> Outcome<ModelState> {
+        try {
+            const StopScope scope(progress.stopToken());
+            if (Outcome<Done> fitted = fitNull(null, NoiseLevel::Estimate, fromAnywhere(options), progress); !fitted)
+                return fitted.diagnostics();
+            Outcome<ModelState> whole = stateOf(null.variant, null.fit, options.simulation, progress);
+            stopPoint();
+            return whole;
+        } catch (const Stopped&) {
+            if (null.fit.estimates.empty()) return error(phrase("cancelled"));
+            const std::stop_source nobody;
+            const StopScope scope(nobody.get_token());
+            return stateSoFar(null, options.simulation);
+        }
+    };
+    Outcome<ModelState> found = state();
+    if (!found) return found;
+    if (null.beginning) found->remarks.insert(found->remarks.begin(), null.beginning->remark);
     for (const Role role : {Role::Fit, Role::Validate})
-        for (Text& sentence : wrongStarts(*state, role)) state->remarks.push_back(std::move(sentence));
-    if (const auto reading = heldReading(*null, options, progress))
-        for (Text& remark : heldRemarks(task, *reading, errorPercentOf(*state, Role::Fit), false))
-            state->remarks.push_back(std::move(remark));
-    return state;
+        for (Text& sentence : wrongStarts(*found, role)) found->remarks.push_back(std::move(sentence));
+    if (progress.stopRequested()) return found;
+    if (const auto reading = heldReading(null, options, progress))
+        for (Text& remark : heldRemarks(task, *reading, errorPercentOf(*found, Role::Fit), false))
+            found->remarks.push_back(std::move(remark));
+    return found;
 }
 
 Outcome<ModelState> simulateModel(const EstimationTask& task, const SimulationOptions& options,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "core/base/progress.hpp"
@@ -24,6 +25,9 @@ struct DiscoverOptions {
     std::vector<EffectChoice> choices;  // of all places of these kinds; empty: all
     double mostWork{};  // in steps of its trials, after which a search ends as if it was stopped; 0: no limit
     std::shared_ptr<DecisionTrace> trace{};  // receives every decision; null: nobody asks
+    /// Takes what is found until now, whenever that is more than before: what there is to tell of a search that is
+    /// ended without a word. Called from the thread that searches.
+    std::function<void(Finding)> keep{};
 };
 
 /// Fits the model as it stands.

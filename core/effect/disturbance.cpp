@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/base/stop.hpp"
 #include "core/effect/score.hpp"
 #include "core/effect/screen.hpp"
 #include "core/fit/coordinates.hpp"
@@ -63,6 +64,7 @@ std::vector<Disturbance::Source> Disturbance::sourcesBeside() const {
             const Eigen::MatrixXd root = correlationRoot(count, correlations[c]);
             Source source{i, c, Eigen::MatrixXd::Zero(all, all), Eigen::VectorXd::Zero(all)};
             for (std::size_t e = 0; e < squares.size(); ++e) {
+                stopPoint();
                 const Eigen::Index k = static_cast<Eigen::Index>(e) * count;
                 const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(root.transpose() * squares[e] * root);
                 source.turn.block(k, k, count, count) = root * eigen.eigenvectors();
@@ -177,11 +179,13 @@ double misfitOf(double sumOfSquares, double rows) {
 
 template <class Visit>
 void Disturbance::visit(const Eigen::MatrixXd& both, const Visit& each) const {
+    stopPoint();
     const Eigen::MatrixXd weighed = besideSettled(both);
     const Eigen::MatrixXd plain = both.transpose() * weighed;
     each(Metric{}, plain);
     Eigen::MatrixXd pieces;
     for (std::size_t s = 0; s < settled_.sources.size(); ++s) {
+        stopPoint();
         const Source& source = settled_.sources[s];
         if (s == 0 || source.response != settled_.sources[s - 1].response)
             pieces = responses_[source.response].columns.transpose() * weighed;

@@ -50,6 +50,8 @@ const char* name(FindingKind kind) {
             return "partial";
         case FindingKind::Unexplained:
             return "unexplained";
+        case FindingKind::Interrupted:
+            return "interrupted";
     }
     return "";
 }

@@ -135,7 +135,8 @@ struct ProposedModel {
     std::map<std::string, std::string> newInputs;  // top-level inputs that were added, and the recorded channel of each
 };
 
-enum class FindingKind { Adequate, Effect, Partial, Unexplained };
+/// Interrupted: the search was stopped before it could say anything else.
+enum class FindingKind { Adequate, Effect, Partial, Unexplained, Interrupted };
 const char* name(FindingKind kind);  // "adequate" …
 
 struct Finding {

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/base/range.hpp"
+#include "core/base/stop.hpp"
 #include "core/base/unit.hpp"
 #include "core/fit/clock.hpp"
 #include "core/fit/own_parameters.hpp"
@@ -264,8 +265,7 @@ SimulationOptions ofRole(SimulationOptions options, const std::vector<Recording>
 
 }  // namespace
 
-Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const SimulationOptions& simulation,
-                            const Progress& progress, Detail detail) {
+Outcome<ModelState> valuesAlone(const Variant& variant, const FitResult& fit) {
     ModelState state;
     state.parameters = fit.estimates;
     state.status = fit.status;
@@ -276,7 +276,14 @@ Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const 
     Outcome<std::string> text = textWithValues(variant);
     if (!text) return text.diagnostics();
     state.modelText = std::move(*text);
+    return state;
+}
 
+Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const SimulationOptions& simulation,
+                            const Progress& progress, Detail detail) {
+    Outcome<ModelState> begun = valuesAlone(variant, fit);
+    if (!begun) return begun;
+    ModelState& state = *begun;
     const Variant told = withClocksTold(variant);
     std::map<int, ExperimentState> byRecording;
     for (const Role role : {Role::Fit, Role::Validate}) {
@@ -302,7 +309,7 @@ Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const 
                 addDeviations(problem, static_cast<int>(e), values, covariance, simulation, progress, experiment);
             byRecording.emplace(prepared->fitRecordings[e], std::move(experiment));
         }
-        if (detail != Detail::Report || !anySwitches(problem)) continue;
+        if (detail != Detail::Report || !anySwitches(problem) || isStopped()) continue;
         if (!close) close = integrateCloselyBeside(problem, values, simulation, progress);
         for (Text& remark : switchingRemarks(problem, *close)) state.remarks.push_back(std::move(remark));
     }
@@ -311,7 +318,7 @@ Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const 
     for (Text& remark : standstillRemarks(state)) state.remarks.push_back(std::move(remark));
     if (std::any_of(state.residual.begin(), state.residual.end(), [](const auto& r) { return isColoured(r.second); }))
         std::for_each(state.parameters.begin(), state.parameters.end(), reckonWithColour);
-    return state;
+    return begun;
 }
 
 Outcome<FlatModel> flattened(const EstimationTask& task, const std::string& textWithValues) {

@@ -15,6 +15,9 @@ enum class Detail { Errors, Report };
 Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const SimulationOptions& simulation,
                             const Progress& progress, Detail detail = Detail::Report);
 
+/// The values of a fit without any simulation.
+Outcome<ModelState> valuesAlone(const Variant& variant, const FitResult& fit);
+
 /// The equations of a model with its values written in.
 Outcome<FlatModel> flattened(const EstimationTask& task, const std::string& textWithValues);
 

@@ -7,6 +7,7 @@
 #include <unsupported/Eigen/FFT>
 
 #include "core/base/range.hpp"
+#include "core/base/stop.hpp"
 #include "core/residual/noise.hpp"
 #include "core/residual/quantisation.hpp"
 
@@ -132,13 +133,9 @@ NullModel NullModel::with(Variant other, FitResult fitOfIt) const {
     return model;
 }
 
-Outcome<NullModel> fitNull(const Variant& start, const std::vector<Eigen::VectorXd>& noise, NoiseLevel level,
-                           const FitOptions& options, const Progress& progress) {
-    NullModel null;
-    null.variant = start;
-    null.noise = noise;
+Outcome<Done> fitNull(NullModel& null, NoiseLevel level, const FitOptions& options, const Progress& progress) {
     // without any noise level the first fit weighs by range, and its residual is that of a poorer optimum
-    const int passes = level == NoiseLevel::Keep ? 1 : noise.empty() ? 3 : 2;
+    const int passes = level == NoiseLevel::Keep ? 1 : null.noise.empty() ? 3 : 2;
     for (int pass = 0; pass < passes; ++pass) {
         Outcome<PreparedTask> prepared = prepareAt(null.variant, null.noise);
         if (!prepared) return prepared.diagnostics();
@@ -147,17 +144,31 @@ Outcome<NullModel> fitNull(const Variant& start, const std::vector<Eigen::Vector
                          phrase("give at least one experiment that role"));
         FitOptions now = options;
         now.findsRobustErrors = pass + 1 == passes && options.loss == RobustLoss::None;
-        null.fit = fit(prepared->problem, now, progress);
-        if (!null.fit.optimum.ok)
-            return numericalError(null.fit.message, phrase("give other start values, or narrower bounds"));
-        null.variant.values = valuesOf(null.fit);
+        FitResult found = fit(prepared->problem, now, progress);
+        const bool isWhole = found.optimum.ok;
+        const Text message = found.message;
+        if (isWhole || found.status == FitStatus::Cancelled) {
+            null.fit = std::move(found);
+            null.variant.values = valuesOf(null.fit);
+            null.variant.plans = stepsOf(null.fit);
+        }
+        stopPoint();
+        if (!isWhole) return numericalError(message, phrase("give other start values, or narrower bounds"));
         if (null.fit.beganElsewhere) null.beginning = {null.variant.values, null.fit.remarks.front()};
-        null.variant.plans = stepsOf(null.fit);
         null.channels = residualChannels(prepared->problem);
         if (pass + 1 < passes) null.noise = noiseOf(null.variant.task, *prepared, null.fit);
     }
     null.whitener = Whitener(null.channels, null.fit.optimum.residuals);
     null.period = dominantPeriod(null);
+    return Done{};
+}
+
+Outcome<NullModel> fitNull(const Variant& start, const std::vector<Eigen::VectorXd>& noise, NoiseLevel level,
+                           const FitOptions& options, const Progress& progress) {
+    NullModel null;
+    null.variant = start;
+    null.noise = noise;
+    if (Outcome<Done> fitted = fitNull(null, level, options, progress); !fitted) return fitted.diagnostics();
     return null;
 }
 

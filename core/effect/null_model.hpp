@@ -84,6 +84,10 @@ enum class NoiseLevel { Keep, Estimate };
 Outcome<NullModel> fitNull(const Variant& start, const std::vector<Eigen::VectorXd>& noise, NoiseLevel level,
                            const FitOptions& options, const Progress& progress);
 
+/// The same from what `null` holds, which keeps the best values that were found where the fit is stopped
+/// (core/base/stop).
+Outcome<Done> fitNull(NullModel& null, NoiseLevel level, const FitOptions& options, const Progress& progress);
+
 /// A variant fitted beside the noise of a model; nothing where that cannot be done.
 std::optional<FitResult> fitBeside(const NullModel& null, const Variant& variant, const FitOptions& options,
                                    const Progress& progress);

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <random>
 
+#include "core/base/stop.hpp"
+
 namespace analogon {
 namespace {
 
@@ -29,6 +31,7 @@ Eigen::MatrixXd unitColumns(const Eigen::MatrixXd& columns) {
 
 Eigen::MatrixXd orthonormalBasis(const Eigen::MatrixXd& columns, double threshold) {
     if (columns.cols() == 0 || columns.rows() == 0) return Eigen::MatrixXd(columns.rows(), 0);
+    stopPoint();
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(unitColumns(columns));
     qr.setThreshold(threshold);
     const Eigen::Index rank = qr.rank();
@@ -89,6 +92,7 @@ Eigen::VectorXd Whitener::operator()(const Eigen::VectorXd& rows) const {
 
 Eigen::MatrixXd Whitener::operator()(const Eigen::MatrixXd& rows) const {
     Eigen::MatrixXd white(rows.rows(), rows.cols());
+    stopPoint();
     for (Eigen::Index j = 0; j < rows.cols(); ++j) white.col(j) = (*this)(Eigen::VectorXd(rows.col(j)));
     return white;
 }

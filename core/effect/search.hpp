@@ -190,7 +190,11 @@ private:
     bool beginElsewhere(NullModel& null);
     Finding besideMistake(Finding finding, const NullModel& null, const MistakenUnit& mistake) const;
     void takeOutAll(NullModel& null, const NullModel& base, const Text& why);
-    std::optional<ModelState> backToLastWhole(NullModel& null, const NullModel& base);
+    Outcome<Finding> searched();
+    bool isClear(const Path& path) const;
+    Outcome<Finding> foundSoFar();
+    Finding tellWhole(const Path& path, const FlatModel* valued) const;
+    void keepSoFar() const;
     bool onlyImitate(const NullModel& base, const NullModel& null) const;
     void removeUnneeded(NullModel& null, std::size_t least, bool isLast = false);
     void removeOutweighed(NullModel& null, double share);
@@ -247,6 +251,8 @@ private:
     Text proposeExperiments(const NullModel& null);
     using HeldValues = std::map<int, std::vector<HeldInstead>>;  // by the choice of the effect they imitate
     HeldValues heldValues(const NullModel& null);
+    std::vector<Text> addEffects(Finding& finding, const NullModel& null, const std::vector<Step>& steps,
+                                 const HeldValues& held, const FlatModel* valued) const;
     std::vector<HeldInstead> takeOutForHeld(NullModel& null, const HeldValues& held);
     std::vector<HeldInstead> takeOutAllForHeld(NullModel& null, const NullModel& base);
     void setVerdict(const Candidate& candidate, Verdict verdict, const Text& why);
@@ -264,7 +270,7 @@ private:
                    const std::vector<std::size_t>& chosen, int iterations, std::vector<Trial>& trials);
     void retryNear(const NullModel& null, const std::vector<ParameterValue>& values, double sumOfSquares,
                    std::vector<Trial>& trials);
-    void settleVerdicts(const Finding& finding);
+    static void settleVerdicts(const Finding& finding, std::vector<CandidateResult>& candidates);
     bool dropIndistinct(const NullModel& last, const ModelState& state, NullModel& null);
     bool dropUnmissed(const NullModel& last, NullModel& null);
     AddedEffect describe(const NullModel& last, const ModelState& state, const PlacedEffect& placed,
@@ -303,6 +309,8 @@ private:
     int paths_{};
     std::optional<Path> opening_;              // where the first choice of all led
     std::optional<Path> whole_;                // the best so far, of named effects: what an interrupted search reports
+    NullModel first_;                          // the first fit
+    std::optional<Finding> begun_;             // the model as given: from there on there is something to report
     std::map<std::string, std::string> laws_;  // texts of the classes that were written for this model, by name
     std::vector<Stay> lawless_;                // where no law passed, with the sum of squares
     std::optional<Change> change_;             // in mid run, that explains better than any effect

@@ -121,8 +121,10 @@ void Search::goOn(Path& path, Round first) {
             after && !progress_.stopRequested()) {
             const double error = errorPercentOf(*after, Role::Fit);
             bestError_ = std::min(bestError_, error);
-            if (!hasProposal(path.null) && !(whole_ && errorPercentOf(*whole_->state, Role::Fit) <= error))
+            if (!hasProposal(path.null) && !(whole_ && errorPercentOf(*whole_->state, Role::Fit) <= error)) {
                 whole_ = Path{path.null, steps_, displaced_, candidates_, std::move(*after), {}};
+                keepSoFar();
+            }
             Stay here = stayAt(path.null, error);
             const auto before =
                 std::find_if(visited_.begin(), visited_.end(), [&](const Stay& s) { return s.isLike(here); });

@@ -624,7 +624,7 @@ void Search::noteAll(const Round& round) {
 }
 
 /// What was chosen on the way and is not in the end is no choice, nor are its equals.
-void Search::settleVerdicts(const Finding& finding) {
+void Search::settleVerdicts(const Finding& finding, std::vector<CandidateResult>& candidates) {
     const auto isAmong = [](const auto& all, const CandidateResult& c) {
         return std::any_of(all.begin(), all.end(), [&](const auto& x) { return x.kind == c.kind && x.at == c.at; });
     };
@@ -642,7 +642,7 @@ void Search::settleVerdicts(const Finding& finding) {
                           std::find(r.equalNodes.begin(), r.equalNodes.end(), c.at) != r.equalNodes.end();
                });
     };
-    for (CandidateResult& c : candidates_) {
+    for (CandidateResult& c : candidates) {
         if (c.verdict == Verdict::Chosen && !isThere(c)) {
             c.verdict = Verdict::NotSignificant;
             c.reason = phrase("was not kept to the end of the search");

@@ -7,6 +7,8 @@
 #include <cassert>
 #include <limits>
 
+#include "core/base/stop.hpp"
+
 namespace analogon {
 namespace {
 
@@ -337,6 +339,7 @@ std::optional<std::uint32_t> Lowering::shortened(Opcode opcode, std::uint32_t a,
 }
 
 std::uint32_t Lowering::emit(Opcode opcode, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    stopPoint();
     if (const std::optional<std::uint32_t> shorter = shortened(opcode, a, b)) return *shorter;
     // The reciprocal of what depends on parameters alone is found once, not at every step.
     if (opcode == Opcode::Divide && !isPreludeClosed_ && registers_[a].stage == RegisterInfo::Dynamic &&

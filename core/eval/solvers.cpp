@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/stop.hpp"
 #include "core/eval/machine.hpp"
 #include "core/eval/program_code.hpp"
 
@@ -17,6 +18,7 @@ bool factorise(std::span<double> matrix, std::span<int> pivots, std::span<double
         scale[row] = 1 / largest;
     }
     for (std::size_t k = 0; k < n; ++k) {
+        if (k % 64 == 63 && isStopped()) return false;
         std::size_t best = k;
         double most = 0, before = 0;
         for (std::size_t row = 0; row < n; ++row) {
@@ -223,7 +225,7 @@ bool NewtonIteration::fromMany(std::span<const double> start) {
     double size = norm(), before = 0;
     for (int step = 0; step < mostSteps; ++step) {
         if (size == 0) return true;
-        if (!std::isfinite(size)) return false;
+        if (!std::isfinite(size) || isStopped()) return false;
         if (!factorise({r_.matrix.data(), n_ * n_}, {r_.pivots.data(), n_}, {r_.scale.data(), n_})) return false;
         for (std::size_t i = 0; i < n_; ++i) r_.vector[i] = residual(i);
         substitute({r_.matrix.data(), n_ * n_}, {r_.pivots.data(), n_}, r_.vector.data(), 1, 1);

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "core/base/parallel.hpp"
+#include "core/base/stop.hpp"
 #include "core/base/stopwatch.hpp"
 #include "core/fit/difference_slopes.hpp"
 #include "core/fit/misfit.hpp"
@@ -367,18 +368,14 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
     result.partIterations = best.partIterations;
     result.plans = best.plans;
     result.optimum = std::move(best.optimum);
-    // What was found so far is to be told, even if the fit was cancelled; but in a long record whoever cancelled would
-    // have to wait for it.
-    const bool isLong = problem.residualCount() > 200'000;
-    const bool isAsked = (options.keepsOptimum || !best.reduced.ok) && !(isLong && progress.stopRequested());
+    // A fit that was cancelled tells what it has: whoever cancelled it does not wait for a simulation.
+    const bool isAsked = options.keepsOptimum || !best.reduced.ok;
     const int most = best.reduced.ok ? mostFailures : 1;
-    for (int tries = 0; isAsked && !result.optimum.ok && tries < most; ++tries) {
-        const Progress watched = isLong ? progress : Progress{};
+    for (int tries = 0; isAsked && !result.optimum.ok && tries < most && !progress.stopRequested(); ++tries) {
         result.optimum = best.takesDifferences
-                             ? lineariseByDifferences(problem, result.values, best.plans, options.simulation, watched,
+                             ? lineariseByDifferences(problem, result.values, best.plans, options.simulation, progress,
                                                       result.simulations)
-                             : linearise(problem, result.values, true, best.plans, options.simulation, watched);
-        if (isLong && progress.stopRequested()) break;
+                             : linearise(problem, result.values, true, best.plans, options.simulation, progress);
     }
     result.scatter = best.scatter;
     result.takesDifferences = best.takesDifferences;
@@ -452,7 +449,7 @@ FitResult onlySimulated(const FitProblem& problem, const FitOptions& options, co
     FitResult result;
     Descent only;
     for (std::size_t e = 0; e < problem.experiments.size(); ++e)
-        only.plans.push_back(planFor(problem, static_cast<int>(e), {}, options.simulation));
+        only.plans.push_back(planFor(problem, static_cast<int>(e), {}, options.simulation, progress));
     only.minimum.values.resize(0);
     only.minimum.status = FitStatus::Converged;
     only.minimum.message = phrase("no parameter is free");
@@ -529,6 +526,7 @@ FitResult fitted(const FitProblem& problem, const FitOptions& options, const Pro
 }  // namespace
 
 FitResult fit(const FitProblem& problem, const FitOptions& options, const Progress& progress) {
+    const StopScope scope(progress.stopToken());
     const auto begin = std::chrono::steady_clock::now();
     FitResult result = fitted(problem, options, progress);
     result.seconds = secondsSince(begin);

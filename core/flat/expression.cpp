@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/stop.hpp"
 #include "core/flat/node_map.hpp"
 
 namespace analogon {
@@ -205,6 +206,7 @@ ExpressionId ExpressionPool::intern(const ExpressionNode& node) {
     if (2 * (nodes_.size() + 1) > index_.size()) growIndex();
     std::uint32_t& entry = index_[slotOf(node)];
     if (!entry) {
+        stopPoint();  // all that is done with a model makes nodes
         nodes_.push_back(node);
         entry = static_cast<std::uint32_t>(nodes_.size());
     }

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "core/base/regular_file.hpp"
+#include "core/base/stop.hpp"
 #include "core/base/unit.hpp"
 #include "core/measure/column_header.hpp"
 #include "core/measure/csv_dialect.hpp"
@@ -114,6 +115,7 @@ private:
     bool readHeader() {
         Line comment;
         for (advance(); hasLine_; advance()) {
+            stopPoint();
             if (isComment(line_.text)) comment = line_;
             const bool skipped = isEmpty(line_.text) || isComment(line_.text) || line_.number == separatorLine_;
             if (!skipped) break;

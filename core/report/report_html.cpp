@@ -105,12 +105,13 @@ private:
         out_ += fmt::format("<p class=\"kicker\">{}</p><div class=\"heading\"><h1>{}</h1>", kind,
                             escapeHtml(context_.title));
         if (context_.command != "simulate" && context_.command != "fit") {
-            const char* const tone = finding_.kind == FindingKind::Partial       ? "warn"
+            const char* const tone = finding_.kind == FindingKind::Partial || finding_.kind == FindingKind::Interrupted
+                                         ? "warn"
                                      : finding_.kind == FindingKind::Unexplained ? "bad"
                                                                                  : "good";
             out_ += chip(name(finding_.kind), tone);
         }
-        if (finding_.interrupted) out_ += chip("interrupted", "warn");
+        if (finding_.interrupted && finding_.kind != FindingKind::Interrupted) out_ += chip("interrupted", "warn");
         out_ += "</div>\n<p class=\"summary\">" + prose(summaryWords(finding_, context_.command)) + "</p>\n";
         out_ += "<div class=\"figures\">";
         figure("Error on validation data", Role::Validate);

@@ -79,12 +79,15 @@ std::string effectWords(const AddedEffect& effect) {
 std::string summaryWords(const Finding& finding, const std::string& command) {
     const ModelState& state = finding.final.experiments.empty() ? finding.baseline : finding.final;
     if (command == "simulate") {
+        if (finding.interrupted) return "The simulation was interrupted: it ends before the recordings do.";
         const bool hasOpenStarts = std::any_of(state.experiments.begin(), state.experiments.end(),
                                                [](const ExperimentState& e) { return !e.starts.empty(); });
         return fmt::format("The model was simulated as it stands{}. {}",
                            hasOpenStarts ? ", from start values that each recording had to tell itself" : "",
                            plainErrorWords(state));
     }
+    if (command == "fit" && finding.interrupted)
+        return "The fit was interrupted: these are the best parameters so far. " + plainErrorWords(state);
     if (command == "fit") return "The parameters of the model were fitted. " + plainErrorWords(state);
     if (finding.interrupted && !hasChanged(finding))
         return "The search was interrupted before an effect was accepted. " + plainErrorWords(state);
@@ -106,6 +109,8 @@ std::string summaryWords(const Finding& finding, const std::string& command) {
             break;
         case FindingKind::Partial:
             text += "; what is left still has a structure that nothing known here explains.";
+            break;
+        case FindingKind::Interrupted:
             break;
         case FindingKind::Unexplained:
             text = (finding.notSearched.empty()

@@ -10,6 +10,7 @@
 
 #include "core/base/median.hpp"
 #include "core/base/range.hpp"
+#include "core/base/stop.hpp"
 #include "core/residual/quantisation.hpp"
 
 namespace analogon {
@@ -251,6 +252,7 @@ Eigen::VectorXd autocorrelation(const Eigen::Ref<const Eigen::VectorXd>& signal,
     result[0] = 1.0;
     if (!(power > 0.0)) return result;
     for (Eigen::Index lag = 1; lag <= std::min<Eigen::Index>(maxLag, signal.size() - 1); ++lag) {
+        stopPoint();
         const Eigen::Index rest = signal.size() - lag;
         result[lag] = centred.head(rest).dot(centred.tail(rest)) / power;
     }

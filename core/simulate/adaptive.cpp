@@ -468,8 +468,8 @@ private:
 
     bool isWithinLimits() {
         if (++steps_ > options_.stepLimit) return fail(nextSample_, worstState(), "step limit"), false;
-        if ((steps_ & 255) != 1) return true;  // the clock is not read at every step
         if (progress_.stopRequested()) return fail(nextSample_, {}, "cancelled"), false;
+        if ((steps_ & 255) != 1) return true;  // the clock is not read at every step
         if (secondsSince(started_) > options_.wallClockLimit)
             return fail(nextSample_, worstState(), "time limit"), false;
         if (options_.reached) options_.reached(static_cast<double>(nextSample_) / std::max(1, last_));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/stop.hpp"
+
 namespace analogon {
 
 namespace {
@@ -18,7 +20,11 @@ std::span<double> view(double* data, int count) {
 }  // namespace
 
 SystemDynamics::SystemDynamics(const SimulationTask& task, bool withDirections)
-    : system_(*task.system), execution_(task.execution), parameters_(task.parameters), held_(task.inputs->held) {
+    : system_(*task.system),
+      execution_(task.execution),
+      parameters_(task.parameters),
+      held_(task.inputs->held),
+      stop_(stopInForce()) {
     shape_.states = system_.stateCount();
     shape_.inputs = system_.inputCount();
     shape_.slots = system_.slotCount();
@@ -67,6 +73,7 @@ bool SystemDynamics::noted(bool ok, const Workspace& workspace) {
 std::string SystemDynamics::failure() const { return failed_ ? system_.failure(*failed_) : std::string{}; }
 
 bool SystemDynamics::initialise(double t, const double* u, const double* du, double* x, double* dx) {
+    if (isStopped()) return false;
     const int n = shape_.states, m = shape_.slots, K = shape_.directions;
     if (K > 0 && dx) {
         return noted(system_.initialise(tangents_, t, view(u, m), view(x, n), view(dx, n * K), view(du, m * K)),
@@ -76,12 +83,14 @@ bool SystemDynamics::initialise(double t, const double* u, const double* du, dou
 }
 
 bool SystemDynamics::derivatives(double t, const double* x, const double* u, double* xdot) {
+    if (isStopped()) return false;
     const int n = shape_.states;
     return noted(system_.derivatives(values_, t, view(x, n), view(u, shape_.slots), view(xdot, n)), values_);
 }
 
 bool SystemDynamics::derivatives(double t, const double* x, const double* dx, const double* u, const double* du,
                                  double* xdot, double* dxdot) {
+    if (isStopped()) return false;
     const int n = shape_.states, m = shape_.slots, K = shape_.directions;
     return noted(system_.derivatives(tangents_, t, view(x, n), view(dx, n * K), view(u, m), view(du, m * K),
                                      view(xdot, n), view(dxdot, n * K)),
@@ -110,6 +119,7 @@ SystemDynamics::Partials& SystemDynamics::partials(std::unique_ptr<Partials>& sl
 }
 
 bool SystemDynamics::jacobian(double t, const double* x, const double* u, double* xdot, double* jacobian) {
+    if (isStopped()) return false;
     const int n = shape_.states;
     Partials& p = partials(byState_, 0);
     return noted(system_.derivatives(p.workspace, t, view(x, n), p.stateSeeds, view(u, shape_.slots), {}, view(xdot, n),
@@ -119,6 +129,7 @@ bool SystemDynamics::jacobian(double t, const double* x, const double* u, double
 
 bool SystemDynamics::linearised(double t, const double* x, const double* u, const double* du, double* xdot,
                                 double* result) {
+    if (isStopped()) return false;
     const int n = shape_.states, m = shape_.slots, K = shape_.directions;
     Partials& p = partials(byStateAndParameter_, K);
     std::span<const double> slotSeeds;
@@ -132,6 +143,7 @@ bool SystemDynamics::linearised(double t, const double* x, const double* u, cons
 }
 
 bool SystemDynamics::outputs(double t, const double* x, const double* u, double* y, double* taps) {
+    if (isStopped()) return false;
     return noted(system_.outputs(values_, t, view(x, shape_.states), view(u, shape_.slots), view(y, shape_.outputs),
                                  view(taps, shape_.taps)),
                  values_);
@@ -139,6 +151,7 @@ bool SystemDynamics::outputs(double t, const double* x, const double* u, double*
 
 bool SystemDynamics::outputs(double t, const double* x, const double* dx, const double* u, const double* du, double* y,
                              double* dy, double* taps, double* dtaps) {
+    if (isStopped()) return false;
     const int n = shape_.states, m = shape_.slots, K = shape_.directions;
     return noted(
         system_.outputs(tangents_, t, view(x, n), view(dx, n * K), view(u, m), view(du, m * K), view(y, shape_.outputs),
@@ -156,6 +169,7 @@ void SystemDynamics::delayTimes(double* times, double* dtimes) {
 }
 
 bool SystemDynamics::roots(double t, const double* x, const double* u, double* values) {
+    if (isStopped()) return false;
     return noted(system_.roots(values_, t, view(x, shape_.states), view(u, shape_.slots), view(values, shape_.roots)),
                  values_);
 }
@@ -171,6 +185,7 @@ void SystemDynamics::storeState(double* x, double* dx) {
 }
 
 bool SystemDynamics::step(double t, double h, const double* uBegin, const double* uMiddle, const double* uEnd) {
+    if (isStopped()) return false;
     evaluations_ += 4;
     return system_.step(stepping(), t, h, uBegin, uMiddle, uEnd);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -90,7 +91,8 @@ protected:
     long evaluations_{};
 };
 
-/// A compiled system at the parameters of a task.
+/// A compiled system at the parameters of a task. Once what it is made for is asked to stop (the scope in force,
+/// core/base/stop), nothing is evaluated any more: whatever integrates fails at once.
 class SystemDynamics final : public Dynamics {
 public:
     /// `directions`: as in SimulationTask, or none for values only.
@@ -130,11 +132,11 @@ public:
     }
     bool walk(const double* rows, double* results, std::int64_t count) override {
         evaluations_ += 5 * count;
-        return system_.walk(stepping(), rows, results, count);
+        return !isStopped() && system_.walk(stepping(), rows, results, count);
     }
     bool stepOver(const double* rows, std::int64_t count) override {
         evaluations_ += 4 * count;
-        return system_.stepOver(stepping(), rows, count);
+        return !isStopped() && system_.stepOver(stepping(), rows, count);
     }
     std::shared_ptr<const void> identity() const override { return system_.identity(); }
     bool isSmooth() const override { return system_.isSmooth(); }
@@ -153,6 +155,7 @@ private:
     };
     Partials& partials(std::unique_ptr<Partials>& slot, int parameterDirections);
     bool noted(bool ok, const Workspace& workspace);
+    bool isStopped() const { return stop_.stop_requested(); }
     Workspace& stepping() { return shape_.directions > 0 ? tangents_ : values_; }
 
     const System& system_;
@@ -167,6 +170,7 @@ private:
     std::vector<int> handles_;
     const Workspace* failed_{};
     bool isReady_{};
+    std::stop_token stop_;
 };
 
 }  // namespace analogon

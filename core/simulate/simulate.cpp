@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/base/stop.hpp"
 #include "core/simulate/all_finite.hpp"
 #include "core/simulate/grid.hpp"
 #include "core/simulate/input_slots.hpp"
@@ -53,10 +54,22 @@ const char* reasonOf(const Dynamics& dynamics) {
     return dynamics.failedToSolve() ? "no convergence of an algebraic loop" : "not finite";
 }
 
+/// What was asked to stop fails wherever it was evaluated: that says nothing of the model.
 Trajectory explained(Trajectory trajectory, const Dynamics& dynamics) {
-    if (trajectory.failure.failed && trajectory.failure.reason == "not finite")
-        trajectory.failure.reason = reasonOf(dynamics);
+    SimulationFailure& failure = trajectory.failure;
+    if (failure.failed && isStopped()) {
+        failure.reason = "cancelled";
+        failure.variable.clear();
+    } else if (failure.failed && failure.reason == "not finite") {
+        failure.reason = reasonOf(dynamics);
+    }
     return trajectory;
+}
+
+/// A model that could not be evaluated at the start.
+Trajectory unready(const SimulationTask& task, Engine engine, const Dynamics& dynamics) {
+    return isStopped() ? refused(task, engine, {}, "cancelled")
+                       : refused(task, engine, dynamics.failure(), reasonOf(dynamics));
 }
 
 }  // namespace
@@ -131,6 +144,7 @@ bool operator==(const GridPlan& a, const GridPlan& b) {
 GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options, const Progress& progress,
                   const GridPlan* inForce, std::optional<Trajectory>* taken) {
     if (misfit(task)) return {};
+    const StopScope scope(progress.stopToken());
     SimulationTask values = task;
     values.directions.resize(0, 0);
     values.observe.clear();
@@ -152,6 +166,7 @@ GridPlan planGrid(const SimulationTask& task, const SimulationOptions& options, 
 GridPlan singleSteps(const SimulationTask& task, double errorEstimate, const Progress& progress) {
     GridPlan plan{GridMethod::RungeKutta4, 1, errorEstimate};
     if (misfit(task)) return plan;
+    const StopScope scope(progress.stopToken());
     SimulationTask values = task;
     values.directions.resize(0, 0);
     values.observe.clear();
@@ -163,8 +178,9 @@ GridPlan singleSteps(const SimulationTask& task, double errorEstimate, const Pro
 Trajectory simulateGrid(const SimulationTask& task, const GridPlan& plan, const SimulationOptions& options,
                         const Progress& progress, SampleSink* sink) {
     if (const char* reason = misfit(task)) return refused(task, Engine::Grid, {}, reason);
+    const StopScope scope(progress.stopToken());
     SystemDynamics dynamics(task, true);
-    if (!dynamics.isReady()) return refused(task, Engine::Grid, dynamics.failure(), reasonOf(dynamics));
+    if (!dynamics.isReady()) return unready(task, Engine::Grid, dynamics);
     GridRun run;
     run.plan = plan;
     run.plan.substeps = std::max(1, plan.substeps);
@@ -197,8 +213,9 @@ std::optional<Eigen::MatrixXd> observeAlong(const SimulationTask& task, const Ei
 
 Trajectory simulateAdaptive(const SimulationTask& task, const SimulationOptions& options, const Progress& progress) {
     if (const char* reason = misfit(task)) return refused(task, Engine::Adaptive, {}, reason);
+    const StopScope scope(progress.stopToken());
     SystemDynamics dynamics(task, true);
-    if (!dynamics.isReady()) return refused(task, Engine::Adaptive, dynamics.failure(), reasonOf(dynamics));
+    if (!dynamics.isReady()) return unready(task, Engine::Adaptive, dynamics);
     return explained(runAdaptive(dynamics, *task.inputs, task.keepStates, options, progress), dynamics);
 }
 

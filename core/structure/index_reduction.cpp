@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/stop.hpp"
 #include "core/structure/cancellation.hpp"
 #include "core/structure/rewrite.hpp"
 
@@ -289,6 +290,7 @@ IndexReduction::Level IndexReduction::levelOf(std::vector<int> constraints, cons
     for (const auto& [u, rows] : positions) {
         std::vector<int> equations;
         for (const int i : rows) equations.push_back(level.constraints[static_cast<std::size_t>(i)]);
+        stopPoint();
         wish[u] = wishToBeState(u, equations);
         level.candidates.push_back(u);
     }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/stop.hpp"
+
 namespace analogon {
 
 Matching::Matching(const Adjacency& adjacency, int columns) : adjacency_(adjacency) { resize(columns); }
@@ -70,6 +72,7 @@ bool Matching::search(int root, const std::vector<char>& isUsable) {
 }
 
 bool Matching::augment(int row, const std::vector<char>& isUsable) {
+    stopPoint();
     ++visit_;
     visitedRows_.clear();
     visitedColumns_.clear();

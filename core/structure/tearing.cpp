@@ -5,6 +5,7 @@
 #include <optional>
 #include <unordered_map>
 
+#include "core/base/stop.hpp"
 #include "core/structure/rewrite.hpp"
 #include "core/structure/solution_order.hpp"
 
@@ -178,6 +179,7 @@ void ComponentSolver::eliminate(int equation) {
 /// The open unknown that brings the elimination on most: equations that it leaves with one open unknown, all
 /// the more when they are easily solved for that.
 int ComponentSolver::nextTorn() {
+    stopPoint();
     int best = -1, most = -1;
     for (int u = 0; u < count_; ++u) {
         if (isSettled_[static_cast<std::size_t>(u)]) continue;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/stop.hpp"
 #include "core/fit/profile.hpp"
 #include "core/residual/noise.hpp"
 
@@ -70,8 +71,10 @@ Diagnostics checkProfiled(const EstimationTask& task, const std::vector<std::str
     return faults;
 }
 
-void addConfidence(const EstimationTask& task, const std::vector<std::string>& profiled, FitOptions options,
-                   ModelState& state, const Progress& progress) {
+namespace {
+
+void add(const EstimationTask& task, const std::vector<std::string>& profiled, FitOptions options, ModelState& state,
+         const Progress& progress) {
     const auto isKnown = [](const FitEstimate& e) { return std::isfinite(e.robustError); };
     if (profiled.empty() && std::any_of(state.parameters.begin(), state.parameters.end(), isKnown)) return;
     const Outcome<FitProblem> problem = problemAt(task, state);
@@ -89,8 +92,20 @@ void addConfidence(const EstimationTask& task, const std::vector<std::string>& p
             if (!isProfiled(found.name, profiled)) continue;
             progress.report(
                 {"profile", found.name, static_cast<double>(i) / static_cast<double>(best.estimates.size()), -1.0});
-            estimate.interval = profile(*problem, best, static_cast<int>(i), options, progress);
+            ConfidenceInterval interval = profile(*problem, best, static_cast<int>(i), options, progress);
+            if (!progress.stopRequested()) estimate.interval = std::move(interval);  // half of one would look open
         }
+    }
+}
+
+}  // namespace
+
+void addConfidence(const EstimationTask& task, const std::vector<std::string>& profiled, const FitOptions& options,
+                   ModelState& state, const Progress& progress) {
+    try {
+        const StopScope scope(progress.stopToken());
+        add(task, profiled, options, state, progress);
+    } catch (const Stopped&) {  // the estimates have what was found until then
     }
 }
 

@@ -12,8 +12,8 @@ Diagnostics checkProfiled(const EstimationTask& task, const std::vector<std::str
 
 /// Adds to the estimates of a fitted model what they are worth beyond their standard errors: errors robust to
 /// correlated residuals and, for the parameters named (or "all"), the interval of the profile. Where the model cannot
-/// be fitted again the estimates stay as they are.
-void addConfidence(const EstimationTask& task, const std::vector<std::string>& profiled, FitOptions options,
+/// be fitted again, or it is stopped before, the estimates stay as they are.
+void addConfidence(const EstimationTask& task, const std::vector<std::string>& profiled, const FitOptions& options,
                    ModelState& state, const Progress& progress = {});
 
 }  // namespace analogon

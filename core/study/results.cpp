@@ -44,10 +44,11 @@ Outcome<Done> putFile(const fs::path& file, const fs::path& shown, const std::st
 /// All results in a directory of our own.
 Outcome<Done> fill(const fs::path& fresh, const fs::path& shown, const RunResult& result, const std::string& command) {
     const ReportContext context{result.completed.name, command, version};
-    const std::pair<const char*, std::string> files[] = {{"report.json", reportJson(result.finding, context)},
-                                                         {"report.html", reportHtml(result.finding, context)},
-                                                         {"traces.csv", tracesCsv(result.finding)},
-                                                         {"proposed.mo", proposedBlocks(result.finding)}};
+    const std::pair<const char*, std::string> files[] = {
+        {"report.json", reportJson(result.finding, context)},
+        {"report.html", reportHtml(result.finding, context)},
+        {"traces.csv", leavesTracesOut(result.finding) ? std::string() : tracesCsv(result.finding)},
+        {"proposed.mo", proposedBlocks(result.finding)}};
     for (const auto& [name, content] : files)
         if (!content.empty())
             if (Outcome<Done> done = putFile(fresh / name, shown / name, content); !done) return done;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "core/base/stop.hpp"
 #include "core/base/stopwatch.hpp"
 #include "core/fit/clock.hpp"
 #include "core/flat/parameter_change.hpp"
@@ -119,7 +120,38 @@ Diagnostics failures(ModelState& state, bool isFitted) {
     return faults;
 }
 
+/// What was found, and whether it is all.
+void markInterrupted(Finding& finding, bool isInterrupted) {
+    finding.interrupted = isInterrupted;
+    if (leavesTracesOut(finding))
+        finding.warnings.push_back(phrase("the traces are long and were not written, since the run was interrupted"));
+}
+
+/// Whether a simulation was stopped before its end.
+bool isCutShort(const ModelState& state) {
+    return std::any_of(state.experiments.begin(), state.experiments.end(),
+                       [](const ExperimentState& e) { return e.failure.failed && e.failure.reason == "cancelled"; });
+}
+
+/// Work that may be stopped wherever it is before there is anything to tell.
+template <class Work>
+auto unlessStopped(const Progress& progress, const Work& work) -> decltype(work()) {
+    try {
+        const StopScope scope(progress.stopToken());
+        return work();
+    } catch (const Stopped&) {
+        return error(phrase("cancelled"));
+    }
+}
+
 }  // namespace
+
+bool leavesTracesOut(const Finding& finding) {
+    constexpr std::size_t most = 100'000;  // samples of outputs
+    std::size_t count = 0;
+    for (const ExperimentState& e : finding.baseline.experiments) count += e.time.size() * e.outputs.size();
+    return finding.interrupted && count > most;
+}
 
 std::string proposedBlocks(const Finding& finding) {
     std::string text;
@@ -135,40 +167,56 @@ Outcome<EstimationTask> taskOf(const Study& study, const RunOptions& options) {
 }
 
 Outcome<RunResult> runSimulate(const Study& study, const RunOptions& options, const Progress& progress) {
+    const std::stop_source nobody;  // the traces end where they are stopped, and what is around them is made
+    const StopScope scope(nobody.get_token());
     Outcome<EstimationTask> task = taskOf(study, options);
     if (!task) return task.diagnostics();
     Outcome<ModelState> state = simulateModel(*task, options.discover.fit.simulation, progress);
     if (!state) return state.diagnostics();
     if (Diagnostics faults = failures(*state, false); !faults.empty()) return faults;
-    return {fitted(study, std::move(*state)), task.diagnostics()};
+    RunResult result = fitted(study, std::move(*state));
+    markInterrupted(result.finding, isCutShort(result.finding.final));
+    return {std::move(result), task.diagnostics()};
 }
 
 Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const Progress& progress) {
     const auto begin = std::chrono::steady_clock::now();
-    Outcome<EstimationTask> task = taskOf(study, options);
+    Outcome<EstimationTask> task = unlessStopped(progress, [&] { return taskOf(study, options); });
     if (!task) return task.diagnostics();
     if (Diagnostics faults = checkProfiled(*task, options.profiled); !faults.empty()) return faults;
     Outcome<ModelState> state = fitModel(*task, options.discover.fit, progress);
     if (!state) return state.diagnostics();
     if (Diagnostics faults = failures(*state, true); !faults.empty()) return faults;
-    if (!progress.stopRequested()) addConfidence(*task, options.profiled, options.discover.fit, *state, progress);
-    RunResult result = fitted(study, std::move(*state));
-    result.finding.interrupted = progress.stopRequested();
-    result.finding.seconds = secondsSince(begin);
-    return {std::move(result), task.diagnostics()};
+    const auto told = [&](bool isInterrupted) {
+        RunResult result = fitted(study, *state);
+        markInterrupted(result.finding, isInterrupted);
+        result.finding.seconds = secondsSince(begin);
+        return result;
+    };
+    if (!progress.stopRequested()) {
+        if (options.keep) options.keep(told(true));
+        addConfidence(*task, options.profiled, options.discover.fit, *state, progress);
+    }
+    return {told(progress.stopRequested()), task.diagnostics()};
 }
 
 Outcome<RunResult> runDiscover(const Study& study, const RunOptions& options, const Progress& progress) {
-    Outcome<EstimationTask> task = taskOf(study, options);
+    Outcome<EstimationTask> task = unlessStopped(progress, [&] { return taskOf(study, options); });
     if (!task) return task.diagnostics();
-    Outcome<Finding> finding = discover(*task, options.discover, progress);
+    const auto told = [&study](Finding finding) {
+        RunResult result;
+        result.finding = std::move(finding);
+        markInterrupted(result.finding, result.finding.interrupted);
+        result.completed = completedStudy(study, result.finding);
+        result.proposed = proposedStudy(study, result.finding);
+        return result;
+    };
+    DiscoverOptions search = options.discover;
+    if (options.keep) search.keep = [&](Finding finding) { options.keep(told(std::move(finding))); };
+    Outcome<Finding> finding = discover(*task, search, progress);
     if (!finding) return finding.diagnostics();
     if (Diagnostics faults = failures(finding->final, true); !faults.empty()) return faults;
-    RunResult result;
-    result.finding = std::move(*finding);
-    result.completed = completedStudy(study, result.finding);
-    result.proposed = proposedStudy(study, result.finding);
-    return {std::move(result), task.diagnostics()};
+    return {told(std::move(*finding)), task.diagnostics()};
 }
 
 }  // namespace analogon

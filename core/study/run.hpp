@@ -1,18 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
 #include "core/effect/discover.hpp"
 #include "core/study/study.hpp"
 
 /// The whole order, from a study on disk to results on disk: READ THIS FIRST.
 namespace analogon {
-
-struct RunOptions {
-    DiscoverOptions discover;  // its `fit` serves simulate and fit as well
-    std::vector<std::filesystem::path> libraryPaths;
-    std::vector<std::string> profiled;  // parameters of which a fit gives the profile; "all": every one
-};
 
 /// What a command leaves behind.
 struct RunResult {
@@ -21,7 +16,18 @@ struct RunResult {
     std::optional<Study> proposed{};  // the same with the equations that are proposed; empty: none can be added
 };
 
-/// What a run works on.
+struct RunOptions {
+    DiscoverOptions discover;  // its `fit` serves simulate and fit as well
+    std::vector<std::filesystem::path> libraryPaths;
+    std::vector<std::string> profiled;  // parameters of which a fit gives the profile; "all": every one
+    /// Takes what a run has found until now, whenever that is more than before.
+    std::function<void(RunResult)> keep{};
+};
+
+/// What nobody waits for who has interrupted a run: traces that take longer to write than all else together.
+bool leavesTracesOut(const Finding& finding);
+
+/// What a run works on. Once its scope is asked to stop (core/base/stop) it ends with "cancelled".
 Outcome<EstimationTask> taskOf(const Study& study, const RunOptions& options);
 
 Outcome<RunResult> runSimulate(const Study& study, const RunOptions& options, const Progress& progress = {});

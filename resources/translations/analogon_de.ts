@@ -7614,6 +7614,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>ein anderer Wert von {} erklärt es besser</translation>
     </message>
     <message>
+        <source>the traces are long and were not written, since the run was interrupted</source>
+        <translation>die Verläufe sind lang und wurden nicht geschrieben, da der Lauf abgebrochen wurde</translation>
+    </message>
+    <message>
         <source>the search was stopped before it was borne out</source>
         <translation>die Suche wurde beendet, bevor er bestätigt war</translation>
     </message>

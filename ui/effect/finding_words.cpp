@@ -99,6 +99,7 @@ FindingWords findingWords(const Finding& finding, RunKind kind) {
         case FindingKind::Partial:
             return {found, tr("With it, refitted, some structure remains that no candidate explains."), false};
         case FindingKind::Unexplained:
+        case FindingKind::Interrupted:  // told above
             break;
     }
     if (!finding.notSearched.empty()) return {tr("Numbers in another unit"), inWords(finding.notSearched), false};

@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "core/base/stop.hpp"
+
 namespace analogon::ui {
 
 struct JobRunner::Mailbox {
@@ -39,7 +41,12 @@ void JobRunner::launch(const QString& what, std::function<Delivery(const Progres
     isDone_ = std::make_shared<std::atomic<bool>>(false);
     thread_ =
         std::jthread([job, mailbox = mailbox_, sink, work = std::move(work), isDone = isDone_](std::stop_token stop) {
-            const Delivery deliver = work(Progress(std::move(stop), sink));
+            Delivery deliver;  // empty: it was stopped before it had anything
+            try {
+                const StopScope scope(stop);
+                deliver = work(Progress(std::move(stop), sink));
+            } catch (const Stopped&) {
+            }
             isDone->store(true);
             const std::lock_guard lock(mailbox->mutex);
             if (!mailbox->runner) return;
@@ -90,7 +97,7 @@ void JobRunner::finish(unsigned long job, const Delivery& deliver) {
     std::erase_if(retired_, [](const Retired& r) { return r.isDone->load(); });
     busy_ = false;
     mailbox_.reset();
-    deliver();
+    if (deliver) deliver();
     if (!busy_) Q_EMIT finished();  // unless the result started the next job
 }
 

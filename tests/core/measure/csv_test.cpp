@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/base/stop.hpp"
 #include "core/measure/channel.hpp"
 #include "core/measure/table.hpp"
 
@@ -37,6 +38,13 @@ TEST(Csv, ReadsNamesUnitsAndValues) {
     EXPECT_EQ(table.columns[2].unit, "");
     EXPECT_THAT(table.columns[1].values, ElementsAre(18.05, -20.0));
     EXPECT_THAT(table.lines, ElementsAre(2, 3));
+}
+
+TEST(Csv, IsNotReadToItsEndWhereItIsStopped) {
+    std::stop_source source;
+    source.request_stop();
+    const StopScope scope(source.get_token());
+    EXPECT_THROW(static_cast<void>(readCsvText("t [s],u\n0,1\n1,2\n", "long.csv", {})), Stopped);
 }
 
 TEST(Csv, ReadsUnitsInEveryUsualWriting) {

@@ -3,9 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <random>
+#include <thread>
 
+#include "core/base/stop.hpp"
 #include "tests/core/simulate/text_models.hpp"
 
 namespace analogon {
@@ -63,6 +67,39 @@ TEST(Simulate, GridAndAdaptiveEnginesAgreeOnAMotorWithNoisyVoltage) {
             EXPECT_LT(gap.col(k).cwiseAbs().maxCoeff(), 1e-3 * expected.col(k).cwiseAbs().maxCoeff());
         }
     }
+}
+
+TEST(Simulate, StopsWithinASingleInterval) {
+    const SystemPtr system = compileText(test::motorText, "Motor", {"R"});
+    ASSERT_TRUE(system);
+    const SampledInputs inputs = oneInput(2, 1.0, [](double t) { return 6.0 * t; });
+    for (const GridMethod method : {GridMethod::Esdirk, GridMethod::RungeKutta4}) {
+        const GridPlan plan{method, 1'000'000'000, 0.0};  // minutes
+        std::stop_source source;
+        const std::jthread other([&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(30));
+            source.request_stop();
+        });
+        const std::clock_t begin = std::clock();
+        const Trajectory y = simulateGrid(taskOf(system, inputs, true), plan, {}, Progress(source.get_token(), {}));
+        EXPECT_TRUE(y.failure.failed);
+        EXPECT_EQ(y.failure.reason, "cancelled");
+        EXPECT_TRUE(y.failure.variable.empty()) << y.failure.variable;
+        EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 0.3);
+    }
+}
+
+TEST(Simulate, IsStoppedByWhatIsInForceForTheThread) {
+    const SystemPtr system = compileText(test::motorText, "Motor", {"R"});
+    ASSERT_TRUE(system);
+    const SampledInputs inputs = noisyVoltage(1500);
+    std::stop_source source;
+    source.request_stop();
+    const StopScope scope(source.get_token());
+    EXPECT_EQ(simulate(taskOf(system, inputs)).failure.reason, "cancelled");
+    const std::stop_source nobody;
+    EXPECT_FALSE(simulate(taskOf(system, inputs), {}, Progress(nobody.get_token(), {})).failure.failed)
+        << "asked by somebody else";
 }
 
 TEST(Simulate, TakesTheImplicitMethodForAStiffMotor) {

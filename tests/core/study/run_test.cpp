@@ -70,6 +70,46 @@ TEST_F(Run, ACancelledFitKeepsTheBestWithItsFigures) {
     EXPECT_TRUE(std::isfinite(result->finding.final.experiments.at(0).errorPercent));
 }
 
+TEST_F(Run, ASearchThatIsStoppedClaimsNothingThatItHasNotLookedAt) {
+    for (const char* stage : {"fit", "screen"}) {
+        std::stop_source source;
+        std::optional<RunResult> kept;
+        RunOptions options;
+        options.keep = [&](RunResult result) { kept = std::move(result); };
+        const Progress progress(source.get_token(), [&](const Progress::Report& report) {
+            if (report.stage == stage && !(report.stage == "fit" && report.best.empty())) source.request_stop();
+        });
+        const Outcome<RunResult> result = runDiscover(read(), options, progress);
+        ASSERT_TRUE(result) << format(result.diagnostics());
+        const Finding& finding = result->finding;
+        EXPECT_TRUE(finding.interrupted);
+        EXPECT_EQ(finding.kind, FindingKind::Interrupted) << name(finding.kind);
+        EXPECT_TRUE(finding.effects.empty());
+        EXPECT_TRUE(std::isfinite(finding.final.experiments.at(0).errorPercent));
+        EXPECT_FALSE(finding.final.parameters.empty());
+        EXPECT_EQ(kept.has_value(), stage == std::string("screen"))
+            << "from the first fit on there is something to tell";
+        if (kept) {
+            EXPECT_EQ(kept->finding.kind, FindingKind::Interrupted);
+            EXPECT_EQ(kept->finding.final.modelText, finding.final.modelText);
+        }
+    }
+}
+
+TEST_F(Run, AFitThatIsStoppedGivesNoHalfAProfile) {
+    std::stop_source source;
+    RunOptions options;
+    options.profiled = {"all"};
+    const Progress progress(source.get_token(), [&](const Progress::Report& report) {
+        if (report.stage == "profile") source.request_stop();
+    });
+    const Outcome<RunResult> result = runFit(read(), options, progress);
+    ASSERT_TRUE(result) << format(result.diagnostics());
+    EXPECT_TRUE(result->finding.interrupted);
+    EXPECT_EQ(result->finding.final.status, FitStatus::Converged) << "the fit itself was over";
+    for (const FitEstimate& e : result->finding.final.parameters) EXPECT_FALSE(e.interval) << e.name;
+}
+
 TEST_F(Run, ASimulationThatFailsNamesTimeAndExperiment) {
     put("model.mo", R"(model Heater
   input Real u(unit="V"), T_amb(unit="K");
