@@ -6,13 +6,15 @@
 #include <set>
 
 #include "core/archive/archive.hpp"
+#include "core/base/distinct.hpp"
 #include "core/base/outcome.hpp"
 #include "core/base/regular_file.hpp"
 #include "core/eval/system.hpp"
 #include "core/flat/flat_model.hpp"
+#include "core/flat/range.hpp"
 #include "core/library/library.hpp"
 #include "core/structure/structure.hpp"
-#include "core/study/study.hpp"
+#include "core/study/validate.hpp"
 #include "core/syntax/parser.hpp"
 
 namespace analogon::cli {
@@ -25,8 +27,7 @@ namespace fs = std::filesystem;
 struct Subject {
     Library library;
     std::string className;
-    std::vector<std::string> keep;  // parameters that a study fits
-    std::string description;        // for the first line
+    std::string description;  // for the first line
 };
 
 Outcome<Library> libraryOf(const Options& options) {
@@ -100,25 +101,7 @@ Outcome<Subject> modelSubject(const Options& options) {
         return fileError(fmt::format("there is no class \"{}\"", *className), name, 0, 0,
                          like.empty() ? "the file holds " + held : fmt::format("did you mean \"{}\"?", like));
     }
-    return Subject{std::move(*library), *className, {}, "model " + *className};
-}
-
-Outcome<Subject> studySubject(const Options& options) {
-    Outcome<OpenedStudy> opened = openStudy(options.input);
-    if (!opened) return opened.diagnostics();
-    Study* const study = &opened->study;
-    for (const fs::path& p : options.libraries) study->libraryPaths.push_back(fs::absolute(p).string());
-    Outcome<Library> library = studyLibrary(*study);
-    if (!library) return namedAs(library.diagnostics(), *opened);
-    const Outcome<EstimationTask> task = estimationTask(*study);
-    if (!task) return namedAs(task.diagnostics(), *opened);
-    Subject subject{std::move(*library), study->className, {}, {}};
-    for (const FitParameter& p : task->parameters) subject.keep.push_back(p.name);
-    for (const Recording& r : task->recordings)
-        for (const RecordingStart& s : r.starts) subject.keep.push_back(s.parameter);
-    subject.description = fmt::format("study {}: model {}, {} experiments, {} fitted parameters", study->name,
-                                      study->className, task->recordings.size(), task->parameters.size());
-    return subject;
+    return Subject{std::move(*library), *className, "model " + *className};
 }
 
 std::string signalText(const std::vector<SignalInfo>& signals) {
@@ -151,14 +134,14 @@ std::string loopText(const Structure& structure) {
     return text;
 }
 
-void printSummary(const Subject& subject, const FlatModel& flat, const Structure& structure, const System& system,
-                  std::ostream& out) {
+void printSummary(const std::string& description, const FlatModel& flat, const Structure& structure,
+                  const System& system, std::ostream& out) {
     int unknowns = 0;
     for (const FlatVariable& v : flat.variables)
         if (v.variability == FlatVariability::Continuous && v.causality != FlatCausality::Input) ++unknowns;
     std::size_t implicit = 0;
     for (const SolutionBlock& block : structure.blocks) implicit += block.isExplicit ? 0 : 1;
-    out << subject.description << '\n'
+    out << description << '\n'
         << fmt::format("  equations   {}\n", flat.equations.size()) << fmt::format("  unknowns    {}\n", unknowns)
         << fmt::format("  balance     {}\n",
                        static_cast<long>(flat.equations.size()) == unknowns
@@ -176,34 +159,65 @@ void printSummary(const Subject& subject, const FlatModel& flat, const Structure
     if (system.rootCount() > 0) out << fmt::format("  events      {}\n", system.rootCount());
 }
 
+int fails(const Diagnostics& faults, std::ostream& err) {
+    err << format(faults) << '\n';
+    return inputAtFault;
+}
+
 int checkSubject(const Outcome<Subject>& subject, const Options& options, std::ostream& out, std::ostream& err) {
-    const auto fails = [&err](const Diagnostics& faults) {
-        err << format(faults) << '\n';
-        return static_cast<int>(inputAtFault);
-    };
-    if (!subject) return fails(subject.diagnostics());
+    if (!subject) return fails(subject.diagnostics(), err);
     Outcome<FlatModel> flat = flatten(subject->library, subject->className);
-    if (!flat) return fails(flat.diagnostics());
+    if (!flat) return fails(flat.diagnostics(), err);
     if (!flat.diagnostics().empty()) err << format(flat.diagnostics()) << '\n';
+    if (const Diagnostics faults = outsideRange(*flat); !faults.empty()) return fails(faults, err);
     if (options.print == PrintKind::Flat) {
         out << print(*flat);
         return done;
     }
     const auto model = std::make_shared<const FlatModel>(std::move(*flat));
-    const Outcome<Structure> structure = analyse(model, {subject->keep});
-    if (!structure) return fails(structure.diagnostics());
+    const Outcome<Structure> structure = analyse(model);
+    if (!structure) return fails(structure.diagnostics(), err);
     if (options.print == PrintKind::Structure) {
         out << print(*structure);
         return done;
     }
     const auto system = System::build(*structure);
-    if (!system) return fails(system.diagnostics());
+    if (!system) return fails(system.diagnostics(), err);
     if (options.print == PrintKind::Program) {
         out << (*system)->print();
         return done;
     }
     if (!structure->warnings.empty()) err << format(structure->warnings) << '\n';
-    printSummary(*subject, *model, *structure, **system, out);
+    printSummary(subject->description, *model, *structure, **system, out);
+    return done;
+}
+
+/// What fit, discover and simulate would say of a study before they begin, and the model as they take it.
+int checkStudy(const Options& options, std::ostream& out, std::ostream& err) {
+    if (!options.className.empty())
+        return fails({fileError("the class of a study stands in its study.json: --class is for model files",
+                                options.input.string())},
+                     err);
+    const Outcome<OpenedStudy> opened = openStudy(options.input);
+    if (!opened) return fails(opened.diagnostics(), err);
+    Study study = opened->study;
+    for (const fs::path& p : options.libraries) study.libraryPaths.push_back(fs::absolute(p).string());
+    const Outcome<ValidStudy> valid = validated(study, Purpose::Check);
+    Diagnostics said = opened.diagnostics();
+    for (const Diagnostic& d : namedAs(valid.diagnostics(), *opened)) said.push_back(d);
+    if (said = distinct(std::move(said)); !said.empty()) err << format(said) << '\n';
+    if (!valid) return inputAtFault;
+    const CompiledTask& model = valid->model;
+    if (options.print == PrintKind::Flat)
+        out << print(*model.model);
+    else if (options.print == PrintKind::Structure)
+        out << print(model.structure);
+    else if (options.print == PrintKind::Program)
+        out << model.system->print();
+    else
+        printSummary(fmt::format("study {}: model {}, {} experiments, {} fitted parameters", study.name,
+                                 study.className, valid->task.recordings.size(), valid->task.parameters.size()),
+                     *model.model, model.structure, *model.system, out);
     return done;
 }
 
@@ -224,8 +238,7 @@ int checkPackage(const Options& options, const fs::path& root, std::ostream& out
     if (!options.className.empty()) names = {options.className};
     int status = done;
     for (const std::string& name : names)
-        if (checkSubject(Subject{*library, name, {}, "model " + name}, options, out, err) != done)
-            status = inputAtFault;
+        if (checkSubject(Subject{*library, name, "model " + name}, options, out, err) != done) status = inputAtFault;
     return status;
 }
 
@@ -236,7 +249,7 @@ int check(const Options& options, std::ostream& out, std::ostream& err) {
     if (options.input.extension() == ".mo") return checkSubject(modelSubject(options), options, out, err);
     if (fs::exists(options.input / "package.mo", problem) && !fs::exists(options.input / "study.json", problem))
         return checkPackage(options, packageOf(options.input), out, err);
-    return checkSubject(studySubject(options), options, out, err);
+    return checkStudy(options, out, err);
 }
 
 }  // namespace analogon::cli

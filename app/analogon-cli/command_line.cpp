@@ -16,6 +16,7 @@
 #include "app/analogon-cli/interrupt.hpp"
 #include "app/analogon-cli/progress_view.hpp"
 #include "core/archive/archive.hpp"
+#include "core/base/distinct.hpp"
 #include "core/base/file_fault.hpp"
 #include "core/base/stop.hpp"
 #include "core/report/decision_lines.hpp"
@@ -166,8 +167,12 @@ int runStudy(const Options& options, Interrupt& interrupt) {
     view.clear();
     const Outcome<Done> traced = writeTrace(run, options.traceFile);
     if (!traced) std::cerr << format(traced.diagnostics()) << std::endl;
-    if (!result) return interrupt.wasRaised() ? endsWithoutResult() : fails(namedAs(result.diagnostics(), *opened));
-    if (!result.diagnostics().empty()) std::cerr << format(result.diagnostics()) << std::endl;
+    if (!result)
+        return interrupt.wasRaised() ? endsWithoutResult()
+                                     : fails(notYetTold(namedAs(result.diagnostics(), *opened), opened.diagnostics()));
+    if (const Diagnostics more = notYetTold(namedAs(result.diagnostics(), *opened), opened.diagnostics());
+        !more.empty())
+        std::cerr << format(more) << std::endl;
     for (const Text& remark : result->finding.final.remarks) view.note(remark);
     const int status = tell(*result, options, *place, interrupt.wasRaised());
     return traced || status != done ? status : static_cast<int>(inputAtFault);
@@ -192,8 +197,14 @@ int execute(const Options& options, Interrupt& interrupt) {
     }
 }
 
+/// Names after one option, separated by commas: what follows them is no further one, and the option may be repeated.
+CLI::Option* addNames(CLI::App& app, const char* option, std::vector<std::string>& names, const char* text) {
+    return app.add_option(option, names, text)->delimiter(',')->allow_extra_args(false);
+}
+
 void addCommon(CLI::App& app, Options& options) {
     app.add_option("--library", options.libraries, "A further library: a package directory or a .mo file")
+        ->allow_extra_args(false)
         ->type_name("PATH");
 }
 
@@ -248,15 +259,13 @@ void describe(CLI::App& app, Options& options) {
     CLI::App* fit = command(Command::Fit, "Estimate the parameters");
     addRun(*fit, options);
     addFit(*fit, options);
-    fit->add_option("--profile", options.profiled,
-                    "Where the data limit these parameters (or all): 95 % intervals of the likelihood")
-        ->delimiter(',')
+    addNames(*fit, "--profile", options.profiled,
+             "Where the data limit these parameters (or all): 95 % intervals of the likelihood")
         ->type_name("NAME,…");
     CLI::App* discover = command(Command::Discover, "Fit, find missing effects, add them, refit, report");
     addRun(*discover, options);
     addFit(*discover, options);
-    discover->add_option("--kinds", options.kinds, "Only these kinds of effects, separated by commas")
-        ->delimiter(',')
+    addNames(*discover, "--kinds", options.kinds, "Only these kinds of effects, separated by commas")
         ->type_name("KIND,…");
     discover
         ->add_option("--most-work", options.mostWork,
@@ -290,9 +299,8 @@ void describe(CLI::App& app, Options& options) {
             ->type_name("PATH");
 
     CLI::App* generate = command(Command::Generate, "Compose a first model from its domains and a measurement");
-    generate->add_option("--domains", options.domains, "For example electric-thermal,thermal-fluid")
+    addNames(*generate, "--domains", options.domains, "For example electric-thermal,thermal-fluid")
         ->required()
-        ->delimiter(',')
         ->type_name("DOMAIN,…");
     generate->add_option("--data", options.data, "The measurement; of several the last one validates")
         ->required()

@@ -4,7 +4,9 @@
 
 #include "app/analogon-cli/interrupt.hpp"
 #include "core/archive/archive.hpp"
+#include "core/base/distinct.hpp"
 #include "core/export/export.hpp"
+#include "core/study/validate.hpp"
 
 namespace analogon::cli {
 
@@ -28,7 +30,11 @@ void tell(const Diagnostics& warnings, std::ostream& err) {
 int pack(const Options& options, std::ostream& out, std::ostream& err) {
     const Outcome<OpenedStudy> opened = openStudy(options.input);
     if (!opened) return fails(opened.diagnostics(), err);
-    tell(opened.diagnostics(), err);
+    // An archive keeps a study as it is; what would hinder work on it is told all the same.
+    Diagnostics said = opened.diagnostics();
+    const Outcome<ValidStudy> valid = validated(opened->study, Purpose::Simulate);
+    said.insert(said.end(), valid.diagnostics().begin(), valid.diagnostics().end());
+    tell(distinct(namedAs(std::move(said), *opened)), err);
     fs::path target = options.out.empty() ? fs::path(opened->study.name + archiveEnding) : options.out;
     std::error_code code;
     if (fs::is_directory(target, code)) target /= opened->study.name + archiveEnding;
@@ -61,7 +67,8 @@ int exportStudy(const Options& options, std::ostream& out, std::ostream& err) {
         return fails({fileError("export what? Give --fmu FILE, --modelica FILE or --csv FILE", "")}, err);
     Outcome<OpenedStudy> opened = openStudy(options.input);
     if (!opened) return fails(opened.diagnostics(), err);
-    tell(opened.diagnostics(), err);
+    Diagnostics told = opened.diagnostics();
+    tell(told, err);
     for (const fs::path& p : options.libraries) opened->study.libraryPaths.push_back(fs::absolute(p).string());
     struct Wanted {
         ExportFormat format;
@@ -76,8 +83,10 @@ int exportStudy(const Options& options, std::ostream& out, std::ostream& err) {
         const Outcome<Exported> exported =
             analogon::exportStudy(opened->study, wanted.format, wanted.file, Progress(interrupt.token(), {}));
         if (interrupt.wasRaised()) return interrupted;
-        if (!exported) return fails(namedAs(exported.diagnostics(), *opened), err);
-        tell(exported.diagnostics(), err);
+        const Diagnostics more = notYetTold(namedAs(exported.diagnostics(), *opened), told);
+        if (!exported) return fails(more, err);
+        tell(more, err);
+        told.insert(told.end(), more.begin(), more.end());
         out << wanted.what << ": " << wanted.file.string();
         if (wanted.format == ExportFormat::Fmu)
             out << (exported->hasModelExchange ? " (Co-Simulation and Model Exchange)" : " (Co-Simulation)");

@@ -3,7 +3,9 @@
 #include <ostream>
 
 #include "core/archive/archive.hpp"
+#include "core/base/distinct.hpp"
 #include "core/study/generate.hpp"
+#include "core/study/validate.hpp"
 
 namespace analogon::cli {
 
@@ -11,14 +13,16 @@ namespace {
 
 Outcome<GenerateRequest> requestOf(const Options& options) {
     GenerateRequest request;
+    Diagnostics remarks;
     request.domains = options.domains;
     if (!options.className.empty()) request.className = options.className;
     for (const std::filesystem::path& file : options.data) {
         Outcome<Table> table = readTable(file);
         if (!table) return table.diagnostics();
+        remarks.insert(remarks.end(), table.diagnostics().begin(), table.diagnostics().end());
         request.recordings.push_back(std::make_shared<const Table>(std::move(*table)));
     }
-    return request;
+    return {std::move(request), std::move(remarks)};
 }
 
 }  // namespace
@@ -37,12 +41,22 @@ int generate(const Options& options, std::ostream& out, std::ostream& err) {
     if (!library) return fails(library.diagnostics());
     const Outcome<GeneratedStudy> generated = generateStudy(*library, *request);
     if (!generated) return fails(generated.diagnostics());
-    if (!generated.diagnostics().empty()) err << format(generated.diagnostics()) << std::endl;
     if (const Outcome<Done> written = saveStudy(generated->study, options.out); !written)
         return fails(written.diagnostics());
     const std::string directory = options.out.string();
+    Study study = generated->study;
+    for (const std::filesystem::path& p : options.libraries) study.libraryPaths.push_back(absolute(p).string());
+    const Outcome<ValidStudy> valid = validated(study, Purpose::Discover);
+    Diagnostics said = request.diagnostics();
+    for (const Diagnostics& more : {generated.diagnostics(), valid.diagnostics()})
+        said.insert(said.end(), more.begin(), more.end());
+    if (said = distinct(std::move(said)); !said.empty()) err << format(said) << std::endl;
     out << "study: " << directory << "\n\nassumed\n";
     for (const Text& assumption : generated->assumptions) out << "  - " << assumption << '\n';
+    if (!valid) {
+        out << "\nnext: mend what is told above, then analogon-cli check " << directory << std::endl;
+        return inputAtFault;
+    }
     out << "\nnext: analogon-cli discover " << directory << " --out " << directory << "-result" << std::endl;
     return done;
 }

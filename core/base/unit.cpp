@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <udunits2.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
@@ -62,6 +63,7 @@ constexpr std::array wordAliases{
     Replacement{"Upm", "revolution/min"},
     Replacement{"krpm", "1000.revolution/min"},
     Replacement{"rps", "revolution/s"},
+    Replacement{"r", "revolution"},
     Replacement{"kmh", "km/h"},
     Replacement{"kph", "km/h"},
     Replacement{"mph", "mile/hour"},
@@ -88,6 +90,13 @@ constexpr std::array wordAliases{
     Replacement{"mVs", "mV.s"},
     Replacement{"VA", "V.A"},
     Replacement{"ccm", "cm3"},
+    Replacement{"cc", "cm3"},
+    Replacement{"ccps", "cm3/s"},
+    Replacement{"bara", "bar"},
+    Replacement{"mbara", "mbar"},
+    Replacement{"psia", "psi"},
+    Replacement{"msec", "ms"},
+    Replacement{"usec", "us"},
     Replacement{"kgm", "kg.m"},
     Replacement{"pct", "percent"},
     Replacement{"‰", "0.001"},
@@ -98,6 +107,20 @@ constexpr std::array poweredAliases{
     Replacement{"kgm2", "kg.m2"},   Replacement{"gcm2", "g.cm2"},  Replacement{"kgcm2", "kg.cm2"},
     Replacement{"kgmm2", "kg.mm2"}, Replacement{"Nms2", "N.m.s2"},
 };
+
+// Whole texts, in small letters: what stands apart in them is no product.
+constexpr std::array wholeAliases{
+    Replacement{"deg c", "degC"},       Replacement{"deg. c", "degC"},   Replacement{"deg.c", "degC"},
+    Replacement{"degrees c", "degC"},   Replacement{"degree c", "degC"}, Replacement{"grad c", "degC"},
+    Replacement{"deg celsius", "degC"}, Replacement{"° c", "degC"},      Replacement{"degrees celsius", "degC"},
+    Replacement{"deg f", "degF"},       Replacement{"deg. f", "degF"},   Replacement{"deg.f", "degF"},
+    Replacement{"degrees f", "degF"},   Replacement{"degree f", "degF"}, Replacement{"° f", "degF"},
+};
+
+// Words behind a unit that say how a quantity was taken and leave its unit as it is.
+constexpr std::array qualifiers{"abs", "abs.", "absolute", "rms", "eff", "dc", "ac"};
+// And those that do so behind a time alone: behind a pressure they move its zero.
+constexpr std::array timeQualifiers{"rel", "rel.", "relative", "elapsed"};
 
 template <class Table>
 std::optional<std::string_view> lookUp(const Table& table, std::string_view text) {
@@ -144,6 +167,12 @@ std::string plain(std::string_view text) {
             at += entry.to.size();
         }
     }
+    return result;
+}
+
+std::string inSmallLetters(std::string_view text) {
+    std::string result(text);
+    for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return result;
 }
 
@@ -324,6 +353,15 @@ public:
         return dimensions_.emplace(std::move(key), found).first->second;
     }
 
+    /// Of the usual units the one that is written most alike.
+    std::string alike(std::string_view unit) const {
+        static const std::vector<std::string> common{
+            "degC",     "degF", "rad/s", "rpm", "1/min", "Ohm",   "N.m",  "N.m/rad", "N.m.s/rad", "kg.m2", "W/K",
+            "W/(m2.K)", "J/K",  "km/h",  "m/s", "deg",   "deg/s", "mbar", "hPa",     "kPa",       "l/min", "kg/h",
+            "mA",       "mV",   "ms",    "min", "Hz",    "kHz",   "Volt", "Ampere",  "Kelvin",    "Watt",  "Celsius"};
+        return unit.size() > 100 ? std::string() : suggestion(unit, common);
+    }
+
 private:
     UnitTable() {
         ut_set_error_message_handler(ut_ignore);
@@ -337,9 +375,24 @@ private:
 
     UnitPtr parse(std::string_view text, Reading reading) const {
         if (!system_ || text.size() > 100) return nullptr;
-        const auto translated = UnitTranslator(plain(text), reading).translate();
+        std::string written = plain(text);
+        if (const auto alias = lookUp(wholeAliases, inSmallLetters(written))) written = *alias;
+        if (const std::size_t blank = written.rfind(' '); blank != std::string::npos) {
+            const std::string last = inSmallLetters(std::string_view(written).substr(blank + 1));
+            const auto isLast = [&](const char* word) { return last == word; };
+            const std::string before(trimmed(std::string_view(written).substr(0, blank)));
+            if (std::any_of(qualifiers.begin(), qualifiers.end(), isLast) ||
+                (std::any_of(timeQualifiers.begin(), timeQualifiers.end(), isLast) && isTime(before)))
+                return parse(before, reading);
+        }
+        const auto translated = UnitTranslator(written, reading).translate();
         if (!translated || translated->empty()) return nullptr;
         return UnitPtr(ut_parse(system_.get(), translated->c_str(), UT_UTF8));
+    }
+
+    bool isTime(std::string_view unit) const {
+        const UnitPtr time = parse(unit, Reading::AsWritten), second = parse("s", Reading::AsWritten);
+        return time && lineBetween(time.get(), second.get()) != nullptr;
     }
 
     bool isPerTime(ut_unit* unit) const { return lineBetween(unit, hertz_.get()) != nullptr; }
@@ -363,11 +416,7 @@ private:
             return error(phrase("the unit table udunits2.xml could not be read"), {},
                          phrase("install libudunits2-data or set UDUNITS2_XML_PATH"));
         }
-        static const std::vector<std::string> common{
-            "degC",     "degF", "rad/s", "rpm", "1/min", "Ohm",   "N.m",  "N.m/rad", "N.m.s/rad", "kg.m2", "W/K",
-            "W/(m2.K)", "J/K",  "km/h",  "m/s", "deg",   "deg/s", "mbar", "hPa",     "kPa",       "l/min", "kg/h",
-            "mA",       "mV",   "ms",    "min", "Hz",    "kHz",   "Volt", "Ampere",  "Kelvin",    "Watt",  "Celsius"};
-        const std::string near = suggestion(unit, common);
+        const std::string near = alike(trimmed(unit));
         return error(phrase("unknown unit \"{}\"", unit), {},
                      near.empty()
                          ? phrase("write it as in \"degC\", \"rad/s\", \"N.m\", \"W/(m2.K)\"; \"1\" has no dimension")
@@ -445,6 +494,20 @@ Outcome<UnitConversion> convertUnit(std::string_view from, std::string_view to) 
 }
 
 bool isKnownUnit(std::string_view unit) { return unit.empty() || UnitTable::instance().isKnown(unit); }
+
+std::string unitAlike(std::string_view unit) {
+    const std::string_view written = trimmed(unit), first = written.substr(0, written.find(' '));
+    // What is measured from another zero is no number of that unit.
+    const std::string rest = inSmallLetters(trimmed(written.substr(first.size())));
+    const bool movesZero = rest == "g" || rest.starts_with("gau") || rest.starts_with("rel");
+    if (!rest.empty() && !movesZero && isKnownUnit(first)) return std::string(first);
+    return UnitTable::instance().alike(written);
+}
+
+bool beginsWithUnitOf(std::string_view text, std::string_view other) {
+    const std::string_view first = text.substr(0, text.find_first_of(" ,;"));
+    return first.size() < text.size() && areConvertible(first, other);
+}
 
 bool areConvertible(std::string_view a, std::string_view b) { return convertUnit(a, b).hasValue(); }
 

@@ -27,6 +27,13 @@ Outcome<UnitConversion> convertUnit(std::string_view from, std::string_view to);
 /// Whether the text names a unit that is known here.
 bool isKnownUnit(std::string_view unit);
 
+/// The known unit that a text which is none may stand for: "kPa" for "kpa", "degC" for "Deg.C"; empty: nobody can tell.
+std::string unitAlike(std::string_view unit);
+
+/// Whether a text that is no unit begins with one in which numbers of the other unit are measured ("kPa gauge" and Pa):
+/// it was meant as a unit.
+bool beginsWithUnitOf(std::string_view text, std::string_view other);
+
 /// Whether both measure the same quantity (convertible).
 bool areConvertible(std::string_view a, std::string_view b);
 

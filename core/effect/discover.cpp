@@ -14,6 +14,7 @@
 #include "core/effect/caution.hpp"
 #include "core/effect/dependence.hpp"
 #include "core/effect/held_command.hpp"
+#include "core/effect/kinds.hpp"
 #include "core/effect/model_state.hpp"
 #include "core/effect/reason.hpp"
 #include "core/effect/remainder.hpp"
@@ -546,6 +547,7 @@ Outcome<Finding> Search::searched() {
     Finding finding;
     for (const Diagnostic& w : catalogue.diagnostics()) finding.warnings.push_back(format(w));
     catalogue_ = std::move(*catalogue);
+    if (Diagnostics faults = unknownKinds(options_.kinds, catalogue_); !faults.empty()) return faults;
     if (!options_.kinds.empty())
         std::erase_if(catalogue_, [&](const EffectClass& e) {
             return std::find(options_.kinds.begin(), options_.kinds.end(), e.kind) == options_.kinds.end();

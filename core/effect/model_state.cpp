@@ -287,6 +287,8 @@ Outcome<ModelState> stateOf(const Variant& variant, const FitResult& fit, const 
     const Variant told = withClocksTold(variant);
     std::map<int, ExperimentState> byRecording;
     for (const Role role : {Role::Fit, Role::Validate}) {
+        const auto hasRole = [role](const Recording& r) { return r.role == role; };
+        if (std::none_of(told.task.recordings.begin(), told.task.recordings.end(), hasRole)) continue;
         Outcome<PreparedTask> prepared = prepareAt(told, {}, role);
         if (!prepared) return prepared.diagnostics();
         FitProblem& problem = prepared->problem;

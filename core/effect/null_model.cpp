@@ -144,6 +144,7 @@ Outcome<Done> fitNull(NullModel& null, NoiseLevel level, const FitOptions& optio
                          phrase("give at least one experiment that role"));
         FitOptions now = options;
         now.findsRobustErrors = pass + 1 == passes && options.loss == RobustLoss::None;
+        if (Diagnostics faults = validate(prepared->problem); hasError(faults)) return faults;
         FitResult found = fit(prepared->problem, now, progress);
         const bool isWhole = found.optimum.ok;
         const Text message = found.message;

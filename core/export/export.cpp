@@ -1,10 +1,12 @@
 #include "core/export/export.hpp"
 
+#include "core/base/distinct.hpp"
 #include "core/base/whole_file.hpp"
 #include "core/export/fmu.hpp"
 #include "core/export/modelica.hpp"
 #include "core/report/report.hpp"
 #include "core/study/run.hpp"
+#include "core/study/validate.hpp"
 
 namespace analogon {
 
@@ -30,10 +32,7 @@ Outcome<Done> checkTarget(const Study& study, const fs::path& file) {
     return Done{};
 }
 
-}  // namespace
-
-Outcome<Exported> exportStudy(const Study& study, ExportFormat format, const fs::path& file, const Progress& progress) {
-    if (Outcome<Done> isFree = checkTarget(study, file); !isFree) return isFree.diagnostics();
+Outcome<Exported> exported(const Study& study, ExportFormat format, const fs::path& file, const Progress& progress) {
     switch (format) {
         case ExportFormat::Modelica: {
             const Outcome<std::string> text = modelicaText(study);
@@ -51,6 +50,22 @@ Outcome<Exported> exportStudy(const Study& study, ExportFormat format, const fs:
     const Outcome<Done> written = writeFmu(*fmu, file, std::chrono::seconds(120), progress);
     if (!written) return written.diagnostics();
     return {Exported{fmu->hasModelExchange}, written.diagnostics()};
+}
+
+}  // namespace
+
+Outcome<Exported> exportStudy(const Study& study, ExportFormat format, const fs::path& file, const Progress& progress) {
+    if (Outcome<Done> isFree = checkTarget(study, file); !isFree) return isFree.diagnostics();
+    Diagnostics said;
+    if (!study.experiments.empty()) {  // a model alone may be exported, too
+        const Outcome<ValidStudy> valid = validated(study, Purpose::Simulate);
+        if (!valid) return valid.diagnostics();
+        said = valid.diagnostics();
+    }
+    Outcome<Exported> result = exported(study, format, file, progress);
+    if (!result) return result.diagnostics();
+    said.insert(said.end(), result.diagnostics().begin(), result.diagnostics().end());
+    return {std::move(*result), distinct(std::move(said))};
 }
 
 }  // namespace analogon

@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "core/base/range.hpp"
 #include "core/fit/clock.hpp"
-#include "core/flat/parameter_change.hpp"
+#include "core/fit/compiled_task.hpp"
 
 namespace analogon {
 
@@ -25,58 +24,6 @@ std::vector<std::string> namesOf(const std::vector<SignalInfo>& signals) {
     std::vector<std::string> names;
     for (const SignalInfo& signal : signals) names.push_back(signal.name);
     return names;
-}
-
-/// Parameters that must stay symbolic: fitted, start values of any recording, and what the caller asks for.
-std::vector<std::string> namesToKeep(const EstimationTask& task, const std::vector<std::string>& alsoKeep) {
-    std::vector<std::string> keep;
-    const auto add = [&](const std::string& name) {
-        if (std::find(keep.begin(), keep.end(), name) == keep.end()) keep.push_back(name);
-    };
-    for (const FitParameter& parameter : task.parameters)
-        if (!isClock(parameter.name)) add(parameter.name);
-    for (const Recording& recording : task.recordings) {
-        for (const RecordingStart& start : recording.starts) add(start.parameter);
-    }
-    for (const std::string& name : alsoKeep) add(name);
-    return keep;
-}
-
-/// Each name must be a parameter that may be changed.
-Diagnostics checkNames(const FlatModel& model, const std::vector<std::string>& names) {
-    Diagnostics faults;
-    std::vector<std::string> known;
-    for (const FlatVariable& variable : model.variables) {
-        if (variable.variability == FlatVariability::Parameter && variable.type == FlatType::Real &&
-            !variable.isFinal) {
-            known.push_back(variable.name);
-        }
-    }
-    for (const std::string& name : names) {
-        const VariableId id = model.find(name);
-        if (!id.valid()) {
-            faults.push_back(error(phrase("{} has no parameter {}", model.name, name), {},
-                                   didYouMean(name, known, phrase("the model has no parameters"))));
-            continue;
-        }
-        const FlatVariable& variable = model[id];
-        if (variable.variability != FlatVariability::Parameter) {
-            faults.push_back(error(phrase("{} is no parameter and cannot be fitted or set", name), variable.declared,
-                                   didYouMean(name, known, phrase("the model has no parameters"))));
-        } else if (variable.type != FlatType::Real) {
-            faults.push_back(
-                error(phrase("{} is not a Real parameter and cannot be fitted or set", name), variable.declared));
-        } else if (variable.isFinal) {
-            faults.push_back(error(phrase("{} is final and cannot be fitted or set", name),
-                                   variable.value.valid() ? variable.value : variable.declared));
-        } else if (variable.isStructural) {
-            faults.push_back(error(phrase("{} has shaped the equations (an array size or a condition) and cannot be "
-                                          "fitted or set for one experiment",
-                                          name),
-                                   variable.value.valid() ? variable.value : variable.declared));
-        }
-    }
-    return faults;
 }
 
 /// Bounds, unit and start that the task leaves open come from the model.
@@ -307,26 +254,9 @@ void setSignals(FitExperiment& experiment, const Recording& recording) {
 
 Outcome<PreparedTask> prepare(const EstimationTask& task, const std::vector<Eigen::VectorXd>& noise, Role role,
                               const std::vector<std::string>& alsoKeep) {
-    Outcome<FlatModel> flat = flatten(task.library, task.className);
-    if (!flat) return flat.diagnostics();
-    if (task.change && task.change->input.empty())
-        flat = withChange(std::move(*flat), task.change->parameter, task.change->width);
-    else if (task.change)
-        flat = withDependence(std::move(*flat), task.change->parameter, task.change->input);
-    const std::vector<std::string> keep = namesToKeep(task, alsoKeep);
-    if (flat) flat = withStarts(std::move(*flat), keep);
-    if (flat && task.imposed) flat = withImposed(std::move(*flat), task.imposed->variable, task.imposed->input);
-    if (!flat) return flat.diagnostics();
-    auto model = std::make_shared<const FlatModel>(std::move(*flat));
-    StructureOptions options;
-    options.keep = keep;
-    if (Diagnostics faults = checkNames(*model, options.keep); hasError(faults)) return faults;
-    Outcome<Structure> structure = analyse(model, options);
-    if (!structure) return structure.diagnostics();
-    Outcome<SystemPtr> system = System::build(*structure);
-    if (!system) return system.diagnostics();
-
-    Preparation preparation(task, *system);
+    const Outcome<CompiledTask> model = compiled(task, alsoKeep);
+    if (!model) return model.diagnostics();
+    Preparation preparation(task, model->system);
     preparation.addParameters();
     for (std::size_t r = 0; r < task.recordings.size(); ++r) {
         if (task.recordings[r].role != role) continue;

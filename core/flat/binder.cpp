@@ -335,23 +335,6 @@ void Binder::checkParameters() {
             }
         }
     }
-    for (std::uint32_t i = 0; i < variables.size(); ++i)
-        if (variables[i].variability == FlatVariability::Parameter) checkRange({i});
-}
-
-/// A value outside min and max is used, but hardly what was meant.
-void Binder::checkRange(VariableId id) {
-    const FlatVariable& variable = work_.model.variables[id.value];
-    if (!variable.min && !variable.max) return;
-    const std::optional<double> value = work_.model.parameterValue(id);
-    if (!value) return;
-    const bool isBelow = variable.min && *value < *variable.min, isAbove = variable.max && *value > *variable.max;
-    if (!isBelow && !isAbove) return;
-    const Text given = Text::number(syntax::printNumber(*value)),
-               bound = Text::number(syntax::printNumber(isBelow ? *variable.min : *variable.max));
-    work_.messages.warning(isBelow ? phrase("the parameter '{}' is {}, below its min {}", variable.name, given, bound)
-                                   : phrase("the parameter '{}' is {}, above its max {}", variable.name, given, bound),
-                           variable.value, phrase("change the value, or the range where the parameter is declared"));
 }
 
 }  // namespace analogon

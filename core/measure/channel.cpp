@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "core/base/median.hpp"
@@ -68,6 +69,44 @@ bool isReadable(const std::vector<double>& values, EmptyCells empty) {
            std::none_of(values.begin(), values.end(), isInfinite);
 }
 
+/// Never with the unit of the model as what to write: that the numbers are in it is what nobody knows.
+Diagnostic unknownUnit(const Table& table, const Column& column, const std::string& unit) {
+    const std::string alike = unitAlike(unit);
+    Text hint = phrase(
+        "Give the unit that its numbers are in, in the header or in the study as {{\"column\": \"{}\", \"unit\": …}}.",
+        column.name);
+    if (!alike.empty()) hint = phrase("Did you mean '{}'?", alike) + " " + hint;
+    return fileError(phrase("the unit '{}' of column '{}' is not known", unit, column.name), table.file, column.line,
+                     column.position, std::move(hint));
+}
+
+/// What stands in round brackets behind the name of a column, where it is no number; empty: nothing does.
+std::string inBrackets(const std::string& name) {
+    const std::size_t open = name.rfind('(');
+    if (open == std::string::npos || open == 0 || name.back() != ')') return {};
+    const std::string text = name.substr(open + 1, name.size() - open - 2);
+    const bool hasLetter =
+        std::any_of(text.begin(), text.end(), [](unsigned char c) { return std::isalpha(c) || c >= 0x80; });
+    return hasLetter ? text : std::string();
+}
+
+/// A column without a unit of which the name ends with one that nobody knows. What begins with a unit of the model's
+/// kind was meant as one: a fault. Else a remark: the numbers are taken as they are.
+Diagnostics doubtfulUnit(const Table& table, const Column& column, const std::string& unit) {
+    const std::string text = inBrackets(column.name);
+    if (text.empty() || unit.empty() || unit == "1") return {};
+    if (beginsWithUnitOf(text, unit)) return {unknownUnit(table, column, text)};
+    Diagnostic note =
+        fileError(phrase("'({})' behind the name of column '{}' is no unit that is known: its numbers are taken to be "
+                         "in '{}', as the model wants them",
+                         text, column.name, unit),
+                  table.file, column.line, column.position,
+                  phrase("Where they are in another unit, give it in the study as {{\"column\": \"{}\", \"unit\": …}}.",
+                         column.name));
+    note.severity = Severity::Warning;
+    return {note};
+}
+
 Outcome<UnitConversion> conversion(const Table& table, const Column& column, const std::string& from,
                                    const std::string& to) {
     if (from.empty() || to.empty()) return UnitConversion{};
@@ -75,14 +114,10 @@ Outcome<UnitConversion> conversion(const Table& table, const Column& column, con
     Outcome<UnitConversion> result = convertUnit(source, to);
     // A unit and its inverse (rpm and s) are related, but by no line.
     if (result && std::isfinite(result->factor) && std::isfinite(result->offset)) return result;
-    if (!isKnownUnit(source))
-        return fileError(phrase("the unit '{}' of column '{}' is not known", from, column.name), table.file, 0, 0,
-                         phrase("The model wants '{}'. Give the right unit in the header, or in the study as "
-                                "{{\"column\": \"{}\", \"unit\": \"{}\"}}.",
-                                to, column.name, to));
+    if (!isKnownUnit(source)) return unknownUnit(table, column, from);
     return fileError(
         phrase("column '{}' is in '{}', which cannot be converted to the '{}' of the model", column.name, from, to),
-        table.file, 0, 0,
+        table.file, column.line, column.position,
         phrase("Map another column, or give the unit in the study as {{\"column\": \"{}\", "
                "\"unit\": …}}.",
                column.name));
@@ -123,6 +158,10 @@ Outcome<std::vector<double>> readChannel(const Table& table, const ChannelMappin
     const Outcome<UnitConversion> convert =
         conversion(table, *column, mapping.unit.empty() ? column->unit : mapping.unit, unit);
     if (!convert) return convert.diagnostics();
+    Diagnostics remarks;
+    if (mapping.unit.empty() && column->unit.empty() && mapping.scale == 1 && mapping.offset == 0)
+        remarks = doubtfulUnit(table, *column, unit);
+    if (hasError(remarks)) return remarks;
     Column known = withBlanks(*column);
     if (!isReadable(known.values, empty)) {
         const auto isInfiniteCell = [&](const BlankCell& cell) { return std::isinf(known.values[cell.row]); };
@@ -134,8 +173,8 @@ Outcome<std::vector<double>> readChannel(const Table& table, const ChannelMappin
     std::vector<double> values(column->values.size());
     for (std::size_t i = 0; i < values.size(); ++i)
         values[i] = mapping.scale * (*convert)(column->values[i]) + mapping.offset;
-    if (known.blanks.empty()) return values;
-    return {std::move(values), {unmeasured(table, known)}};
+    if (!known.blanks.empty()) remarks.push_back(unmeasured(table, known));
+    return {std::move(values), std::move(remarks)};
 }
 
 Outcome<std::vector<double>> readTime(const Table& table, const std::string& column) {
@@ -160,7 +199,9 @@ Outcome<std::vector<double>> readTime(const Table& table, const std::string& col
                          repeats ? phrase("Remove the repeated row, or write the time with more digits.")
                                  : phrase("Sort the rows by time, or split the file where the recording starts anew."));
     }
-    return {time, gaps(table, source, time)};
+    Diagnostics remarks = channel.diagnostics();
+    for (Diagnostic& gap : gaps(table, source, time)) remarks.push_back(std::move(gap));
+    return {time, std::move(remarks)};
 }
 
 }  // namespace analogon

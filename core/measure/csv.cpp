@@ -182,7 +182,8 @@ private:
                 renamed.severity = Severity::Warning;
                 warnings_.push_back(std::move(renamed));
             }
-            table_.columns.push_back({std::move(header.name), std::move(header.unit), {}, {}, cell.text});
+            table_.columns.push_back(
+                {std::move(header.name), std::move(header.unit), {}, {}, cell.text, headerLine_, cell.position});
         }
     }
 

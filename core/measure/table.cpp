@@ -31,7 +31,7 @@ Table Table::slice(std::size_t first, std::size_t last) const {
     out.file = file;
     out.lines = cut(lines);
     for (const Column& column : columns) {
-        Column part{column.name, column.unit, cut(column.values), {}, column.header};
+        Column part{column.name, column.unit, cut(column.values), {}, column.header, column.line, column.position};
         for (const BlankCell& blank : column.blanks)
             if (blank.row >= first && blank.row < last)
                 part.blanks.push_back({blank.row - static_cast<std::uint32_t>(first), blank.position});

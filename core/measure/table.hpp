@@ -24,6 +24,7 @@ struct Column {
     std::vector<double> values;     // NaN: an empty cell
     std::vector<BlankCell> blanks;  // NaN and infinite cells, by row
     std::string header{};           // as written, with the unit
+    int line{}, position{};         // where the header stands (1-based); 0: nowhere
 };
 
 /// A measurement file as it is.

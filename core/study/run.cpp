@@ -8,6 +8,7 @@
 #include "core/fit/clock.hpp"
 #include "core/flat/parameter_change.hpp"
 #include "core/study/confidence.hpp"
+#include "core/study/validate.hpp"
 
 namespace analogon {
 namespace {
@@ -160,16 +161,31 @@ std::string proposedBlocks(const Finding& finding) {
     return text;
 }
 
-Outcome<EstimationTask> taskOf(const Study& study, const RunOptions& options) {
+namespace {
+
+Study withLibraries(const Study& study, const RunOptions& options) {
     Study widened = study;
     for (const fs::path& p : options.libraryPaths) widened.libraryPaths.push_back(fs::absolute(p).string());
-    return estimationTask(widened);
+    return widened;
+}
+
+/// The task of a study that is valid for a purpose, with what is remarked on it.
+Outcome<EstimationTask> validTask(const Study& study, const RunOptions& options, Purpose purpose) {
+    Outcome<ValidStudy> valid = validated(withLibraries(study, options), purpose);
+    if (!valid) return valid.diagnostics();
+    return {std::move(valid->task), valid.diagnostics()};
+}
+
+}  // namespace
+
+Outcome<EstimationTask> taskOf(const Study& study, const RunOptions& options) {
+    return estimationTask(withLibraries(study, options));
 }
 
 Outcome<RunResult> runSimulate(const Study& study, const RunOptions& options, const Progress& progress) {
     const std::stop_source nobody;  // the traces end where they are stopped, and what is around them is made
     const StopScope scope(nobody.get_token());
-    Outcome<EstimationTask> task = taskOf(study, options);
+    Outcome<EstimationTask> task = validTask(study, options, Purpose::Simulate);
     if (!task) return task.diagnostics();
     Outcome<ModelState> state = simulateModel(*task, options.discover.fit.simulation, progress);
     if (!state) return state.diagnostics();
@@ -181,7 +197,7 @@ Outcome<RunResult> runSimulate(const Study& study, const RunOptions& options, co
 
 Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const Progress& progress) {
     const auto begin = std::chrono::steady_clock::now();
-    Outcome<EstimationTask> task = unlessStopped(progress, [&] { return taskOf(study, options); });
+    Outcome<EstimationTask> task = unlessStopped(progress, [&] { return validTask(study, options, Purpose::Fit); });
     if (!task) return task.diagnostics();
     if (Diagnostics faults = checkProfiled(*task, options.profiled); !faults.empty()) return faults;
     Outcome<ModelState> state = fitModel(*task, options.discover.fit, progress);
@@ -201,7 +217,8 @@ Outcome<RunResult> runFit(const Study& study, const RunOptions& options, const P
 }
 
 Outcome<RunResult> runDiscover(const Study& study, const RunOptions& options, const Progress& progress) {
-    Outcome<EstimationTask> task = unlessStopped(progress, [&] { return taskOf(study, options); });
+    Outcome<EstimationTask> task =
+        unlessStopped(progress, [&] { return validTask(study, options, Purpose::Discover); });
     if (!task) return task.diagnostics();
     const auto told = [&study](Finding finding) {
         RunResult result;

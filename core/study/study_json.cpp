@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "core/study/json_fault.hpp"
 #include "core/study/json_places.hpp"
 #include "core/study/study.hpp"
 
@@ -74,8 +75,13 @@ private:
         return node.pointer.empty() ? phrase("the study") : Text(node.pointer.substr(1));
     }
 
-    void expected(const Node& node, const Text& what) {
-        fault(node, phrase("{}: expected {}, found {}", path(node), what, typeOf(*node.value)));
+    void expected(const Node& node, const Text& what, Text hint = {}) {
+        fault(node, phrase("{}: expected {}, found {}", path(node), what, typeOf(*node.value)), std::move(hint));
+    }
+
+    static Text alike(const std::string& name, const std::vector<std::string>& known) {
+        const std::string meant = suggestion(name, known);
+        return meant.empty() ? Text() : phrase("Did you mean \"{}\"?", meant);
     }
 
     void missing(const Node& owner, const std::string& name, const Text& hint = {}) {
@@ -113,10 +119,9 @@ private:
         for (const auto& [name, value] : owner.value->items()) {
             if (std::find(known.begin(), known.end(), name) != known.end()) continue;
             kept[name] = value;
-            const std::string alike = suggestion(name, known);
             warnings_.push_back(warning(phrase("\"{}\" is no member of {}; it is kept and has no effect", name, what),
                                         places_.name(owner.pointer + '/' + JsonPlaces::escape(name)),
-                                        alike.empty() ? Text() : phrase("Did you mean \"{}\"?", alike)));
+                                        alike(name, known)));
         }
     }
 
@@ -150,12 +155,12 @@ private:
         for (std::size_t i = 0; i < list.value->size(); ++i) {
             const Node node = list.element(i);
             if (!isObject(node, phrase("an experiment {{…}}"))) continue;
-            StudyExperiment experiment = readExperiment(node);
+            Json kept;
+            StudyExperiment experiment = readExperiment(node, kept);
             for (const StudyExperiment& other : study_.experiments)
                 if (other.name == experiment.name && !other.name.empty())
                     fault(node.member("name"), phrase("there are two experiments named '{}'", other.name),
                           phrase("Give each experiment its own name."));
-            Json kept;
             keepUnknown(node, {"name", "role", "file", "time", "range", "inputs", "outputs", "initial"},
                         phrase("an experiment"), kept);
             if (!kept.empty()) extra_["experiments"][experiment.name] = kept;
@@ -163,19 +168,21 @@ private:
         }
     }
 
-    StudyExperiment readExperiment(const Node& node) {
+    /// `kept`: receives what is not known of it.
+    StudyExperiment readExperiment(const Node& node, Json& kept) {
         StudyExperiment experiment;
         experiment.name = requiredText(node, "name");
         experiment.file = requiredText(node, "file");
         experiment.timeColumn = requiredText(node, "time");
         if (const Node role = node.member("role")) {
             const std::string text = role.value->is_string() ? role.value->get<std::string>() : "";
-            if (text != "fit" && text != "validate") expected(role, phrase("\"fit\" or \"validate\""));
+            if (text != "fit" && text != "validate")
+                expected(role, phrase("\"fit\" or \"validate\""), alike(text, {"fit", "validate"}));
             experiment.role = text == "validate" ? Role::Validate : Role::Fit;
         }
         if (const Node range = node.member("range")) experiment.range = readRange(range);
-        experiment.inputs = readMappings(node, "inputs");
-        experiment.outputs = readMappings(node, "outputs");
+        experiment.inputs = readMappings(node, "inputs", kept);
+        experiment.outputs = readMappings(node, "outputs", kept);
         if (const Node initial = node.member("initial"); isObject(initial, phrase("start values {{parameter: value}}")))
             for (const auto& [name, value] : initial.value->items())
                 if (const auto start = readStart(initial.member(name))) experiment.initial[name] = *start;
@@ -194,16 +201,19 @@ private:
         return std::nullopt;
     }
 
-    std::map<std::string, ChannelMapping> readMappings(const Node& owner, const std::string& name) {
+    std::map<std::string, ChannelMapping> readMappings(const Node& owner, const std::string& name, Json& kept) {
         std::map<std::string, ChannelMapping> mappings;
         const Node node = owner.member(name);
         if (!isObject(node, phrase("an object {{model signal: column}}"))) return mappings;
-        for (const auto& [signal, value] : node.value->items())
-            mappings[signal] = readMapping(node.member(signal), name == "inputs");
+        for (const auto& [signal, value] : node.value->items()) {
+            Json unknown;
+            mappings[signal] = readMapping(node.member(signal), name == "inputs", unknown);
+            if (!unknown.empty()) kept[name][signal] = unknown;
+        }
         return mappings;
     }
 
-    ChannelMapping readMapping(const Node& node, bool isInput) {
+    ChannelMapping readMapping(const Node& node, bool isInput, Json& kept) {
         ChannelMapping mapping;
         if (!node.value->is_object()) {
             if (node.value->is_string()) {
@@ -229,7 +239,6 @@ private:
         }
         if (const Node interpolation = node.member("interpolation"))
             mapping.interpolation = readInterpolation(interpolation, isInput);
-        Json kept;
         keepUnknown(node, {"column", "unit", "scale", "offset", "weight", "clock", "interpolation"},
                     phrase("a mapped column"), kept);
         return mapping;
@@ -280,14 +289,14 @@ private:
         for (const auto& [name, value] : parameters.value->items()) {
             const Node node = parameters.member(name);
             if (!isObject(node, phrase("an object, as {{\"fit\": true, \"min\": 0}}"))) continue;
-            study_.parameters[name] = readParameter(node);
             Json kept;
+            study_.parameters[name] = readParameter(node, kept);
             keepUnknown(node, {"fit", "value", "min", "max", "scale", "prior"}, phrase("a parameter"), kept);
             if (!kept.empty()) extra_["parameters"][name] = kept;
         }
     }
 
-    StudyParameter readParameter(const Node& node) {
+    StudyParameter readParameter(const Node& node, Json& kept) {
         StudyParameter parameter;
         if (const Node fit = node.member("fit")) {
             if (!fit.value->is_boolean()) expected(fit, phrase("true or false"));
@@ -298,10 +307,11 @@ private:
         parameter.max = number(node.member("max"));
         if (const Node scale = node.member("scale")) {
             const std::string text = scale.value->is_string() ? scale.value->get<std::string>() : "";
-            if (text != "lin" && text != "log") expected(scale, phrase("\"lin\" or \"log\""));
+            if (text != "lin" && text != "log")
+                expected(scale, phrase("\"lin\" or \"log\""), alike(text, {"lin", "log"}));
             parameter.scale = text == "log" ? ParameterScale::Logarithmic : ParameterScale::Linear;
         }
-        if (const Node prior = node.member("prior")) parameter.prior = readPrior(prior);
+        if (const Node prior = node.member("prior")) parameter.prior = readPrior(prior, kept);
         if (parameter.min && parameter.max && *parameter.min >= *parameter.max)
             fault(node.member("min"), phrase("{}: the lower bound {} is not below the upper bound {}", path(node),
                                              *parameter.min, *parameter.max));
@@ -311,13 +321,14 @@ private:
         return parameter;
     }
 
-    std::optional<NormalPrior> readPrior(const Node& node) {
+    std::optional<NormalPrior> readPrior(const Node& node, Json& kept) {
         if (!isObject(node, phrase("what is known, as {{\"mean\": 3.2, \"std\": 0.1}}"))) return std::nullopt;
         for (const char* const name : {"mean", "std"})
             if (!node.member(name)) missing(node, name, phrase("A prior is {{\"mean\": …, \"std\": …}}."));
         const std::optional<double> mean = number(node.member("mean")), deviation = number(node.member("std"));
-        Json kept;
-        keepUnknown(node, {"mean", "std"}, phrase("a prior"), kept);
+        Json unknown;
+        keepUnknown(node, {"mean", "std"}, phrase("a prior"), unknown);
+        if (!unknown.empty()) kept["prior"] = unknown;
         if (!mean || !deviation) return std::nullopt;
         if (*deviation > 0) return NormalPrior{*mean, *deviation};
         fault(node.member("std"), phrase("{}: a standard deviation must be above 0", path(node)),
@@ -338,20 +349,6 @@ private:
     Json extra_;
     Diagnostics faults_, warnings_;
 };
-
-/// The parser's own words without its number and counted position.
-std::string reason(const std::string& what) {
-    const std::size_t dash = what.find(" - ");
-    const std::size_t colon = what.rfind(": ");
-    std::string text = dash != std::string::npos    ? what.substr(dash + 3)
-                       : colon != std::string::npos ? what.substr(colon + 2)
-                                                    : what;
-    if (const std::size_t last = text.find("; last read"); last != std::string::npos) {
-        const std::size_t next = text.find(';', last + 1);
-        text.erase(last, next == std::string::npos ? std::string::npos : next - last);
-    }
-    return text;
-}
 
 Json mappingJson(const ChannelMapping& mapping) {
     ChannelMapping plain;
@@ -406,6 +403,33 @@ Json parameterJson(const StudyParameter& parameter) {
     return json;
 }
 
+/// Members of mapped columns go where the column is still mapped; one that is its name alone becomes an object for
+/// them.
+void addToMappings(Json& mappings, const Json& kept) {
+    for (const auto& [signal, members] : kept.items()) {
+        const auto mapping = mappings.find(signal);
+        if (mapping == mappings.end()) continue;
+        if (mapping->is_string()) *mapping = Json{{"column", *mapping}};
+        mapping->update(members);
+    }
+}
+
+void addToExperiment(Json& experiment, const Json& kept) {
+    for (const auto& [name, value] : kept.items())
+        if (name == "inputs" || name == "outputs")
+            addToMappings(experiment[name], value);
+        else
+            experiment[name] = value;
+}
+
+void addToParameter(Json& parameter, const Json& kept) {
+    for (const auto& [name, value] : kept.items())
+        if (name != "prior")
+            parameter[name] = value;
+        else if (const auto prior = parameter.find(name); prior != parameter.end())
+            prior->update(value);
+}
+
 /// Adds the members that we do not know where they stood.
 void addExtra(Json& json, const std::string& extraJson) {
     const Json extra = Json::parse(extraJson, nullptr, false);
@@ -414,10 +438,10 @@ void addExtra(Json& json, const std::string& extraJson) {
         if (name == "experiments") {
             for (Json& experiment : json["experiments"])
                 if (const auto kept = value.find(experiment["name"].get<std::string>()); kept != value.end())
-                    experiment.update(*kept);
+                    addToExperiment(experiment, *kept);
         } else if (name == "parameters") {
             for (const auto& [parameter, kept] : value.items())
-                if (json["parameters"].contains(parameter)) json["parameters"][parameter].update(kept);
+                if (json["parameters"].contains(parameter)) addToParameter(json["parameters"][parameter], kept);
         } else {
             json[name] = value;
         }
@@ -430,15 +454,8 @@ Outcome<Study> parseStudyJson(const SourcePtr& json) {
     Json tree;
     try {
         tree = Json::parse(json->text());
-    } catch (const Json::parse_error& failure) {
-        const auto at = static_cast<std::uint32_t>(
-            std::min(failure.byte > 0 ? failure.byte - 1 : 0, json->text().empty() ? 0 : json->text().size() - 1));
-        return error(
-            phrase("this is not valid JSON: {}", reason(failure.what())),
-            Span{json.get(), at, std::min<std::uint32_t>(at + 1, static_cast<std::uint32_t>(json->text().size()))},
-            phrase("A comma, bracket or quotation mark is missing or one too many near here."));
     } catch (const Json::exception& failure) {
-        return fileError(phrase("this is not valid JSON: {}", reason(failure.what())), json->name());
+        return jsonFault(json, failure);
     }
     const JsonPlaces places(json);
     return StudyReader(tree, places).read();

@@ -4,52 +4,21 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/distinct.hpp"
 #include "core/base/unit.hpp"
 #include "core/fit/clock.hpp"
 #include "core/fit/held_input.hpp"
 #include "core/flat/flat_model.hpp"
 #include "core/flat/parameter_change.hpp"
-#include "core/study/json_places.hpp"
 #include "core/study/measured.hpp"
-#include "core/study/study.hpp"
+#include "core/study/parameter_reader.hpp"
+#include "core/study/study_places.hpp"
 
 namespace analogon {
 
 namespace {
 
-std::string joined(const std::vector<std::string>& names) {
-    constexpr std::size_t shown = 20;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(shown, names.size()); ++i) text += (i > 0 ? ", " : "") + names[i];
-    return names.size() > shown ? text + ", …" : text;
-}
-
 Text noColumn() { return phrase("There is no column."); }
-
-Text meantOrAvailable(const std::string& name, const std::vector<std::string>& names, const Text& none) {
-    const std::string alike = suggestion(name, names);
-    if (!alike.empty()) return phrase("Did you mean '{}'?", alike);
-    return names.empty() ? none : phrase("Available: {}.", joined(names));
-}
-
-/// Messages that point into study.json as far as it is known.
-class StudyPlaces {
-public:
-    explicit StudyPlaces(const Study& study) {
-        if (study.json) places_.emplace(study.json);
-        file_ = study.directory.empty() ? "study.json" : (study.directory / "study.json").string();
-    }
-
-    Diagnostic fault(const std::string& pointer, Text message, Text hint = {}) const {
-        const Span span = places_ ? places_->value(pointer) : Span{};
-        return span.valid() ? error(std::move(message), span, std::move(hint))
-                            : fileError(std::move(message), file_, 0, 0, std::move(hint));
-    }
-
-private:
-    std::optional<JsonPlaces> places_;
-    std::string file_;
-};
 
 /// Top-level signals of the model with their units.
 struct ModelSignals {
@@ -75,104 +44,32 @@ ModelSignals signalsOf(const FlatModel& model) {
 class TaskBuilder {
 public:
     TaskBuilder(const Study& study, Library library, const FlatModel& model)
-        : study_(study), places_(study), model_(model), signals_(signalsOf(model)) {
+        : study_(study),
+          places_(study),
+          model_(model),
+          signals_(signalsOf(model)),
+          parameters_(study, places_, model, said_) {
         task_.library = std::move(library);
         task_.className = study.className;
         task_.model = task_.library.find(study.className)->definition->source;
-        for (const FlatVariable& variable : model.variables)
-            if (variable.variability == FlatVariability::Parameter && variable.type == FlatType::Real &&
-                !variable.isFinal)
-                parameterNames_.push_back(variable.name);
     }
 
     Outcome<EstimationTask> build(Diagnostics warnings) {
-        warnings_ = std::move(warnings);
+        said_ = std::move(warnings);
         if (study_.experiments.empty())
             fault("/experiments", phrase("the study has no experiment"), phrase("Add a measurement to it."));
-        readParameters();
+        parameters_.read(task_.parameters, fixed_);
         for (std::size_t i = 0; i < study_.experiments.size(); ++i)
             readExperiment(study_.experiments[i], fmt::format("/experiments/{}", i));
         addFittedClocks();
-        if (!faults_.empty()) return faults_;
-        return {std::move(task_), std::move(warnings_)};
+        if (hasError(said_)) return distinct(std::move(said_));
+        return {std::move(task_), distinct(std::move(said_))};
     }
 
 private:
     void fault(const std::string& pointer, Text message, Text hint = {}) {
-        faults_.push_back(places_.fault(pointer, std::move(message), std::move(hint)));
-    }
-
-    /// The variable when it is a parameter that may be set and fitted.
-    const FlatVariable* settable(const std::string& name, const std::string& pointer) {
-        const VariableId id = model_.find(name);
-        if (!id.valid()) {
-            fault(pointer, phrase("the model '{}' has no parameter '{}'", study_.className, name),
-                  meantOrAvailable(name, parameterNames_, phrase("There is no parameter.")));
-            return nullptr;
-        }
-        const FlatVariable& variable = model_[id];
-        Text reason;
-        if (variable.variability == FlatVariability::Continuous) reason = phrase("a variable");
-        if (variable.variability == FlatVariability::Constant) reason = phrase("a constant");
-        if (variable.type != FlatType::Real) reason = phrase("no real number");
-        if (variable.isFinal) reason = phrase("declared final");
-        if (variable.isProtected && name.find('.') != std::string::npos) reason = phrase("protected");
-        if (reason.empty()) return &variable;
-        fault(pointer, phrase("'{}' cannot be set or fitted: it is {}", name, reason),
-              phrase("Only real parameters that are neither final nor protected can."));
-        return nullptr;
-    }
-
-    void readParameters() {
-        for (const auto& [name, parameter] : study_.parameters) {
-            const std::string pointer = "/parameters/" + JsonPlaces::escape(name);
-            if (isClock(name)) {
-                checkClock(signalOfClock(name), pointer);
-                continue;
-            }
-            const FlatVariable* variable = settable(name, pointer);
-            if (!variable) continue;
-            if (parameter.fit) {
-                readFitted(name, parameter, *variable, pointer);
-            } else if (parameter.value) {
-                fixed_.emplace_back(name, *parameter.value);
-            }
-        }
-    }
-
-    void readFitted(const std::string& name, const StudyParameter& parameter, const FlatVariable& variable,
-                    const std::string& pointer) {
-        const std::optional<double> start =
-            parameter.value ? parameter.value : model_.parameterValue(model_.find(name));
-        if (!start)
-            return fault(pointer, phrase("the parameter '{}' has no value to start from", name),
-                         phrase("Give one in the model, or as \"value\" in the study."));
-        FitParameter fitted;
-        fitted.name = name;
-        fitted.unit = variable.unit;
-        fitted.start = *start;
-        fitted.scale = parameter.scale;
-        fitted.prior = parameter.prior;
-        if (const auto min = parameter.min ? parameter.min : variable.min) fitted.min = *min;
-        if (const auto max = parameter.max ? parameter.max : variable.max) fitted.max = *max;
-        // A start that was itself fitted to a bound may lie beyond it by the last digit.
-        const double slack = 1e-9 * std::max(std::abs(*start), 1e-300);
-        if (*start < fitted.min - slack || *start > fitted.max + slack)
-            return fault(pointer,
-                         phrase("the start value {} of '{}' lies outside its bounds {} … {}", *start, name, fitted.min,
-                                fitted.max),
-                         phrase("Widen the bounds, or give another start as \"value\"."));
-        fitted.start = std::clamp(*start, fitted.min, fitted.max);
-        if (fitted.scale == ParameterScale::Logarithmic && fitted.start <= 0)
-            return fault(pointer, phrase("'{}' starts at {}, where a logarithmic scale has no place", name, *start),
-                         phrase("Start above 0, or use \"scale\": \"lin\"."));
-        task_.parameters.push_back(std::move(fitted));
-    }
-
-    void checkClock(const std::string& output, const std::string& pointer) {
-        if (!asksForClock(study_.experiments, output))
-            fault(pointer, phrase("no experiment asks for the clock of the output '{}'", output),
-                  phrase("Map the output as {{\"column\": …, \"clock\": \"fit\"}}."));
+        said_.push_back(places_.fault(pointer, std::move(message), std::move(hint)));
+        ++faults_;
     }
 
     /// The setting of a fitted clock: its start, bounds and prior may stand among the parameters.
@@ -298,8 +195,8 @@ private:
 
     template <class T>
     bool keep(const Outcome<T>& outcome) {
-        Diagnostics& to = outcome ? warnings_ : faults_;
-        to.insert(to.end(), outcome.diagnostics().begin(), outcome.diagnostics().end());
+        said_.insert(said_.end(), outcome.diagnostics().begin(), outcome.diagnostics().end());
+        faults_ += outcome ? 0 : 1;
         return outcome.hasValue();
     }
 
@@ -329,7 +226,7 @@ private:
 
     /// Every mapped signal exists, every input of the model is mapped, some output is.
     bool checkSignals(const StudyExperiment& experiment, const std::string& pointer) {
-        const std::size_t before = faults_.size();
+        const std::size_t before = faults_;
         const auto check = [&](const auto& mappings, const auto& own, const auto& other, const std::string& side,
                                const std::vector<std::string>& names) {
             for (const auto& [name, mapping] : mappings) {
@@ -348,7 +245,7 @@ private:
         };
         check(experiment.inputs, signals_.inputs, signals_.outputs, "input", signals_.inputNames);
         check(experiment.outputs, signals_.outputs, signals_.inputs, "output", signals_.outputNames);
-        if (faults_.size() > before) return false;
+        if (faults_ > before) return false;
         for (const std::string& name : signals_.inputNames)
             if (!experiment.inputs.contains(name))
                 fault(pointer + "/inputs",
@@ -358,7 +255,21 @@ private:
         if (experiment.outputs.empty())
             fault(pointer + "/outputs", phrase("experiment '{}' measures no output of the model", experiment.name),
                   phrase("Map at least one of: {}.", joined(signals_.outputNames)));
-        return faults_.size() == before;
+        remarkSharedColumns(experiment, pointer);
+        return faults_ == before;
+    }
+
+    /// Two outputs that are compared with one column are hardly meant.
+    void remarkSharedColumns(const StudyExperiment& experiment, const std::string& pointer) {
+        std::map<std::string, std::string> first;  // column -> output
+        for (const auto& [output, mapping] : experiment.outputs) {
+            const auto [known, isNew] = first.emplace(mapping.column, output);
+            if (isNew) continue;
+            said_.push_back(places_.remark(
+                fmt::format("{}/outputs/{}", pointer, JsonPlaces::escape(output)),
+                phrase("experiment '{}': the outputs '{}' and '{}' are both compared with the column '{}'",
+                       experiment.name, known->second, output, mapping.column)));
+        }
     }
 
     static std::vector<std::string> mapped(const std::map<std::string, ChannelMapping>& mappings,
@@ -383,10 +294,12 @@ private:
                 continue;
             }
             if (!mapping.unit.empty() && !isKnownUnit(mapping.unit)) {
-                fault(place,
+                const std::string alike = unitAlike(mapping.unit);
+                fault(place + "/unit",
                       phrase("experiment '{}': the unit '{}' of '{}' is not known", experiment.name, mapping.unit,
                              mapping.column),
-                      phrase("The model wants '{}'.", units.at(names[i])));
+                      alike.empty() ? phrase("Write the unit that the numbers of the column are in.")
+                                    : phrase("Did you mean '{}'?", alike));
                 complete = false;
                 continue;
             }
@@ -412,31 +325,49 @@ private:
             const std::string place = pointer + "/initial/" + JsonPlaces::escape(name);
             const VariableId started = startedVariable(name);
             const std::string parameter = started.valid() ? startOf(model_[started].name) : name;
-            const FlatVariable* variable = started.valid() ? &model_[started] : settable(name, place);
-            if (!variable) continue;
-            const bool isTwice =
-                started.valid() && std::any_of(recording.starts.begin(), recording.starts.end(),
-                                               [&](const RecordingStart& s) { return s.parameter == parameter; });
-            if (isTwice) {
-                fault(place, phrase("where '{}' begins is told twice", model_[started].name),
-                      phrase("Keep one of the two entries."));
-            } else if (started.valid() && decidedAtStart(model_).contains(started.value)) {
-                fault(place, phrase("where '{}' begins is decided by an initial equation of the model", name),
-                      phrase("Set the parameter that stands in that equation."));
-            } else if (const double* number = std::get_if<double>(&start)) {
-                recording.starts.push_back({parameter, *number, false});
-            } else if (const ColumnStart* column = std::get_if<ColumnStart>(&start)) {
-                if (!hasColumn(table, column->column, experiment, place)) continue;
-                const ChannelMapping mapping = mappingOf(column->column, experiment);
-                const Outcome<std::vector<double>> first =
-                    readChannel(table.slice(0, 1), mapping, model_.unitOf(*variable));
-                if (keep(first)) recording.starts.push_back({parameter, first->front(), false, column->column});
-            } else if (const std::optional<double> value = beginOf(parameter, started.valid())) {
-                recording.starts.push_back({parameter, *value, true});
-            } else {
-                fault(place, phrase("'{}' has no value to start from", name), phrase("Give one in the model."));
-            }
+            const FlatVariable* variable = started.valid() ? &model_[started] : parameters_.startable(name, place);
+            if (!variable || !mayStart(parameter, started, place, experiment.name, recording)) continue;
+            const std::optional<RecordingStart> read = readStart(parameter, start, *variable, table, experiment, place);
+            if (read && parameters_.isWithin(*variable, read->value, place)) recording.starts.push_back(*read);
         }
+    }
+
+    /// Whether the study is free to say where this begins, and says it once.
+    bool mayStart(const std::string& parameter, VariableId started, const std::string& place,
+                  const std::string& experiment, const Recording& recording) {
+        const std::size_t before = faults_;
+        const auto isItsStart = [&](const RecordingStart& s) { return s.parameter == parameter; };
+        if (started.valid() && std::any_of(recording.starts.begin(), recording.starts.end(), isItsStart))
+            fault(place, phrase("where '{}' begins is told twice", model_[started].name),
+                  phrase("Keep one of the two entries."));
+        else if (started.valid() && decidedAtStart(model_).contains(started.value))
+            fault(place,
+                  phrase("where '{}' begins is decided by an initial equation of the model", model_[started].name),
+                  phrase("Set the parameter that stands in that equation."));
+        else if (std::any_of(task_.parameters.begin(), task_.parameters.end(),
+                             [&](const FitParameter& p) { return p.name == parameter; }))
+            fault(place,
+                  phrase("experiment '{}': {}", experiment,
+                         phrase("{} is fitted for all experiments and has a start of its own here", parameter)),
+                  phrase("remove one of the two"));
+        return faults_ == before;
+    }
+
+    std::optional<RecordingStart> readStart(const std::string& parameter, const StudyStart& start,
+                                            const FlatVariable& variable, const Table& table,
+                                            const StudyExperiment& experiment, const std::string& place) {
+        if (const double* number = std::get_if<double>(&start)) return RecordingStart{parameter, *number, false};
+        if (const ColumnStart* column = std::get_if<ColumnStart>(&start)) {
+            if (!hasColumn(table, column->column, experiment, place)) return std::nullopt;
+            const ChannelMapping mapping = mappingOf(column->column, experiment);
+            const Outcome<std::vector<double>> first = readChannel(table.slice(0, 1), mapping, model_.unitOf(variable));
+            if (!keep(first)) return std::nullopt;
+            return RecordingStart{parameter, first->front(), false, column->column};
+        }
+        if (const std::optional<double> value = beginOf(parameter, parameter != variable.name))
+            return RecordingStart{parameter, *value, true};
+        fault(place, phrase("'{}' has no value to start from", variable.name), phrase("Give one in the model."));
+        return std::nullopt;
     }
 
     /// Where the fit of a start value begins: as the study has it, or the model.
@@ -509,10 +440,11 @@ private:
     StudyPlaces places_;
     const FlatModel& model_;
     ModelSignals signals_;
-    std::vector<std::string> parameterNames_;
+    Diagnostics said_;
+    std::size_t faults_{};  // of the experiments
+    ParameterReader parameters_;
     std::vector<std::pair<std::string, double>> fixed_;  // set by the study, not fitted
     EstimationTask task_;
-    Diagnostics faults_, warnings_;
 };
 
 }  // namespace
@@ -563,9 +495,10 @@ Outcome<EstimationTask> estimationTask(const Study& study) {
     }
     const Outcome<FlatModel> model = flatten(*library, study.className);
     if (!model) return model.diagnostics();
-    Diagnostics warnings = library.diagnostics();
-    warnings.insert(warnings.end(), model.diagnostics().begin(), model.diagnostics().end());
-    return TaskBuilder(study, std::move(*library), *model).build(std::move(warnings));
+    Diagnostics said = library.diagnostics();
+    for (const Diagnostics& more : {model.diagnostics(), outsideRange(*model, study)})
+        said.insert(said.end(), more.begin(), more.end());
+    return TaskBuilder(study, std::move(*library), *model).build(std::move(said));
 }
 
 }  // namespace analogon

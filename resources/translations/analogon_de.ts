@@ -4742,6 +4742,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>die Studie hat keinen Versuch mit der Rolle &quot;fit&quot;</translation>
     </message>
     <message>
+        <source>there is no kind of effect '{}'</source>
+        <translation>es gibt keine Art von Effekt „{}“</translation>
+    </message>
+    <message>
         <source>give at least one experiment that role</source>
         <translation>mindestens einem Versuch diese Rolle geben</translation>
     </message>
@@ -4998,8 +5002,16 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>die Einheit „{}“ der Spalte „{}“ ist nicht bekannt</translation>
     </message>
     <message>
-        <source>The model wants '{}'. Give the right unit in the header, or in the study as {{&quot;column&quot;: &quot;{}&quot;, &quot;unit&quot;: &quot;{}&quot;}}.</source>
-        <translation>Das Modell verlangt „{}“. Die richtige Einheit in der Kopfzeile angeben, oder in der Studie als {{&quot;column&quot;: &quot;{}&quot;, &quot;unit&quot;: &quot;{}&quot;}}.</translation>
+        <source>Give the unit that its numbers are in, in the header or in the study as {{&quot;column&quot;: &quot;{}&quot;, &quot;unit&quot;: …}}.</source>
+        <translation>Die Einheit, in der ihre Zahlen stehen, in der Kopfzeile angeben oder in der Studie als {{&quot;column&quot;: &quot;{}&quot;, &quot;unit&quot;: …}}.</translation>
+    </message>
+    <message>
+        <source>'({})' behind the name of column '{}' is no unit that is known: its numbers are taken to be in '{}', as the model wants them</source>
+        <translation>„({})“ hinter dem Namen der Spalte „{}“ ist keine bekannte Einheit: ihre Zahlen gelten als in „{}“, wie das Modell sie verlangt</translation>
+    </message>
+    <message>
+        <source>Where they are in another unit, give it in the study as {{&quot;column&quot;: &quot;{}&quot;, &quot;unit&quot;: …}}.</source>
+        <translation>Stehen sie in einer anderen Einheit, diese in der Studie als {{&quot;column&quot;: &quot;{}&quot;, &quot;unit&quot;: …}} angeben.</translation>
     </message>
     <message>
         <source>column '{}' is in '{}', which cannot be converted to the '{}' of the model</source>
@@ -5466,6 +5478,22 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>dies ist kein gültiges JSON: {}</translation>
     </message>
     <message>
+        <source>this is not valid JSON: {} is no value</source>
+        <translation>das ist kein gültiges JSON: {} ist kein Wert</translation>
+    </message>
+    <message>
+        <source>A value is a number, a &quot;text&quot;, true, false, null, a list […] or an object {{…}}.</source>
+        <translation>Ein Wert ist eine Zahl, ein &quot;Text&quot;, true, false, null, eine Liste […] oder ein Objekt {{…}}.</translation>
+    </message>
+    <message>
+        <source>the number {} is too large</source>
+        <translation>die Zahl {} ist zu groß</translation>
+    </message>
+    <message>
+        <source>The largest that can be computed with is 1.8e308.</source>
+        <translation>Die größte, mit der gerechnet werden kann, ist 1.8e308.</translation>
+    </message>
+    <message>
         <source>A comma, bracket or quotation mark is missing or one too many near here.</source>
         <translation>Hier in der Nähe fehlt ein Komma, eine Klammer oder ein Anführungszeichen, oder eines ist zu viel.</translation>
     </message>
@@ -5532,6 +5560,42 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>the start value {} of '{}' lies outside its bounds {} … {}</source>
         <translation>der Startwert {} von „{}“ liegt außerhalb der Grenzen {} … {}</translation>
+    </message>
+    <message>
+        <source>'{}' has no room between its bounds {} and {}</source>
+        <translation>„{}“ hat keinen Raum zwischen seinen Grenzen {} und {}</translation>
+    </message>
+    <message>
+        <source>Widen the bounds, or do not fit it: &quot;fit&quot;: false.</source>
+        <translation>Die Grenzen weiten, oder ihn nicht anpassen: &quot;fit&quot;: false.</translation>
+    </message>
+    <message>
+        <source>the lower bound {} of '{}' lies below the min {} of its declaration, which holds</source>
+        <translation>die untere Grenze {} von „{}“ liegt unter dem min {} seiner Deklaration, das gilt</translation>
+    </message>
+    <message>
+        <source>the upper bound {} of '{}' lies above the max {} of its declaration, which holds</source>
+        <translation>die obere Grenze {} von „{}“ liegt über dem max {} seiner Deklaration, das gilt</translation>
+    </message>
+    <message>
+        <source>'{}' begins at {}, below its min {}</source>
+        <translation>„{}“ beginnt bei {}, unter seinem min {}</translation>
+    </message>
+    <message>
+        <source>'{}' begins at {}, above its max {}</source>
+        <translation>„{}“ beginnt bei {}, über seinem max {}</translation>
+    </message>
+    <message>
+        <source>change the value, or the range where the variable is declared</source>
+        <translation>den Wert ändern, oder den Bereich, wo die Variable deklariert ist</translation>
+    </message>
+    <message>
+        <source>a size or a condition that has shaped the equations</source>
+        <translation>eine Größe oder Bedingung, nach der die Gleichungen gebildet sind</translation>
+    </message>
+    <message>
+        <source>the model '{}' has no parameter and no variable '{}'</source>
+        <translation>das Modell „{}“ hat keinen Parameter und keine Variable „{}“</translation>
     </message>
     <message>
         <source>Widen the bounds, or give another start as &quot;value&quot;.</source>
@@ -5610,6 +5674,26 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Versuch „{}“ misst keinen Ausgang des Modells</translation>
     </message>
     <message>
+        <source>experiment '{}': the outputs '{}' and '{}' are both compared with the column '{}'</source>
+        <translation>Versuch „{}“: die Ausgänge „{}“ und „{}“ werden beide mit der Spalte „{}“ verglichen</translation>
+    </message>
+    <message>
+        <source>nothing is compared: no output that is fitted has values and a weight above 0</source>
+        <translation>nichts wird verglichen: kein Ausgang, der angepasst wird, hat Werte und ein Gewicht über 0</translation>
+    </message>
+    <message>
+        <source>Give an output of an experiment that is fitted a &quot;weight&quot; above 0, or none.</source>
+        <translation>Einem Ausgang eines Versuchs, der angepasst wird, ein &quot;weight&quot; über 0 geben, oder keines.</translation>
+    </message>
+    <message>
+        <source>there is nothing to fit: no parameter and no start value is to be found</source>
+        <translation>es gibt nichts anzupassen: kein Parameter und kein Startwert ist gesucht</translation>
+    </message>
+    <message>
+        <source>List parameters under &quot;parameters&quot;, as &quot;NAME&quot;: {{&quot;fit&quot;: true}}.</source>
+        <translation>Parameter unter &quot;parameters&quot; nennen, als &quot;NAME&quot;: {{&quot;fit&quot;: true}}.</translation>
+    </message>
+    <message>
         <source>Map at least one of: {}.</source>
         <translation>Mindestens einen davon zuordnen: {}.</translation>
     </message>
@@ -5618,8 +5702,8 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Versuch „{}“: Die Einheit „{}“ von „{}“ ist nicht bekannt</translation>
     </message>
     <message>
-        <source>The model wants '{}'.</source>
-        <translation>Das Modell verlangt „{}“.</translation>
+        <source>Write the unit that the numbers of the column are in.</source>
+        <translation>Die Einheit schreiben, in der die Zahlen der Spalte stehen.</translation>
     </message>
     <message>
         <source>where '{}' begins is decided by an initial equation of the model</source>
@@ -8244,10 +8328,6 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>{} has no parameter {}</source>
         <translation>{} hat keinen Parameter {}</translation>
-    </message>
-    <message>
-        <source>the model has no parameters</source>
-        <translation>das Modell hat keine Parameter</translation>
     </message>
     <message>
         <source>{} is no parameter and cannot be fitted or set</source>

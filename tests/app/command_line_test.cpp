@@ -255,6 +255,135 @@ TEST_F(CommandLine, ExportsAnFmu) {
               inputAtFault);
 }
 
+/// study.json with one piece of text replaced.
+void change(const fs::path& directory, const std::string& from, const std::string& to) {
+    std::string json = contentOf(directory / "study.json");
+    const std::size_t at = json.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    std::ofstream(directory / "study.json") << json.replace(at, from.size(), to);
+}
+
+std::size_t countOf(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
+
+TEST_F(CommandLine, EveryCommandSaysTheSameOfAStudyOnce) {
+    const fs::path directory = study(lag);
+    const std::string path = directory.string();
+    const std::string remark = "study.json:4:49: warning: \"mxa\" is no member of a parameter";
+    change(directory, "\"max\": 10}, \"k\"", "\"mxa\": 10}, \"k\"");
+    const std::vector<std::vector<std::string>> commands{
+        {"check", path},
+        {"simulate", path, "--out", (scratch / "s").string()},
+        {"fit", path, "--out", (scratch / "f").string()},
+        {"discover", "--kinds", "sensor.lag,sensor.offset", path, "--out", (scratch / "d").string()},
+        {"export", path, "--csv", (scratch / "e.csv").string(), "--modelica", (scratch / "e.mo").string()},
+        {"pack", path, (scratch / "p.analogon").string()}};
+    for (const auto& command : commands) {
+        const Result sound = run(command);
+        EXPECT_EQ(sound.status, done) << command.front() << sound.err;
+        EXPECT_EQ(countOf(sound.err, remark), 1u) << command.front() << "\n" << sound.err;
+        EXPECT_EQ(countOf(sound.err, "hint: Did you mean \"max\"?"), 1u) << command.front() << "\n" << sound.err;
+    }
+    change(directory, "\"outputs\": {\"y\"", "\"outputs\": {\"yy\"");
+    const std::string fault = "study.json:3:60: error: experiment 'step': the model 'Lag' has no output 'yy'";
+    for (const auto& command : commands) {
+        const Result faulty = run(command);
+        EXPECT_EQ(faulty.status, command.front() == "pack" ? done : inputAtFault) << "an archive keeps what there is";
+        EXPECT_EQ(countOf(faulty.err, fault), 1u) << command.front() << "\n" << faulty.err;
+        EXPECT_EQ(countOf(faulty.err, remark), 1u) << command.front() << "\n" << faulty.err;
+        EXPECT_EQ(countOf(faulty.err, "error:"), 1u) << command.front() << "\n" << faulty.err;
+    }
+}
+
+TEST_F(CommandLine, ChecksAStartOfAVariableAndAClockAsAFitTakesThem) {
+    for (const char* start : {"0.1", "\"fit\"", "\"y\""}) {
+        const fs::path directory = study(lag);
+        change(directory, "\"outputs\": {\"y\": \"y\"}",
+               std::string("\"initial\": {\"y\": ") + start +
+                   "}, \"outputs\": {\"y\": {\"column\": \"y\", \"clock\": \"fit\"}}");
+        const Result checked = run({"check", directory.string()});
+        EXPECT_EQ(checked.status, done) << start << checked.err;
+        const Result fitted = run({"fit", directory.string(), "--out", (scratch / "out").string()});
+        EXPECT_EQ(fitted.status, done) << start << fitted.err;
+    }
+}
+
+TEST_F(CommandLine, RefusesAFitOfNothing) {
+    const fs::path directory = study(lag);
+    const std::string json = contentOf(directory / "study.json");
+    std::ofstream(directory / "study.json") << json.substr(0, json.find("\"parameters\"")) << "\"parameters\": {}}";
+    const Result checked = run({"check", directory.string()});
+    EXPECT_EQ(checked.status, done);
+    EXPECT_THAT(checked.err, HasSubstr("warning: there is nothing to fit"));
+    const Result fitted = run({"fit", directory.string(), "--out", (scratch / "out").string()});
+    EXPECT_EQ(fitted.status, inputAtFault);
+    EXPECT_THAT(fitted.err, HasSubstr("error: there is nothing to fit"));
+    EXPECT_EQ(run({"simulate", directory.string(), "--out", (scratch / "out").string()}).status, done);
+}
+
+TEST_F(CommandLine, HoldsTheRangeOfAParameterInEveryCommand) {
+    std::string text = lag;
+    text.replace(text.find("T(unit=\"s\") = 1"), 15, "T(unit=\"s\", min=0) = -1");
+    const fs::path directory = study(text);
+    const std::string out = (scratch / "out").string();
+    for (const auto& command : std::vector<std::vector<std::string>>{
+             {"check", directory.string()},
+             {"check", (directory / "model.mo").string()},
+             {"simulate", directory.string(), "--out", out},
+             {"fit", directory.string(), "--out", out},
+             {"export", directory.string(), "--modelica", (scratch / "e.mo").string()}}) {
+        const Result result = run(command);
+        EXPECT_EQ(result.status, inputAtFault) << command.front();
+        EXPECT_EQ(countOf(result.err, "model.mo:2:39: error: the parameter 'T' is -1, below its min 0"), 1u)
+            << command.front() << "\n"
+            << result.err;
+    }
+}
+
+TEST_F(CommandLine, EndsNamesAtTheirCommasAndFindsTheStudyWhereverItStands) {
+    const std::string directory = study(lag).string(), out = (scratch / "out").string();
+    const Result discovered = run({"discover", "--kinds", "sensor.lag,sensor.offset", directory, "--out", out});
+    EXPECT_EQ(discovered.status, done) << discovered.err;
+    const Result fitted = run({"fit", "--profile", "T,k", directory, "--out", out});
+    EXPECT_EQ(fitted.status, done) << fitted.err;
+    const Result twice = run({"fit", "--profile", "T", "--profile", "k", directory, "--out", out});
+    EXPECT_EQ(twice.status, done) << twice.err;
+    for (const char* name : {"profile of T", "profile of k"})
+        EXPECT_THAT(contentOf(fs::path(out) / "report.html"), HasSubstr(name));
+    std::ofstream(scratch / "own.mo") << "model Own\nend Own;\n";
+    const Result checked = run({"check", "--library", (scratch / "own.mo").string(), directory});
+    EXPECT_EQ(checked.status, done) << checked.err;
+}
+
+TEST_F(CommandLine, NamesAKindOfEffectThatIsNone) {
+    const fs::path out = scratch / "out";
+    const Result result = run({"discover", study(lag).string(), "--kinds", "frction.coulomb", "--out", out.string()});
+    EXPECT_EQ(result.status, inputAtFault);
+    EXPECT_THAT(result.err, HasSubstr("error: there is no kind of effect 'frction.coulomb'"));
+    EXPECT_THAT(result.err, HasSubstr("Did you mean 'friction.coulomb'?"));
+    EXPECT_FALSE(fs::exists(out));
+    EXPECT_EQ(run({"check", study(lag).string(), "--class", "Lag"}).status, inputAtFault) << "it would do nothing";
+}
+
+TEST_F(CommandLine, NamesTheArchiveInWhatItRemarks) {
+    std::string text = lag;
+    const fs::path directory = study(text.replace(text.find("T(unit=\"s\")"), 11, "T(unit=\"s\", min=0)"));
+    change(directory, "\"T\": {\"fit\": true, \"min\": 0.1", "\"T\": {\"fit\": true, \"mni\": 3, \"min\": -1");
+    const std::string archive = (scratch / "p.analogon").string();
+    ASSERT_EQ(run({"pack", directory.string(), archive}).status, done);
+    for (const auto& command : std::vector<std::vector<std::string>>{
+             {"check", archive}, {"simulate", archive, "--out", (scratch / "out").string()}}) {
+        const Result said = run(command);
+        EXPECT_EQ(said.status, done) << said.err;
+        EXPECT_THAT(said.err, HasSubstr("lies below the min 0 of its declaration"));
+        EXPECT_EQ(countOf(said.err, "warning:"), 2u) << said.err;
+        EXPECT_EQ(countOf(said.err, "p.analogon"), 2u) << "never where it was unpacked to:\n" << said.err;
+    }
+}
+
 TEST_F(CommandLine, EndsSoonWhenInterrupted) {
     const fs::path example = root / "examples" / "water-pump";
     ASSERT_TRUE(fs::exists(example / "study.json"));

@@ -24,6 +24,7 @@
 #include <fstream>
 #include <random>
 
+#include "core/study/validate.hpp"
 #include "core/syntax/parser.hpp"
 #include "ui/canvas/block_item.hpp"
 #include "ui/canvas/diagram_scene.hpp"
@@ -201,6 +202,36 @@ TEST_F(Window, ShowsWhyAStudyCannotBeRead) {
     for (QLabel* label : panel<StartPage>()->findChildren<QLabel*>())
         isTold = isTold || (label->isVisible() && label->text().contains("/nowhere/at/all"));
     EXPECT_TRUE(isTold);
+}
+
+/// The same words as the command line, once each.
+TEST_F(Window, SaysOfAStudyWhatEveryCommandSays) {
+    const fs::path directory = makeStudy("remarked", 0);
+    std::string json = studyJsonText;
+    json.replace(json.find("\"min\": 0.001"), 12, "\"mni\": 3, \"min\": -1");
+    std::ofstream(directory / "study.json") << json;
+    const Outcome<Study> study = readStudy(directory);
+    ASSERT_TRUE(study);
+    Diagnostics wanted = study.diagnostics();
+    const Outcome<ValidStudy> valid = validated(*study, Purpose::Simulate);
+    wanted.insert(wanted.end(), valid.diagnostics().begin(), valid.diagnostics().end());
+    ASSERT_EQ(wanted.size(), 2u) << format(wanted);
+
+    ASSERT_NO_FATAL_FAILURE(open(directory));
+    ASSERT_TRUE(waitUntil([&] { return document().before() != nullptr; }));
+    auto* list = panel<MessagePanel>()->list();
+    ASSERT_TRUE(waitUntil([&] { return list->count() == 2; })) << list->count();
+    for (const Diagnostic& d : wanted)
+        EXPECT_EQ(list->findItems(QString::fromStdString(d.message.english()), Qt::MatchContains).size(), 1)
+            << d.message;
+    // what is mended is told no more, a value outside the range is an error of the model
+    StudyParameter mended = document().study().parameters.at("mount.G");
+    mended.min = 0.001;
+    document().setStudyParameter("mount.G", mended, "Mend");
+    EXPECT_TRUE(waitUntil([&] { return list->count() == 1; }));
+    document().typeText(document().modelText().replace("mount(G=", "mount(G=-"));
+    EXPECT_TRUE(waitUntil([&] { return document().modelError() != nullptr; }));
+    EXPECT_EQ(document().modelError()->message.english().find("the parameter 'mount.G' is -"), 0u);
 }
 
 TEST_F(Window, DrawsTheDiagramAndListsParametersAndChannels) {

@@ -182,6 +182,7 @@ void Document::adoptStudy(Study study, std::shared_ptr<const TemporaryDirectory>
     beforeFit_.reset();
     facts_ = {};
     modelError_.reset();
+    setMessages(Message::Origin::Check, {});
     setMessages(Message::Origin::Run, {});
     ++revision_;
     ++tracesVersion_;

@@ -25,7 +25,7 @@ const char* commandName(RunKind kind);
 
 /// A message with the part of the work it came from; opening a study or changing the model replaces its own.
 struct Message {
-    enum class Origin { Study, Model, Run };
+    enum class Origin { Study, Model, Check, Run };
     Origin origin{Origin::Study};
     Diagnostic diagnostic;
 };
@@ -158,6 +158,8 @@ public:
     std::vector<PastRun> pastRuns() const;
 
     void setRunMessages(Diagnostics messages);
+    /// What the examination of the study says, as every command does before it works on it.
+    void setCheckMessages(const Diagnostics& messages) { setMessages(Message::Origin::Check, messages); }
     const std::vector<Message>& messages() const { return messages_; }
 
 Q_SIGNALS:

@@ -1,6 +1,7 @@
 #include "ui/document/model_facts.hpp"
 
 #include "core/flat/flat_model.hpp"
+#include "core/study/parameter_reader.hpp"
 
 namespace analogon::ui {
 
@@ -12,6 +13,7 @@ ModelFacts modelFacts(const Study& study) {
     const Outcome<FlatModel> flat = flatten(*library, study.className);
     facts.messages.insert(facts.messages.end(), flat.diagnostics().begin(), flat.diagnostics().end());
     if (!flat) return facts;
+    for (Diagnostic& fault : outsideRange(*flat, study)) facts.messages.push_back(std::move(fault));
     for (std::size_t i = 0; i < flat->variables.size(); ++i) {
         const FlatVariable& v = flat->variables[i];
         if (v.causality == FlatCausality::Input) facts.inputs.push_back({v.name, flat->unitOf(v), v.description});

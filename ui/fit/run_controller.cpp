@@ -272,7 +272,10 @@ void RunController::preview() {
     if (!document_.isOpen() || (run_.isBusy() && document_.before())) return;
     if (!document_.definition() && document_.before()) return;  // a text being typed: the last traces stay
     if (!document_.canRun()) return preview_.drop();
-    if (document_.result() && !document_.isResultStale()) return;  // its traces are what is shown
+    if (document_.result() && !document_.isResultStale()) {  // its traces and remarks are what is shown
+        document_.setCheckMessages({});
+        return;
+    }
     if (hasNewRecordings())
         showMeasured();
     else
@@ -315,9 +318,10 @@ void RunController::simulateAsItStands() {
                 document_.setMeasured(std::move(seen.measured));
                 return Q_EMIT concluded(tr("%1 stopped.").arg(runName(RunKind::Simulate)));
             }
-            if (seen.run) return document_.setSimulated(std::move(seen.run->finding.baseline));
             // What the analysis says of the model is told already.
-            if (!document_.modelError() && document_.definition()) document_.setRunMessages(seen.run.diagnostics());
+            const bool isTold = !seen.run && (document_.modelError() || !document_.definition());
+            document_.setCheckMessages(isTold ? Diagnostics() : seen.run.diagnostics());
+            if (seen.run) return document_.setSimulated(std::move(seen.run->finding.baseline));
             document_.setMeasured(std::move(seen.measured));
         });
 }

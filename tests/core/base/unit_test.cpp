@@ -123,6 +123,33 @@ TEST(Unit, RefusesWhatIsNoUnit) {
     EXPECT_FALSE(isKnownUnit(std::string(10000, 'm')));
 }
 
+TEST(Unit, ReadsTheSpellingsOfLoggers) {
+    expectConversion("kPa abs", "Pa", 1000);
+    expectConversion("bar abs", "Pa", 1e5);
+    expectConversion("Deg C", "K", 1, 273.15);
+    expectConversion("deg. C", "K", 1, 273.15);
+    expectConversion("r/s", "rad/s", 2 * pi);
+    expectConversion("r/min", "rad/s", pi / 30);
+    expectConversion("msec", "s", 1e-3);
+    expectConversion("milliseconds rel", "s", 1e-3);
+    expectConversion("A rms", "A", 1);
+    expectConversion("V dc", "V", 1);
+    expectConversion("ccps", "m3/s", 1e-6);
+}
+
+TEST(Unit, TakesNoUnitForOneOfAnotherZero) {
+    for (const char* gauge : {"bar rel", "kPa gauge", "bar g"}) {
+        EXPECT_FALSE(isKnownUnit(gauge) && areConvertible(gauge, "Pa")) << gauge;
+        EXPECT_EQ(unitAlike(gauge), "") << gauge;
+        EXPECT_TRUE(beginsWithUnitOf(gauge, "Pa")) << gauge;
+    }
+    EXPECT_EQ(unitAlike("kPa at inlet"), "kPa");
+    EXPECT_EQ(unitAlike("degCC"), "degC");
+    EXPECT_EQ(unitAlike("ambient"), "");
+    EXPECT_FALSE(beginsWithUnitOf("in front", "K"));
+    EXPECT_FALSE(beginsWithUnitOf("kPa", "Pa")) << "it is one";
+}
+
 TEST(Unit, IsSafeToUseFromSeveralThreads) {
     std::vector<std::thread> threads;
     std::vector<int> failures(4, 0);

@@ -151,17 +151,6 @@ TEST(Flatten, KnowsTheInterpolationOfTheStandardLibrary) {
                 ElementsAre(HasSubstr("the Modelica Standard Library is not part of Analogon")));
 }
 
-TEST(Flatten, AParameterOutsideItsRangeIsNoted) {
-    const Outcome<FlatModel> m = flatten(libraryOf(R"(model M
-        parameter Real a(min = 0, max = 1) = 2; parameter Real b(min = 0) = -a; parameter Real c(max = 3) = 3;
-        Real x = a + b + c; end M;)"),
-                                         "M");
-    ASSERT_TRUE(m) << format(m.diagnostics());
-    ASSERT_EQ(m.diagnostics().size(), 2u);
-    EXPECT_EQ(m.diagnostics()[0].message, "the parameter 'a' is 2, above its max 1");
-    EXPECT_EQ(m.diagnostics()[1].message, "the parameter 'b' is -2, below its min 0");
-}
-
 TEST(Flatten, AnIntegerHasNoDerivative) {
     EXPECT_THAT(faultsOf("model M Integer k; equation der(k) = 1; end M;"),
                 ElementsAre(HasSubstr("der needs a Real variable")));

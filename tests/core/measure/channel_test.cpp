@@ -9,6 +9,7 @@ using namespace analogon;
 using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 namespace {
 
@@ -76,6 +77,43 @@ TEST(Channel, NamesUnknownAndInconvertibleUnits) {
     EXPECT_EQ(faultOf(readChannel(file, column("a"), "K")).message, "the unit 'blorb' of column 'a' is not known");
     const Diagnostic fault = faultOf(readChannel(file, column("b"), "K"));
     EXPECT_EQ(fault.message, "column 'b' is in 'V', which cannot be converted to the 'K' of the model");
+}
+
+TEST(Channel, NamesWhatIsNearAnUnknownUnitAndNeverTheModels) {
+    const Table file = table("t [s],p [kPa gauge],q [mbarr],r [blorb]\n0,1,2,3\n");
+    const Diagnostic gauge = faultOf(readChannel(file, column("p"), "Pa"));
+    EXPECT_THAT(gauge.hint.english(), Not(HasSubstr("Did you mean")));
+    EXPECT_THAT(gauge.hint.english(), HasSubstr("{\"column\": \"p\", \"unit\": …}"));
+    EXPECT_EQ(gauge.place.line, 1);
+    EXPECT_EQ(gauge.place.column, 7);
+    EXPECT_THAT(faultOf(readChannel(file, column("q"), "Pa")).hint.english(), HasSubstr("Did you mean 'mbar'?"));
+    for (const char* name : {"p", "q", "r"})
+        EXPECT_THAT(faultOf(readChannel(file, column(name), "Pa")).hint.english(), Not(HasSubstr("'Pa'"))) << name;
+}
+
+TEST(Channel, TakesAUnitInRoundBracketsForOne) {
+    const Table file =
+        table("Time (msec),p (kPa abs),n (r/s),T (Deg C),I (A rms)\n0,101.3,41.5,84,4.2\n100,101.3,41.5,85,4.2\n");
+    EXPECT_THAT(*readTime(file, "Time"), ElementsAre(0, DoubleNear(0.1, 1e-12)));
+    EXPECT_NEAR(readChannel(file, column("p"), "Pa")->front(), 101300, 1e-6);
+    EXPECT_NEAR(readChannel(file, column("p (kPa abs)"), "Pa")->front(), 101300, 1e-6);
+    EXPECT_NEAR(readChannel(file, column("n"), "rad/s")->front(), 260.752, 1e-3);
+    EXPECT_NEAR(readChannel(file, column("T"), "K")->front(), 357.15, 1e-9);
+    EXPECT_EQ(readChannel(file, column("I"), "A")->front(), 4.2);
+}
+
+TEST(Channel, NeverTakesTheModelsUnitInSilence) {
+    const Table file = table("t,p (kPa gauge),T (ambient),u (2)\n0,1,2,3\n");
+    EXPECT_THAT(faultOf(readChannel(file, column("p (kPa gauge)"), "Pa")).message,
+                HasSubstr("the unit 'kPa gauge' of column 'p (kPa gauge)' is not known"));
+    const auto ambient = readChannel(file, column("T (ambient)"), "K");
+    ASSERT_TRUE(ambient);
+    ASSERT_EQ(ambient.diagnostics().size(), 1u) << "a word in brackets may be a part of the name, and is told";
+    EXPECT_EQ(ambient.diagnostics()[0].severity, Severity::Warning);
+    EXPECT_THAT(ambient.diagnostics()[0].message, HasSubstr("'(ambient)'"));
+    EXPECT_EQ(ambient.diagnostics()[0].place.column, 17);
+    EXPECT_TRUE(readChannel(file, column("T (ambient)", "degC"), "K").diagnostics().empty()) << "the study says it";
+    EXPECT_TRUE(readChannel(file, column("u (2)"), "V").diagnostics().empty()) << "a number is an index";
 }
 
 TEST(Channel, DoesNotTakeASpeedForATime) {

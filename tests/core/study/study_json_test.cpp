@@ -86,8 +86,73 @@ TEST(StudyJson, PointsAtBrokenJson) {
     EXPECT_GE(fault.place.column, 11);
     EXPECT_THAT(fault.message, HasSubstr("not valid JSON"));
     EXPECT_THAT(faultOf("").message, HasSubstr("not valid JSON"));
-    EXPECT_THAT(faultOf("{\"a\": 1e999}").message, HasSubstr("not valid JSON"));
     EXPECT_THAT(faultOf("[]").message, HasSubstr("expected an object"));
+}
+
+TEST(StudyJson, PointsAtWhatIsNoNumber) {
+    const auto withMax = [](const std::string& value) {
+        return "{\"format\": \"analogon-study-1\", \"class\": \"1e999\", \"experiments\": [],\n"
+               "\"parameters\": {\"R\": {\"max\": " +
+               value + "}}}";
+    };
+    const Diagnostic large = faultOf(withMax("1e999"));
+    EXPECT_EQ(large.message, "the number 1e999 is too large");
+    EXPECT_EQ(large.place.line, 2) << "not in the text of the line before";
+    EXPECT_EQ(large.place.column, 29);
+    for (const char* word : {"NaN", "nan", "-Infinity", "Infinity", "True"}) {
+        const Diagnostic fault = faultOf(withMax(word));
+        EXPECT_EQ(fault.message.english(), "this is not valid JSON: " + std::string(word) + " is no value");
+        EXPECT_EQ(fault.place.line, 2) << word;
+        EXPECT_EQ(fault.place.column, 29) << word;
+    }
+}
+
+/// At every level, in the same words, with the name that is near.
+TEST(StudyJson, TellsUnknownMembersWhereverTheyStandAndKeepsThem) {
+    const std::string text = R"({"format": "analogon-study-1", "class": "M", "paramters": {"x": 1},
+      "experiments": [{"name": "a", "role": "fit", "file": "a.csv", "time": "t", "rang": [1, 2],
+        "inputs": {"u": {"column": "U", "wieght": 2}},
+        "outputs": {"y": {"column": "Y", "by": "hand", "weight": 2}}}],
+      "parameters": {"R": {"mim": 0, "prior": {"mean": 1, "std": 2, "sdt": 3}}}})";
+    const Outcome<Study> study = parse(text);
+    ASSERT_TRUE(study.hasValue()) << format(study.diagnostics());
+    const std::vector<std::tuple<std::string, std::string, int>> wanted{
+        {"wieght", "weight", 3}, {"by", "", 4},     {"rang", "range", 2},
+        {"sdt", "std", 5},       {"mim", "min", 5}, {"paramters", "parameters", 1}};
+    ASSERT_EQ(study.diagnostics().size(), wanted.size()) << format(study.diagnostics());
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const auto& [name, meant, line] = wanted[i];
+        const Diagnostic& d = study.diagnostics()[i];
+        EXPECT_THAT(d.message, HasSubstr("\"" + name + "\" is no member of"));
+        EXPECT_EQ(d.hint.english(), meant.empty() ? std::string() : "Did you mean \"" + meant + "\"?");
+        EXPECT_EQ(d.place.line, line) << name;
+        EXPECT_GT(d.place.column, 0);
+    }
+    const std::string written = studyJson(*study);
+    for (const auto& [name, meant, line] : wanted) EXPECT_THAT(written, HasSubstr("\"" + name + "\"")) << name;
+    const Outcome<Study> again = parse(written);
+    ASSERT_TRUE(again.hasValue()) << format(again.diagnostics());
+    EXPECT_EQ(studyJson(*again), written);
+    EXPECT_EQ(again->experiments[0].outputs.at("y").weight, 2);
+    // members of what is gone go with it
+    Study less = *study;
+    less.experiments[0].inputs.clear();
+    less.parameters.at("R").prior.reset();
+    const std::string rest = studyJson(less);
+    EXPECT_EQ(rest.find("wieght"), std::string::npos);
+    EXPECT_EQ(rest.find("sdt"), std::string::npos);
+}
+
+TEST(StudyJson, SaysWhatAMisspeltRoleOrScaleMayMean) {
+    const Diagnostic role = faultOf(
+        "{\"format\": \"analogon-study-1\", \"class\": \"M\", \"experiments\": "
+        "[{\"name\": \"a\", \"role\": \"Fit\", \"file\": \"a.csv\", \"time\": \"t\"}]}");
+    EXPECT_THAT(role.message, HasSubstr("expected \"fit\" or \"validate\", found the text \"Fit\""));
+    EXPECT_EQ(role.hint, "Did you mean \"fit\"?");
+    const Diagnostic scale = faultOf(
+        "{\"format\": \"analogon-study-1\", \"class\": \"M\", \"experiments\": [], "
+        "\"parameters\": {\"R\": {\"scale\": \"Log\"}}}");
+    EXPECT_EQ(scale.hint, "Did you mean \"log\"?");
 }
 
 TEST(StudyJson, NamesMissingMembersAndWrongTypes) {

@@ -93,6 +93,7 @@ TEST_F(StudyTask, ReadsStartValuesOfAnExperiment) {
     putHeater();
     change("\"outputs\": {\"i\": \"current\"}",
            "\"outputs\": {\"i\": \"current\"}, \"initial\": {\"T_start\": \"T_air\", \"G\": \"fit\", \"C\": 4}");
+    change("\"C\": {\"fit\": true", "\"C\": {\"fit\": false");  // else it had two starts
     const EstimationTask result = task();
     const auto& starts = result.recordings.at(0).starts;
     ASSERT_EQ(starts.size(), 3u);
