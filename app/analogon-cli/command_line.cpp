@@ -10,6 +10,7 @@
 #include <mutex>
 #include <utility>
 
+#include "app/analogon-cli/channels.hpp"
 #include "app/analogon-cli/check.hpp"
 #include "app/analogon-cli/convert.hpp"
 #include "app/analogon-cli/generate.hpp"
@@ -51,6 +52,8 @@ const char* name(Command command) {
             return "export";
         case Command::Generate:
             return "generate";
+        case Command::Channels:
+            return "channels";
         case Command::Pack:
             return "pack";
         case Command::Unpack:
@@ -188,6 +191,8 @@ int execute(const Options& options, Interrupt& interrupt) {
             return check(options, std::cout, std::cerr);
         case Command::Generate:
             return generate(options, std::cout, std::cerr);
+        case Command::Channels:
+            return channels(options, std::cout, std::cerr);
         case Command::Export:
             return exportStudy(options, std::cout, std::cerr);
         case Command::Pack:
@@ -287,6 +292,13 @@ void describe(CLI::App& app, Options& options) {
         ->type_name("FILE");
     exporting->add_option("--csv", options.csvFile, "Receives measured and simulated traces")->type_name("FILE");
     addCommon(*exporting, options);
+
+    CLI::App* channels = command(Command::Channels, "What a measurement file holds: groups, channels, units, rasters");
+    channels->add_option("file", options.input, "ASAM MDF, MATLAB, TDMS, XLSX or a text table")
+        ->required()
+        ->type_name("FILE");
+    channels->add_flag("--json", options.asJson, "As JSON");
+    channels->add_flag("--values", options.withValues, "Read the values: first, last, min, max, mean of each channel");
 
     CLI::App* packing = command(Command::Pack, "A study as one .analogon file");
     packing->add_option("study", options.input, "The study: a directory or its study.json")

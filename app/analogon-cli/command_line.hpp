@@ -10,7 +10,7 @@ namespace analogon::cli {
 /// The exit statuses of the program.
 enum ExitStatus { done = 0, inputAtFault = 2, numericsFailed = 3, interrupted = 130 };
 
-enum class Command { Check, Simulate, Fit, Discover, Export, Generate, Pack, Unpack };
+enum class Command { Check, Simulate, Fit, Discover, Export, Generate, Channels, Pack, Unpack };
 enum class PrintKind { None, Flat, Structure, Program };
 enum class ProgressKind { Automatic, Bar, Json, None };
 
@@ -31,6 +31,7 @@ struct Options {
     std::filesystem::path traceFile;                       // discover: receives its decisions
     std::vector<std::string> domains;                      // generate
     std::filesystem::path fmuFile, modelicaFile, csvFile;  // export
+    bool asJson{}, withValues{};                           // channels
     std::vector<std::filesystem::path> data;               // generate: one, or several of which the last validates
 };
 

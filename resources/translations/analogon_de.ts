@@ -5150,6 +5150,258 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>„{}“ in Spalte „{}“ ist keine Zahl</translation>
     </message>
     <message>
+        <source>this cannot be read: {}</source>
+        <translation>dies lässt sich nicht lesen: {}</translation>
+    </message>
+    <message>
+        <source>reading was stopped</source>
+        <translation>das Lesen wurde angehalten</translation>
+    </message>
+    <message>
+        <source>variable &quot;{}&quot; cannot be read</source>
+        <translation>Variable „{}“ lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>the file is damaged: it cannot be opened</source>
+        <translation>die Datei ist beschädigt: sie lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>copy it again from where it was recorded</source>
+        <translation>sie noch einmal von dort kopieren, wo sie aufgezeichnet wurde</translation>
+    </message>
+    <message>
+        <source>no channels: {}</source>
+        <translation>keine Kanäle: {}</translation>
+    </message>
+    <message>
+        <source>the file holds no channel with values</source>
+        <translation>die Datei enthält keinen Kanal mit Werten</translation>
+    </message>
+    <message>
+        <source>channel &quot;{}&quot;: its fields scale and offset are applied, data*{} + {}</source>
+        <translation>Kanal „{}“: seine Felder scale und offset sind angewandt, data*{} + {}</translation>
+    </message>
+    <message>
+        <source>variable &quot;{}&quot; is an object ({}) that only MATLAB can read; there: {}</source>
+        <translation>Variable „{}“ ist ein Objekt ({}), das nur MATLAB lesen kann; dort: {}</translation>
+    </message>
+    <message>
+        <source>group &quot;{}&quot; has no time: its samples can only be counted</source>
+        <translation>Gruppe „{}“ hat keine Zeit: ihre Werte können nur gezählt werden</translation>
+    </message>
+    <message>
+        <source>the file ends in the middle of a variable</source>
+        <translation>die Datei endet mitten in einer Variablen</translation>
+    </message>
+    <message>
+        <source>no variable is in this file</source>
+        <translation>in dieser Datei ist keine Variable</translation>
+    </message>
+    <message>
+        <source>the file is damaged: the lengths in it contradict each other</source>
+        <translation>die Datei ist beschädigt: die Längen darin widersprechen einander</translation>
+    </message>
+    <message>
+        <source>the file ends behind its identification: no measurement is in it</source>
+        <translation>die Datei endet nach ihrer Kennung: sie enthält keine Messung</translation>
+    </message>
+    <message>
+        <source>MDF version &quot;{}&quot; is not known</source>
+        <translation>MDF-Version „{}“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>versions 2 to 4.2 can be read</source>
+        <translation>die Versionen 2 bis 4.2 können gelesen werden</translation>
+    </message>
+    <message>
+        <source>the header of the file is damaged</source>
+        <translation>der Kopf der Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the recorder did not close the file: what it had written is read</source>
+        <translation>das Messgerät hat die Datei nicht abgeschlossen: was es geschrieben hatte, ist gelesen</translation>
+    </message>
+    <message>
+        <source>the file is damaged: its blocks refer to each other in a circle</source>
+        <translation>die Datei ist beschädigt: ihre Blöcke verweisen im Kreis aufeinander</translation>
+    </message>
+    <message>
+        <source>the file is damaged: no block of the expected kind at byte {}</source>
+        <translation>die Datei ist beschädigt: bei Byte {} liegt kein Block der erwarteten Art</translation>
+    </message>
+    <message>
+        <source>a group is left out: {} record ids for each record cannot be</source>
+        <translation>eine Gruppe ist ausgelassen: {} Kennungen je Datensatz kann es nicht geben</translation>
+    </message>
+    <message>
+        <source>channel &quot;{}&quot; is left out: values of type {} cannot be read</source>
+        <translation>Kanal „{}“ ist ausgelassen: Werte der Art {} können nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>group &quot;{}&quot; has no samples</source>
+        <translation>Gruppe „{}“ hat keine Werte</translation>
+    </message>
+    <message>
+        <source>the file is damaged: names, units or comments are missing</source>
+        <translation>die Datei ist beschädigt: Namen, Einheiten oder Kommentare fehlen</translation>
+    </message>
+    <message>
+        <source>a group is left out: record ids of {} bytes cannot be</source>
+        <translation>eine Gruppe ist ausgelassen: Kennungen von {} Byte kann es nicht geben</translation>
+    </message>
+    <message>
+        <source>array &quot;{}&quot; is left out: its form cannot be read</source>
+        <translation>Feld „{}“ ist ausgelassen: seine Form lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>channel &quot;{}&quot;: the file marks all its values as invalid</source>
+        <translation>Kanal „{}“: die Datei erklärt alle seine Werte für ungültig</translation>
+    </message>
+    <message>
+        <source>the file ends in the middle of its data (a broken copy?)</source>
+        <translation>die Datei endet mitten in ihren Daten (eine abgebrochene Kopie?)</translation>
+    </message>
+    <message>
+        <source>the file is damaged: a part of its data is left out</source>
+        <translation>die Datei ist beschädigt: ein Teil ihrer Daten ist ausgelassen</translation>
+    </message>
+    <message>
+        <source>group &quot;{}&quot; holds {} raw frames of the bus {}, no signals: decode them with the bus's database (DBC, ARXML) in the recording tool and export the signals</source>
+        <translation>Gruppe „{}“ enthält {} rohe Botschaften des Busses {}, keine Signale: sie im Messprogramm mit der Datenbank des Busses (DBC, ARXML) entschlüsseln und die Signale exportieren</translation>
+    </message>
+    <message>
+        <source>channel &quot;{}&quot;: its conversion &quot;{}&quot; cannot be read, its values are those of the record</source>
+        <translation>Kanal „{}“: seine Umrechnung „{}“ lässt sich nicht lesen, seine Werte sind die rohen</translation>
+    </message>
+    <message>
+        <source>channel &quot;{}&quot;: values that have a text in place of a number (such as &quot;{}&quot;) are gaps</source>
+        <translation>Kanal „{}“: Werte, die statt einer Zahl einen Text haben (wie „{}“), sind Lücken</translation>
+    </message>
+    <message>
+        <source>channel &quot;{}&quot; is left out: {} bits cannot be a value of its type</source>
+        <translation>Kanal „{}“ ist ausgelassen: {} Bit können kein Wert seiner Art sein</translation>
+    </message>
+    <message>
+        <source>channel &quot;{}&quot; is left out: it lies outside its record</source>
+        <translation>Kanal „{}“ ist ausgelassen: er liegt außerhalb seines Datensatzes</translation>
+    </message>
+    <message>
+        <source>the texts of a channel are missing in the file, or too long</source>
+        <translation>die Texte eines Kanals fehlen in der Datei oder sind zu lang</translation>
+    </message>
+    <message>
+        <source>a packed block is damaged: {} samples are lost and read as gaps</source>
+        <translation>ein gepackter Block ist beschädigt: {} Werte sind verloren und als Lücken gelesen</translation>
+    </message>
+    <message>
+        <source>the data end after {} of {} samples: what follows is damaged or missing</source>
+        <translation>die Daten enden nach {} von {} Werten: was folgt, ist beschädigt oder fehlt</translation>
+    </message>
+    <message>
+        <source>whole numbers above 2^53 were rounded to 53 bits</source>
+        <translation>ganze Zahlen über 2^53 wurden auf 53 Bit gerundet</translation>
+    </message>
+    <message>
+        <source>group &quot;{}&quot;: {} samples without data cannot be</source>
+        <translation>Gruppe „{}“: {} Werte ohne Daten kann es nicht geben</translation>
+    </message>
+    <message>
+        <source>group &quot;{}&quot;: the last record is incomplete ({} of {} bytes) and left out</source>
+        <translation>Gruppe „{}“: der letzte Datensatz ist unvollständig ({} von {} Byte) und ausgelassen</translation>
+    </message>
+    <message>
+        <source>group &quot;{}&quot;: {} of {} samples are there, the file is shorter than it says (a broken copy?)</source>
+        <translation>Gruppe „{}“: {} von {} Werten sind da, die Datei ist kürzer, als sie angibt (eine abgebrochene Kopie?)</translation>
+    </message>
+    <message>
+        <source>group &quot;{}&quot;: data of {} samples are there, {} are told and read</source>
+        <translation>Gruppe „{}“: Daten von {} Werten sind da, {} sind angegeben und gelesen</translation>
+    </message>
+    <message>
+        <source>group &quot;{}&quot;: {} samples are told, {} are there and read</source>
+        <translation>Gruppe „{}“: {} Werte sind angegeben, {} sind da und gelesen</translation>
+    </message>
+    <message>
+        <source>this file is of no kind that can be read</source>
+        <translation>diese Datei ist von keiner Art, die gelesen werden kann</translation>
+    </message>
+    <message>
+        <source>ASAM MDF, MATLAB, TDMS, XLSX and text tables can be read: export the recording as one of them</source>
+        <translation>ASAM MDF, MATLAB, TDMS, XLSX und Texttabellen können gelesen werden: die Aufzeichnung als eines davon exportieren</translation>
+    </message>
+    <message>
+        <source>group &quot;{}&quot;: its master jumps back {} times, first at sample {}</source>
+        <translation>Gruppe „{}“: ihre Leitgröße springt {}-mal zurück, zuerst bei Wert {}</translation>
+    </message>
+    <message>
+        <source>group &quot;{}&quot;: {} stamps of its master repeat the one before, first at sample {}</source>
+        <translation>Gruppe „{}“: {} Stempel ihrer Leitgröße wiederholen den vorigen, zuerst bei Wert {}</translation>
+    </message>
+    <message>
+        <source>group &quot;{}&quot;: {} stamps of its master are no finite numbers</source>
+        <translation>Gruppe „{}“: {} Stempel ihrer Leitgröße sind keine endlichen Zahlen</translation>
+    </message>
+    <message>
+        <source>no column is a time by its unit or its name</source>
+        <translation>keine Spalte ist nach Einheit oder Name eine Zeit</translation>
+    </message>
+    <message>
+        <source>the recorder did not close the file: its last part is incomplete, what is there is read</source>
+        <translation>das Messgerät hat die Datei nicht abgeschlossen: ihr letzter Teil ist unvollständig, was da ist, ist gelesen</translation>
+    </message>
+    <message>
+        <source>channel &quot;{}&quot; has no samples</source>
+        <translation>Kanal „{}“ hat keine Werte</translation>
+    </message>
+    <message>
+        <source>sheet &quot;{}&quot; has too many cells: the last ones are left out</source>
+        <translation>Blatt „{}“ hat zu viele Zellen: die letzten sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>sheet &quot;{}&quot;, column &quot;{}&quot;: numbers that were written as text are read, &quot;{}&quot; as decimal mark</source>
+        <translation>Blatt „{}“, Spalte „{}“: Zahlen, die als Text geschrieben sind, sind gelesen, „{}“ als Dezimalzeichen</translation>
+    </message>
+    <message>
+        <source>sheet &quot;{}&quot;, column &quot;{}&quot;: fractions that are shown as percent are read as percent</source>
+        <translation>Blatt „{}“, Spalte „{}“: Brüche, die als Prozent angezeigt werden, sind als Prozent gelesen</translation>
+    </message>
+    <message>
+        <source>sheet &quot;{}&quot;, column &quot;{}&quot;: {} cells with words are gaps</source>
+        <translation>Blatt „{}“, Spalte „{}“: {} Zellen mit Wörtern sind Lücken</translation>
+    </message>
+    <message>
+        <source>sheet &quot;{}&quot; has {} columns of time: each column belongs to the one on its left</source>
+        <translation>Blatt „{}“ hat {} Zeitspalten: jede Spalte gehört zu der links von ihr</translation>
+    </message>
+    <message>
+        <source>sheet &quot;{}&quot;: {} rows without a time at the end are left out</source>
+        <translation>Blatt „{}“: {} Zeilen ohne Zeit am Ende sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>the archive is damaged: it cannot be opened</source>
+        <translation>das Archiv ist beschädigt: es lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>no Excel workbook is in this archive</source>
+        <translation>in diesem Archiv ist keine Excel-Mappe</translation>
+    </message>
+    <message>
+        <source>save the table as .xlsx or as CSV</source>
+        <translation>die Tabelle als .xlsx oder als CSV speichern</translation>
+    </message>
+    <message>
+        <source>sheet &quot;{}&quot; has no numbers</source>
+        <translation>Blatt „{}“ hat keine Zahlen</translation>
+    </message>
+    <message>
+        <source>no column of numbers is in this workbook ({} sheets looked at)</source>
+        <translation>in dieser Mappe ist keine Spalte mit Zahlen ({} Blätter angesehen)</translation>
+    </message>
+    <message>
+        <source>in MATLAB save vectors and their time of one length: save('readable.mat', 't', 'y')</source>
+        <translation>in MATLAB Vektoren und ihre Zeit von gleicher Länge sichern: save('readable.mat', 't', 'y')</translation>
+    </message>
+    <message>
         <source>the file cannot be opened</source>
         <translation>die Datei lässt sich nicht öffnen</translation>
     </message>

@@ -1,0 +1,43 @@
+#include "core/measure/mapped_file.hpp"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+namespace analogon {
+
+namespace {
+
+Diagnostic cannotRead(const std::filesystem::path& file, int code) {
+    return fileError(phrase("this cannot be read: {}", std::generic_category().message(code)), file.string());
+}
+
+}  // namespace
+
+Outcome<std::shared_ptr<const MappedFile>> MappedFile::open(const std::filesystem::path& file) {
+    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) return cannotRead(file, errno);
+    struct stat status {};
+    const int known = fstat(descriptor, &status);
+    const int code = errno;
+    if (known != 0 || !S_ISREG(status.st_mode)) {
+        ::close(descriptor);
+        return known != 0 ? cannotRead(file, code) : cannotRead(file, S_ISDIR(status.st_mode) ? EISDIR : EINVAL);
+    }
+    const auto size = static_cast<std::size_t>(status.st_size);
+    void* memory = size == 0 ? nullptr : mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
+    const int mapped = errno;
+    ::close(descriptor);
+    if (memory == MAP_FAILED) return cannotRead(file, mapped);
+    return std::shared_ptr<const MappedFile>(new MappedFile(ByteView(static_cast<const std::uint8_t*>(memory), size)));
+}
+
+MappedFile::~MappedFile() {
+    if (!bytes_.empty()) munmap(const_cast<std::uint8_t*>(bytes_.data()), bytes_.size());
+}
+
+}  // namespace analogon

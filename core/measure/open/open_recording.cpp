@@ -1,0 +1,44 @@
+#include "core/measure/open/open_recording.hpp"
+
+#include "core/measure/mapped_file.hpp"
+#include "core/measure/mat/mat.hpp"
+#include "core/measure/mdf/mdf.hpp"
+#include "core/measure/table.hpp"
+#include "core/measure/table_recording.hpp"
+#include "core/measure/tdms/tdms.hpp"
+#include "core/measure/xlsx/xlsx.hpp"
+
+namespace analogon {
+
+namespace {
+
+/// Text has no zeros, unless it is UTF-16, which says so.
+bool isText(ByteView bytes) {
+    const std::string_view head = bytes.part(0, 4096).text();
+    return head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF") || head.find('\0') == std::string_view::npos;
+}
+
+Outcome<Recording> openText(const std::filesystem::path& file) {
+    Outcome<Table> table = readCsv(file);
+    if (!table) return table.diagnostics();
+    Diagnostics remarks = table.diagnostics();
+    return {recordingOf(std::move(*table), "text"), std::move(remarks)};
+}
+
+}  // namespace
+
+Outcome<Recording> openRecording(const std::filesystem::path& file) {
+    const Outcome<std::shared_ptr<const MappedFile>> mapped = MappedFile::open(file);
+    if (!mapped) return mapped.diagnostics();
+    const ByteView bytes = (*mapped)->bytes();
+    if (isMdf(bytes)) return openMdf(*mapped, file.string());
+    if (isTdms(bytes)) return openTdms(*mapped, file.string());
+    if (isZip(bytes)) return openXlsx(file.string());
+    if (isMat(bytes)) return openMat(bytes, file.string());
+    if (isText(bytes)) return openText(file);
+    return fileError(
+        phrase("this file is of no kind that can be read"), file.string(), 0, 0,
+        phrase("ASAM MDF, MATLAB, TDMS, XLSX and text tables can be read: export the recording as one of them"));
+}
+
+}  // namespace analogon

@@ -1,0 +1,241 @@
+#include "core/measure/xlsx/sheet_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "core/base/unit.hpp"
+#include "core/measure/column_header.hpp"
+#include "core/measure/table_recording.hpp"
+#include "core/measure/xlsx/cell_value.hpp"
+
+namespace analogon::xlsx {
+
+namespace {
+
+constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+
+const Cell* cellAt(const Row& row, std::uint32_t column) {
+    const auto found = std::lower_bound(row.cells.begin(), row.cells.end(), column,
+                                        [](const Cell& cell, std::uint32_t c) { return cell.column < c; });
+    return found != row.cells.end() && found->column == column ? &*found : nullptr;
+}
+
+class SheetReader {
+public:
+    SheetReader(const Sheet& sheet, std::vector<Text>& notes) : sheet_(sheet), notes_(notes) {}
+
+    std::vector<SheetTable> read() {
+        decimal_ = decimalMark();
+        first_ = firstDataRow();
+        if (first_ == sheet_.rows.size()) return {};
+        readHeader();
+        last_ = endOfData();
+        std::map<std::uint32_t, SheetColumn> columns;
+        for (std::size_t r = first_; r < last_; ++r)
+            for (const Cell& cell : sheet_.rows[r].cells) columns.try_emplace(cell.column);
+        for (auto& [index, column] : columns) readColumn(index, column);
+        if (sheet_.isCut)
+            notes_.push_back(phrase("sheet \"{}\" has too many cells: the last ones are left out", sheet_.name));
+        return tablesOf(columns);
+    }
+
+private:
+    /// A comma is the decimal mark where a text has one that cannot stand between thousands.
+    char decimalMark() {
+        bool hasTexts = false;
+        for (const Row& row : sheet_.rows)
+            for (const Cell& cell : row.cells) {
+                if (cell.kind != Cell::Kind::Text || cell.text.find_first_of("0123456789") == std::string::npos)
+                    continue;
+                const bool withComma = numberOf(cell.text, ',').has_value();
+                const bool withPoint = numberOf(cell.text, '.').has_value();
+                hasTexts = hasTexts || withComma || withPoint;
+                if (withComma != withPoint) return withComma ? ',' : '.';
+            }
+        return hasTexts ? ',' : '.';
+    }
+
+    bool isValue(const Cell& cell) const {
+        if (cell.kind != Cell::Kind::Text) return true;
+        return numberOf(cell.text, decimal_).has_value() || dateOf(cell.text).has_value();
+    }
+    bool isDataLike(const Row& row) const {
+        std::size_t values = 0, told = 0;
+        for (const Cell& cell : row.cells) {
+            if (cell.kind == Cell::Kind::Text && meansNothing(cell.text)) continue;
+            ++told;
+            values += isValue(cell) ? 1 : 0;
+        }
+        return values > 0 && 2 * values >= told;
+    }
+    /// Data are several such rows one below the other; a number in the head of a protocol stands alone.
+    std::size_t firstDataRow() const {
+        const auto& rows = sheet_.rows;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const bool hasNext = i + 1 < rows.size() && rows[i + 1].number == rows[i].number + 1;
+            if (isDataLike(rows[i]) && hasNext && isDataLike(rows[i + 1])) return i;
+        }
+        return rows.size();
+    }
+
+    void readHeader() {
+        if (first_ == 0 || sheet_.rows[first_ - 1].number + 1 != sheet_.rows[first_].number) return;
+        const Row& above = sheet_.rows[first_ - 1];
+        const bool hasRowAbove = first_ > 1 && sheet_.rows[first_ - 2].number + 1 == above.number;
+        if (hasRowAbove && isUnitsRow(above)) {
+            units_ = &above;
+            header_ = &sheet_.rows[first_ - 2];
+        } else {
+            header_ = &above;
+        }
+    }
+
+    static bool isUnitsRow(const Row& row) {
+        std::size_t units = 0;
+        for (const Cell& cell : row.cells) {
+            if (cell.kind != Cell::Kind::Text) return false;
+            const std::string unit = readUnitCell(cell.text);
+            units += unit == "-" || isKnownUnit(unit) ? 1 : 0;
+        }
+        return 2 * units > row.cells.size();
+    }
+
+    std::size_t endOfData() const {
+        std::size_t end = first_;
+        while (end < sheet_.rows.size() &&
+               (end == first_ || sheet_.rows[end].number == sheet_.rows[end - 1].number + 1))
+            ++end;
+        return end;
+    }
+
+    void readColumn(std::uint32_t index, SheetColumn& column) {
+        const Cell* head = header_ ? cellAt(*header_, index) : nullptr;
+        const Cell* unit = units_ ? cellAt(*units_, index) : nullptr;
+        column.name = columnLetters(index);
+        if (head && head->kind == Cell::Kind::Text) {
+            const ColumnHeader header = readColumnHeader(head->text);
+            column.name = header.name;
+            column.unit = header.unit;
+        }
+        if (unit) column.unit = readUnitCell(unit->text);
+        std::size_t texts = 0, values = 0, dates = 0, percents = 0, written = 0;
+        for (std::size_t r = first_; r < last_; ++r) {
+            const Cell* cell = cellAt(sheet_.rows[r], index);
+            if (!cell || (cell->kind == Cell::Kind::Text && meansNothing(cell->text))) continue;
+            const bool isDate =
+                cell->kind == Cell::Kind::Date || (cell->kind == Cell::Kind::Text && dateOf(cell->text));
+            (isValue(*cell) ? values : texts) += 1;
+            dates += isDate ? 1 : 0;
+            percents += cell->kind == Cell::Kind::Percent ? 1 : 0;
+            written += cell->kind == Cell::Kind::Text && !isDate && isValue(*cell) ? 1 : 0;
+        }
+        column.isText = texts > values;
+        column.isDate = !column.isText && 2 * dates > values;
+        const bool isPercent = column.unit == "%" && 2 * percents > values;
+        if (written > 0 && !column.isText)
+            notes_.push_back(phrase(
+                "sheet \"{}\", column \"{}\": numbers that were written as text are read, \"{}\" as decimal mark",
+                sheet_.name, column.name, std::string(1, decimal_)));
+        if (isPercent)
+            notes_.push_back(
+                phrase("sheet \"{}\", column \"{}\": fractions that are shown as percent are read as percent",
+                       sheet_.name, column.name));
+        std::size_t lost = 0;
+        for (std::size_t r = first_; r < last_; ++r) {
+            const Cell* cell = cellAt(sheet_.rows[r], index);
+            if (column.isText) {
+                column.texts.push_back(cell && cell->kind == Cell::Kind::Text ? std::optional(cell->text)
+                                                                              : std::nullopt);
+                continue;
+            }
+            const double value = cell ? valueOf(*cell, column.isDate) : gap;
+            column.numbers.push_back(isPercent && cell && cell->kind == Cell::Kind::Percent ? 100 * value : value);
+            lost += cell && cell->kind == Cell::Kind::Text && !meansNothing(cell->text) && std::isnan(value) ? 1 : 0;
+        }
+        if (lost > 0)
+            notes_.push_back(
+                phrase("sheet \"{}\", column \"{}\": {} cells with words are gaps", sheet_.name, column.name, lost));
+    }
+
+    double valueOf(const Cell& cell, bool isDate) const {
+        if (cell.kind == Cell::Kind::Error) return gap;
+        if (cell.kind != Cell::Kind::Text) return cell.number;
+        if (isDate) return dateOf(cell.text).value_or(gap);
+        return numberOf(cell.text, decimal_).value_or(gap);
+    }
+
+    static bool isTime(const SheetColumn& column) {
+        if (column.isText) return false;
+        const bool isNamed =
+            column.isDate || (column.unit.empty() ? namesTime(column.name) : areConvertible(column.unit, "s"));
+        if (!isNamed) return false;
+        double last = -INFINITY, first = NAN;
+        for (const double value : column.numbers) {
+            if (std::isnan(value)) continue;
+            if (value < last) return false;
+            if (std::isnan(first)) first = value;
+            last = value;
+        }
+        return last > first;
+    }
+
+    std::vector<SheetTable> tablesOf(std::map<std::uint32_t, SheetColumn>& columns) {
+        std::vector<SheetTable> tables(1);
+        std::size_t times = 0;
+        for (auto& [index, column] : columns) {
+            // a second column of time is one only where the first has another length or other stamps
+            if (isTime(column) &&
+                (!tables.back().time || !isSameTime(tables.back().columns[*tables.back().time], column))) {
+                if (times++ > 0) tables.emplace_back();
+                tables.back().time = tables.back().columns.size();
+            }
+            tables.back().columns.push_back(std::move(column));
+        }
+        if (times > 1)
+            notes_.push_back(phrase("sheet \"{}\" has {} columns of time: each column belongs to the one on its left",
+                                    sheet_.name, times));
+        for (SheetTable& table : tables) cut(table);
+        std::erase_if(tables, [](const SheetTable& table) { return table.columns.empty(); });
+        return tables;
+    }
+
+    static bool isSameTime(const SheetColumn& a, const SheetColumn& b) {
+        return a.isDate == b.isDate && a.numbers == b.numbers;
+    }
+
+    /// Rows behind the last time (an average, a remark) are no data; without a time, rows behind the last value.
+    void cut(SheetTable& table) {
+        std::size_t rows = 0;
+        const auto lengthOf = [](const SheetColumn& column) {
+            std::size_t length = column.isText ? column.texts.size() : column.numbers.size();
+            while (length > 0 && (column.isText ? !column.texts[length - 1] : std::isnan(column.numbers[length - 1])))
+                --length;
+            return length;
+        };
+        std::size_t longest = 0;
+        for (const SheetColumn& column : table.columns) longest = std::max(longest, lengthOf(column));
+        rows = table.time ? lengthOf(table.columns[*table.time]) : longest;
+        if (rows < longest)
+            notes_.push_back(
+                phrase("sheet \"{}\": {} rows without a time at the end are left out", sheet_.name, longest - rows));
+        for (SheetColumn& column : table.columns)
+            (column.isText ? column.texts.resize(rows) : column.numbers.resize(rows));
+    }
+
+    const Sheet& sheet_;
+    std::vector<Text>& notes_;
+    char decimal_{'.'};
+    std::size_t first_{}, last_{};
+    const Row* header_{};
+    const Row* units_{};
+};
+
+}  // namespace
+
+std::vector<SheetTable> readTables(const Sheet& sheet, std::vector<Text>& notes) {
+    return SheetReader(sheet, notes).read();
+}
+
+}  // namespace analogon::xlsx

@@ -1,0 +1,136 @@
+#include "core/measure/mat/mat.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <matio.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "core/measure/open/open_recording.hpp"
+
+namespace analogon {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class MatTest : public testing::TestWithParam<mat_ft> {
+protected:
+    ~MatTest() override { std::filesystem::remove(file); }
+
+    static matvar_t* numbers(const char* name, std::vector<double> values, std::size_t columns = 1) {
+        std::size_t dimensions[2] = {values.size() / columns, columns};
+        return Mat_VarCreate(name, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, dimensions, values.data(), 0);
+    }
+    static matvar_t* text(const char* name, std::string words) {
+        std::size_t dimensions[2] = {1, words.size()};
+        return Mat_VarCreate(name, MAT_C_CHAR, MAT_T_UTF8, 2, dimensions, words.data(), 0);
+    }
+    void write(std::vector<matvar_t*> variables) const {
+        mat_t* mat = Mat_CreateVer(file.c_str(), nullptr, GetParam());
+        ASSERT_NE(mat, nullptr);
+        for (matvar_t* variable : variables) {
+            Mat_VarWrite(mat, variable, MAT_COMPRESSION_NONE);
+            Mat_VarFree(variable);
+        }
+        Mat_Close(mat);
+    }
+    static std::vector<double> valuesOf(const Recording& recording, std::size_t group, const std::string& name) {
+        const auto& channels = recording.groups.at(group).channels;
+        for (std::size_t i = 0; i < channels.size(); ++i)
+            if (channels[i].name == name) {
+                const Outcome<ChannelValues> values = readValues(recording, group, i);
+                EXPECT_TRUE(values) << format(values.diagnostics());
+                return values ? values->numbers : std::vector<double>{};
+            }
+        ADD_FAILURE() << name;
+        return {};
+    }
+    static std::string notes(const Recording& recording) {
+        std::string all;
+        for (const Text& note : recording.notes) all += note.english() + "\n";
+        return all;
+    }
+
+    std::filesystem::path file =
+        std::filesystem::temp_directory_path() / ("analogon-mat-" + std::to_string(getpid()) + ".mat");
+};
+
+INSTANTIATE_TEST_SUITE_P(Levels, MatTest, testing::Values(MAT_FT_MAT4, MAT_FT_MAT5, MAT_FT_MAT73));
+
+TEST_P(MatTest, VectorsOfOneLengthShareTheTimeOfThatLength) {
+    write({numbers("t", {0, 0.5, 1}), numbers("y", {1, 2, 3}), numbers("odd", {4, 5}), numbers("R0", {47})});
+    const Outcome<Recording> opened = openRecording(file);
+    ASSERT_TRUE(opened) << format(opened.diagnostics());
+    ASSERT_EQ(opened->groups.size(), 2u);
+    EXPECT_EQ(opened->groups[0].master, MasterKind::Time);
+    EXPECT_THAT(valuesOf(*opened, 0, "t"), ElementsAre(0, 0.5, 1));
+    EXPECT_THAT(valuesOf(*opened, 0, "y"), ElementsAre(1, 2, 3));
+    EXPECT_EQ(opened->groups[1].master, MasterKind::None);
+    EXPECT_THAT(valuesOf(*opened, 1, "odd"), ElementsAre(4, 5));
+}
+
+TEST_P(MatTest, ColumnsOfAMatrixAreChannels) {
+    write({numbers("time", {0, 1, 2}), numbers("M", {1, 2, 3, 10, 20, 30}, 2)});
+    const Outcome<Recording> opened = openRecording(file);
+    ASSERT_TRUE(opened) << format(opened.diagnostics());
+    EXPECT_THAT(valuesOf(*opened, 0, "M(:,2)"), ElementsAre(10, 20, 30));
+}
+
+TEST_P(MatTest, ReadsTheStructureWithTimeOfSimulink) {
+    if (GetParam() == MAT_FT_MAT4) GTEST_SKIP() << "level 4 has no structures";
+    const char* outer[] = {"time", "signals"};
+    const char* inner[] = {"values", "label"};
+    std::size_t one[2] = {1, 1};
+    matvar_t* signals = Mat_VarCreateStruct("signals", 2, one, inner, 2);
+    Mat_VarSetStructFieldByName(signals, "values", 0, numbers(nullptr, {1, 2, 3, 10, 20, 30}, 2));
+    Mat_VarSetStructFieldByName(signals, "label", 0, text(nullptr, "pos"));
+    matvar_t* scope = Mat_VarCreateStruct("Scope", 2, one, outer, 2);
+    Mat_VarSetStructFieldByName(scope, "time", 0, numbers(nullptr, {0, 1, 2}));
+    Mat_VarSetStructFieldByName(scope, "signals", 0, signals);
+    write({scope});
+    const Outcome<Recording> opened = openRecording(file);
+    ASSERT_TRUE(opened) << format(opened.diagnostics());
+    ASSERT_EQ(opened->groups.size(), 1u);
+    EXPECT_EQ(opened->groups[0].name, "Scope");
+    EXPECT_THAT(valuesOf(*opened, 0, "Scope.time"), ElementsAre(0, 1, 2));
+    EXPECT_THAT(valuesOf(*opened, 0, "pos(2)"), ElementsAre(10, 20, 30));
+}
+
+TEST_P(MatTest, ACutFileIsRefused) {
+    write({numbers("t", {0, 0.5, 1}), numbers("y", {1, 2, 3})});
+    std::filesystem::resize_file(file, std::filesystem::file_size(file) * 7 / 10);
+    const Outcome<Recording> opened = openRecording(file);
+    EXPECT_FALSE(opened);
+}
+
+TEST_P(MatTest, DamagedBytesCostNoMoreThanTheFile) {
+    // HDF5 looks after itself
+    if (GetParam() == MAT_FT_MAT73) GTEST_SKIP();
+    write({numbers("t", {0, 0.5, 1}), numbers("y", {1, 2, 3, 4, 5, 6}, 2), text("note", "bench")});
+    std::ostringstream content;
+    content << std::ifstream(file, std::ios::binary).rdbuf();
+    const std::string whole = content.str();
+    std::uint32_t state = 3;
+    for (std::size_t i = 0; i < 300; ++i) {
+        std::string bytes = whole;
+        state = state * 1664525u + 1013904223u;
+        bytes[(state >> 8) % bytes.size()] = static_cast<char>(state >> 24);
+        std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
+        const Outcome<Recording> opened = openRecording(file);
+        if (!opened) continue;
+        for (std::size_t g = 0; g < opened->groups.size(); ++g)
+            for (std::size_t c = 0; c < opened->groups[g].channels.size(); ++c) {
+                const Outcome<ChannelValues> values = readValues(*opened, g, c);
+                if (values) {
+                    EXPECT_LE(values->numbers.size(), whole.size());
+                }
+            }
+    }
+}
+
+}  // namespace
+}  // namespace analogon

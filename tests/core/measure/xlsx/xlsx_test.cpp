@@ -1,0 +1,134 @@
+#include "core/measure/xlsx/xlsx.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <quazip/quazip.h>
+#include <quazip/quazipfile.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "core/measure/open/open_recording.hpp"
+#include "core/measure/xlsx/cell_value.hpp"
+
+namespace analogon {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class Xlsx : public testing::Test {
+protected:
+    ~Xlsx() override { std::filesystem::remove(file); }
+
+    /// A workbook of one sheet; styles: 1 a date, 2 percent.
+    Outcome<Recording> open(const std::string& rows) {
+        QuaZip archive(QString::fromStdString(file.string()));
+        archive.open(QuaZip::mdCreate);
+        const auto put = [&](const char* name, const std::string& content) {
+            QuaZipFile part(&archive);
+            part.open(QIODevice::WriteOnly, QuaZipNewInfo(name));
+            part.write(content.data(), static_cast<qint64>(content.size()));
+            part.close();
+        };
+        put("xl/workbook.xml",
+            R"(<workbook xmlns:r="r"><sheets><sheet name="Run" sheetId="1" r:id="rId1"/></sheets></workbook>)");
+        put("xl/_rels/workbook.xml.rels",
+            R"(<Relationships><Relationship Id="rId1" Target="worksheets/sheet1.xml"/></Relationships>)");
+        put("xl/styles.xml",
+            R"(<styleSheet><cellXfs><xf numFmtId="0"/><xf numFmtId="22"/><xf numFmtId="10"/></cellXfs></styleSheet>)");
+        put("xl/worksheets/sheet1.xml", "<worksheet><sheetData>" + rows + "</sheetData></worksheet>");
+        archive.close();
+        return openRecording(file);
+    }
+    static std::string word(const std::string& cell, const std::string& text) {
+        return "<c r=\"" + cell + "\" t=\"inlineStr\"><is><t>" + text + "</t></is></c>";
+    }
+    static std::string number(const std::string& cell, const std::string& value, int style = 0) {
+        return "<c r=\"" + cell + "\" s=\"" + std::to_string(style) + "\"><v>" + value + "</v></c>";
+    }
+    static std::string row(int number, const std::string& cells) {
+        return "<row r=\"" + std::to_string(number) + "\">" + cells + "</row>";
+    }
+    static std::vector<double> numbers(const Recording& recording, std::size_t group, std::size_t channel) {
+        const Outcome<ChannelValues> values = readValues(recording, group, channel);
+        EXPECT_TRUE(values) << format(values.diagnostics());
+        return values ? values->numbers : std::vector<double>{};
+    }
+
+    std::filesystem::path file =
+        std::filesystem::temp_directory_path() / ("analogon-xlsx-" + std::to_string(getpid()) + ".xlsx");
+};
+
+TEST_F(Xlsx, AHeaderAndARowOfUnitsStandAboveTheData) {
+    const Outcome<Recording> opened =
+        open(row(1, word("A1", "Bench 3")) + row(3, word("A3", "t") + word("B3", "p")) +
+             row(4, word("A4", "s") + word("B4", "bar")) + row(5, number("A5", "0") + number("B5", "1.5")) +
+             row(6, number("A6", "1") + "<c r=\"B6\" t=\"e\"><v>#DIV/0!</v></c>") +
+             row(7, number("A7", "2") + "<c r=\"B7\"><f>1+1</f><v>2</v></c>"));
+    ASSERT_TRUE(opened) << format(opened.diagnostics());
+    const RecordedGroup& group = opened->groups.at(0);
+    EXPECT_EQ(group.name, "Run");
+    EXPECT_EQ(group.masterChannel, 0u);
+    EXPECT_EQ(group.channels[1].name, "p");
+    EXPECT_EQ(group.channels[1].unit, "bar");
+    const std::vector<double> p = numbers(*opened, 0, 1);
+    ASSERT_EQ(p.size(), 3u);
+    EXPECT_EQ(p[0], 1.5);
+    EXPECT_TRUE(std::isnan(p[1]));
+    EXPECT_EQ(p[2], 2);
+}
+
+TEST_F(Xlsx, DatesAreSecondsSinceTheFirstAndALineBelowTheDataIsNone) {
+    const Outcome<Recording> opened = open(row(1, word("A1", "when") + word("B1", "u [V]")) +
+                                           row(2, number("A2", "45458.4375", 1) + number("B2", "1")) +
+                                           row(3, number("A3", "45458.438194444447", 1) + number("B3", "2")) +
+                                           row(4, word("A4", "mean") + number("B4", "1.5")));
+    ASSERT_TRUE(opened) << format(opened.diagnostics());
+    EXPECT_EQ(opened->start, "2024-06-15T10:30:00");
+    EXPECT_THAT(numbers(*opened, 0, 0), ElementsAre(0, 60));
+    EXPECT_THAT(numbers(*opened, 0, 1), ElementsAre(1, 2));
+    std::string notes;
+    for (const Text& note : opened->notes) notes += note.english();
+    EXPECT_THAT(notes, HasSubstr("1 rows without a time"));
+}
+
+TEST_F(Xlsx, EachColumnBelongsToTheTimeOnItsLeft) {
+    const Outcome<Recording> opened =
+        open(row(1, word("A1", "t") + word("B1", "u") + word("C1", "t") + word("D1", "i")) +
+             row(2, number("A2", "0") + number("B2", "1") + number("C2", "0") + number("D2", "5")) +
+             row(3, number("A3", "1") + number("B3", "2") + number("C3", "0.5") + number("D3", "6")) +
+             row(4, number("A4", "2") + number("B4", "3")));
+    ASSERT_TRUE(opened) << format(opened.diagnostics());
+    ASSERT_EQ(opened->groups.size(), 2u);
+    EXPECT_EQ(opened->groups[0].samples, 3u);
+    EXPECT_THAT(numbers(*opened, 1, 0), ElementsAre(0, 0.5));
+    EXPECT_THAT(numbers(*opened, 1, 1), ElementsAre(5, 6));
+}
+
+TEST_F(Xlsx, ASheetWithoutNumbersIsRefused) {
+    const Outcome<Recording> opened = open(row(1, word("A1", "only words")));
+    ASSERT_FALSE(opened);
+    EXPECT_THAT(format(opened.diagnostics()), HasSubstr("no column of numbers"));
+}
+
+TEST(CellValue, ReadsNumbersAndDatesThatWereWrittenAsText) {
+    EXPECT_EQ(xlsx::numberOf("1.234,5", ','), 1234.5);
+    EXPECT_EQ(xlsx::numberOf("1,234.5", '.'), 1234.5);
+    EXPECT_EQ(xlsx::numberOf("3,25", '.'), std::nullopt);
+    EXPECT_EQ(xlsx::numberOf("\xC2\xA0"
+                             "3,25 ",
+                             ','),
+              3.25);
+    EXPECT_EQ(xlsx::numberOf("-2e-3", '.'), -0.002);
+    EXPECT_EQ(xlsx::numberOf("12 V", '.'), std::nullopt);
+    const std::optional<double> date = xlsx::dateOf("15.06.2024 10:30:00,5");
+    ASSERT_TRUE(date);
+    EXPECT_NEAR(*date, 45458.4375 + 0.5 / 86400, 1e-9);
+    EXPECT_EQ(xlsx::dateOf("2024-06-15T10:30"), 45458.4375);
+    EXPECT_EQ(xlsx::dateOf("31.02.2024"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace analogon
