@@ -56,7 +56,7 @@ for write in "${writes[@]}"; do
 done
 start two-programs build/release/tests/test_study '*TwoPrograms*' GTEST_REPEAT=20
 if [ "$(id -u)" -eq 0 ]; then
-    start full-disk build/release/tests/test_archive 'FullDisk.*' ANALOGON_DISK_STEP=4096
+    start full-disk build/release/tests/test_archive 'FullDisk.*' ANALOGON_DISK_STEP=512
 else
     say "A disk that runs full is left out: root alone can make a small one"
 fi

@@ -25,7 +25,7 @@ Kills killWhileSaving(unsigned seed, const Save& save, const IsFirst& isFirst) {
     const char* wanted = std::getenv("ANALOGON_KILLS");
     Kills kills{wanted ? std::atoi(wanted) : 40, 0};
     std::mt19937 random(seed);
-    unsigned reach = 40000;  // [us], of the moments; further as long as nothing is saved before them (a busy machine)
+    unsigned reach = 40000;  // [us], of the moments; further as long as one version alone is found (a busy machine)
     for (int i = 0; i < kills.all && !::testing::Test::HasFatalFailure(); ++i) {
         SCOPED_TRACE(::testing::Message() << "kill " << i);
         const pid_t child = fork();
@@ -35,7 +35,8 @@ Kills killWhileSaving(unsigned seed, const Save& save, const IsFirst& isFirst) {
         kill(child, SIGKILL);
         waitpid(child, nullptr, 0);
         kills.firsts += isFirst() ? 1 : 0;
-        if (kills.firsts == 0 && i % 4 == 3) reach = std::min(2 * reach, 2'000'000u);
+        const bool isOneAlone = kills.firsts == 0 || kills.firsts == i + 1;
+        if (isOneAlone && i % 4 == 3) reach = std::min(2 * reach, 2'000'000u);
     }
     return kills;
 }

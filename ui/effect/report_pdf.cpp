@@ -1,5 +1,6 @@
 #include "ui/effect/report_pdf.hpp"
 
+#include <QBuffer>
 #include <QDate>
 #include <QFile>
 #include <QPageSize>
@@ -9,6 +10,7 @@
 #include <cmath>
 
 #include "core/base/number_text.hpp"
+#include "core/base/whole_file.hpp"
 #include "core/report/words.hpp"
 #include "ui/effect/finding_words.hpp"
 #include "ui/effect/result_panel.hpp"
@@ -120,7 +122,9 @@ QString reportBody(const QString& title, RunKind kind, const Finding& finding, s
 
 QString writeReportPdf(const QString& file, const QString& title, RunKind kind, const Finding& finding,
                        const std::vector<QImage>& pictures) {
-    QPdfWriter writer(file);
+    QBuffer bytes;
+    bytes.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&bytes);
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setPageMargins(QMarginsF(18, 18, 18, 18), QPageLayout::Millimeter);
     writer.setTitle(title);
@@ -133,10 +137,9 @@ QString writeReportPdf(const QString& file, const QString& title, RunKind kind, 
     document.setHtml("<body>" + reportBody(title, kind, finding, pictures.size()) + "</body>");
     document.setPageSize(QSizeF(writer.width(), writer.height()));
     document.print(&writer);
-    QFile written(file);
-    return written.open(QIODevice::ReadOnly) && written.read(4) == "%PDF"
-               ? QString()
-               : ResultPanel::tr("%1 cannot be written.").arg(file);
+    const bool isWritten = bytes.data().startsWith("%PDF") &&
+                           writeWhole(QFile::encodeName(file).toStdString(), bytes.data().toStdString()).hasValue();
+    return isWritten ? QString() : ResultPanel::tr("%1 cannot be written.").arg(file);
 }
 
 }  // namespace analogon::ui

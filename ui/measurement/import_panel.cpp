@@ -33,7 +33,7 @@ std::vector<FileLine> linesOf(const QString& path, const Diagnostics& problems) 
         if (d.place.line > 0) faulty.insert(d.place.line);
     QFile file(path);
     std::vector<FileLine> lines;
-    if (!file.open(QIODevice::ReadOnly)) return lines;
+    if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly)) return lines;  // a pipe may never end
     const int last = std::max(first, faulty.empty() ? 0 : *faulty.rbegin() + around);
     for (int number = 1; number <= last && !file.atEnd(); ++number) {
         const QString text = QString::fromUtf8(file.readLine().trimmed().left(longest));

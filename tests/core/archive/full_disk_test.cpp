@@ -46,7 +46,7 @@ protected:
     template <class Write, class Look>
     void fill(const Write& write, const Look& look) {
         const char* wanted = std::getenv("ANALOGON_DISK_STEP");
-        const std::uint64_t step = wanted ? std::strtoull(wanted, nullptr, 10) : 32768;
+        const std::uint64_t step = wanted ? std::strtoull(wanted, nullptr, 10) : 4096;
         const std::string names = namesBelow(place);
         int failed = 0, written = 0;
         for (std::uint64_t room = 0; written < 2; room += step) {
