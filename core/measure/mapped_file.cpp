@@ -19,14 +19,17 @@ Diagnostic cannotRead(const std::filesystem::path& file, int code) {
 }  // namespace
 
 Outcome<std::shared_ptr<const MappedFile>> MappedFile::open(const std::filesystem::path& file) {
-    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    const int descriptor = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);  // a pipe may never be filled
     if (descriptor < 0) return cannotRead(file, errno);
     struct stat status {};
     const int known = fstat(descriptor, &status);
     const int code = errno;
     if (known != 0 || !S_ISREG(status.st_mode)) {
         ::close(descriptor);
-        return known != 0 ? cannotRead(file, code) : cannotRead(file, S_ISDIR(status.st_mode) ? EISDIR : EINVAL);
+        if (known != 0) return cannotRead(file, code);
+        if (S_ISDIR(status.st_mode)) return cannotRead(file, EISDIR);
+        return fileError(phrase("this is a pipe or a device, not a file"), file.string(), 0, 0,
+                         phrase("Copy what it gives into a file."));
     }
     const auto size = static_cast<std::size_t>(status.st_size);
     void* memory = size == 0 ? nullptr : mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
