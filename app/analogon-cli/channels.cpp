@@ -10,7 +10,7 @@
 
 #include "app/analogon-cli/interrupt.hpp"
 #include "core/measure/open/open_recording.hpp"
-#include "core/report/number_text.hpp"
+#include "core/base/number_text.hpp"
 
 namespace analogon::cli {
 

@@ -16,10 +16,13 @@
 #include "app/analogon-cli/generate.hpp"
 #include "app/analogon-cli/interrupt.hpp"
 #include "app/analogon-cli/progress_view.hpp"
+#include "app/analogon-cli/visible_stream.hpp"
 #include "core/archive/archive.hpp"
 #include "core/base/distinct.hpp"
 #include "core/base/file_fault.hpp"
+#include "core/base/guard.hpp"
 #include "core/base/stop.hpp"
+#include "core/base/visible.hpp"
 #include "core/report/decision_lines.hpp"
 #include "core/report/report.hpp"
 #include "core/study/results.hpp"
@@ -122,11 +125,11 @@ int endsWithoutResult() {
 
 /// The table, whatever becomes of the files; and they.
 int tell(const RunResult& result, const Options& options, ResultsPlace& place, bool wasRaised) {
-    std::cout << summaryText(result.finding) << std::endl;
+    std::cout << visible(summaryText(result.finding)) << std::endl;
     const Outcome<Done> written = place.write(result, name(options.command));
     if (!written) return fails(written.diagnostics());
     if (!written.diagnostics().empty()) std::cerr << format(written.diagnostics()) << std::endl;
-    std::cout << "report: " << (options.out / "report.html").string() << std::endl;
+    std::cout << "report: " << visible((options.out / "report.html").string()) << std::endl;
     if (wasRaised && result.finding.interrupted) {
         std::cerr << "interrupted; the best result so far was written" << std::endl;
         return interrupted;
@@ -186,19 +189,20 @@ int execute(const Options& options, Interrupt& interrupt) {
     if (isRun(Command::Simulate) || isRun(Command::Fit) || isRun(Command::Discover))
         return runStudy(options, interrupt);
     const StopScope scope(interrupt.token());
+    VisibleStream out(std::cout);
     switch (options.command) {
         case Command::Check:
-            return check(options, std::cout, std::cerr);
+            return check(options, out, std::cerr);
         case Command::Generate:
-            return generate(options, std::cout, std::cerr);
+            return generate(options, out, std::cerr);
         case Command::Channels:
-            return channels(options, std::cout, std::cerr);
+            return channels(options, out, std::cerr);
         case Command::Export:
-            return exportStudy(options, std::cout, std::cerr);
+            return exportStudy(options, out, std::cerr);
         case Command::Pack:
-            return pack(options, std::cout, std::cerr);
+            return pack(options, out, std::cerr);
         default:
-            return unpack(options, std::cout, std::cerr);
+            return unpack(options, out, std::cerr);
     }
 }
 
@@ -338,8 +342,10 @@ int run(int argc, char** argv) {
         return isFault ? inputAtFault : done;
     }
     Interrupt interrupt;
+    int status = done;
     try {
-        return execute(options, interrupt);
+        const std::optional<Diagnostic> thrown = guarded([&] { status = execute(options, interrupt); });
+        return thrown ? fails({*thrown}) : status;
     } catch (const Stopped&) {
         return endsWithoutResult();
     }

@@ -6,12 +6,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/visible.hpp"
+
 namespace analogon::cli {
 namespace {
 
-/// On one line, whatever bytes a file put into it.
+/// On one line and in ASCII, whatever bytes a file put into it: a terminal obeys some that stand above 127, too.
 std::string line(const nlohmann::ordered_json& json) {
-    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    return json.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace
@@ -52,9 +54,9 @@ void ProgressView::showBar(const Progress::Report& report) {
         bar += fmt::format(" {:3.0f} %", 100 * std::clamp(report.fraction, 0.0, 1.0));
     }
     const std::string& detail = report.detail;
-    std::string text = detail.empty() ? report.stage : report.stage + ": " + detail;
+    std::string text = detail.empty() ? report.stage : report.stage + ": " + visibleName(detail, textWidth);
     if (report.error >= 0) text += fmt::format("  (error {:.3g} %)", report.error);
-    if (text.size() > textWidth) text = text.substr(0, textWidth - 2) + "..";
+    if (text.size() > textWidth) text = shortened(text, textWidth - 2);
     stream_ << "\r\033[K" << bar << "  " << text << std::flush;
     hasBar_ = true;
 }
@@ -68,7 +70,7 @@ void ProgressView::clear() {
 void ProgressView::note(const std::string& remark) {
     clear();
     if (kind_ != ProgressKind::Json)
-        stream_ << "note: " << remark << std::endl;
+        stream_ << "note: " << visible(remark) << std::endl;
     else
         stream_ << line({{"note", remark}}) << std::endl;
 }

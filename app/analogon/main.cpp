@@ -4,6 +4,7 @@
 #include <QProcess>
 #include <QSettings>
 
+#include "core/base/guard.hpp"
 #include "core/base/memory.hpp"
 #include "ui/style/style.hpp"
 #include "ui/style/translator.hpp"
@@ -12,7 +13,9 @@
 
 int main(int argc, char** argv) {
     using namespace analogon;
+    guardProgram();
     growHeap();
+    const StackGuard stack;
     // Pictures need no screen; the platform is chosen before the application starts.
     for (int i = 1; i < argc; ++i)
         if (QByteArray(argv[i]).startsWith("--pictures") && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))

@@ -20,6 +20,7 @@
 #include "core/base/owned_directory.hpp"
 #include "core/base/regular_file.hpp"
 #include "core/base/stop.hpp"
+#include "core/base/visible.hpp"
 #include "core/base/whole_file.hpp"
 #include "core/study/json_places.hpp"
 #include "core/study/pending_save.hpp"
@@ -49,7 +50,7 @@ bool openNew(QFile& file, const fs::path& path) {
 std::error_code lastFault() { return {errno, std::generic_category()}; }
 
 Diagnostic damaged(const fs::path& archive, const std::string& entry, const char* what) {
-    return fileError(phrase("the entry \"{}\" {}", escapedName(entry), Text(what, {}, what)), archive.string(), 0, 0,
+    return fileError(phrase("the entry \"{}\" {}", visibleName(entry), Text(what, {}, what)), archive.string(), 0, 0,
                      phrase("Get the file again from where it came from."));
 }
 
@@ -111,7 +112,7 @@ Outcome<Done> unpackInto(const fs::path& archive, const fs::path& directory, con
         std::ifstream stream(directory / "mimetype");
         const std::string type((std::istreambuf_iterator<char>(stream)), {});
         if (type != archiveType)
-            return fileError(phrase("this archive is of another kind: \"{}\"", escapedName(type)), archive.string());
+            return fileError(phrase("this archive is of another kind: \"{}\"", visibleName(type)), archive.string());
         std::error_code code;
         fs::remove(directory / "mimetype", code);
     }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/visible.hpp"
+
 namespace analogon {
 
 namespace {
@@ -29,10 +31,10 @@ Outcome<Done> checkLimits(const fs::path& archive, const std::vector<ZipEntry>& 
     for (const ZipEntry& e : entries) {
         const std::uint64_t most = isText(e.name) ? limits.textBytes : limits.entryBytes;
         if (e.size > most)
-            return fault(phrase("the entry \"{}\" unpacks to {} MB, more than {} MB", escapedName(e.name), e.size >> 20,
+            return fault(phrase("the entry \"{}\" unpacks to {} MB, more than {} MB", visibleName(e.name), e.size >> 20,
                                 most >> 20));
         if (expandsTooFar(e.size, e.packedSize, limits))
-            return fault(phrase("the entry \"{}\" unpacks to {} times its size, more than {}", escapedName(e.name),
+            return fault(phrase("the entry \"{}\" unpacks to {} times its size, more than {}", visibleName(e.name),
                                 times(e.size, e.packedSize), limits.expansion));
         size += e.size;
         packed += e.packedSize;

@@ -9,6 +9,7 @@
 
 #include "core/base/file_fault.hpp"
 #include "core/base/regular_file.hpp"
+#include "core/base/visible.hpp"
 
 namespace analogon {
 
@@ -34,34 +35,11 @@ private:
     std::string_view bytes_;
 };
 
-/// Length of the UTF-8 sequence at `at` and its code point; length 0: not UTF-8.
-std::pair<std::size_t, std::uint32_t> codePoint(std::string_view text, std::size_t at) {
-    const auto byte = [&](std::size_t i) -> std::uint32_t { return static_cast<unsigned char>(text[i]); };
-    const std::uint32_t first = byte(at);
-    const std::size_t length = first < 0x80         ? 1
-                               : (first >> 5) == 6  ? 2
-                               : (first >> 4) == 14 ? 3
-                               : (first >> 3) == 30 ? 4
-                                                    : 0;
-    if (length == 0 || at + length > text.size()) return {0, 0};
-    std::uint32_t code = length == 1 ? first : first & (0xffu >> (length + 1));
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(at + i) >> 6) != 2) return {0, 0};
-        code = code << 6 | (byte(at + i) & 0x3f);
-    }
-    return {length, code};
-}
-
-bool isInvisible(std::uint32_t c) {
-    return c < 0x20 || (c >= 0x7f && c < 0xa0) || (c >= 0x200b && c <= 0x200f) || (c >= 0x202a && c <= 0x202e) ||
-           (c >= 0x2060 && c <= 0x206f) || c == 0xfeff;
-}
-
 /// What is wrong with a name; empty: nothing.
 Text nameFault(const std::string& name) {
     if (name.empty()) return phrase("an entry has no name");
     if (name.size() > longestName) return phrase("a name has {} bytes, more than {}", name.size(), longestName);
-    const std::string shown = escapedName(name);
+    const std::string shown = visibleName(name);
     if (name.find('\0') != std::string::npos) return phrase("the entry \"{}\" holds a NUL in its name", shown);
     if (name.find('\\') != std::string::npos) return phrase("the entry \"{}\" holds a backslash in its name", shown);
     if (name.front() == '/' || (name.size() > 1 && name[1] == ':'))
@@ -93,9 +71,9 @@ public:
         if (const Text wrong = compareLocal(); !wrong.empty()) return fault(wrong);
         Diagnostics warnings;
         for (const ZipEntry& e : entries_)
-            if (escapedName(e.name) != e.name) {
+            if (visibleName(e.name) != e.name) {
                 warnings.push_back(asWarning(
-                    fault(phrase("an entry has invisible characters in its name: \"{}\"", escapedName(e.name)), {})));
+                    fault(phrase("an entry has invisible characters in its name: \"{}\"", visibleName(e.name)), {})));
             }
         std::erase_if(entries_, [](const ZipEntry& e) { return e.name.ends_with('/'); });
         return {std::move(entries_), std::move(warnings)};
@@ -159,7 +137,7 @@ private:
             entry.size = bytes.u32(at + 24);
             entry.offset = bytes.u32(at + 42);
             if (const Text wrong = nameFault(entry.name); !wrong.empty()) return wrong;
-            const std::string shown = escapedName(entry.name);
+            const std::string shown = visibleName(entry.name);
             if (!seen.insert(entry.name).second) return phrase("the entry \"{}\" stands twice", shown);
             if (bytes.u16(at + 8) & 1) return phrase("the entry \"{}\" is encrypted", shown);
             if (entry.method != 0 && entry.method != 8)
@@ -176,7 +154,7 @@ private:
     Text compareLocal() {
         std::vector<std::pair<std::uint64_t, std::uint64_t>> ranges;
         for (const ZipEntry& entry : entries_) {
-            const std::string shown = escapedName(entry.name);
+            const std::string shown = visibleName(entry.name);
             const std::string text = bytesAt(entry.offset, localSize + entry.name.size());
             const Bytes bytes(text);
             if (!bytes.has(0, localSize) || bytes.u32(0) != localSignature)
@@ -206,22 +184,6 @@ private:
 };
 
 }  // namespace
-
-std::string escapedName(const std::string& name) {
-    std::string shown;
-    constexpr std::size_t longest = 120;
-    for (std::size_t at = 0; at < name.size() && shown.size() < longest;) {
-        const auto [length, code] = codePoint(name, at);
-        if (length == 0)
-            shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(name[at]));
-        else if (isInvisible(code))
-            shown += fmt::format("\\u{{{:x}}}", code);
-        else
-            shown += name.substr(at, length);
-        at += std::max<std::size_t>(1, length);
-    }
-    return shown.size() < longest ? shown : shown + "…";
-}
 
 Outcome<std::vector<ZipEntry>> readZipDirectory(const std::filesystem::path& file) {
     if (const Outcome<Done> isFile = checkRegularFile(file); !isFile) return isFile.diagnostics();

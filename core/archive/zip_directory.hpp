@@ -25,7 +25,4 @@ struct ZipEntry {
 /// Names with invisible characters (direction marks, controls) are a warning.
 Outcome<std::vector<ZipEntry>> readZipDirectory(const std::filesystem::path& file);
 
-/// A name as it can be shown: control and direction characters and what is no UTF-8 escaped as \u{…} or \x….
-std::string escapedName(const std::string& name);
-
 }  // namespace analogon

@@ -7,11 +7,16 @@
 #include <numeric>
 #include <utility>
 
+#include "core/base/visible.hpp"
+
 namespace analogon {
 
 namespace {
 
-constexpr std::size_t widestExcerpt = 120;  // characters of a line that a message shows
+constexpr std::size_t widestExcerpt = 120;    // characters of a line that a message shows
+constexpr std::size_t longestLine = 1 << 20;  // bytes of a line that a message keeps
+constexpr std::size_t longestWords = 4000;    // bytes of a message, and of a hint
+constexpr std::size_t mostMessages = 100;
 
 /// One printable character of a line with the byte it starts at.
 struct Glyph {
@@ -40,11 +45,13 @@ std::vector<Glyph> glyphs(std::string_view line) {
     for (std::size_t at = 0; at < line.size();) {
         const std::size_t length = sequenceLength(line, at);
         const auto byte = static_cast<unsigned char>(line[at]);
-        if (length == 0 || byte == 0x7f || (byte < 0x20 && byte != '\t')) {
+        const std::string_view glyph = line.substr(at, length);
+        if (byte == '\t')
+            result.push_back({" ", at});
+        else if (length == 0 || visibleName(glyph) != glyph)
             result.push_back({"?", at});
-        } else {
-            result.push_back({byte == '\t' ? std::string(" ") : std::string(line.substr(at, length)), at});
-        }
+        else
+            result.push_back({std::string(glyph), at});
         at += std::max<std::size_t>(length, 1);
     }
     return result;
@@ -134,7 +141,9 @@ Place placeOf(const Span& span) {
     const std::string_view line = span.source->line(begin.line);
     const auto restOfLine = static_cast<int>(line.size()) - (begin.column - 1);
     const int length = std::clamp(static_cast<int>(span.end - span.begin), 0, std::max(restOfLine, 0));
-    return {span.source->name(), begin.line, begin.column, length, std::string(line)};
+    // A file of one line may be large, and have many faults: each would hold it all.
+    const std::string_view kept = line.size() <= longestLine ? line : std::string_view();
+    return {span.source->name(), begin.line, begin.column, length, std::string(kept)};
 }
 
 Diagnostic error(Text message, const Span& span, Text hint) {
@@ -162,31 +171,36 @@ std::string format(const Diagnostic& diagnostic) {
     const Place& place = diagnostic.place;
     std::string text;
     if (!place.file.empty() || place.line > 0) {
-        text += place.file.empty() ? std::string("input") : place.file;
+        text += place.file.empty() ? std::string("input") : visibleName(place.file, std::string::npos);
         if (place.line > 0) text += fmt::format(":{}", place.line);
         if (place.line > 0 && place.column > 0) text += fmt::format(":{}", place.column);
         text += ": ";
     }
-    text += fmt::format("{}: {}\n", label(diagnostic.severity), diagnostic.message);
+    const auto words = [](const Text& said) { return visibleName(said.english(), longestWords); };
+    text += fmt::format("{}: {}\n", label(diagnostic.severity), words(diagnostic.message));
     text += excerpt(place);
-    if (!diagnostic.hint.empty()) text += fmt::format("    hint: {}\n", diagnostic.hint);
+    if (!diagnostic.hint.empty()) text += fmt::format("    hint: {}\n", words(diagnostic.hint));
     return text;
 }
 
 std::string format(const Diagnostics& diagnostics) {
     std::string text;
-    for (const Diagnostic& diagnostic : diagnostics) text += format(diagnostic);
+    const std::size_t shown = std::min(diagnostics.size(), mostMessages);
+    for (std::size_t i = 0; i < shown; ++i) text += format(diagnostics[i]);
+    if (shown < diagnostics.size()) text += fmt::format("and {} more messages\n", diagnostics.size() - shown);
     return text;
 }
 
 std::string suggestion(std::string_view misspelt, const std::vector<std::string>& names) {
+    constexpr std::size_t longestName = 200;  // bytes; the distance of two takes the product of their lengths
+    if (misspelt.size() > longestName) return {};
     const std::string wanted = lowered(misspelt);
     std::size_t least = wanted.size() / 3 + 1;
     const std::string* best = nullptr;
     for (const std::string& name : names) {
         const std::size_t lengthGap =
             name.size() > wanted.size() ? name.size() - wanted.size() : wanted.size() - name.size();
-        if (lengthGap > least) continue;
+        if (lengthGap > least || name.size() > 2 * longestName) continue;
         const std::size_t distance = editDistance(wanted, lowered(name));
         // Of names that are equally like, the one that begins alike: 'sinn' means sin rather than sign.
         const auto common = [&](const std::string& other) {

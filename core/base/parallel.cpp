@@ -4,9 +4,11 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
+#include "core/base/guard.hpp"
 #include "core/base/stop.hpp"
 
 namespace analogon {
@@ -38,7 +40,15 @@ void parallelFor(int count, int threads, const std::function<void(int)>& body) {
     };
     {
         std::vector<std::jthread> pool;
-        for (int k = 1; k < threads; ++k) pool.emplace_back(work);
+        try {
+            for (int k = 1; k < threads; ++k)
+                pool.emplace_back([&work] {
+                    const StackGuard stack;
+                    work();
+                });
+        } catch (const std::system_error&) {
+            // the system gives no more threads: those there are do it all
+        }
         work();
     }
     if (fault) std::rethrow_exception(fault);

@@ -11,6 +11,7 @@
 #include <optional>
 #include <tuple>
 
+#include "core/base/guard.hpp"
 #include "core/eval/c_code.hpp"
 #include "core/eval/program_code.hpp"
 #include "core/eval/recurrence.hpp"
@@ -106,9 +107,11 @@ System::System(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 System::~System() = default;
 
 Outcome<std::shared_ptr<const System>> System::build(const Structure& structure) {
-    auto impl = std::make_unique<Impl>();
-    if (Diagnostics faults = buildPrograms(structure, impl->programs); hasError(faults)) return faults;
-    return std::shared_ptr<const System>(new System(std::move(impl)));
+    return guardedOutcome([&]() -> Outcome<std::shared_ptr<const System>> {
+        auto impl = std::make_unique<Impl>();
+        if (Diagnostics faults = buildPrograms(structure, impl->programs); hasError(faults)) return faults;
+        return std::shared_ptr<const System>(new System(std::move(impl)));
+    });
 }
 
 int System::stateCount() const { return static_cast<int>(impl_->programs.states.size()); }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/guard.hpp"
+#include "core/base/limits.hpp"
 #include "core/base/stop.hpp"
 #include "core/flat/node_map.hpp"
 
@@ -207,6 +209,13 @@ ExpressionId ExpressionPool::intern(const ExpressionNode& node) {
     std::uint32_t& entry = index_[slotOf(node)];
     if (!entry) {
         stopPoint();  // all that is done with a model makes nodes
+        if (nodes_.size() >= limits::expressions)
+            throw LimitReached(
+                error(phrase("the equations of the model, or their derivatives, take more than {} expressions",
+                             limits::expressions),
+                      {},
+                      phrase("Shorten the longest equations and loops, or give intermediate results names of their "
+                             "own.")));
         nodes_.push_back(node);
         entry = static_cast<std::uint32_t>(nodes_.size());
     }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "core/base/guard.hpp"
 #include "core/flat/balance.hpp"
 #include "core/flat/binder.hpp"
 #include "core/flat/connections.hpp"
@@ -40,7 +41,9 @@ void run(Flattening& work, const LibraryClass& definition) {
 
 }  // namespace
 
-Outcome<FlatModel> flatten(const Library& library, std::string_view className) {
+namespace {
+
+Outcome<FlatModel> flattened(const Library& library, std::string_view className) {
     const LibraryClass* definition = library.find(className);
     if (!definition)
         return error(phrase("the class '{}' is not known", className), {}, didYouMean(className, library.names()));
@@ -49,6 +52,12 @@ Outcome<FlatModel> flatten(const Library& library, std::string_view className) {
     run(work, *definition);
     if (work.messages.hasErrors()) return work.messages.diagnostics();
     return Outcome<FlatModel>(std::move(work.model), work.messages.diagnostics());
+}
+
+}  // namespace
+
+Outcome<FlatModel> flatten(const Library& library, std::string_view className) {
+    return guardedOutcome([&] { return flattened(library, className); });
 }
 
 }  // namespace analogon

@@ -6,23 +6,28 @@
 #include <cctype>
 #include <cmath>
 
+#include "core/base/limits.hpp"
 #include "core/base/median.hpp"
 #include "core/base/unit.hpp"
+#include "core/base/visible.hpp"
+#include "core/measure/time_faults.hpp"
 
 namespace analogon {
 
 namespace {
 
+std::string quoted(const std::string& text) { return shortened(text, limits::quotedBytes); }
+
 Diagnostic unknownColumn(const Table& table, const std::string& name) {
     const std::vector<std::string> names = table.names();
     const std::string alike = suggestion(name, names);
     constexpr std::size_t shown = 30;
-    const std::vector<std::string> first(names.begin(),
-                                         names.begin() + static_cast<long>(std::min(shown, names.size())));
+    std::vector<std::string> first;
+    for (std::size_t i = 0; i < std::min(shown, names.size()); ++i) first.push_back(quoted(names[i]));
     const std::string columns = fmt::format("{}{}", fmt::join(first, ", "), names.size() > shown ? ", …" : "");
     Text hint = alike.empty() ? phrase("The columns are {}.", columns)
                               : phrase("Did you mean '{}'? The columns are {}.", alike, columns);
-    return fileError(phrase("there is no column '{}'", name), table.file, 0, 0, std::move(hint));
+    return fileError(phrase("there is no column '{}'", quoted(name)), table.file, 0, 0, std::move(hint));
 }
 
 /// The first cell that is not a finite number, and how many more there are.
@@ -32,9 +37,10 @@ Diagnostic blankCell(const Table& table, const Column& column, EmptyCells empty)
     const int last = table.lines[column.blanks.back().row];
     const std::size_t count = column.blanks.size();
     const Text what = isMissing ? phrase("no number") : phrase("an infinite value");
-    Text message = count > 1 ? phrase("column '{}' has {} here (data row {}; {} cells in all, the last in line {})",
-                                      column.name, what, first.row + 1, count, last)
-                             : phrase("column '{}' has {} here (data row {})", column.name, what, first.row + 1);
+    Text message = count > 1
+                       ? phrase("column '{}' has {} here (data row {}; {} cells in all, the last in line {})",
+                                quoted(column.name), what, first.row + 1, count, last)
+                       : phrase("column '{}' has {} here (data row {})", quoted(column.name), what, first.row + 1);
     Text hint = phrase("Remove these rows, fill the cells, or leave them out with \"range\": [from, to] in the study.");
     if (empty == EmptyCells::Fault) hint = phrase("Only outputs may have empty cells.") + " " + hint;
     return fileError(std::move(message), table.file, table.lines[first.row], first.position, std::move(hint));
@@ -44,7 +50,7 @@ Diagnostic blankCell(const Table& table, const Column& column, EmptyCells empty)
 Diagnostic unmeasured(const Table& table, const Column& column) {
     const BlankCell& first = column.blanks.front();
     Diagnostic note = fileError(phrase("column '{}' was not measured in {} of {} rows, first in data row {}",
-                                       column.name, column.blanks.size(), column.values.size(), first.row + 1),
+                                       quoted(column.name), column.blanks.size(), column.values.size(), first.row + 1),
                                 table.file, table.lines[first.row], first.position,
                                 phrase("What the model says there is compared with nothing."));
     note.severity = Severity::Warning;
@@ -115,12 +121,12 @@ Outcome<UnitConversion> conversion(const Table& table, const Column& column, con
     // A unit and its inverse (rpm and s) are related, but by no line.
     if (result && std::isfinite(result->factor) && std::isfinite(result->offset)) return result;
     if (!isKnownUnit(source)) return unknownUnit(table, column, from);
-    return fileError(
-        phrase("column '{}' is in '{}', which cannot be converted to the '{}' of the model", column.name, from, to),
-        table.file, column.line, column.position,
-        phrase("Map another column, or give the unit in the study as {{\"column\": \"{}\", "
-               "\"unit\": …}}.",
-               column.name));
+    return fileError(phrase("column '{}' is in '{}', which cannot be converted to the '{}' of the model",
+                            quoted(column.name), quoted(from), to),
+                     table.file, column.line, column.position,
+                     phrase("Map another column, or give the unit in the study as {{\"column\": \"{}\", "
+                            "\"unit\": …}}.",
+                            column.name));
 }
 
 double medianStep(const std::vector<double>& time) {
@@ -188,17 +194,7 @@ Outcome<std::vector<double>> readTime(const Table& table, const std::string& col
     if (std::all_of(time.begin(), time.end(), [&](double t) { return t == time.front(); }))
         return fileError(phrase("the time in column '{}' stands still at {}", column, source.values.front()),
                          table.file, table.lines.front(), 0, phrase("Name the column that holds the time in seconds."));
-    for (std::size_t i = 1; i < time.size(); ++i) {
-        if (time[i] > time[i - 1]) continue;
-        const bool repeats = time[i] == time[i - 1];
-        return fileError(repeats ? phrase("the time in column '{}' repeats (data row {}): {} after {}", column, i + 1,
-                                          source.values[i], source.values[i - 1])
-                                 : phrase("the time in column '{}' goes back (data row {}): {} after {}", column, i + 1,
-                                          source.values[i], source.values[i - 1]),
-                         table.file, table.lines[i], 0,
-                         repeats ? phrase("Remove the repeated row, or write the time with more digits.")
-                                 : phrase("Sort the rows by time, or split the file where the recording starts anew."));
-    }
+    if (std::optional<Diagnostic> fault = timeFault(table, source, time)) return std::move(*fault);
     Diagnostics remarks = channel.diagnostics();
     for (Diagnostic& gap : gaps(table, source, time)) remarks.push_back(std::move(gap));
     return {time, std::move(remarks)};

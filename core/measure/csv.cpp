@@ -7,9 +7,12 @@
 #include <limits>
 #include <unordered_map>
 
+#include "core/base/file_fault.hpp"
+#include "core/base/limits.hpp"
 #include "core/base/regular_file.hpp"
 #include "core/base/stop.hpp"
 #include "core/base/unit.hpp"
+#include "core/base/visible.hpp"
 #include "core/measure/column_header.hpp"
 #include "core/measure/csv_dialect.hpp"
 #include "core/measure/encoding.hpp"
@@ -60,6 +63,8 @@ bool isEmpty(std::string_view line) { return line.find_first_not_of(" \t\"") == 
 
 /// Reads one file. The steps follow the file from top to bottom.
 class CsvReader {
+    static constexpr std::size_t shownBehind = 1024;  // bytes of a line behind the place of a fault
+
 public:
     CsvReader(std::string_view text, const std::string& name, const CsvOptions& options)
         : text_(text), lines_(text), decimal_(options.decimal), options_(options) {
@@ -71,7 +76,7 @@ public:
             return fileError(phrase("this is not a text file"), table_.file, 1, 0,
                              phrase("Export the measurement as comma-separated values."));
         findDialect();
-        if (!readHeader()) return faults_;
+        if (!readHeader() || !hasMemory()) return faults_;
         reserve();
         while (hasLine_) {
             if (!isEmpty(line_.text) && !isComment(line_.text) && !readRow()) return faults_;
@@ -89,7 +94,9 @@ private:
 
     bool fault(Text message, int line, int position, Text hint, std::string_view lineText = {}) {
         Diagnostic diagnostic = fileError(std::move(message), table_.file, line, position, std::move(hint));
-        diagnostic.place.lineText = std::string(lineText);
+        // as much of the line as is shown around the place
+        const auto reach = static_cast<std::size_t>(std::max(position, 0)) + shownBehind;
+        diagnostic.place.lineText = std::string(lineText.substr(0, reach));
         diagnostic.place.length = 1;
         faults_ = {std::move(diagnostic)};
         return false;
@@ -127,6 +134,7 @@ private:
         if (row.openQuote) return openQuote(row);
         headerLine_ = line_.number;
         const auto isText = [](const CsvCell& cell) { return !isNumeric(cell.text); };
+        if (!isWithinLimits(row)) return false;
         if (std::any_of(row.cells.begin(), row.cells.end(), isText)) {
             nameColumns(row);
             advance();
@@ -145,12 +153,26 @@ private:
         }
         for (std::size_t i = 0; i < row.cells.size(); ++i)
             table_.columns.push_back({fmt::format("c{}", i + 1), "", {}, {}});
-        warnings_.push_back(fileError(
+        warnings_.push_back(asWarning(fileError(
             phrase("the file has no header"), table_.file, line_.number, 0,
-            phrase("Its columns are called {} to {}.", table_.columns.front().name, table_.columns.back().name)));
-        warnings_.back().severity = Severity::Warning;
+            phrase("Its columns are called {} to {}.", table_.columns.front().name, table_.columns.back().name))));
         return true;
     }
+
+    /// What a header of these cells would make of the file.
+    bool isWithinLimits(const CsvRow& header) {
+        if (header.cells.size() > limits::columns)
+            return fault(phrase("the header has {} columns, more than {}", header.cells.size(), limits::columns),
+                         line_.number, 0, phrase("Export fewer channels, or check the mark between the columns."));
+        for (const CsvCell& cell : header.cells)
+            if (cell.text.size() > limits::columnName)
+                return fault(phrase("a column has a name of {} bytes, more than {}: '{}'", cell.text.size(),
+                                    limits::columnName, quoted(cell.text)),
+                             line_.number, cell.position, phrase("Check the mark between the columns."));
+        return true;
+    }
+
+    static std::string quoted(std::string_view text) { return shortened(text, limits::quotedBytes); }
 
     CsvRow split(const Line& line) const {
         CsvRow row = splitCsvRow(line.text, separator_);
@@ -165,6 +187,8 @@ private:
     }
 
     void nameColumns(const CsvRow& row) {
+        constexpr std::size_t shownRenamed = 5;
+        std::size_t renamed = 0;
         std::unordered_map<std::string, int> taken;
         for (const CsvCell& cell : row.cells) {
             ColumnHeader header = readColumnHeader(cell.text);
@@ -176,15 +200,21 @@ private:
             }
             if (header.name != wanted) {
                 ++taken[header.name];
-                Diagnostic renamed =
-                    fileError(phrase("there are several columns named '{}'", wanted), table_.file, headerLine_,
-                              cell.position, phrase("This one is called '{}' here.", header.name));
-                renamed.severity = Severity::Warning;
-                warnings_.push_back(std::move(renamed));
+                if (++renamed <= shownRenamed) tellRenamed(wanted, header.name, cell.position);
             }
             table_.columns.push_back(
                 {std::move(header.name), std::move(header.unit), {}, {}, cell.text, headerLine_, cell.position});
         }
+        if (renamed > shownRenamed)
+            warnings_.push_back(asWarning(fileError(
+                phrase("{} further columns have the name of another one", renamed - shownRenamed), table_.file,
+                headerLine_, 0, phrase("They are called by that name and a number behind it."))));
+    }
+
+    void tellRenamed(const std::string& wanted, const std::string& name, int position) {
+        warnings_.push_back(
+            asWarning(fileError(phrase("there are several columns named '{}'", quoted(wanted)), table_.file,
+                                headerLine_, position, phrase("This one is called '{}' here.", quoted(name)))));
     }
 
     bool readUnitsRow() {
@@ -213,6 +243,21 @@ private:
         return oneKnown;
     }
 
+    /// Whether there is memory for the numbers, by the length of the first row; a number takes two bytes at least.
+    bool hasMemory() {
+        if (!hasLine_) return true;
+        const double left = static_cast<double>(text_.data() + text_.size() - line_.text.data());
+        const double rows = std::max(1.0, left / static_cast<double>(line_.text.size() + 1));
+        const double cells = std::min(rows * static_cast<double>(table_.columns.size()), left / 2);
+        const Outcome<Done> enough =
+            limits::checkMemory(phrase("the table of {:.3g} rows and {} columns", rows, table_.columns.size()),
+                                8 * cells + static_cast<double>(text_.size()));
+        if (enough) return true;
+        faults_ = enough.diagnostics();
+        faults_.front().place.file = table_.file;
+        return false;
+    }
+
     void reserve() {
         if (!hasLine_) return;
         const auto left = static_cast<std::size_t>(text_.data() + text_.size() - line_.text.data());
@@ -223,6 +268,9 @@ private:
     }
 
     bool readRow() {
+        if (table_.lines.size() >= limits::rows)
+            return fault(phrase("the file has more than {} rows", limits::rows), line_.number, 0,
+                         phrase("Split the recording, or record fewer samples a second."));
         if (!readPlainRow() && !readAnyRow()) return false;
         table_.lines.push_back(line_.number);
         return true;
@@ -295,16 +343,16 @@ private:
         const char other = decimal_ == ',' ? '.' : ',';
         if (decimal_ && isNumeric(cell.text) && readCell(cell.text, other).kind != CellValue::Kind::Text)
             return fault(other == ',' ? phrase("'{}' in column '{}' has a decimal comma, line {} has a decimal point",
-                                               cell.text, column, decimalLine_)
+                                               quoted(cell.text), quoted(column), decimalLine_)
                                       : phrase("'{}' in column '{}' has a decimal point, line {} has a decimal comma",
-                                               cell.text, column, decimalLine_),
+                                               quoted(cell.text), quoted(column), decimalLine_),
                          line_.number, cell.position, phrase("Write the whole file with one decimal mark."),
                          line_.text);
         Text hint = phrase("Only numbers can be read; leave the cell of an output empty where it was not measured.");
         if (cell.text.find(',') != std::string::npos && cell.text.find('.') != std::string::npos)
             hint = phrase("Marks between thousands cannot be read: write 1234.5.");
-        return fault(phrase("'{}' in column '{}' is not a number", cell.text.substr(0, 60), column), line_.number,
-                     cell.position, std::move(hint), line_.text);
+        return fault(phrase("'{}' in column '{}' is not a number", shortened(cell.text, 60), quoted(column)),
+                     line_.number, cell.position, std::move(hint), line_.text);
     }
 
     /// Rows that all end with a separator have one column too many, without a name.

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/base/number_text.hpp"
+#include "core/base/visible.hpp"
 
 namespace analogon {
 
@@ -278,7 +279,7 @@ std::string svgProfile(const ProfilePlot& plot) {
 std::string escapeHtml(std::string_view text) {
     std::string out;
     out.reserve(text.size());
-    for (const char c : text) {
+    for (const char c : visible(text)) {
         switch (c) {
             case '&':
                 out += "&amp;";
@@ -296,8 +297,7 @@ std::string escapeHtml(std::string_view text) {
                 out += "&#39;";
                 break;
             default:
-                // Control characters have no place in HTML.
-                if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t') out += c;
+                out += c;
         }
     }
     return out;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/base/guard.hpp"
 #include "core/structure/alias.hpp"
 #include "core/structure/delay.hpp"
 #include "core/structure/fold.hpp"
@@ -56,7 +57,9 @@ Diagnostics unnamedStates(const ReducedSystem& reduced) {
 
 }  // namespace
 
-Outcome<Structure> analyse(std::shared_ptr<const FlatModel> model, const StructureOptions& options) {
+namespace {
+
+Outcome<Structure> analysed(const std::shared_ptr<const FlatModel>& model, const StructureOptions& options) {
     Structure out;
     Outcome<FoldedModel> folded = fold(*model, options);
     if (!folded) return folded.diagnostics();
@@ -96,6 +99,12 @@ Outcome<Structure> analyse(std::shared_ptr<const FlatModel> model, const Structu
     delayInputsInstead(out);
     out.delays = delaysOf(out);
     return out;
+}
+
+}  // namespace
+
+Outcome<Structure> analyse(std::shared_ptr<const FlatModel> model, const StructureOptions& options) {
+    return guardedOutcome([&] { return analysed(model, options); });
 }
 
 namespace {

@@ -95,9 +95,14 @@ bool risesStrictly(const std::vector<double>& values) {
     return values.size() > 1;
 }
 
+bool moves(const std::vector<double>& values) {
+    return !values.empty() && std::any_of(values.begin(), values.end(), [&](double v) { return v != values.front(); });
+}
+
 bool isTimeName(const Words& words) { return hasAny(words, {"t", "time", "zeit", "timestamp"}); }
 
-/// Index of the time column: rising, and by unit and name; the first rising one when nothing says so.
+/// Index of the time column: rising, and by unit and name; else by name alone; the first rising one when nothing says
+/// so.
 std::size_t timeColumn(const std::vector<GuessedColumn>& columns) {
     const auto find = [&](const auto& accepts) {
         for (std::size_t i = 0; i < columns.size(); ++i)
@@ -109,6 +114,11 @@ std::size_t timeColumn(const std::vector<GuessedColumn>& columns) {
     if (found == columns.size()) found = find([](const GuessedColumn& c) { return c.quantity == Quantity::Time; });
     if (found == columns.size())
         found = find([](const GuessedColumn& c) { return c.unit.empty() && isTimeName(wordsOf(c.name)); });
+    // What says to be the time and repeats is still the time: a counter beside it would be taken for it otherwise.
+    for (std::size_t i = 0; found == columns.size() && i < columns.size(); ++i)
+        if (isTimeName(wordsOf(columns[i].name)) &&
+            (columns[i].quantity == Quantity::Time || columns[i].unit.empty()) && moves(columns[i].values))
+            found = i;
     if (found == columns.size()) found = find([](const GuessedColumn& c) { return c.quantity == Quantity::Other; });
     return found;
 }

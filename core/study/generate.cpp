@@ -64,6 +64,10 @@ private:
                 phrase("the time column '{}' has no unit in its header", time.name),
                 phrase("Write it as '{} [{}]': a time without a unit is read in seconds.", time.name, time.unit),
                 table.file);
+        if (const Outcome<std::vector<double>> stamps = readTime(table, time.name); !stamps) {
+            faults_ = stamps.diagnostics();
+            return false;
+        }
         assume(phrase("'{}' is the time.", time.name));
         return true;
     }

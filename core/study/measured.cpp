@@ -25,6 +25,36 @@ std::pair<std::size_t, std::size_t> usedRows(const Table& table, const StudyExpe
             static_cast<std::size_t>(last - column.values.begin())};
 }
 
+std::set<std::string, std::less<>> mappedColumns(const Table& table, const StudyExperiment& experiment) {
+    std::set<std::string, std::less<>> names;
+    const auto add = [&](const std::string& column) {
+        if (const Column* found = table.find(column)) names.insert(found->name);
+    };
+    add(experiment.timeColumn);
+    for (const auto* mappings : {&experiment.inputs, &experiment.outputs})
+        for (const auto& [signal, mapping] : *mappings) add(mapping.column);
+    return names;
+}
+
+std::set<std::string, std::less<>> usedColumns(const Table& table, const StudyExperiment& experiment) {
+    std::set<std::string, std::less<>> names = mappedColumns(table, experiment);
+    for (const auto& [name, start] : experiment.initial) {
+        const ColumnStart* const begin = std::get_if<ColumnStart>(&start);
+        if (const Column* found = begin ? table.find(begin->column) : nullptr) names.insert(found->name);
+    }
+    return names;
+}
+
+Table cutTo(const Table& table, std::size_t first, std::size_t last,
+            const std::set<std::string, std::less<>>& columns) {
+    Table kept;
+    kept.file = table.file;
+    kept.lines = table.lines;
+    for (const Column& column : table.columns)
+        if (columns.contains(column.name)) kept.columns.push_back(column);
+    return kept.slice(first, last);
+}
+
 std::vector<ExperimentState> measuredExperiments(const Study& study) {
     std::vector<ExperimentState> experiments;
     for (const StudyExperiment& recorded : study.experiments) {
@@ -32,7 +62,7 @@ std::vector<ExperimentState> measuredExperiments(const Study& study) {
         if (found == study.tables.end() || !found->second || !found->second->find(recorded.timeColumn)) continue;
         const auto [first, last] = usedRows(*found->second, recorded);
         if (last - first < 2) continue;
-        const Table table = found->second->slice(first, last);
+        const Table table = cutTo(*found->second, first, last, usedColumns(*found->second, recorded));
         const Outcome<std::vector<double>> time = readTime(table, recorded.timeColumn);
         if (!time) continue;
         ExperimentState experiment;

@@ -52,6 +52,9 @@ bool writeFile(const fs::path& file, const char* bytes, std::size_t count) {
 }
 
 std::string contentOf(const fs::path& file) {
+    std::error_code code;
+    if (fs::file_size(file, code) > HistoryLimits{}.traceBytes && !code)
+        throw std::runtime_error(fmt::format("'{}' is larger than any that is kept", file.filename().string()));
     Outcome<std::string> text = readRegularFile(file);
     if (!text) throw std::runtime_error(fmt::format("'{}' is not there", file.filename().string()));
     return std::move(*text);

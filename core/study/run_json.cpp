@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "core/base/json_limits.hpp"
 #include "core/report/words.hpp"
 
 namespace analogon {
@@ -428,6 +429,8 @@ std::string runJson(const PastRun& run, const KeepArray& keep) {
 }
 
 PastRun parseRun(const std::string& text, const std::string& name, const Study& present, const FindArray& find) {
+    if (const Outcome<Done> limited = checkJsonLimits(Source(name, text)); !limited)
+        throw std::runtime_error(limited.diagnostics().front().message.english());
     const Json json = Json::parse(text);
     if (const std::string format = json.at("format").get<std::string>(); format != formatName)
         throw std::runtime_error(fmt::format("its format is '{}'", format));

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "core/base/json_limits.hpp"
+#include "core/base/visible.hpp"
 #include "core/study/json_fault.hpp"
 #include "core/study/json_places.hpp"
 #include "core/study/study.hpp"
@@ -34,7 +36,7 @@ struct Node {
 Text typeOf(const Json& value) {
     if (value.is_object()) return phrase("an object {{…}}");
     if (value.is_array()) return phrase("a list […]");
-    if (value.is_string()) return phrase("the text \"{}\"", value.get<std::string>());
+    if (value.is_string()) return phrase("the text \"{}\"", shortened(value.get<std::string>(), limits::quotedBytes));
     if (value.is_boolean()) return Text(value.get<bool>() ? "true" : "false");
     if (value.is_number()) return phrase("the number {}", value.dump());
     return "null";
@@ -52,7 +54,8 @@ public:
             return faults_;
         }
         for (const Span& twice : places_.duplicates())
-            faults_.push_back(error(phrase("{} is given twice", twice.text()), twice, phrase("Keep one of them.")));
+            faults_.push_back(error(phrase("{} is given twice", shortened(twice.text(), limits::quotedBytes)), twice,
+                                    phrase("Keep one of them.")));
         if (!readFormat(root)) return faults_;
         study_.className = requiredText(root, "class");
         readExperiments(root);
@@ -61,11 +64,17 @@ public:
         keepUnknown(root, {"format", "class", "experiments", "parameters", "library"}, phrase("a study"), extra_);
         study_.extraJson = extra_.empty() ? std::string() : extra_.dump();
         study_.json = places_.source();
-        if (!faults_.empty()) return faults_;
-        return {std::move(study_), std::move(warnings_)};
+        if (!faults_.empty()) return first(std::move(faults_));
+        return {std::move(study_), first(std::move(warnings_))};
     }
 
 private:
+    /// As many as somebody reads.
+    static Diagnostics first(Diagnostics all) {
+        if (all.size() > limits::shownFaults) all.resize(limits::shownFaults);
+        return all;
+    }
+
     void fault(const Node& node, Text message, Text hint = {}) {
         faults_.push_back(error(std::move(message), places_.value(node.pointer), std::move(hint)));
     }
@@ -451,6 +460,7 @@ void addExtra(Json& json, const std::string& extraJson) {
 }  // namespace
 
 Outcome<Study> parseStudyJson(const SourcePtr& json) {
+    if (const Outcome<Done> limited = checkJsonLimits(*json); !limited) return limited.diagnostics();
     Json tree;
     try {
         tree = Json::parse(json->text());

@@ -10,6 +10,7 @@
 #include "core/fit/held_input.hpp"
 #include "core/flat/flat_model.hpp"
 #include "core/flat/parameter_change.hpp"
+#include "core/measure/plausibility.hpp"
 #include "core/study/measured.hpp"
 #include "core/study/parameter_reader.hpp"
 #include "core/study/study_places.hpp"
@@ -160,9 +161,9 @@ private:
         if (found == study_.tables.end() || !found->second)
             return fault(pointer + "/file",
                          phrase("experiment '{}': the file '{}' has not been read", experiment.name, experiment.file));
-        const std::optional<Table> cut = cutToRange(*found->second, experiment, pointer);
+        const std::optional<Cut> cut = cutToRange(found->second, experiment, pointer);
         if (!cut) return;
-        const Table& table = *cut;
+        const Table& table = *cut->used;
         const Outcome<std::vector<double>> time = readTime(table, experiment.timeColumn);
         if (!keep(time)) return;
 
@@ -188,7 +189,8 @@ private:
             recording.weights[static_cast<Eigen::Index>(i)] = experiment.outputs.at(recording.outputNames[i]).weight;
         if (complete && read && recording.time.size() > 1) readClocks(experiment, pointer, recording);
         readStarts(table, experiment, pointer, recording);
-        addSpares(table, experiment, recording);
+        addSpares(*cut, experiment, recording);
+        addRemarks(table, experiment);
         if (complete && read) shiftHeldInputs(experiment, recording);
         if (complete && read) task_.recordings.push_back(std::move(recording));
     }
@@ -204,16 +206,26 @@ private:
                    const std::string& pointer) {
         if (table.find(column)) return true;
         fault(pointer, phrase("experiment '{}': '{}' has no column '{}'", experiment.name, experiment.file, column),
-              meantOrAvailable(column, table.names(), noColumn()));
+              meantOrAvailable(column, study_.tables.at(experiment.file)->names(), noColumn()));
         return false;
     }
 
+    /// A part of a measurement file: the columns that are used, cut, and where they begin in all of it.
+    struct Cut {
+        std::shared_ptr<const Table> used, whole;
+        std::size_t first{};
+    };
+
     /// The rows within "range"; the times of the others are not looked at.
-    std::optional<Table> cutToRange(const Table& table, const StudyExperiment& experiment, const std::string& pointer) {
+    std::optional<Cut> cutToRange(const std::shared_ptr<const Table>& whole, const StudyExperiment& experiment,
+                                  const std::string& pointer) {
+        const Table& table = *whole;
         if (!hasColumn(table, experiment.timeColumn, experiment, pointer + "/time")) return std::nullopt;
-        if (!experiment.range) return table;
+        if (!experiment.range) return Cut{whole, whole, 0};
         const auto [first, last] = usedRows(table, experiment);
-        if (last - first >= 2) return table.slice(first, last);
+        if (last - first >= 2)
+            return Cut{std::make_shared<const Table>(cutTo(table, first, last, usedColumns(table, experiment))), whole,
+                       first};
         const Column& column = *table.find(experiment.timeColumn);
         const UnitConversion convert = secondsOf(column);
         fault(pointer + "/range",
@@ -397,25 +409,44 @@ private:
 
     /// Columns that the model does not use. Gaps are bridged by straight lines; where little is left beside them the
     /// column is left out.
-    static void addSpares(const Table& table, const StudyExperiment& experiment, Recording& recording) {
-        const auto isUsed = [&](const Column& column) {
-            const auto uses = [&](const auto& mapping) { return table.find(mapping.second.column) == &column; };
-            return table.find(experiment.timeColumn) == &column ||
-                   std::any_of(experiment.inputs.begin(), experiment.inputs.end(), uses) ||
-                   std::any_of(experiment.outputs.begin(), experiment.outputs.end(), uses);
-        };
-        for (const Column& column : table.columns)
-            if (!isUsed(column)) addSpare(column, recording);
+    static void addSpares(const Cut& cut, const StudyExperiment& experiment, Recording& recording) {
+        const std::set<std::string, std::less<>> used = mappedColumns(*cut.whole, experiment);
+        const auto time = std::make_shared<const std::vector<double>>(recording.time);
+        for (const Column& column : cut.whole->columns)
+            if (!used.contains(column.name)) addSpare(cut, column, time, recording.spares);
     }
 
-    static void addSpare(const Column& column, Recording& recording) {
+    static void addSpare(const Cut& cut, const Column& column, const std::shared_ptr<const std::vector<double>>& time,
+                         std::vector<SpareChannel>& spares) {
         constexpr double mostBlanks = 0.5;
-        SpareChannel spare{column.name, column.unit, column.values};
-        if (spare.values.size() != recording.time.size()) return;
-        for (const BlankCell& blank : column.blanks) spare.values[blank.row] = std::nan("");
-        if (static_cast<double>(column.blanks.size()) > mostBlanks * static_cast<double>(spare.values.size())) return;
-        bridge(recording.time, spare.values);
-        recording.spares.push_back(std::move(spare));
+        const std::size_t first = cut.first, count = time->size();
+        if (column.values.size() < first + count) return;
+        const auto isInside = [&](const BlankCell& b) { return b.row >= first && b.row < first + count; };
+        const auto blanks = std::count_if(column.blanks.begin(), column.blanks.end(), isInside);
+        if (static_cast<double>(blanks) > mostBlanks * static_cast<double>(count)) return;
+        const auto read = [whole = cut.whole, &column, first, time] {
+            const auto begin = column.values.begin() + static_cast<std::ptrdiff_t>(first);
+            std::vector<double> values(begin, begin + static_cast<std::ptrdiff_t>(time->size()));
+            for (const BlankCell& blank : column.blanks)
+                if (blank.row >= first && blank.row - first < values.size()) values[blank.row - first] = std::nan("");
+            bridge(*time, values);
+            return values;
+        };
+        spares.push_back({column.name, column.unit, read()});
+    }
+
+    /// What the numbers that are used cannot well be.
+    void addRemarks(const Table& table, const StudyExperiment& experiment) {
+        std::vector<const Column*> used;
+        for (const auto* mappings : {&experiment.inputs, &experiment.outputs})
+            for (const auto& [signal, mapping] : *mappings) {
+                const Column* const column = table.find(mapping.column);
+                const bool isAsItStands = mapping.unit.empty() && mapping.scale == 1 && mapping.offset == 0;
+                const bool isNew = std::find(used.begin(), used.end(), column) == used.end();
+                if (column && isAsItStands && isNew) used.push_back(column);
+            }
+        const Diagnostics told = implausibilities(table, used);
+        said_.insert(said_.end(), told.begin(), told.end());
     }
 
     /// NaN become what the straight line between their neighbours has there; at the ends, the nearest value.
@@ -466,14 +497,16 @@ Outcome<Library> studyLibrary(const Study& study) {
         if (next) library = std::move(next);
     };
     for (const std::string& path : study.libraryPaths) keep(library->withPath(study.directory / path));
+    std::vector<SourcePtr> sources;
     const auto add = [&](const std::string& name, const std::string& text) {
         const std::string shown = study.directory.empty() ? name : (study.directory / name).string();
-        keep(library->withSource(std::make_shared<const Source>(shown, text)));
+        sources.push_back(std::make_shared<const Source>(shown, text));
     };
     for (const auto& [name, text] : study.models)
         if (name != study.modelFile) add(name, text);
     if (const auto model = study.models.find(study.modelFile); model != study.models.end())
         add(model->first, model->second);
+    for (const SourcePtr& source : sources) keep(library->withSource(source));
     if (!faults.empty()) return faults;
     return {std::move(*library), std::move(warnings)};
 }

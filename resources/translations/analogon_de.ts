@@ -5042,28 +5042,124 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Mindestens zwei Abtastwerte sind nötig.</translation>
     </message>
     <message>
+        <source>the time in column '{}' repeats in {} of {} rows: {}</source>
+        <translation>die Zeit in Spalte „{}“ wiederholt sich in {} von {} Zeilen: {}</translation>
+    </message>
+    <message>
+        <source>the time in column '{}' goes back in {} of {} rows: {}</source>
+        <translation>die Zeit in Spalte „{}“ läuft in {} von {} Zeilen zurück: {}</translation>
+    </message>
+    <message>
+        <source>{} after {} (line {})</source>
+        <translation>{} nach {} (Zeile {})</translation>
+    </message>
+    <message>
+        <source>These rows are copies of those before them: the logger wrote them twice; keep one of each.</source>
+        <translation>Diese Zeilen sind Abschriften derer vor ihnen: Der Logger hat sie doppelt geschrieben; je eine behalten.</translation>
+    </message>
+    <message>
+        <source>'{}' counts on there, so no row was written twice; it counts rows and is no time. </source>
+        <translation>„{}“ zählt dort weiter, also wurde keine Zeile doppelt geschrieben; die Spalte zählt Zeilen und ist keine Zeit. </translation>
+    </message>
+    <message>
+        <source>If a quantity jumps there (two rows for one moment), write the second a little later, by {:.2g} s. If the time has too few digits, export it with more; stamps of equal steps can be written anew. If a row was written twice, keep the right one.</source>
+        <translation>Wenn dort eine Größe springt (zwei Zeilen für einen Augenblick), die zweite ein wenig später schreiben, um {:.2g} s. Wenn die Zeit zu wenige Stellen hat, sie mit mehr Stellen exportieren; Stempel gleicher Schritte lassen sich neu schreiben. Wenn eine Zeile doppelt geschrieben wurde, die richtige behalten.</translation>
+    </message>
+    <message>
+        <source>By less than three samples: stamps of two loggers may be mixed, or written late. Correct the stamps of these rows; sorting them would mix what was measured at different moments.</source>
+        <translation>Um weniger als drei Abtastungen: Stempel zweier Logger können gemischt oder zu spät geschrieben sein. Die Stempel dieser Zeilen berichtigen; Sortieren würde mischen, was zu verschiedenen Zeiten gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>The recording may have been started anew there: split the file before line {}, or use its first part alone (&quot;range&quot;: [{:.6g}, {:.6g}]). If the clock was set back, add {:.4g} s from there on. Sorting the rows would mix two recordings.</source>
+        <translation>Dort kann die Aufzeichnung neu begonnen haben: die Datei vor Zeile {} teilen oder nur ihren ersten Teil verwenden („range“: [{:.6g}, {:.6g}]). Wenn die Uhr zurückgestellt wurde, ab dort {:.4g} s hinzuzählen. Sortieren würde zwei Aufzeichnungen mischen.</translation>
+    </message>
+    <message>
+        <source>in line {}</source>
+        <translation>in Zeile {}</translation>
+    </message>
+    <message>
+        <source>in lines {}</source>
+        <translation>in den Zeilen {}</translation>
+    </message>
+    <message>
+        <source>in {} rows, first in lines {}</source>
+        <translation>in {} Zeilen, zuerst in {}</translation>
+    </message>
+    <message>
+        <source>column '{}' is below absolute zero {}: {:.6g} {}</source>
+        <translation>Spalte „{}“ liegt {} unter dem absoluten Nullpunkt: {:.6g} {}</translation>
+    </message>
+    <message>
+        <source>Is the unit right, or does the value stand for a sensor that failed? It is used as it stands.</source>
+        <translation>Stimmt die Einheit, oder steht der Wert für einen ausgefallenen Sensor? Er wird verwendet, wie er dasteht.</translation>
+    </message>
+    <message>
+        <source>the angle in column '{}' starts anew after each turn, {}</source>
+        <translation>Spalte „{0}“ steht von Zeile {2} bis Zeile {3} bei {1:.6g}, während „{4}“ sich bewegt, und zeigt sonst kaum je zweimal dasselbe</translation>
+    </message>
+    <message>
+        <source>The angle of a model runs on: add a turn from each of these rows on, or map the speed instead.</source>
+        <translation>Der Winkel eines Modells läuft weiter: ab jeder dieser Zeilen eine Umdrehung hinzuzählen oder die Drehzahl zuordnen.</translation>
+    </message>
+    <message>
+        <source>column '{}' stands at {:.6g} from line {} to line {} while '{}' moves, and hardly ever reads the same twice elsewhere</source>
+        <translation>Spalte „{}“ steht von Zeile {1} bis Zeile {2} bei {0}</translation>
+    </message>
+    <message>
+        <source>Did the sensor or the logger stick? It is used as it stands; leave the part out with &quot;range&quot;, or empty the cells of an output.</source>
+        <translation>Hing der Sensor oder der Logger? Verwendet wird, was dasteht; den Teil mit „range“ weglassen oder die Zellen einer Ausgangsgröße leeren.</translation>
+    </message>
+    <message>
+        <source>column '{}' holds {:.4g} {}, far beyond the {:.4g} … {:.4g} of nearly all its rows</source>
+        <translation>Spalte „{}“ hat {:.4g} {}, weit außerhalb der {:.4g} … {:.4g} fast aller Zeilen</translation>
+    </message>
+    <message>
+        <source>A value like this outweighs all others in a fit: empty the cell of an output, or correct it.</source>
+        <translation>Ein solcher Wert überwiegt in einer Anpassung alle anderen: die Zelle einer Ausgangsgröße leeren oder den Wert berichtigen.</translation>
+    </message>
+    <message>
+        <source>the header has {} columns, more than {}</source>
+        <translation>die Kopfzeile hat {} Spalten, mehr als {}</translation>
+    </message>
+    <message>
+        <source>Export fewer channels, or check the mark between the columns.</source>
+        <translation>Weniger Kanäle exportieren oder das Trennzeichen der Spalten prüfen.</translation>
+    </message>
+    <message>
+        <source>a column has a name of {} bytes, more than {}: '{}'</source>
+        <translation>eine Spalte hat einen Namen von {} Byte, mehr als {}: „{}“</translation>
+    </message>
+    <message>
+        <source>Check the mark between the columns.</source>
+        <translation>Das Trennzeichen der Spalten prüfen.</translation>
+    </message>
+    <message>
+        <source>{} further columns have the name of another one</source>
+        <translation>{} weitere Spalten heißen wie eine andere</translation>
+    </message>
+    <message>
+        <source>They are called by that name and a number behind it.</source>
+        <translation>Sie heißen hier nach ihr mit einer Nummer dahinter.</translation>
+    </message>
+    <message>
+        <source>the table of {:.3g} rows and {} columns</source>
+        <translation>die Tabelle von {:.3g} Zeilen und {} Spalten</translation>
+    </message>
+    <message>
+        <source>the file has more than {} rows</source>
+        <translation>die Datei hat mehr als {} Zeilen</translation>
+    </message>
+    <message>
+        <source>Split the recording, or record fewer samples a second.</source>
+        <translation>Die Aufzeichnung teilen oder weniger Werte je Sekunde aufnehmen.</translation>
+    </message>
+    <message>
         <source>the time in column '{}' stands still at {}</source>
         <translation>die Zeit in Spalte „{}“ bleibt bei {} stehen</translation>
     </message>
     <message>
         <source>Name the column that holds the time in seconds.</source>
         <translation>Die Spalte nennen, die die Zeit in Sekunden enthält.</translation>
-    </message>
-    <message>
-        <source>the time in column '{}' repeats (data row {}): {} after {}</source>
-        <translation>die Zeit in Spalte „{}“ wiederholt sich (Datenzeile {}): {} nach {}</translation>
-    </message>
-    <message>
-        <source>the time in column '{}' goes back (data row {}): {} after {}</source>
-        <translation>die Zeit in Spalte „{}“ läuft zurück (Datenzeile {}): {} nach {}</translation>
-    </message>
-    <message>
-        <source>Remove the repeated row, or write the time with more digits.</source>
-        <translation>Die wiederholte Zeile entfernen, oder die Zeit mit mehr Stellen schreiben.</translation>
-    </message>
-    <message>
-        <source>Sort the rows by time, or split the file where the recording starts anew.</source>
-        <translation>Die Zeilen nach der Zeit sortieren, oder die Datei teilen, wo die Aufzeichnung neu beginnt.</translation>
     </message>
     <message>
         <source>this is not a text file</source>
@@ -7184,6 +7280,86 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>&quot;{:.60}&quot;</source>
         <translation>„{}“</translation>
+    </message>
+    <message>
+        <source>{} would take {:.3g} GB of memory, of {:.3g} GB that the machine has</source>
+        <translation>{} bräuchte {:.3g} GB Speicher, von {:.3g} GB, die der Rechner hat</translation>
+    </message>
+    <message>
+        <source>Use a part of the recordings (&quot;range&quot;), fewer of their rows, or fit fewer parameters.</source>
+        <translation>Einen Teil der Aufzeichnungen („range“), weniger Zeilen verwenden oder weniger Parameter anpassen.</translation>
+    </message>
+    <message>
+        <source>the file has {:.3g} MB, more than the {} MB that are read</source>
+        <translation>die Datei hat {:.3g} MB, mehr als die {} MB, die gelesen werden</translation>
+    </message>
+    <message>
+        <source>Measured values belong into files of their own.</source>
+        <translation>Messwerte gehören in eigene Dateien.</translation>
+    </message>
+    <message>
+        <source>objects and lists stand within each other more than {} deep</source>
+        <translation>Objekte und Listen stehen tiefer als {} Ebenen ineinander</translation>
+    </message>
+    <message>
+        <source>A study needs fewer than ten levels.</source>
+        <translation>Eine Studie braucht weniger als zehn Ebenen.</translation>
+    </message>
+    <message>
+        <source>the file has more than {} values</source>
+        <translation>die Datei hat mehr als {} Werte</translation>
+    </message>
+    <message>
+        <source>the names in this file are too long and too many</source>
+        <translation>die Namen in dieser Datei sind zu lang und zu viele</translation>
+    </message>
+    <message>
+        <source>This is a fault of the program. Please report it with the study that led to it.</source>
+        <translation>Das ist ein Fehler des Programms. Bitte mit der Studie melden, die dazu geführt hat.</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for this</source>
+        <translation>dafür reicht der Speicher nicht</translation>
+    </message>
+    <message>
+        <source>Use a part of the recordings (&quot;range&quot;), fewer of their columns or rows, a smaller model, or a machine with more memory.</source>
+        <translation>Einen Teil der Aufzeichnungen („range“), weniger Spalten oder Zeilen, ein kleineres Modell oder einen Rechner mit mehr Speicher verwenden.</translation>
+    </message>
+    <message>
+        <source>this is too large to be worked out</source>
+        <translation>das ist zu groß, um ausgerechnet zu werden</translation>
+    </message>
+    <message>
+        <source>Use a part of the recordings (&quot;range&quot;), or a smaller model.</source>
+        <translation>Einen Teil der Aufzeichnungen („range“) oder ein kleineres Modell verwenden.</translation>
+    </message>
+    <message>
+        <source>the file cannot be read or written: {}</source>
+        <translation>die Datei lässt sich nicht lesen oder schreiben: {}</translation>
+    </message>
+    <message>
+        <source>the system refuses what the program asks for: {}</source>
+        <translation>das System verweigert, was das Programm verlangt: {}</translation>
+    </message>
+    <message>
+        <source>Check the limits of the system (ulimit -a) and the space on the disk.</source>
+        <translation>Die Grenzen des Systems (ulimit -a) und den Platz auf dem Datenträger prüfen.</translation>
+    </message>
+    <message>
+        <source>an error that was not foreseen: {}</source>
+        <translation>ein unvorhergesehener Fehler: {}</translation>
+    </message>
+    <message>
+        <source>an error that was not foreseen</source>
+        <translation>ein unvorhergesehener Fehler</translation>
+    </message>
+    <message>
+        <source>the equations of the model, or their derivatives, take more than {} expressions</source>
+        <translation>die Gleichungen des Modells oder ihre Ableitungen brauchen mehr als {} Ausdrücke</translation>
+    </message>
+    <message>
+        <source>Shorten the longest equations and loops, or give intermediate results names of their own.</source>
+        <translation>Die längsten Gleichungen und Schleifen kürzen oder Zwischenergebnissen eigene Namen geben.</translation>
     </message>
     <message>
         <source>nested deeper than {} levels</source>

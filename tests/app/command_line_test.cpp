@@ -456,5 +456,90 @@ TEST(ProgressView, WritesOneJsonObjectALine) {
     EXPECT_EQ(progressJson({"fit", "", -1, 1.5}), R"({"stage":"fit","error_percent":1.5})");
 }
 
+/// A study whose model and measurement are right, with another study.json or header.
+void putStudy(const fs::path& place, const std::string& json, const std::string& csv) {
+    fs::create_directories(place);
+    std::ofstream(place / "study.json") << json;
+    std::ofstream(place / "train.csv", std::ios::binary) << csv;
+    std::ofstream(place / "model.mo")
+        << "model M\n  input Real u;\n  output Real y;\n  parameter Real k = 1;\nequation\n"
+           "  y = k*u;\nend M;\n";
+}
+
+TEST_F(CommandLine, RefusesDeepNestingWithASentence) {
+    for (const std::size_t depth : {20'000u, 1'000'000u}) {
+        putStudy(scratch / "s", std::string(depth, '['), "t,u,y\n0,1,1\n1,2,2\n");
+        for (const char* command : {"check", "fit"}) {
+            std::vector<std::string> arguments{command, (scratch / "s").string()};
+            if (arguments.front() == "fit") arguments.insert(arguments.end(), {"--out", (scratch / "out").string()});
+            const Result result = run(arguments);
+            EXPECT_EQ(result.status, 2);
+            EXPECT_THAT(result.err, HasSubstr("study.json:1:101: error: objects and lists stand within each other"));
+        }
+    }
+}
+
+TEST_F(CommandLine, EndsWithASentenceWhereMemoryDoes) {
+    std::string csv = "t,u,y\n";
+    for (int i = 0; i < 400'000; ++i) csv += std::to_string(i) + ",1.5,1.5\n";
+    putStudy(scratch / "s",
+             R"({"format": "analogon-study-1", "class": "M", "experiments": [{"name": "a", "role": "fit",
+                 "file": "train.csv", "time": "t", "inputs": {"u": "u"}, "outputs": {"y": "y"}}],
+                 "parameters": {"k": {"fit": true}}})",
+             csv);
+    setenv("ANALOGON_MEMORY", "70", 1);
+    const Result result = run({"fit", (scratch / "s").string(), "--out", (scratch / "out").string()});
+    unsetenv("ANALOGON_MEMORY");
+    EXPECT_EQ(result.status, 2) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("memory"));
+    EXPECT_THAT(result.err, HasSubstr("hint: "));
+    EXPECT_FALSE(fs::exists(scratch / "out"));
+}
+
+TEST_F(CommandLine, WritesNothingThatATerminalObeys) {
+    putStudy(scratch / "s",
+             R"({"format": "analogon-study-1", "class": "M", "experiments": [{"name": "a\u001b[2Jb", "role": "fit",
+                 "file": "train.csv", "time": "t", "inputs": {"u": "u\u001b]0;x\u0007"}, "outputs": {"y": "y"}}]})",
+             "t,u\x1b]0;z\x07,y\xc2\x9b"
+             "2J\n0,1,1\n1,\x1b[31mx,2\n");
+    const auto isPlain = [](const std::string& text) {
+        return text.find('\x1b') == std::string::npos && text.find('\x07') == std::string::npos &&
+               text.find("\xc2\x9b") == std::string::npos;
+    };
+    Result result = run({"check", (scratch / "s").string()});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_TRUE(isPlain(result.err)) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("\\u{1b}[31mx"));
+    std::ofstream(scratch / "s" / "train.csv", std::ios::binary) << "t,u\x1b]0;z\x07,y\xc2\x9b"
+                                                                    "2J\n0,1,1\n1,2,2\n";
+    for (const char* command : {"check", "simulate", "fit"}) {
+        std::vector<std::string> arguments{command, (scratch / "s").string()};
+        if (arguments.front() != "check") arguments.insert(arguments.end(), {"--out", (scratch / "out").string()});
+        result = run(arguments);
+        EXPECT_TRUE(isPlain(result.out + result.err)) << result.out << result.err;
+    }
+}
+
+/// The names of a sound study come to the table of results, the report and the lines of progress.
+TEST_F(CommandLine, ShowsNamesWithControlCharactersEscapedInResults) {
+    std::string csv = "t,u,y\n";
+    for (int i = 0; i < 60; ++i)
+        csv += std::to_string(i) + "," + std::to_string(i % 7) + "," + std::to_string(2 * (i % 7)) + "\n";
+    putStudy(
+        scratch / "s",
+        R"({"format": "analogon-study-1", "class": "M", "experiments": [{"name": "a\u001b[2J\u202eb", "role": "fit",
+                 "file": "train.csv", "time": "t", "inputs": {"u": "u"}, "outputs": {"y": "y"}}],
+                 "parameters": {"k": {"fit": true}}})",
+        csv);
+    const Result result =
+        run({"fit", (scratch / "s").string(), "--out", (scratch / "out").string(), "--progress", "json"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("a\\u{1b}[2J\\u{202e}b"));
+    for (const std::string& text : {result.out, result.err, contentOf(scratch / "out" / "report.html")}) {
+        EXPECT_EQ(text.find('\x1b'), std::string::npos);
+        EXPECT_EQ(text.find("\xe2\x80\xae"), std::string::npos);
+    }
+}
+
 }  // namespace
 }  // namespace analogon::cli

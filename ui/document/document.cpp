@@ -69,11 +69,14 @@ struct Document::Opened {
     QString path;
     QString recoveredFrom;
     std::optional<Outcome<Library>> library;
+
+    static Opened failed(const Diagnostic& fault) { return {fault, {}, {}, {}}; }
 };
 
 Document::Document(QObject* parent) : QObject(parent) {
     connect(&reader_, &JobRunner::started, this, &Document::readingChanged);
     connect(&reader_, &JobRunner::finished, this, &Document::readingChanged);
+    connect(&analyser_, &JobRunner::failed, this, [this](const Diagnostic& fault) { setModelMessages({fault}); });
     connect(&undo_, &QUndoStack::cleanChanged, this, &Document::modifiedChanged);
     // Typing and dragging change the text many times a second: the model is analysed once they pause.
     analysisDelay_.setSingleShot(true);

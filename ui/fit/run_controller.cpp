@@ -5,6 +5,7 @@
 
 #include "core/study/measured.hpp"
 #include "ui/style/number.hpp"
+#include "ui/words/words.hpp"
 
 namespace analogon::ui {
 
@@ -86,6 +87,9 @@ RunController::RunController(Document& document, QObject* parent) : QObject(pare
     connect(&run_, &JobRunner::progressed, this, &RunController::progressed);
     connect(&run_, &JobRunner::progressed, this, &RunController::watch);
     connect(&run_, &JobRunner::finished, this, &RunController::stopWatching);
+    for (const JobRunner* job : {&live_, &look_, &preview_})
+        connect(job, &JobRunner::failed, this,
+                [this](const Diagnostic& fault) { Q_EMIT concluded(inWords(fault.message)); });
     liveDelay_.setSingleShot(true);
     connect(&liveDelay_, &QTimer::timeout, this, &RunController::simulateBest);
     lookDelay_.setSingleShot(true);
@@ -305,6 +309,8 @@ void RunController::simulateAsItStands() {
     struct Seen {
         Outcome<RunResult> run;
         std::vector<ExperimentState> measured;  // when nothing could be simulated, or not to its end
+
+        static Seen failed(const Diagnostic& fault) { return {fault, {}}; }
     };
     preview_.start<Seen>(
         tr("Simulation"),

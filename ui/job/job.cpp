@@ -41,6 +41,7 @@ void JobRunner::launch(const QString& what, std::function<Delivery(const Progres
     isDone_ = std::make_shared<std::atomic<bool>>(false);
     thread_ =
         std::jthread([job, mailbox = mailbox_, sink, work = std::move(work), isDone = isDone_](std::stop_token stop) {
+            const StackGuard stack;
             Delivery deliver;  // empty: it was stopped before it had anything
             try {
                 const StopScope scope(stop);

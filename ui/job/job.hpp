@@ -6,9 +6,12 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
+#include "core/base/guard.hpp"
 #include "core/base/progress.hpp"
 
 namespace analogon::ui {
@@ -23,12 +26,21 @@ public:
     explicit JobRunner(QObject* parent = nullptr);
     ~JobRunner() override;
 
-    /// `work` runs on another thread; `done` on this one, unless the job was dropped meanwhile.
+    /// `work` runs on another thread; `done` on this one, unless the job was dropped meanwhile. What the work throws
+    /// comes as a fault to `done` where a result can hold one, else by failed().
     template <class Result>
     void start(const QString& what, std::function<Result(const Progress&)> work, std::function<void(Result)> done) {
-        launch(what, [work = std::move(work), done = std::move(done)](const Progress& progress) -> Delivery {
-            auto result = std::make_shared<Result>(work(progress));
-            return [result, done] { done(std::move(*result)); };
+        launch(what, [this, work = std::move(work), done = std::move(done)](const Progress& progress) -> Delivery {
+            std::shared_ptr<Result> result;
+            const std::optional<Diagnostic> thrown =
+                guarded([&] { result = std::make_shared<Result>(work(progress)); });
+            if (!thrown) return [result, done] { done(std::move(*result)); };
+            if constexpr (std::is_convertible_v<Diagnostic, Result>)
+                return [fault = *thrown, done] { done(Result(fault)); };
+            else if constexpr (requires { Result::failed(*thrown); })
+                return [fault = *thrown, done] { done(Result::failed(fault)); };
+            else
+                return [this, fault = *thrown] { Q_EMIT failed(fault); };
         });
     }
 
@@ -44,6 +56,8 @@ Q_SIGNALS:
     /// At most one call per turn of the event loop.
     void progressed(const analogon::Progress::Report& report);
     void finished();
+    /// The job that was under way has thrown, and its result cannot say so.
+    void failed(const analogon::Diagnostic& fault);
 
 private:
     using Delivery = std::function<void()>;

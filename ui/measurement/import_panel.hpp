@@ -43,6 +43,8 @@ private:
     struct Preview {
         Outcome<Table> table;
         std::vector<FileLine> lines;
+
+        static Preview failed(const Diagnostic& fault) { return {fault, {}}; }
     };
     void showPreview(Preview preview);
     void tellProblems(const Diagnostics& problems);

@@ -21,6 +21,7 @@
 #include "ui/plot/run_comparison.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
+#include "ui/words/words.hpp"
 
 namespace analogon::ui {
 
@@ -69,6 +70,8 @@ PlotPanel::PlotPanel(Document& document, QWidget* parent)
       pages_(new QStackedLayout),
       empty_(new QLabel(this)),
       area_(new QScrollArea(this)) {
+    connect(&exporter_, &JobRunner::failed, this,
+            [this](const Diagnostic& fault) { Q_EMIT told(inWords(fault.message)); });
     experiments_->setDrawBase(false);
     experiments_->setExpanding(false);
     experiments_->setDocumentMode(true);

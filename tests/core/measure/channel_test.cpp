@@ -163,11 +163,38 @@ TEST(Time, IsReadInSeconds) {
 
 TEST(Time, RefusesFallingRepeatedAndConstantStamps) {
     const Diagnostic falling = faultOf(readTime(table("t,u\n0,1\n1,2\n0.5,3\n2,4\n"), "t"));
-    EXPECT_EQ(falling.message, "the time in column 't' goes back (data row 3): 0.5 after 1");
+    EXPECT_EQ(falling.message, "the time in column 't' goes back in 1 of 4 rows: 0.5 after 1 (line 4)");
     EXPECT_EQ(falling.place.line, 4);
     EXPECT_THAT(faultOf(readTime(table("t,u\n0,1\n1,2\n1,3\n"), "t")).message, HasSubstr("repeats"));
     EXPECT_THAT(faultOf(readTime(table("t,u\n1,1\n1,2\n1,3\n"), "t")).message, HasSubstr("stands still"));
     EXPECT_THAT(faultOf(readTime(table("t,u\n1,1\n"), "t")).message, HasSubstr("only one row"));
+}
+
+TEST(Time, SaysWhatRepeatedStampsMayMeanAndNeverToSpoilTheData) {
+    // a counter beside them: no row was written twice
+    const Diagnostic counted = faultOf(readTime(
+        table("No,time [ms],u\n1,0,0\n2,100,1\n3,200,2\n4,200,2.5\n5,300,3\n6,300,4\n7,300,5\n8,400,6\n9,400,7\n"),
+        "time"));
+    EXPECT_EQ(counted.message,
+              "the time in column 'time' repeats in 4 of 9 rows: 200 after 200 (line 5), 300 after 300 (line 7), "
+              "300 after 300 (line 8), …");
+    EXPECT_EQ(counted.place.line, 5);
+    EXPECT_THAT(counted.hint.english(), HasSubstr("'No' counts on there, so no row was written twice"));
+    EXPECT_THAT(counted.hint.english(), HasSubstr("write the second a little later, by 0.0001 s"));
+    // the same row twice
+    EXPECT_THAT(faultOf(readTime(table("t,u\n0,1\n1,2\n1,2\n2,3\n"), "t")).hint.english(),
+                HasSubstr("These rows are copies of those before them"));
+    for (const char* const text : {"t,u\n0,1\n1,2\n1,3\n2,3\n", "t,u\n0,1\n1,2\n0,3\n1,3\n"})
+        EXPECT_THAT(faultOf(readTime(table(text), "t")).hint.english(),
+                    testing::Not(testing::AnyOf(HasSubstr("Remove the"), HasSubstr("Sort the rows"))));
+}
+
+TEST(Time, SaysWhatReturningStampsMayMean) {
+    const Diagnostic anew = faultOf(readTime(table("t,u\n0,1\n1,2\n2,3\n3,3\n4,3\n5,3\n0,1\n1,2\n2,3\n"), "t"));
+    EXPECT_THAT(anew.hint.english(), HasSubstr("split the file before line 8, or use its first part alone (\"range\": "
+                                               "[0, 5]). If the clock was set back, add 6 s"));
+    const Diagnostic mixed = faultOf(readTime(table("t,u\n0,1\n1,2\n3,3\n2,3\n4,3\n5,3\n"), "t"));
+    EXPECT_THAT(mixed.hint.english(), HasSubstr("stamps of two loggers may be mixed"));
 }
 
 TEST(Time, WarnsOfGapsOnce) {

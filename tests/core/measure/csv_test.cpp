@@ -259,3 +259,40 @@ TEST(Csv, ReadsEveryMeasurementOfTheCasesAndRealData) {
         }
     EXPECT_GE(count, 28);
 }
+
+TEST(Csv, KeepsItsMessagesShort) {
+    const std::string longName(5'000'000, 'x');
+    const Diagnostic name = faultOf("t," + longName + "\n0,1\n");
+    EXPECT_THAT(name.message.english(), HasSubstr("a name of 5000000 bytes, more than 4096: 'xxx"));
+    EXPECT_LT(format(name).size(), 1000u);
+    const std::string shortName(4000, 'y');
+    const Diagnostic cell = faultOf("t," + shortName + "\n0," + longName + "\n");
+    EXPECT_LT(format(cell).size(), 1000u);
+    std::string same = "t";
+    for (int i = 0; i < 10000; ++i) same += ",a";
+    const Outcome<Table> table = readCsvText(same + "\n", "test.csv");
+    EXPECT_LT(format(table.diagnostics()).size(), 2000u);
+}
+
+TEST(Csv, TellsOfManyColumnsOfOneNameInOneSentence) {
+    const Outcome<Table> table = readCsvText("t,a,a,a,a,a,a,a,a\n0,1,2,3,4,5,6,7,8\n", "test.csv");
+    ASSERT_TRUE(table);
+    ASSERT_EQ(table.diagnostics().size(), 6u);
+    EXPECT_EQ(table.diagnostics().back().message, "2 further columns have the name of another one");
+    EXPECT_EQ(table->columns.back().name, "a_8");
+}
+
+TEST(Csv, RefusesMoreColumnsThanARecordingHas) {
+    const std::string header(200'000, ',');
+    EXPECT_THAT(faultOf("t" + header + "\n").message.english(), HasSubstr("200001 columns, more than 100000"));
+}
+
+TEST(Csv, SaysBeforeReadingThatThereIsNoMemoryForIt) {
+    setenv("ANALOGON_MEMORY", "1", 1);
+    std::string text = "t,u\n";
+    for (int i = 0; i < 100'000; ++i) text += fmt::format("{},{}\n", i, i % 7);
+    const Diagnostic fault = faultOf(text);
+    unsetenv("ANALOGON_MEMORY");
+    EXPECT_THAT(fault.message.english(), HasSubstr("rows and 2 columns would take"));
+    EXPECT_EQ(fault.place.file, "test.csv");
+}

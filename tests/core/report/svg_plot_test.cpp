@@ -137,4 +137,4 @@ TEST(ProfilePlot, MarksTheIntervalAndSaysWhichSideIsOpen) {
     EXPECT_THAT(svgProfile(plot), ::testing::HasSubstr("open →"));
 }
 
-TEST(Html, IsEscaped) { EXPECT_EQ(escapeHtml("a<b>&\"'\x01"), "a&lt;b&gt;&amp;&quot;&#39;"); }
+TEST(Html, IsEscaped) { EXPECT_EQ(escapeHtml("a<b>&\"'\x01"), "a&lt;b&gt;&amp;&quot;&#39;\\u{1}"); }

@@ -248,6 +248,17 @@ TEST(ColumnGuess, ReadsUnitsFromNames) {
     EXPECT_EQ(columns[4].mapping().unit, "A");
 }
 
+TEST(ColumnGuess, TakesNoCounterForATimeThatRepeats) {
+    const auto table =
+        tableOf("No,time [ms],u [V],i [A]\n1,0,0,0\n2,100,12,1\n3,200,12,2\n4,300,12,2.5\n5,300,12,2.7\n");
+    const auto columns = guessColumns(*table);
+    EXPECT_EQ(columns.front().name, "time");
+    EXPECT_EQ(columns.front().quantity, Quantity::Time);
+    for (std::size_t i = 1; i < columns.size(); ++i) EXPECT_NE(columns[i].quantity, Quantity::Time) << columns[i].name;
+    // without a time, a counter may stand for it
+    EXPECT_EQ(guessColumns(*tableOf("No,u [V]\n1,0\n2,12\n3,12\n")).front().name, "No");
+}
+
 TEST(StartGuess, FindsTheTimeInWhichASignalChanges) {
     std::vector<double> time, signal;
     for (int k = 0; k < 5000; ++k) {

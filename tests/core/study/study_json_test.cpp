@@ -264,3 +264,23 @@ TEST(JsonPlaces, FindsValuesAndNames) {
     EXPECT_EQ(places.value("").text(), source->text());
     EXPECT_FALSE(places.name("/a/0").valid());
 }
+
+TEST(StudyJson, RefusesDeepNestingBeforeParsing) {
+    for (const std::size_t depth : {20'000u, 1'000'000u}) {
+        const Diagnostic fault = faultOf(std::string(depth, '['));
+        EXPECT_THAT(fault.message.english(), HasSubstr("more than 100 deep"));
+        EXPECT_EQ(fault.place.column, 101);
+        EXPECT_THAT(faultOf("{\"note\": " + std::string(depth, '[') + std::string(depth, ']') + "}").message.english(),
+                    HasSubstr("more than 100 deep"));
+    }
+}
+
+TEST(StudyJson, TellsTheFirstFaultsOfMany) {
+    std::string experiments;
+    for (int i = 0; i < 1000; ++i) experiments += "{\"name\": 5},";
+    const Outcome<Study> study = parse("{\"class\": \"M\", \"experiments\": [" + experiments + "{}]}");
+    EXPECT_FALSE(study);
+    EXPECT_EQ(study.diagnostics().size(), 50u);
+    const std::string text(100'000, 'x');
+    EXPECT_LT(format(faultOf("{\"class\": \"M\", \"experiments\": \"" + text + "\"}")).size(), 1500u);
+}

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/base/outcome.hpp"
+
+/// What is refused before any work is done on it: each of these is far beyond what an engineer writes or records, and
+/// near what would take a machine for minutes or all of its memory. One table for all stages; whoever reaches a limit
+/// says so in one sentence, with the place and with what to do instead.
+namespace analogon::limits {
+
+// A text of JSON (study.json, the history of runs).
+inline constexpr std::size_t jsonDepth = 100;  // objects and lists within each other
+inline constexpr std::size_t jsonBytes = std::size_t{64} << 20;
+inline constexpr std::size_t jsonValues = 1'000'000;  // members and elements
+inline constexpr std::size_t jsonPaths = std::size_t{256}
+                                         << 20;  // bytes of the names around each value, of all together
+
+// Model texts. How deep they nest is limited where they are read (core/syntax/cursor.cpp), how deep classes are built
+// of each other, and of how many scalars and equations a model is, where it is flattened (core/flat/instantiator.hpp).
+inline constexpr std::size_t modelBytes = std::size_t{32} << 20;  // of one file
+
+// Expressions of a flat model and of what is derived from it, 32 bytes and a place in an index each.
+inline constexpr std::size_t expressions = 4'000'000;
+
+// Measurements.
+inline constexpr std::size_t columns = 100'000;
+inline constexpr std::size_t columnName = 4'096;  // bytes
+inline constexpr std::size_t rows = 1'000'000'000;
+
+// What a message tells.
+inline constexpr std::size_t quotedBytes = 100;  // of a name or cell of a file
+inline constexpr std::size_t shownFaults = 50;   // of one kind of file
+
+/// The memory that the machine, or the container around the program, has [byte]; what the environment variable
+/// ANALOGON_MEMORY says [MiB] where it is set.
+std::uint64_t memory();
+
+/// Whether a stage may take so many bytes at once: no more than three quarters of memory(). Where not, a fault that
+/// says how much it is and of what.
+Outcome<Done> checkMemory(const Text& what, double bytes);
+
+}  // namespace analogon::limits
