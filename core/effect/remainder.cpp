@@ -15,8 +15,9 @@ namespace {
 constexpr double significance = 1e-4;
 constexpr double leastMotion = 1e-9;  // of a quantity, after what the parameters can imitate is taken out
 constexpr double leastCorrelation = 0.05;
-constexpr int mostShift = 20;        // between two outputs [samples]
-constexpr double leastShared = 5;    // deviations of the correlation of two noises
+constexpr int mostShift = 20;      // between two outputs [samples]
+constexpr double leastShared = 5;  // deviations of the correlation of two noises
+constexpr double nothing = 1e-3;   // rms of a residual in units of the noise: what rounding leaves of an output at rest
 constexpr double leastOfWhite = 60;  // evidence, on a channel whose residual is white
 
 /// A quantity the residual may move with, at the samples of every fitted experiment.
@@ -224,6 +225,8 @@ Leftovers leftoversIn(const NullModel& null, const Eigen::VectorXd& scale, const
     for (const ResidualChannel& channel : null.channels) {
         if (quantisationStep(channel.measured) > 0 && isNoise(channel, null.fit.optimum.residuals)) continue;
         const int count = channel.end - channel.begin;
+        const Eigen::VectorXd own = null.fit.optimum.residuals.segment(channel.begin, count);
+        if (own.norm() <= nothing * std::sqrt(static_cast<double>(count))) continue;
         // every regressor enters through this channel alone
         Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(white.size(), static_cast<Eigen::Index>(candidates.size()));
         for (std::size_t j = 0; j < candidates.size(); ++j) {
@@ -243,7 +246,6 @@ Leftovers leftoversIn(const NullModel& null, const Eigen::VectorXd& scale, const
         if (dof < 1 || count < 2 * dof + 10) continue;
         e.total = white.segment(channel.begin, count).squaredNorm();
         e.pMoves = std::min(pWhitened(e.all, e.total, count), patient.p(channel, columns, unlikely));
-        const Eigen::VectorXd own = null.fit.optimum.residuals.segment(channel.begin, count);
         e.summary = summarise(own);
         e.isWhite = isChance(e.summary.whiteProbability);
         const double beyondChance = e.all.explained - dof * std::log(static_cast<double>(count));
