@@ -8,9 +8,9 @@
 #include <numeric>
 #include <ostream>
 
-#include "app/analogon-cli/interrupt.hpp"
-#include "core/measure/open/open_recording.hpp"
 #include "core/base/number_text.hpp"
+#include "core/base/stop.hpp"
+#include "core/measure/open/open_recording.hpp"
 
 namespace analogon::cli {
 
@@ -184,11 +184,10 @@ int channels(const Options& options, std::ostream& out, std::ostream& err) {
     for (const Diagnostic& remark : opened.diagnostics()) recording.notes.push_back(remark.message);
     Summaries summaries;
     if (options.withValues) {
-        Interrupt interrupt;
-        Outcome<Summaries> read = summarise(recording, Progress(interrupt.token(), {}));
+        Outcome<Summaries> read = summarise(recording, Progress(stopInForce(), {}));
         if (!read) {
             err << format(read.diagnostics()) << std::endl;
-            return interrupt.wasRaised() ? interrupted : inputAtFault;
+            return isStopped() ? interrupted : inputAtFault;
         }
         summaries = std::move(*read);
     }

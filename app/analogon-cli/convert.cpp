@@ -2,9 +2,9 @@
 
 #include <ostream>
 
-#include "app/analogon-cli/interrupt.hpp"
 #include "core/archive/archive.hpp"
 #include "core/base/distinct.hpp"
+#include "core/base/stop.hpp"
 #include "core/export/export.hpp"
 #include "core/study/validate.hpp"
 
@@ -50,9 +50,8 @@ int unpack(const Options& options, std::ostream& out, std::ostream& err) {
     if (std::error_code code; !fs::exists(options.input, code))
         return fails({fileError("there is no such file", options.input.string())}, err);
     const fs::path target = options.out.empty() ? options.input.stem() : options.out;
-    const Interrupt interrupt;
-    const Outcome<Done> unpacked = unpackArchive(options.input, target, Progress(interrupt.token(), {}));
-    if (!unpacked && interrupt.wasRaised()) {
+    const Outcome<Done> unpacked = unpackArchive(options.input, target, Progress(stopInForce(), {}));
+    if (!unpacked && isStopped()) {
         err << "interrupted: nothing was unpacked" << std::endl;
         return interrupted;
     }
@@ -79,10 +78,9 @@ int exportStudy(const Options& options, std::ostream& out, std::ostream& err) {
                                  {ExportFormat::Fmu, options.fmuFile, "FMU"},
                                  {ExportFormat::Csv, options.csvFile, "traces"}}) {
         if (wanted.file.empty()) continue;
-        const Interrupt interrupt;  // a compiler that was started is ended with us
         const Outcome<Exported> exported =
-            analogon::exportStudy(opened->study, wanted.format, wanted.file, Progress(interrupt.token(), {}));
-        if (interrupt.wasRaised()) return interrupted;
+            analogon::exportStudy(opened->study, wanted.format, wanted.file, Progress(stopInForce(), {}));
+        if (isStopped()) return interrupted;  // a compiler that was started has ended with us
         const Diagnostics more = notYetTold(namedAs(exported.diagnostics(), *opened), told);
         if (!exported) return fails(more, err);
         tell(more, err);
