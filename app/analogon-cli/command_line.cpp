@@ -161,7 +161,8 @@ int runStudy(const Options& options, Interrupt& interrupt) {
             tell(*result, options, *place, true);
         else
             endsWithoutResult();
-        opened->files.reset();  // where an archive was unpacked
+        const ResultsPlace left(std::move(*place));  // goes where nothing was written, when this ends
+        opened->files.reset();                       // where an archive was unpacked
     });
     const Progress progress(interrupt.token(), view.sink());
     RunOptions run = runOptions(options);

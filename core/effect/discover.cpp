@@ -227,6 +227,18 @@ Outcome<ModelState> stateSoFar(const NullModel& null, const SimulationOptions& s
     return std::move(*state);
 }
 
+/// What a search reports that was stopped in its first fit.
+Outcome<Finding> fittedSoFar(const NullModel& null, const SimulationOptions& simulation) {
+    if (null.fit.estimates.empty()) return error(phrase("cancelled"));
+    Outcome<ModelState> state = stateSoFar(null, simulation);
+    if (!state) return state.diagnostics();
+    Finding finding;
+    finding.baseline = finding.final = std::move(*state);
+    finding.kind = FindingKind::Interrupted;
+    finding.interrupted = true;
+    return finding;
+}
+
 }  // namespace
 
 namespace {
@@ -358,13 +370,9 @@ void Search::keepSoFar() const {
 /// else the model as given. It had no time to say what is left.
 Outcome<Finding> Search::foundSoFar() {
     if (!begun_) {
-        if (first_.fit.estimates.empty()) return error(phrase("cancelled"));
-        Outcome<ModelState> state = stateSoFar(first_, options_.fit.simulation);
-        if (!state) return state.diagnostics();
-        begun_.emplace();
-        begun_->baseline = begun_->final = std::move(*state);
-        begun_->kind = FindingKind::Interrupted;
-        begun_->interrupted = true;
+        Outcome<Finding> fitted = fittedSoFar(first_, options_.fit.simulation);
+        if (!fitted) return fitted;
+        begun_ = std::move(*fitted);
     }
     const bool hasEffects = whole_ && isClear(*whole_);
     if (hasEffects) {
@@ -844,14 +852,12 @@ struct HeldInputs {
     double errorOnLines{};  // [%]
 };
 
-/// The inputs of a task that are held by what a fit on straight lines leaves.
-std::optional<HeldInputs> heldInputs(const EstimationTask& task, const FitOptions& options, const Progress& progress) {
-    if (progress.stopRequested()) return std::nullopt;
-    const Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, options, progress);
-    if (!null) return std::nullopt;
-    const std::optional<HeldReading> reading = heldReading(*null, options, progress);
+/// The inputs of a task that are held by what a fit on straight lines, `null`, leaves.
+std::optional<HeldInputs> heldInputs(NullModel& null, const FitOptions& options, const Progress& progress) {
+    if (progress.stopRequested() || !fitNull(null, NoiseLevel::Estimate, options, progress)) return std::nullopt;
+    const std::optional<HeldReading> reading = heldReading(null, options, progress);
     if (!reading) return std::nullopt;
-    const Outcome<ModelState> state = stateOf(null->variant, null->fit, options.simulation, progress, Detail::Errors);
+    const Outcome<ModelState> state = stateOf(null.variant, null.fit, options.simulation, progress, Detail::Errors);
     if (!state) return std::nullopt;
     return HeldInputs{*reading, errorPercentOf(*state, Role::Fit)};
 }
@@ -903,14 +909,27 @@ Outcome<ModelState> simulateModel(const EstimationTask& task, const SimulationOp
     FitOptions fit;
     fit.simulation = options;
     if (!state || !anyLooksHeld(task)) return state;
-    if (const auto found = heldInputs(task, fit, progress))
+    NullModel null;
+    null.variant.task = task;
+    if (const auto found = heldInputs(null, fit, progress))
         for (Text& remark : heldRemarks(task, found->reading, found->errorOnLines, false))
             state->remarks.push_back(std::move(remark));
     return state;
 }
 
 Outcome<Finding> discover(const EstimationTask& task, const DiscoverOptions& options, const Progress& progress) {
-    const auto held = heldInputs(task, options.fit, progress);
+    NullModel onLines;
+    onLines.variant.task = task;
+    std::optional<HeldInputs> held;
+    try {
+        const StopScope scope(progress.stopToken());
+        held = heldInputs(onLines, options.fit, progress);
+        stopPoint();
+    } catch (const Stopped&) {
+        const std::stop_source nobody;
+        const StopScope scope(nobody.get_token());
+        return fittedSoFar(onLines, options.fit.simulation);
+    }
     if (!held) return Search(task, options, progress).run();
     EstimationTask read = task;
     holdInputs(read, held->reading.inputs);
