@@ -136,7 +136,7 @@ TEST(Prepare, NamesWhatIsWrong) {
     EXPECT_THAT(faultOf(task), HasSubstr("Oven has no parameter Cc"));
     task = ovenTask();
     task.parameters[0].name = "T_strat";
-    EXPECT_THAT(faultOf(task), HasSubstr("did you mean T_start?"));
+    EXPECT_THAT(faultOf(task), HasSubstr("did you mean 'T_start'?"));
     task = ovenTask();
     task.parameters[0].name = "T";
     EXPECT_THAT(faultOf(task), HasSubstr("T is no parameter"));
