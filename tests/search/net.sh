@@ -72,15 +72,15 @@ record() { # STUDIES DIR
         for t in "${threads[@]}"; do
             [ -f "$2/$name-$t.txt" ] && continue
             local run="$2/runs/$name-$t" status=0
-            mkdir -p "$run"
+            mkdir -p "$2/runs"
             "$build/app/analogon-cli" discover "$study" --out "$run" --threads "$t" --most-work "$limit" \
-                --trace "$run/trace.jsonl" > "$run/log.txt" 2>&1 || status=$?
+                --trace "$run.jsonl" > "$run.log" 2>&1 || status=$?
             if [ $status -ne 0 ]; then
-                echo "$name on $t threads: exit status $status ($(tail -n 1 "$run/log.txt"))"
+                echo "$name on $t threads: exit status $status ($(tail -n 1 "$run.log"))"
                 continue
             fi
-            "$build/tests/search/search_net" summarise "$run/report.json" "$run/trace.jsonl" "$2/$name-$t.txt"
-            rm -rf "$run"
+            "$build/tests/search/search_net" summarise "$run/report.json" "$run.jsonl" "$2/$name-$t.txt"
+            rm -rf "$run" "$run.jsonl" "$run.log"
             echo "$name on $t threads"
         done
     done
