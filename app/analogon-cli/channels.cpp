@@ -53,7 +53,7 @@ const char* name(ChannelKind kind) {
 using Summaries = std::vector<std::vector<ValueSummary>>;
 
 /// As many channels of a group in one pass as fit into memory.
-Outcome<Summaries> summarise(Recording& recording, const Progress& progress) {
+Outcome<Summaries> summarise(MeasurementFile& recording, const Progress& progress) {
     Summaries summaries;
     for (std::size_t g = 0; g < recording.groups.size(); ++g) {
         const RecordedGroup& group = recording.groups[g];
@@ -101,7 +101,7 @@ Json jsonOf(const RecordedChannel& channel, const ValueSummary* summary) {
     return json;
 }
 
-Json jsonOf(const Recording& recording, const Summaries& summaries) {
+Json jsonOf(const MeasurementFile& recording, const Summaries& summaries) {
     Json json{{"file", recording.file}, {"format", recording.format}};
     if (!recording.start.empty()) json["start"] = recording.start;
     json["notes"] = Json::array();
@@ -152,7 +152,7 @@ void print(std::ostream& out, const std::vector<std::vector<std::string>>& lines
     }
 }
 
-void printTable(const Recording& recording, const Summaries& summaries, std::ostream& out) {
+void printTable(const MeasurementFile& recording, const Summaries& summaries, std::ostream& out) {
     out << recording.file << ": " << recording.format;
     if (!recording.start.empty()) out << ", start " << recording.start;
     out << '\n';
@@ -175,12 +175,12 @@ void printTable(const Recording& recording, const Summaries& summaries, std::ost
 }  // namespace
 
 int channels(const Options& options, std::ostream& out, std::ostream& err) {
-    Outcome<Recording> opened = openRecording(options.input);
+    Outcome<MeasurementFile> opened = openRecording(options.input);
     if (!opened) {
         err << format(opened.diagnostics()) << std::endl;
         return inputAtFault;
     }
-    Recording& recording = *opened;
+    MeasurementFile& recording = *opened;
     for (const Diagnostic& remark : opened.diagnostics()) recording.notes.push_back(remark.message);
     Summaries summaries;
     if (options.withValues) {

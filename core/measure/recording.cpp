@@ -11,7 +11,7 @@ std::string statusTextOf(const RecordedChannel& channel, double value) {
     return std::isnan(value) ? std::string() : channel.otherStatus;
 }
 
-Outcome<ChannelValues> readValues(const Recording& recording, std::size_t group, std::size_t channel,
+Outcome<ChannelValues> readValues(const MeasurementFile& recording, std::size_t group, std::size_t channel,
                                   const Progress& progress) {
     Outcome<std::vector<ChannelValues>> read = recording.reader->read(group, std::span(&channel, 1), progress);
     if (!read) return read.diagnostics();

@@ -63,7 +63,7 @@ public:
                                                      const Progress& progress) const = 0;
 };
 
-struct Recording {
+struct MeasurementFile {
     std::string file;    // its name, for messages
     std::string format;  // "ASAM MDF 4.10"
     std::string start;   // ISO 8601; empty: the file does not tell
@@ -76,7 +76,7 @@ struct Recording {
 std::string statusTextOf(const RecordedChannel& channel, double value);
 
 /// One channel alone.
-Outcome<ChannelValues> readValues(const Recording& recording, std::size_t group, std::size_t channel,
+Outcome<ChannelValues> readValues(const MeasurementFile& recording, std::size_t group, std::size_t channel,
                                   const Progress& progress = {});
 
 /// What can be said of a channel in few numbers. Gaps (NaN and infinite values) take no part in min, max and mean.

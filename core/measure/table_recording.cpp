@@ -41,8 +41,8 @@ bool namesTime(std::string_view name) {
            lower.starts_with("zeit");
 }
 
-Recording recordingOf(Table table, std::string format) {
-    Recording recording;
+MeasurementFile recordingOf(Table table, std::string format) {
+    MeasurementFile recording;
     recording.file = table.file;
     recording.format = std::move(format);
     RecordedGroup group;

@@ -7,7 +7,7 @@ namespace analogon {
 
 /// A table as a recording of one group. Its master is the first column of rising values that is a time by its unit or
 /// its name.
-Recording recordingOf(Table table, std::string format);
+MeasurementFile recordingOf(Table table, std::string format);
 
 /// Whether a name says time: t, time, Zeit, timestamp …
 bool namesTime(std::string_view name);

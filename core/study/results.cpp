@@ -172,6 +172,23 @@ Diagnostic holdsSomethingElse(const fs::path& directory) {
                      phrase("Give a new or an empty directory, or one with earlier results."));
 }
 
+/// Whether a file receives what this program prints: a shell that is told so makes it before the program begins.
+bool isPrintedTo(const fs::path& file) {
+    struct stat there {
+    }, stream{};
+    if (lstat(file.c_str(), &there) != 0 || !S_ISREG(there.st_mode)) return false;
+    for (const int handle : {STDOUT_FILENO, STDERR_FILENO})
+        if (fstat(handle, &stream) == 0 && stream.st_dev == there.st_dev && stream.st_ino == there.st_ino) return true;
+    return false;
+}
+
+bool isFree(const fs::path& directory) {
+    std::error_code code;
+    for (fs::directory_iterator entry(directory, code), end; !code && entry != end; entry.increment(code))
+        if (!isPrintedTo(entry->path())) return false;
+    return !code;
+}
+
 bool isWithin(const fs::path& path, const fs::path& directory) {
     const fs::path relative = path.lexically_relative(directory);
     return !relative.empty() && *relative.begin() != "..";
@@ -210,8 +227,7 @@ Outcome<Done> ResultsPlace::prepare(const fs::path& study) {
         return fileError(phrase("another run writes its results there"), directory_.string(), 0, 0,
                          phrase("Wait until it has ended, or give another directory."));
     clearLeft(directory_);
-    const bool isFree = fs::is_empty(directory_, code) && !code;
-    if (!isFree && !holdsResults(directory_)) return holdsSomethingElse(directory_);
+    if (!isFree(directory_) && !holdsResults(directory_)) return holdsSomethingElse(directory_);
     if (!study.empty()) {
         const fs::path from = fs::canonical(study, code);
         for (const char* name : {"study", "study-proposed"})

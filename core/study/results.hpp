@@ -11,7 +11,8 @@ namespace analogon {
 /// The directory that a command's results go to. It is tested and locked before the work begins, so that what stands
 /// in the way is told at once and no other run writes there meanwhile.
 ///
-/// It must be new, empty, or hold earlier results, told by a file inside. Results take the place of earlier ones in a
+/// It must be new, empty (but for files that receive what this program prints), or hold earlier results, told by a file
+/// inside. Results take the place of earlier ones in a
 /// single step: whenever the program is ended, the old ones are there or the new ones. What else lies there stays, and
 /// so does, under another name, what somebody has changed since it was written.
 class ResultsPlace {

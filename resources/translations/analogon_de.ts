@@ -5095,7 +5095,7 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     </message>
     <message>
         <source>the angle in column '{}' starts anew after each turn, {}</source>
-        <translation>Spalte „{0}“ steht von Zeile {2} bis Zeile {3} bei {1:.6g}, während „{4}“ sich bewegt, und zeigt sonst kaum je zweimal dasselbe</translation>
+        <translation>der Winkel in Spalte „{}“ beginnt nach jeder Umdrehung von vorn, {}</translation>
     </message>
     <message>
         <source>The angle of a model runs on: add a turn from each of these rows on, or map the speed instead.</source>
@@ -5103,7 +5103,7 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     </message>
     <message>
         <source>column '{}' stands at {:.6g} from line {} to line {} while '{}' moves, and hardly ever reads the same twice elsewhere</source>
-        <translation>Spalte „{}“ steht von Zeile {1} bis Zeile {2} bei {0}</translation>
+        <translation>Spalte „{0}“ steht von Zeile {2} bis Zeile {3} bei {1:.6g}, während „{4}“ sich bewegt, und zeigt sonst kaum je zweimal dasselbe</translation>
     </message>
     <message>
         <source>Did the sensor or the logger stick? It is used as it stands; leave the part out with &quot;range&quot;, or empty the cells of an output.</source>

@@ -123,6 +123,21 @@ TEST_F(FileRule, ResultsAreRefusedBeforeTheWorkWhereTheyCannotBeWritten) {
     EXPECT_EQ(trees("outs/out"), before);
 }
 
+TEST_F(FileRule, WhatTheProgramPrintsMayLieAmongItsResults) {
+    const std::string directory = study(lag).string();
+    const fs::path out = scratch / "results";
+    fs::create_directories(out);
+    for (int time = 0; time < 2; ++time) {
+        Process process({"simulate", directory, "--out", out.string()}, out);
+        EXPECT_EQ(process.wait(), done) << process.err();
+        EXPECT_THAT(process.out(), HasSubstr("report:"));
+        EXPECT_TRUE(fs::exists(out / "report.json"));
+    }
+    fs::create_directories(scratch / "other");
+    put(scratch / "other" / "log.txt", "");
+    EXPECT_EQ(run({"simulate", directory, "--out", (scratch / "other").string()}).status, inputAtFault);
+}
+
 /// A disk that is full is played by a limit of the size of files: it lets the trial of the beginning pass.
 TEST_F(FileRule, TheTableIsPrintedWhateverBecomesOfTheFiles) {
     std::string data = "t [s],u,y\n";

@@ -90,7 +90,7 @@ class MatOpener {
 public:
     explicit MatOpener(std::string file) { recording_.file = std::move(file); }
 
-    Outcome<Recording> open(std::string format, const std::vector<OpaqueVariable>& opaque) {
+    Outcome<MeasurementFile> open(std::string format, const std::vector<OpaqueVariable>& opaque) {
         recording_.format = std::move(format);
         const FilePtr file(Mat_Open(recording_.file.c_str(), MAT_ACC_RDONLY));
         if (!file)
@@ -349,7 +349,7 @@ private:
         places_[group].push_back(signal.place);
     }
 
-    Recording recording_;
+    MeasurementFile recording_;
     std::map<std::string, std::vector<std::string>> names_;
     std::vector<Signal> signals_;
     std::vector<std::string> others_;
@@ -373,7 +373,7 @@ bool isMat(ByteView bytes) {
            looksLikeLevel4(bytes);
 }
 
-Outcome<Recording> openMat(ByteView bytes, const std::string& file) {
+Outcome<MeasurementFile> openMat(ByteView bytes, const std::string& file) {
     if (isHdf5(bytes)) {
         // what is wrong with a file is told here, not on the standard error of the program
         H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

@@ -9,6 +9,6 @@ bool isMat(ByteView bytes);
 
 /// MATLAB levels 4, 5 (to 7) and 7.3: vectors, matrices by columns, structures with a time of their own, Simulink's
 /// structure with time.
-Outcome<Recording> openMat(ByteView bytes, const std::string& file);
+Outcome<MeasurementFile> openMat(ByteView bytes, const std::string& file);
 
 }  // namespace analogon

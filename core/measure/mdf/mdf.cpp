@@ -16,7 +16,7 @@ bool isMdf(ByteView bytes) {
     return head == "MDF     " || head == "UnFinMF ";
 }
 
-Outcome<Recording> openMdf(std::shared_ptr<const MappedFile> file, const std::string& name) {
+Outcome<MeasurementFile> openMdf(std::shared_ptr<const MappedFile> file, const std::string& name) {
     const ByteView bytes = file->bytes();
     if (bytes.size() <= identificationBytes)
         return fileError(phrase("the file ends behind its identification: no measurement is in it"), name, 0, 0,

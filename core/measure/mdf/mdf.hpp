@@ -9,6 +9,6 @@ namespace analogon {
 bool isMdf(ByteView bytes);
 
 /// ASAM MDF 2 to 4.2. What is damaged is left out and told; a fault where nothing can be read.
-Outcome<Recording> openMdf(std::shared_ptr<const MappedFile> file, const std::string& name);
+Outcome<MeasurementFile> openMdf(std::shared_ptr<const MappedFile> file, const std::string& name);
 
 }  // namespace analogon

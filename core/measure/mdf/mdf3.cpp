@@ -33,7 +33,7 @@ public:
         recording_.file = name;
     }
 
-    Outcome<Recording> read() {
+    Outcome<MeasurementFile> read() {
         recording_.format = "ASAM MDF " + text3(bytes_.part(8, 8));
         isBigEndian_ = bytes_.little<std::uint16_t>(24) != 0;
         const bool isUnfinished = bytes_.part(0, 8).text() == "UnFinMF ";
@@ -260,14 +260,14 @@ private:
     ByteView bytes_;
     bool isBigEndian_{};
     StoredFile stored_;
-    Recording recording_;
+    MeasurementFile recording_;
     std::set<std::uint64_t> entered_;
     std::vector<std::uint64_t> dataLinks_;  // by data group
 };
 
 }  // namespace
 
-Outcome<Recording> openMdf3(std::shared_ptr<const MappedFile> file, const std::string& name) {
+Outcome<MeasurementFile> openMdf3(std::shared_ptr<const MappedFile> file, const std::string& name) {
     return Reader3(std::move(file), name).read();
 }
 

@@ -6,6 +6,6 @@
 namespace analogon::mdf {
 
 /// Formats 2 and 3.
-Outcome<Recording> openMdf3(std::shared_ptr<const MappedFile> file, const std::string& name);
+Outcome<MeasurementFile> openMdf3(std::shared_ptr<const MappedFile> file, const std::string& name);
 
 }  // namespace analogon::mdf

@@ -79,7 +79,7 @@ public:
         recording_.file = name;
     }
 
-    Outcome<Recording> read() {
+    Outcome<MeasurementFile> read() {
         const ByteView bytes = blocks_.file();
         const std::string_view version = bytes.part(8, 8).text();
         recording_.format = "ASAM MDF " + std::string(version.substr(0, version.find_first_of(" \0", 0, 2)));
@@ -391,7 +391,7 @@ private:
     Blocks4 blocks_;
     Conversions4 conversions_;
     StoredFile stored_;
-    Recording recording_;
+    MeasurementFile recording_;
     std::uint16_t unfinished_{};
     std::uint64_t elements_{};
     std::vector<std::uint64_t> dataLinks_;                                 // by data group
@@ -405,7 +405,7 @@ private:
 
 }  // namespace
 
-Outcome<Recording> openMdf4(std::shared_ptr<const MappedFile> file, const std::string& name) {
+Outcome<MeasurementFile> openMdf4(std::shared_ptr<const MappedFile> file, const std::string& name) {
     return Reader4(std::move(file), name).read();
 }
 

@@ -5,6 +5,6 @@
 
 namespace analogon::mdf {
 
-Outcome<Recording> openMdf4(std::shared_ptr<const MappedFile> file, const std::string& name);
+Outcome<MeasurementFile> openMdf4(std::shared_ptr<const MappedFile> file, const std::string& name);
 
 }  // namespace analogon::mdf

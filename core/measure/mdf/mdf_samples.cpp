@@ -9,7 +9,7 @@ namespace {
 /// Records without bytes cost nothing in the file, so that any number may be told; a longer one is damage.
 constexpr std::uint64_t mostWithoutBytes = std::uint64_t{1} << 26;
 
-void settleSorted(const DataGroup& data, RecordGroup& group, const std::string& label, Recording& recording,
+void settleSorted(const DataGroup& data, RecordGroup& group, const std::string& label, MeasurementFile& recording,
                   bool isUnfinished) {
     const std::uint64_t stride = data.hasInvalidationApart ? group.dataBytes : group.bytes();
     if (stride == 0) {
@@ -52,7 +52,7 @@ std::uint64_t toldBytes(const StoredFile& file, std::size_t index) {
 
 }  // namespace
 
-void settleSamples(StoredFile& file, Recording& recording, bool isUnfinished) {
+void settleSamples(StoredFile& file, MeasurementFile& recording, bool isUnfinished) {
     for (std::size_t i = 0; i < file.dataGroups.size(); ++i) {
         const DataGroup& data = file.dataGroups[i];
         // with records of variable length the sum is not known without looking at each

@@ -7,6 +7,6 @@ namespace analogon::mdf {
 
 /// Settles how many records each group has: what the file says is held against the bytes that are there, and counted
 /// where it cannot be right. `isUnfinished`: the recorder was stopped before it wrote the numbers.
-void settleSamples(StoredFile& file, Recording& recording, bool isUnfinished);
+void settleSamples(StoredFile& file, MeasurementFile& recording, bool isUnfinished);
 
 }  // namespace analogon::mdf

@@ -18,7 +18,7 @@ bool isText(ByteView bytes) {
     return head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF") || head.find('\0') == std::string_view::npos;
 }
 
-Outcome<Recording> openText(const std::filesystem::path& file) {
+Outcome<MeasurementFile> openText(const std::filesystem::path& file) {
     Outcome<Table> table = readCsv(file);
     if (!table) return table.diagnostics();
     Diagnostics remarks = table.diagnostics();
@@ -27,7 +27,7 @@ Outcome<Recording> openText(const std::filesystem::path& file) {
 
 }  // namespace
 
-Outcome<Recording> openRecording(const std::filesystem::path& file) {
+Outcome<MeasurementFile> openRecording(const std::filesystem::path& file) {
     const Outcome<std::shared_ptr<const MappedFile>> mapped = MappedFile::open(file);
     if (!mapped) return mapped.diagnostics();
     const ByteView bytes = (*mapped)->bytes();

@@ -7,6 +7,6 @@
 namespace analogon {
 
 /// What a measurement file holds. The format is told by its content; what no binary format claims is read as text.
-Outcome<Recording> openRecording(const std::filesystem::path& file);
+Outcome<MeasurementFile> openRecording(const std::filesystem::path& file);
 
 }  // namespace analogon

@@ -163,7 +163,7 @@ public:
         recording_.format = "TDMS";
     }
 
-    Outcome<Recording> open() {
+    Outcome<MeasurementFile> open() {
         File file = readSegments(memory_->bytes());
         if (file.isIncomplete)
             recording_.notes.push_back(
@@ -255,7 +255,7 @@ private:
     }
 
     std::shared_ptr<const MappedFile> memory_;
-    Recording recording_;
+    MeasurementFile recording_;
     std::vector<std::tuple<std::string, double, double, std::uint64_t>> keys_;
     std::vector<std::vector<Source>> sources_;
 };
@@ -264,7 +264,7 @@ private:
 
 bool isTdms(ByteView bytes) { return bytes.part(0, 4).text() == "TDSm"; }
 
-Outcome<Recording> openTdms(std::shared_ptr<const MappedFile> file, const std::string& name) {
+Outcome<MeasurementFile> openTdms(std::shared_ptr<const MappedFile> file, const std::string& name) {
     return TdmsOpener(std::move(file), name).open();
 }
 

@@ -8,6 +8,6 @@ namespace analogon {
 bool isTdms(ByteView bytes);
 
 /// National Instruments TDMS 1.0 and 2.0. Channels of one group that share length and time step are a group here.
-Outcome<Recording> openTdms(std::shared_ptr<const MappedFile> file, const std::string& name);
+Outcome<MeasurementFile> openTdms(std::shared_ptr<const MappedFile> file, const std::string& name);
 
 }  // namespace analogon

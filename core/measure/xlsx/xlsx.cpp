@@ -55,10 +55,10 @@ void makeRelative(SheetColumn& column) {
 
 bool isZip(ByteView bytes) { return bytes.part(0, 4).text() == "PK\x03\x04"; }
 
-Outcome<Recording> openXlsx(const std::string& file) {
+Outcome<MeasurementFile> openXlsx(const std::string& file) {
     const Outcome<std::vector<Sheet>> sheets = readWorkbook(file);
     if (!sheets) return sheets.diagnostics();
-    Recording recording;
+    MeasurementFile recording;
     recording.file = file;
     recording.format = "XLSX";
     auto values = std::make_shared<SheetValues>();

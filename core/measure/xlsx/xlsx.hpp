@@ -9,6 +9,6 @@ namespace analogon {
 bool isZip(ByteView bytes);
 
 /// XLSX: each sheet with numbers is a group, or several where it has several columns of time.
-Outcome<Recording> openXlsx(const std::string& file);
+Outcome<MeasurementFile> openXlsx(const std::string& file);
 
 }  // namespace analogon

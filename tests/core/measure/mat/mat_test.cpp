@@ -38,7 +38,7 @@ protected:
         }
         Mat_Close(mat);
     }
-    static std::vector<double> valuesOf(const Recording& recording, std::size_t group, const std::string& name) {
+    static std::vector<double> valuesOf(const MeasurementFile& recording, std::size_t group, const std::string& name) {
         const auto& channels = recording.groups.at(group).channels;
         for (std::size_t i = 0; i < channels.size(); ++i)
             if (channels[i].name == name) {
@@ -49,7 +49,7 @@ protected:
         ADD_FAILURE() << name;
         return {};
     }
-    static std::string notes(const Recording& recording) {
+    static std::string notes(const MeasurementFile& recording) {
         std::string all;
         for (const Text& note : recording.notes) all += note.english() + "\n";
         return all;
@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(Levels, MatTest, testing::Values(MAT_FT_MAT4, MAT_FT_MA
 
 TEST_P(MatTest, VectorsOfOneLengthShareTheTimeOfThatLength) {
     write({numbers("t", {0, 0.5, 1}), numbers("y", {1, 2, 3}), numbers("odd", {4, 5}), numbers("R0", {47})});
-    const Outcome<Recording> opened = openRecording(file);
+    const Outcome<MeasurementFile> opened = openRecording(file);
     ASSERT_TRUE(opened) << format(opened.diagnostics());
     ASSERT_EQ(opened->groups.size(), 2u);
     EXPECT_EQ(opened->groups[0].master, MasterKind::Time);
@@ -75,7 +75,7 @@ TEST_P(MatTest, VectorsOfOneLengthShareTheTimeOfThatLength) {
 
 TEST_P(MatTest, ColumnsOfAMatrixAreChannels) {
     write({numbers("time", {0, 1, 2}), numbers("M", {1, 2, 3, 10, 20, 30}, 2)});
-    const Outcome<Recording> opened = openRecording(file);
+    const Outcome<MeasurementFile> opened = openRecording(file);
     ASSERT_TRUE(opened) << format(opened.diagnostics());
     EXPECT_THAT(valuesOf(*opened, 0, "M(:,2)"), ElementsAre(10, 20, 30));
 }
@@ -92,7 +92,7 @@ TEST_P(MatTest, ReadsTheStructureWithTimeOfSimulink) {
     Mat_VarSetStructFieldByName(scope, "time", 0, numbers(nullptr, {0, 1, 2}));
     Mat_VarSetStructFieldByName(scope, "signals", 0, signals);
     write({scope});
-    const Outcome<Recording> opened = openRecording(file);
+    const Outcome<MeasurementFile> opened = openRecording(file);
     ASSERT_TRUE(opened) << format(opened.diagnostics());
     ASSERT_EQ(opened->groups.size(), 1u);
     EXPECT_EQ(opened->groups[0].name, "Scope");
@@ -103,7 +103,7 @@ TEST_P(MatTest, ReadsTheStructureWithTimeOfSimulink) {
 TEST_P(MatTest, ACutFileIsRefused) {
     write({numbers("t", {0, 0.5, 1}), numbers("y", {1, 2, 3})});
     std::filesystem::resize_file(file, std::filesystem::file_size(file) * 7 / 10);
-    const Outcome<Recording> opened = openRecording(file);
+    const Outcome<MeasurementFile> opened = openRecording(file);
     EXPECT_FALSE(opened);
 }
 
@@ -120,7 +120,7 @@ TEST_P(MatTest, DamagedBytesCostNoMoreThanTheFile) {
         state = state * 1664525u + 1013904223u;
         bytes[(state >> 8) % bytes.size()] = static_cast<char>(state >> 24);
         std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
-        const Outcome<Recording> opened = openRecording(file);
+        const Outcome<MeasurementFile> opened = openRecording(file);
         if (!opened) continue;
         for (std::size_t g = 0; g < opened->groups.size(); ++g)
             for (std::size_t c = 0; c < opened->groups[g].channels.size(); ++c) {

@@ -23,17 +23,17 @@ class Mdf4 : public testing::Test {
 protected:
     ~Mdf4() override { std::filesystem::remove(file); }
 
-    Recording open(Mdf4Writer& writer, std::uint64_t firstGroup) {
-        Outcome<Recording> opened = openRecording(writer.finish(firstGroup, file));
+    MeasurementFile open(Mdf4Writer& writer, std::uint64_t firstGroup) {
+        Outcome<MeasurementFile> opened = openRecording(writer.finish(firstGroup, file));
         EXPECT_TRUE(opened) << format(opened.diagnostics());
-        return opened ? std::move(*opened) : Recording{};
+        return opened ? std::move(*opened) : MeasurementFile{};
     }
-    static std::vector<double> numbers(const Recording& recording, std::size_t group, std::size_t channel) {
+    static std::vector<double> numbers(const MeasurementFile& recording, std::size_t group, std::size_t channel) {
         const Outcome<ChannelValues> values = readValues(recording, group, channel);
         EXPECT_TRUE(values) << format(values.diagnostics());
         return values ? values->numbers : std::vector<double>{};
     }
-    static std::string notes(const Recording& recording) {
+    static std::string notes(const MeasurementFile& recording) {
         std::string all;
         for (const Text& note : recording.notes) all += note.english() + "\n";
         return all;
@@ -74,7 +74,7 @@ const std::vector<Mdf4Writer::Channel> rampChannels{time, {"y", "V", 0, 2, 16, 8
 TEST_F(Mdf4, FindsGroupsChannelsUnitsAndValues) {
     Mdf4Writer writer;
     const std::uint64_t data = writer.block("DT", {}, ramp(0, 4));
-    const Recording recording = open(writer, writer.simple("run", rampChannels, 4, 10, data));
+    const MeasurementFile recording = open(writer, writer.simple("run", rampChannels, 4, 10, data));
     ASSERT_EQ(recording.groups.size(), 1u);
     const RecordedGroup& group = recording.groups[0];
     EXPECT_EQ(group.name, "run");
@@ -91,12 +91,12 @@ TEST_F(Mdf4, ReadsIntegersThatBeginWithinAByteInBothByteOrders) {
     Bytes data;
     data.put(static_cast<std::uint16_t>(0x1003u << 3)).putBig(static_cast<std::uint16_t>(0x1003u << 3));
     const std::uint64_t block = writer.block("DT", {}, data.text);
-    const Recording recording = open(writer, writer.simple("",
-                                                           {{"u", "", 0, 0, 13, 0, 3},
-                                                            {"s", "", 0, 2, 13, 0, 3},
-                                                            {"ub", "", 0, 1, 13, 2, 3},
-                                                            {"sb", "", 0, 3, 13, 2, 3}},
-                                                           1, 4, block));
+    const MeasurementFile recording = open(writer, writer.simple("",
+                                                                 {{"u", "", 0, 0, 13, 0, 3},
+                                                                  {"s", "", 0, 2, 13, 0, 3},
+                                                                  {"ub", "", 0, 1, 13, 2, 3},
+                                                                  {"sb", "", 0, 3, 13, 2, 3}},
+                                                                 1, 4, block));
     EXPECT_THAT(numbers(recording, 0, 0), ElementsAre(4099));
     EXPECT_THAT(numbers(recording, 0, 1), ElementsAre(-4093));
     EXPECT_THAT(numbers(recording, 0, 2), ElementsAre(4099));
@@ -109,12 +109,12 @@ TEST_F(Mdf4, ReadsASixtyFourBitIntegerOverNineBytesAndHalfFloats) {
     data.put(std::uint64_t{0x123456789ABCD} << 4).put(std::uint8_t{0});
     data.put(std::uint16_t{0x3C00}).putBig(std::uint16_t{0xC000}).put(std::uint16_t{0x0001});
     const std::uint64_t block = writer.block("DT", {}, data.text);
-    const Recording recording = open(writer, writer.simple("",
-                                                           {{"wide", "", 0, 0, 64, 0, 4},
-                                                            {"half", "", 0, 4, 16, 9},
-                                                            {"halfBig", "", 0, 5, 16, 11},
-                                                            {"tiny", "", 0, 4, 16, 13}},
-                                                           1, 15, block));
+    const MeasurementFile recording = open(writer, writer.simple("",
+                                                                 {{"wide", "", 0, 0, 64, 0, 4},
+                                                                  {"half", "", 0, 4, 16, 9},
+                                                                  {"halfBig", "", 0, 5, 16, 11},
+                                                                  {"tiny", "", 0, 4, 16, 13}},
+                                                                 1, 15, block));
     EXPECT_THAT(numbers(recording, 0, 0), ElementsAre(static_cast<double>(0x123456789ABCD)));
     EXPECT_THAT(numbers(recording, 0, 1), ElementsAre(1.0));
     EXPECT_THAT(numbers(recording, 0, 2), ElementsAre(-2.0));
@@ -126,7 +126,7 @@ TEST_F(Mdf4, SaysThatALargeIntegerWasRounded) {
     Bytes data;
     data.put((std::uint64_t{1} << 60) + 1);
     const std::uint64_t block = writer.block("DT", {}, data.text);
-    const Recording recording = open(writer, writer.simple("", {{"n", "", 0, 0, 64, 0}}, 1, 8, block));
+    const MeasurementFile recording = open(writer, writer.simple("", {{"n", "", 0, 0, 64, 0}}, 1, 8, block));
     const Outcome<ChannelValues> values = readValues(recording, 0, 0);
     ASSERT_TRUE(values);
     EXPECT_THAT(format(values.diagnostics()), HasSubstr("2^53"));
@@ -146,7 +146,7 @@ TEST_F(Mdf4, PutsRecordsTogetherThatLieInTwoBlocks) {
         .put(std::uint64_t{777});
     const std::uint64_t dl = writer.block("DL", {0, first, second, third}, list.text);
     const std::uint64_t hl = writer.block("HL", {dl}, std::string(8, '\0'));
-    const Recording recording = open(writer, writer.simple("", rampChannels, 100, 10, hl));
+    const MeasurementFile recording = open(writer, writer.simple("", rampChannels, 100, 10, hl));
     const std::vector<double> values = numbers(recording, 0, 1);
     ASSERT_EQ(values.size(), 100u);
     for (int i = 0; i < 100; ++i) EXPECT_EQ(values[static_cast<std::size_t>(i)], 3 * i - 5);
@@ -163,7 +163,7 @@ TEST_F(Mdf4, ADamagedPackedBlockCostsItsOwnSamplesAlone) {
     const std::uint64_t third = writer.block("DT", {}, data.substr(200));
     Bytes list;
     list.put(std::uint32_t{1}).put(std::uint32_t{3}).put(std::uint64_t{100});
-    const Recording recording =
+    const MeasurementFile recording =
         open(writer, writer.simple("", rampChannels, 30, 10, writer.block("DL", {0, first, second, third}, list.text)));
     const Outcome<ChannelValues> values = readValues(recording, 0, 1);
     ASSERT_TRUE(values);
@@ -186,7 +186,7 @@ TEST_F(Mdf4, AppliesConversions) {
     add(writer.conversion(4, {1, 10, 5, 50}));
     add(writer.conversion(5, {1, 10, 5, 50}));
     add(writer.conversion(6, {0, 2, 7, 3, 5, 8, -1}));
-    const Recording recording = open(writer, writer.simple("", channels, 4, 1, block));
+    const MeasurementFile recording = open(writer, writer.simple("", channels, 4, 1, block));
     EXPECT_THAT(numbers(recording, 0, 0), ElementsAre(10, 14, 20, 28));
     EXPECT_THAT(numbers(recording, 0, 1), ElementsAre(0.25, 1.25, 2.75, 4.75));
     EXPECT_THAT(numbers(recording, 0, 2), ElementsAre(-1, 7, 49, 161));
@@ -199,7 +199,7 @@ TEST_F(Mdf4, AFormulaThatCannotBeReadIsTold) {
     Mdf4Writer writer;
     const std::uint64_t block = writer.block("DT", {}, std::string(1, '\7'));
     const std::uint64_t formula = writer.conversion(3, {}, {writer.text("lookup(X)")});
-    const Recording recording = open(writer, writer.simple("", {{"y", "", 0, 0, 8, 0, 0, formula}}, 1, 1, block));
+    const MeasurementFile recording = open(writer, writer.simple("", {{"y", "", 0, 0, 8, 0, 0, formula}}, 1, 1, block));
     EXPECT_THAT(notes(recording), HasSubstr("lookup(X)"));
     EXPECT_THAT(numbers(recording, 0, 0), ElementsAre(7));
 }
@@ -209,7 +209,8 @@ TEST_F(Mdf4, AStatusKeepsItsNumbersAndNamesThem) {
     const std::uint64_t block = writer.block("DT", {}, std::string("\0\1\5", 3));
     const std::uint64_t off = writer.text("off"), on = writer.text("on"), other = writer.text("?");
     const std::uint64_t conversion = writer.conversion(7, {0, 1}, {off, on, other});
-    const Recording recording = open(writer, writer.simple("", {{"s", "", 0, 0, 8, 0, 0, conversion}}, 3, 1, block));
+    const MeasurementFile recording =
+        open(writer, writer.simple("", {{"s", "", 0, 0, 8, 0, 0, conversion}}, 3, 1, block));
     const RecordedChannel& channel = recording.groups[0].channels[0];
     EXPECT_EQ(channel.kind, ChannelKind::Status);
     EXPECT_THAT(numbers(recording, 0, 0), ElementsAre(0, 1, 5));
@@ -222,7 +223,8 @@ TEST_F(Mdf4, AValueThatHasOnlyATextIsAGapInAChannelOfNumbers) {
     const std::uint64_t block = writer.block("DT", {}, std::string("\1\377", 2));
     const std::uint64_t linear = writer.conversion(1, {0, 0.5});
     const std::uint64_t conversion = writer.conversion(7, {255}, {writer.text("no signal"), linear});
-    const Recording recording = open(writer, writer.simple("", {{"s", "", 0, 0, 8, 0, 0, conversion}}, 2, 1, block));
+    const MeasurementFile recording =
+        open(writer, writer.simple("", {{"s", "", 0, 0, 8, 0, 0, conversion}}, 2, 1, block));
     EXPECT_EQ(recording.groups[0].channels[0].kind, ChannelKind::Number);
     const std::vector<double> values = numbers(recording, 0, 0);
     EXPECT_EQ(values[0], 0.5);
@@ -236,7 +238,7 @@ TEST_F(Mdf4, InvalidationBitsAreGaps) {
     Mdf4Writer::Channel channel{"y", "", 0, 0, 8, 0};
     channel.flags = 2;
     channel.invalidationBit = 2;
-    const Recording recording = open(writer, writer.simple("", {channel}, 3, 1, block, 1));
+    const MeasurementFile recording = open(writer, writer.simple("", {channel}, 3, 1, block, 1));
     const std::vector<double> values = numbers(recording, 0, 0);
     EXPECT_EQ(values[0], 1);
     EXPECT_TRUE(std::isnan(values[1]));
@@ -260,7 +262,7 @@ TEST_F(Mdf4, SortsRecordsOfSeveralGroupsAndTextsOfVariableLength) {
     const std::uint64_t words =
         writer.channelGroup("words", writer.channel({"w", "", 1, 7, 64, 0, 0, 0, texts}, 0), 2, 8, 0, 9, texts);
     const std::uint64_t group = writer.channelGroup("fast", writer.channel({"f", "", 0, 2, 16}, 0), 2, 2, 0, 1, words);
-    const Recording recording = open(writer, writer.dataGroup(group, block, 1));
+    const MeasurementFile recording = open(writer, writer.dataGroup(group, block, 1));
     ASSERT_EQ(recording.groups.size(), 2u);
     EXPECT_THAT(numbers(recording, 0, 0), ElementsAre(10, 11));
     const Outcome<ChannelValues> read = readValues(recording, 1, 0);
@@ -279,7 +281,7 @@ TEST_F(Mdf4, CountsVirtualChannelsAndArraysByElements) {
     array.composition = writer.block("CA", {0}, shape.text);
     Mdf4Writer::Channel counted{"t", "", 3, 0, 0, 0};
     counted.conversion = writer.conversion(1, {5, 0.5});
-    const Recording recording = open(writer, writer.simple("", {counted, array}, 2, 3, block));
+    const MeasurementFile recording = open(writer, writer.simple("", {counted, array}, 2, 3, block));
     ASSERT_EQ(recording.groups[0].channels.size(), 4u);
     EXPECT_EQ(recording.groups[0].channels[3].name, "a[2]");
     EXPECT_EQ(recording.groups[0].channels[0].unit, "s");
@@ -294,7 +296,7 @@ TEST_F(Mdf4, AnUnfinishedFileIsReadToItsLastWholeRecord) {
     const std::uint64_t group = writer.simple("", rampChannels, 0, 10, dataAt);
     writer.bytes().resize(dataAt, '\0');
     ASSERT_EQ(writer.block("DT", {}, ramp(0, 3) + "1234", 24), dataAt);
-    const Recording recording = open(writer, group);
+    const MeasurementFile recording = open(writer, group);
     EXPECT_THAT(numbers(recording, 0, 1), ElementsAre(-5, -2, 1));
     EXPECT_THAT(notes(recording), HasSubstr("did not close"));
     EXPECT_THAT(notes(recording), HasSubstr("4 of 10 bytes"));
@@ -305,7 +307,7 @@ TEST_F(Mdf4, AChainInACircleAndWildLinksAreTold) {
     const std::uint64_t data = writer.block("DT", {}, ramp(0, 2));
     const std::uint64_t group = writer.simple("", rampChannels, 2, 10, data);
     std::memcpy(writer.bytes().data() + group + 24, &group, 8);  // the next group is this one
-    const Recording recording = open(writer, group);
+    const MeasurementFile recording = open(writer, group);
     EXPECT_THAT(notes(recording), HasSubstr("circle"));
     EXPECT_THAT(numbers(recording, 0, 1), ElementsAre(-5, -2));
 }
@@ -316,7 +318,7 @@ TEST_F(Mdf4, ABlockThatClaimsMoreThanCanBeIsLeftOut) {
     const std::uint64_t huge = std::uint64_t{1} << 50;
     std::memcpy(lie.data() + 8, &huge, 8);
     const std::uint64_t data = writer.block("DZ", {}, lie);
-    const Recording recording = open(writer, writer.simple("", rampChannels, 2, 10, data));
+    const MeasurementFile recording = open(writer, writer.simple("", rampChannels, 2, 10, data));
     EXPECT_EQ(recording.groups[0].samples, 0u);
     EXPECT_THAT(notes(recording), HasSubstr("damaged"));
 }
@@ -339,7 +341,7 @@ TEST_F(Mdf4, EveryByteOfASmallFileMayBeDamaged) {
         bytes[at] = static_cast<char>(bytes[at] ^ static_cast<char>(1u << (state >> 29)));
         bytes[(at + (state >> 8) % 64) % bytes.size()] = static_cast<char>(state >> 16);
         std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
-        const Outcome<Recording> opened = openRecording(file);
+        const Outcome<MeasurementFile> opened = openRecording(file);
         if (!opened) continue;
         for (std::size_t g = 0; g < opened->groups.size(); ++g)
             for (std::size_t c = 0; c < opened->groups[g].channels.size(); ++c) {

@@ -65,7 +65,7 @@ std::optional<std::size_t> channelOf(const RecordedGroup& group, const std::stri
     return std::nullopt;
 }
 
-void expectChannel(const Json& truth, const Recording& recording, std::size_t group, std::size_t channel,
+void expectChannel(const Json& truth, const MeasurementFile& recording, std::size_t group, std::size_t channel,
                    const std::string& where) {
     const RecordedChannel& found = recording.groups[group].channels[channel];
     EXPECT_EQ(found.unit, truth.at("unit")) << where;
@@ -93,7 +93,7 @@ void expectChannel(const Json& truth, const Recording& recording, std::size_t gr
 void expectFile(const fs::path& truthFile) {
     const std::string file = truthFile.string().substr(0, truthFile.string().size() - 11);
     const Json truth = Json::parse(std::ifstream(truthFile));
-    const Outcome<Recording> opened = openRecording(file);
+    const Outcome<MeasurementFile> opened = openRecording(file);
     ASSERT_TRUE(opened) << format(opened.diagnostics());
     ASSERT_EQ(opened->groups.size(), truth.at("groups").size()) << file;
     for (std::size_t g = 0; g < opened->groups.size(); ++g) {
@@ -135,7 +135,7 @@ TEST(OpenRecording, RefusesWhatHoldsNoMeasurement) {
 TEST(OpenRecording, ReadsTextByItsContentWhateverItsEnding) {
     const fs::path file = fs::temp_directory_path() / ("analogon-open-" + std::to_string(getpid()) + ".mf4");
     std::ofstream(file) << "t [s],u [V]\n0,1\n0.5,2\n";
-    const Outcome<Recording> opened = openRecording(file);
+    const Outcome<MeasurementFile> opened = openRecording(file);
     fs::remove(file);
     ASSERT_TRUE(opened) << format(opened.diagnostics());
     EXPECT_EQ(opened->format, "text");
@@ -149,7 +149,7 @@ TEST(OpenRecording, SaysWhichKindsOfFilesItReads) {
         "\x7f"
         "ELF\0\0\0\0",
         8);
-    const Outcome<Recording> opened = openRecording(file);
+    const Outcome<MeasurementFile> opened = openRecording(file);
     fs::remove(file);
     ASSERT_FALSE(opened);
     EXPECT_THAT(format(opened.diagnostics()), testing::HasSubstr("no kind that can be read"));

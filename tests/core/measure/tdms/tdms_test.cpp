@@ -20,11 +20,11 @@ class Tdms : public testing::Test {
 protected:
     ~Tdms() override { std::filesystem::remove(file); }
 
-    Outcome<Recording> open(const std::string& bytes) {
+    Outcome<MeasurementFile> open(const std::string& bytes) {
         std::ofstream(file, std::ios::binary) << bytes;
         return openRecording(file);
     }
-    static std::vector<double> numbers(const Recording& recording, std::size_t group, std::size_t channel) {
+    static std::vector<double> numbers(const MeasurementFile& recording, std::size_t group, std::size_t channel) {
         const Outcome<ChannelValues> values = readValues(recording, group, channel);
         EXPECT_TRUE(values) << format(values.diagnostics());
         return values ? values->numbers : std::vector<double>{};
@@ -88,7 +88,7 @@ TEST_F(Tdms, ChannelsThatShareAStepAreAGroupWithItsTime) {
         meta({{"/"}, {"/'G'"}, {"/'G'/'a'", 10, 2, step, {{"unit_string", "V"}}}, {"/'G'/'it''s/b'", 3, 2, step}});
     Bytes raw;
     raw.put(doubles({1.5, 2.5})).put(std::int32_t{-7}).put(std::int32_t{8});
-    const Outcome<Recording> opened = open(segment(meta1 | fresh | raw1, head, raw.text));
+    const Outcome<MeasurementFile> opened = open(segment(meta1 | fresh | raw1, head, raw.text));
     ASSERT_TRUE(opened) << format(opened.diagnostics());
     ASSERT_EQ(opened->groups.size(), 1u);
     EXPECT_EQ(opened->groups[0].channels[1].unit, "V");
@@ -102,7 +102,7 @@ TEST_F(Tdms, ASegmentWithoutItsOwnListGoesOnWithTheLastOneChunkByChunk) {
     const std::string head = meta({{"/'G'/'a'", 10, 1}, {"/'G'/'b'", 10, 1}});
     const std::string bytes =
         segment(meta1 | fresh | raw1, head, doubles({1, 10})) + segment(raw1, "", doubles({2, 20, 3, 30}));
-    const Outcome<Recording> opened = open(bytes);
+    const Outcome<MeasurementFile> opened = open(bytes);
     ASSERT_TRUE(opened) << format(opened.diagnostics());
     EXPECT_THAT(numbers(*opened, 0, 0), ElementsAre(1, 2, 3));
     EXPECT_THAT(numbers(*opened, 0, 1), ElementsAre(10, 20, 30));
@@ -112,7 +112,7 @@ TEST_F(Tdms, ReadsInterleavedValues) {
     const std::string head = meta({{"/'G'/'a'", 10, 2}, {"/'G'/'b'", 2, 2}});
     Bytes raw;
     raw.put(1.0).put(std::int16_t{5}).put(2.0).put(std::int16_t{6});
-    const Outcome<Recording> opened = open(segment(meta1 | fresh | raw1 | interleaved, head, raw.text));
+    const Outcome<MeasurementFile> opened = open(segment(meta1 | fresh | raw1 | interleaved, head, raw.text));
     ASSERT_TRUE(opened) << format(opened.diagnostics());
     EXPECT_THAT(numbers(*opened, 0, 0), ElementsAre(1, 2));
     EXPECT_THAT(numbers(*opened, 0, 1), ElementsAre(5, 6));
@@ -134,14 +134,14 @@ TEST_F(Tdms, AppliesTheScalesOfAChannel) {
                                     {{"NI_Scale[1]_Scale_Type", "Linear"}, {"NI_Scale[0]_Scale_Type", "Polynomial"}}}});
     Bytes raw;
     raw.put(std::int16_t{1}).put(std::int16_t{3});
-    const Outcome<Recording> opened = open(segment(meta1 | fresh | raw1, head, raw.text));
+    const Outcome<MeasurementFile> opened = open(segment(meta1 | fresh | raw1, head, raw.text));
     ASSERT_TRUE(opened) << format(opened.diagnostics());
     EXPECT_THAT(numbers(*opened, 0, 0), ElementsAre(0.5, 8.5));
 }
 
 TEST_F(Tdms, AFileThatWasNotClosedIsReadAsFarAsItGoes) {
     const std::string head = meta({{"/'G'/'a'", 10, 4}});
-    const Outcome<Recording> opened = open(segment(meta1 | fresh | raw1, head, doubles({1, 2, 3}) + "123", true));
+    const Outcome<MeasurementFile> opened = open(segment(meta1 | fresh | raw1, head, doubles({1, 2, 3}) + "123", true));
     ASSERT_TRUE(opened) << format(opened.diagnostics());
     EXPECT_THAT(numbers(*opened, 0, 0), ElementsAre(1, 2, 3));
     EXPECT_THAT(opened->notes.front().english(), HasSubstr("did not close"));
@@ -150,7 +150,7 @@ TEST_F(Tdms, AFileThatWasNotClosedIsReadAsFarAsItGoes) {
 TEST_F(Tdms, CountsThatOverflowAreNoValues) {
     std::vector<Object> objects;
     for (int i = 0; i < 80; ++i) objects.push_back({"/'G'/'c" + std::to_string(i) + "'", 10, std::uint64_t{1} << 58});
-    const Outcome<Recording> opened = open(segment(meta1 | fresh | raw1, meta(objects), doubles({1, 2})));
+    const Outcome<MeasurementFile> opened = open(segment(meta1 | fresh | raw1, meta(objects), doubles({1, 2})));
     ASSERT_TRUE(opened) << format(opened.diagnostics());
     std::size_t samples = 0;
     for (const RecordedGroup& group : opened->groups) samples += group.samples;
@@ -168,7 +168,7 @@ TEST_F(Tdms, EveryByteOfASmallFileMayBeDamaged) {
         state = state * 1664525u + 1013904223u;
         bytes[at % whole.size()] = static_cast<char>(state >> 24);
         bytes[(state >> 4) % whole.size()] = static_cast<char>(state >> 16);
-        const Outcome<Recording> opened = open(bytes);
+        const Outcome<MeasurementFile> opened = open(bytes);
         if (!opened) continue;
         for (std::size_t g = 0; g < opened->groups.size(); ++g)
             for (std::size_t c = 0; c < opened->groups[g].channels.size(); ++c) {

@@ -23,7 +23,7 @@ protected:
     ~Xlsx() override { std::filesystem::remove(file); }
 
     /// A workbook of one sheet; styles: 1 a date, 2 percent.
-    Outcome<Recording> open(const std::string& rows) {
+    Outcome<MeasurementFile> open(const std::string& rows) {
         QuaZip archive(QString::fromStdString(file.string()));
         archive.open(QuaZip::mdCreate);
         const auto put = [&](const char* name, const std::string& content) {
@@ -51,7 +51,7 @@ protected:
     static std::string row(int number, const std::string& cells) {
         return "<row r=\"" + std::to_string(number) + "\">" + cells + "</row>";
     }
-    static std::vector<double> numbers(const Recording& recording, std::size_t group, std::size_t channel) {
+    static std::vector<double> numbers(const MeasurementFile& recording, std::size_t group, std::size_t channel) {
         const Outcome<ChannelValues> values = readValues(recording, group, channel);
         EXPECT_TRUE(values) << format(values.diagnostics());
         return values ? values->numbers : std::vector<double>{};
@@ -62,7 +62,7 @@ protected:
 };
 
 TEST_F(Xlsx, AHeaderAndARowOfUnitsStandAboveTheData) {
-    const Outcome<Recording> opened =
+    const Outcome<MeasurementFile> opened =
         open(row(1, word("A1", "Bench 3")) + row(3, word("A3", "t") + word("B3", "p")) +
              row(4, word("A4", "s") + word("B4", "bar")) + row(5, number("A5", "0") + number("B5", "1.5")) +
              row(6, number("A6", "1") + "<c r=\"B6\" t=\"e\"><v>#DIV/0!</v></c>") +
@@ -81,10 +81,10 @@ TEST_F(Xlsx, AHeaderAndARowOfUnitsStandAboveTheData) {
 }
 
 TEST_F(Xlsx, DatesAreSecondsSinceTheFirstAndALineBelowTheDataIsNone) {
-    const Outcome<Recording> opened = open(row(1, word("A1", "when") + word("B1", "u [V]")) +
-                                           row(2, number("A2", "45458.4375", 1) + number("B2", "1")) +
-                                           row(3, number("A3", "45458.438194444447", 1) + number("B3", "2")) +
-                                           row(4, word("A4", "mean") + number("B4", "1.5")));
+    const Outcome<MeasurementFile> opened = open(row(1, word("A1", "when") + word("B1", "u [V]")) +
+                                                 row(2, number("A2", "45458.4375", 1) + number("B2", "1")) +
+                                                 row(3, number("A3", "45458.438194444447", 1) + number("B3", "2")) +
+                                                 row(4, word("A4", "mean") + number("B4", "1.5")));
     ASSERT_TRUE(opened) << format(opened.diagnostics());
     EXPECT_EQ(opened->start, "2024-06-15T10:30:00");
     EXPECT_THAT(numbers(*opened, 0, 0), ElementsAre(0, 60));
@@ -95,7 +95,7 @@ TEST_F(Xlsx, DatesAreSecondsSinceTheFirstAndALineBelowTheDataIsNone) {
 }
 
 TEST_F(Xlsx, EachColumnBelongsToTheTimeOnItsLeft) {
-    const Outcome<Recording> opened =
+    const Outcome<MeasurementFile> opened =
         open(row(1, word("A1", "t") + word("B1", "u") + word("C1", "t") + word("D1", "i")) +
              row(2, number("A2", "0") + number("B2", "1") + number("C2", "0") + number("D2", "5")) +
              row(3, number("A3", "1") + number("B3", "2") + number("C3", "0.5") + number("D3", "6")) +
@@ -108,7 +108,7 @@ TEST_F(Xlsx, EachColumnBelongsToTheTimeOnItsLeft) {
 }
 
 TEST_F(Xlsx, ASheetWithoutNumbersIsRefused) {
-    const Outcome<Recording> opened = open(row(1, word("A1", "only words")));
+    const Outcome<MeasurementFile> opened = open(row(1, word("A1", "only words")));
     ASSERT_FALSE(opened);
     EXPECT_THAT(format(opened.diagnostics()), HasSubstr("no column of numbers"));
 }
