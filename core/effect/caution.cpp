@@ -283,6 +283,23 @@ std::vector<Text> delaysBelowSampling(const EstimationTask& task, const std::vec
     return said;
 }
 
+Text tooFewSamples(const NullModel& null) {
+    // the shortest straight trend, or step, that the test for whiteness tells from noise (whiteSignificance)
+    constexpr int fewestValues = 15;
+    int samples = 0, longest = 0;
+    for (const ResidualChannel& channel : null.channels) {
+        const int count = channel.end - channel.begin;
+        samples += count;
+        longest = std::max(longest, count);
+    }
+    const int fitted = static_cast<int>(null.fit.optimum.jacobian.cols());
+    if (longest >= fewestValues && samples - fitted >= fewestValues) return {};
+    return phrase(
+        "too few samples to judge: {} samples, {} parameters; structure is told from noise where an output has "
+        "{} samples and there are as many beyond the parameters",
+        samples, fitted, fewestValues);
+}
+
 std::vector<Text> boundHits(const FitResult& fit) {
     std::vector<Text> said;
     for (const FitEstimate& e : fit.estimates)

@@ -31,6 +31,9 @@ double samplingInterval(const EstimationTask& task);
 /// Dead times below one sample interval: how a channel is read between its samples may be all there is to them.
 std::vector<Text> delaysBelowSampling(const EstimationTask& task, const std::vector<AddedEffect>& effects);
 
+/// Why what a model leaves cannot be judged: hardly more was measured than is fitted. Empty: it can.
+Text tooFewSamples(const NullModel& null);
+
 /// Parameters that the fit left at a bound.
 std::vector<Text> boundHits(const FitResult& fit);
 

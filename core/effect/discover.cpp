@@ -636,6 +636,12 @@ Outcome<Finding> Search::searched() {
         trace("reading", "unit " + mistake->unit + " as " + mistake->likely,
               {{"sum_of_squares", mistake->read.sumOfSquares()}}, isMistaken ? "accepted" : "set aside");
     if (isMistaken) return besideMistake(std::move(finding), *null, *mistake);
+    if (Text few = tooFewSamples(base); !few.empty()) {
+        finding.kind = FindingKind::Unexplained;
+        finding.warnings.push_back(few);
+        finding.notSearched = std::move(few);
+        return finding;
+    }
     Outcome<Path> path = bestPath(base);
     if (!path) return path.diagnostics();
     null = std::move(path->null);

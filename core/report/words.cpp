@@ -92,6 +92,9 @@ std::string summaryWords(const Finding& finding, const std::string& command) {
     if (finding.interrupted && !hasChanged(finding))
         return "The search was interrupted before an effect was accepted. " + plainErrorWords(state);
 
+    if (!finding.notSearched.empty() && finding.remainders.empty())
+        return "No effect was looked for: " + finding.notSearched.english() + ". " + plainErrorWords(state);
+
     std::string text;
     std::vector<std::string> effects;
     for (const AddedEffect& effect : finding.effects) effects.push_back(effectWords(effect));

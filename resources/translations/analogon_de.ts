@@ -3987,6 +3987,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Damit und neu angepasst bleibt Struktur, die kein Kandidat erklärt.</translation>
     </message>
     <message>
+        <source>No effect was looked for</source>
+        <translation>Es wurde kein Effekt gesucht</translation>
+    </message>
+    <message>
         <source>Numbers in another unit</source>
         <translation>Zahlen in einer anderen Einheit</translation>
     </message>
@@ -4644,6 +4648,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>{} seems to be another one in '{}' (about {:.4g}) than in the other recordings (about {:.4g}): was the component, or its condition, the same?</source>
         <translation>{} scheint in „{}“ ein anderer Wert zu sein (etwa {}) als in den übrigen Aufzeichnungen (etwa {}): War das Bauteil dasselbe, und in demselben Zustand?</translation>
+    </message>
+    <message>
+        <source>too few samples to judge: {} samples, {} parameters; structure is told from noise where an output has {} samples and there are as many beyond the parameters</source>
+        <translation>zu wenige Messwerte für ein Urteil: {} Messwerte, {} Parameter; Struktur ist von Rauschen zu unterscheiden, wo ein Ausgang {} Messwerte hat und es ebenso viele über die Parameter hinaus gibt</translation>
     </message>
     <message>
         <source>{} rests at a bound ({:.4g}{}{}): the bound is too narrow, or the model lacks something that the parameter stands in for</source>

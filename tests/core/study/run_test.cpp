@@ -8,7 +8,10 @@
 #include <random>
 #include <sstream>
 
+#include "core/effect/null_model.hpp"
 #include "core/report/report.hpp"
+#include "core/report/words.hpp"
+#include "core/residual/noise.hpp"
 #include "study_fixture.hpp"
 
 namespace analogon {
@@ -51,6 +54,38 @@ TEST_F(Run, ASimulationThatIsStoppedLeavesNoFigures) {
         EXPECT_EQ(e.failure.reason, "cancelled");
         EXPECT_TRUE(std::isnan(e.errorPercent));
         EXPECT_EQ(e.outputs.at(0).simulated.size(), 400);
+    }
+}
+
+/// A recording of the heater whose current runs straight from one value to another.
+std::string fewSamples(int count, double from, double to) {
+    std::ostringstream csv;
+    csv << "t [s],u_heater [V],T_air [K],current [A]\n";
+    for (int k = 0; k < count; ++k) csv << k << ",12,293.15," << from + (to - from) * k / (count - 1) << '\n';
+    return csv.str();
+}
+
+TEST_F(Run, AFewSamplesAreTooFewToJudgeAModelBy) {
+    put("train.csv", "t [s],u_heater [V],T_air [K],current [A]\n0,12,293.15,6\n1,12,293.15,2\n2,12,293.15,5\n");
+    const Outcome<RunResult> result = runDiscover(read(), {}, {});
+    ASSERT_TRUE(result) << format(result.diagnostics());
+    const Finding& finding = result->finding;
+    EXPECT_GT(finding.final.experiments.at(0).errorPercent, 20);
+    EXPECT_EQ(finding.kind, FindingKind::Unexplained);
+    EXPECT_THAT(finding.notSearched.english(), HasSubstr("too few samples to judge: 3 samples, 2 parameters"));
+    EXPECT_EQ(std::count(finding.warnings.begin(), finding.warnings.end(), finding.notSearched), 1);
+    EXPECT_THAT(summaryWords(finding, "discover"), HasSubstr("No effect was looked for: too few samples to judge"));
+}
+
+TEST_F(Run, ATrendIsToldFromNoiseByFifteenSamplesBeyondTheParameters) {
+    const auto trend = [](int count) { return Eigen::VectorXd::LinSpaced(count, -1, 1).eval(); };
+    EXPECT_GT(summarise(trend(14)).whiteProbability, whiteSignificance);
+    EXPECT_LT(summarise(trend(15)).whiteProbability, whiteSignificance);
+    for (const int count : {16, 17}) {  // two parameters are fitted
+        put("train.csv", fewSamples(count, 6, 2));
+        const Outcome<RunResult> result = runDiscover(read(), {}, {});
+        ASSERT_TRUE(result) << format(result.diagnostics());
+        EXPECT_EQ(result->finding.notSearched.empty(), count == 17);
     }
 }
 
