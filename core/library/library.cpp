@@ -56,38 +56,65 @@ Outcome<Library> Library::withSource(SourcePtr source) const {
     return Outcome<Library>(with(std::move(loader.classes())), std::move(loader.diagnostics()));
 }
 
+Outcome<Library> Library::withSources(const std::vector<SourcePtr>& sources) const {
+    auto next = std::make_shared<Content>(content());
+    Diagnostics faults, warnings;
+    for (const SourcePtr& source : sources) {
+        PackageLoader loader;
+        loader.loadSource(source);
+        Diagnostics& to = hasError(loader.diagnostics()) ? faults : warnings;
+        to.insert(to.end(), loader.diagnostics().begin(), loader.diagnostics().end());
+        next->add(std::move(loader.classes()));
+    }
+    if (!faults.empty()) return faults;
+    Library result;
+    result.content_ = std::move(next);
+    return {std::move(result), std::move(warnings)};
+}
+
 const Library::Content& Library::content() const {
     static const Content nothing;
     return content_ ? *content_ : nothing;
 }
 
-/// The classes come outer before inner: each that is not part of one before replaces its namesake.
 Library Library::with(std::vector<LibraryClass> added) const {
     auto next = std::make_shared<Content>(content());
-    auto& order = next->order;
-    auto place = order.size();
-    std::string root;
-    for (LibraryClass& one : added) {
-        if (root.empty() || !isWithin(one.qualifiedName, root)) {
-            root = one.qualifiedName;
-            const auto old = std::find_if(order.begin(), order.end(),
-                                          [&](const LibraryClass* known) { return known->qualifiedName == root; });
-            place = static_cast<std::size_t>(old - order.begin());
-            next->remove(root);
-            place = std::min(place, order.size());
-        }
-        const auto kept = std::make_shared<const LibraryClass>(std::move(one));
-        next->classes[kept->qualifiedName] = kept;
-        order.insert(order.begin() + static_cast<std::ptrdiff_t>(place++), kept.get());
-    }
+    next->add(std::move(added));
     Library result;
     result.content_ = std::move(next);
     return result;
 }
 
-void Library::Content::remove(const std::string& qualifiedName) {
+/// The classes come outer before inner: each that is not part of one before replaces its namesake.
+void Library::Content::add(std::vector<LibraryClass> added) {
+    auto place = order.size();
+    std::string root;
+    for (LibraryClass& one : added) {
+        if (root.empty() || !isWithin(one.qualifiedName, root)) {
+            root = one.qualifiedName;
+            place = takeOut(root);
+        }
+        const auto kept = std::make_shared<const LibraryClass>(std::move(one));
+        classes[kept->qualifiedName] = kept;
+        order.insert(order.begin() + static_cast<std::ptrdiff_t>(place++), kept.get());
+    }
+}
+
+/// Takes a class out with all it holds; where in the order its successor belongs.
+std::size_t Library::Content::takeOut(const std::string& qualifiedName) {
+    // all names within it stand beside each other
+    const auto inner = classes.lower_bound(qualifiedName + '.');
+    const bool hasInner = inner != classes.end() && isWithin(inner->first, qualifiedName);
+    const auto own = classes.find(qualifiedName);
+    if (own == classes.end() && !hasInner) return order.size();  // a new name needs no look at all the others
+    const LibraryClass* const known = own == classes.end() ? nullptr : own->second.get();
+    const auto place = static_cast<std::size_t>(std::find(order.begin(), order.end(), known) - order.begin());
     std::erase_if(order, [&](const LibraryClass* one) { return isWithin(one->qualifiedName, qualifiedName); });
-    std::erase_if(classes, [&](const auto& entry) { return isWithin(entry.first, qualifiedName); });
+    auto end = inner;
+    while (end != classes.end() && isWithin(end->first, qualifiedName)) ++end;
+    classes.erase(inner, end);
+    classes.erase(qualifiedName);
+    return std::min(place, order.size());
 }
 
 const LibraryClass* Library::find(std::string_view qualifiedName) const {

@@ -28,6 +28,9 @@ public:
     /// Adds one text; a class of the same qualified name is replaced, with all it holds.
     Outcome<Library> withSource(SourcePtr source) const;
 
+    /// Adds many texts: the same as one behind the other, but what is there already is copied once. Faults of all.
+    Outcome<Library> withSources(const std::vector<SourcePtr>& sources) const;
+
     /// By its full name ("Analogon.Mechanics.Inertia"); null when unknown.
     const LibraryClass* find(std::string_view qualifiedName) const;
 
@@ -52,7 +55,8 @@ private:
         std::map<std::string, std::shared_ptr<const LibraryClass>, std::less<>> classes;
         std::vector<const LibraryClass*> order;
 
-        void remove(const std::string& qualifiedName);
+        void add(std::vector<LibraryClass> added);
+        std::size_t takeOut(const std::string& qualifiedName);
     };
     const Content& content() const;
     Library with(std::vector<LibraryClass> added) const;

@@ -506,7 +506,7 @@ Outcome<Library> studyLibrary(const Study& study) {
         if (name != study.modelFile) add(name, text);
     if (const auto model = study.models.find(study.modelFile); model != study.models.end())
         add(model->first, model->second);
-    for (const SourcePtr& source : sources) keep(library->withSource(source));
+    keep(library->withSources(sources));
     if (!faults.empty()) return faults;
     return {std::move(*library), std::move(warnings)};
 }

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -215,6 +217,40 @@ TEST(Library, ManyWaysToOneBaseAreWalkedOnce) {
     ASSERT_TRUE(library);
     EXPECT_EQ(lookedUp(*library, "Nothing", "M60"), "-");
     EXPECT_TRUE(library->isDerived("M60", "M0"));
+}
+
+TEST(Library, ManyTextsGiveWhatOneBehindTheOtherGives) {
+    const std::vector<SourcePtr> sources{sourceOf("package P model A end A; model B end B; end P;"),
+                                         sourceOf("model C end C;"),
+                                         sourceOf("within P; model A model Inner end Inner; end A;"),
+                                         sourceOf("model C Real x; end C;"),
+                                         sourceOf("within Q; model D end D;"),
+                                         sourceOf("package Q model E end E; end Q;")};
+    Library behind;
+    for (const SourcePtr& source : sources) behind = *behind.withSource(source);
+    const auto together = Library().withSources(sources);
+    ASSERT_TRUE(together);
+    EXPECT_EQ(together->names(), behind.names());
+    EXPECT_EQ(together->names(), (std::vector<std::string>{"P", "P.A", "P.A.Inner", "P.B", "C", "Q", "Q.E"}));
+    const auto faulty = Library().withSources({sourceOf("model"), sources[0], sourceOf("end")});
+    EXPECT_FALSE(faulty);
+    EXPECT_EQ(faulty.diagnostics().size(), 2u) << format(faulty.diagnostics());
+}
+
+TEST(Library, TimeGrowsWithTheNumberOfTextsAndNotAsItsSquare) {
+    const auto secondsOf = [](int count) {
+        std::vector<SourcePtr> sources;
+        for (int i = 0; i < count; ++i)
+            sources.push_back(sourceOf("model M" + std::to_string(i) + " end M" + std::to_string(i) + ";"));
+        double least = 1e9;
+        for (int repeated = 0; repeated < 3; ++repeated) {
+            const std::clock_t begin = std::clock();
+            EXPECT_EQ(Library().withSources(sources)->classes().size(), static_cast<std::size_t>(count));
+            least = std::min(least, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+        }
+        return least;
+    };
+    EXPECT_LT(secondsOf(8000), 24 * secondsOf(1000)) << "8 times as many";
 }
 
 TEST(Library, KnowsWhatDerivesFromWhat) {
