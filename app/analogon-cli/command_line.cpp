@@ -5,9 +5,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <fstream>
 #include <iostream>
 #include <map>
 #include <mutex>
+#include <string_view>
 #include <utility>
 
 #include "app/analogon-cli/channels.hpp"
@@ -86,11 +88,24 @@ RunOptions runOptions(const Options& options) {
     return run;
 }
 
-/// Makes room, before a long search, for the file that is to receive its decisions.
+/// Whether a file holds the decisions of a search, told by how its first line begins; an empty one may become one.
+bool holdsDecisions(const fs::path& file) {
+    constexpr std::string_view begin = "{\"number\":0,";
+    std::string first(begin.size(), '\0');
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(first.data(), static_cast<std::streamsize>(first.size()));
+    return stream.gcount() == 0 || first == begin;
+}
+
+/// Makes room, before a long search, for the file that is to receive its decisions. It takes the place of earlier ones
+/// alone.
 Outcome<Done> prepareTarget(const fs::path& file) {
     std::error_code code;
     if (file.empty()) return Done{};
     if (fs::is_directory(file, code)) return fileError(phrase("this is a directory; name a file"), file.string());
+    if (fs::exists(file, code) && (!fs::is_regular_file(file, code) || !holdsDecisions(file)))
+        return fileError("this exists and is no trace of an earlier search", file.string(), 0, 0,
+                         "name a new file with --trace");
     fs::create_directories(fs::absolute(file).parent_path(), code);
     if (code) return cannotWrite(file, code);
     return Done{};

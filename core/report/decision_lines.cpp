@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "core/base/file_fault.hpp"
+#include "core/base/whole_file.hpp"
 
 namespace analogon {
 
@@ -29,18 +27,9 @@ std::string decisionLine(const Decision& decision, std::size_t number) {
 }
 
 Outcome<Done> writeDecisions(const std::vector<Decision>& decisions, const fs::path& file) {
-    fs::path beside = file;
-    beside += ".writing";
-    std::ofstream stream(beside, std::ios::binary);
-    for (std::size_t i = 0; i < decisions.size(); ++i) stream << decisionLine(decisions[i], i) << '\n';
-    stream.close();
-    std::error_code failed;
-    if (!stream) failed = std::error_code(errno, std::generic_category());
-    if (!failed) fs::rename(beside, file, failed);
-    if (!failed) return Done{};
-    const Diagnostic fault = cannotWrite(file, failed);
-    fs::remove(beside, failed);
-    return fault;
+    std::string lines;
+    for (std::size_t i = 0; i < decisions.size(); ++i) lines += decisionLine(decisions[i], i) + '\n';
+    return writeWhole(file, lines);
 }
 
 }  // namespace analogon

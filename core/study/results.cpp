@@ -198,6 +198,9 @@ bool isWithin(const fs::path& path, const fs::path& directory) {
 
 Outcome<ResultsPlace> ResultsPlace::take(const fs::path& directory, const fs::path& study) {
     std::error_code code;
+    if (directory.empty())
+        return fileError(phrase("results need a directory, and this is none"), "\"\"", 0, 0,
+                         phrase("Give a new or an empty directory, or one with earlier results."));
     fs::path whole = fs::absolute(directory, code).lexically_normal();
     if (!whole.has_filename()) whole = whole.parent_path();
     if (isThere(whole)) {

@@ -114,7 +114,7 @@ TEST_F(FileRule, ResultsAreRefusedBeforeTheWorkWhereTheyCannotBeWritten) {
     for (const std::string& out : {directory, (scratch / "user").string(), (scratch / "user" / "precious").string(),
                                    (scratch / "user" / "file").string(), (scratch / "user" / "pipe").string(),
                                    (scratch / "user" / "file" / "deep").string(), std::string("/dev/full"),
-                                   std::string("/proc/out"), (scratch / "outs" / "study").string()}) {
+                                   std::string("/proc/out"), (scratch / "outs" / "study").string(), std::string()}) {
         const Result result = run({"discover", directory, "--out", out, "--progress", "json"});
         EXPECT_EQ(result.status, inputAtFault) << out << result.err;
         EXPECT_THAT(result.err, testing::Not(HasSubstr("\"stage\""))) << "no work was done for " << out;
@@ -136,6 +136,25 @@ TEST_F(FileRule, WhatTheProgramPrintsMayLieAmongItsResults) {
     fs::create_directories(scratch / "other");
     put(scratch / "other" / "log.txt", "");
     EXPECT_EQ(run({"simulate", directory, "--out", (scratch / "other").string()}).status, inputAtFault);
+}
+
+TEST_F(FileRule, DecisionsTakeThePlaceOfEarlierOnesAlone) {
+    const std::string directory = study(lag).string(), out = (scratch / "results").string();
+    const auto trace = [&](const fs::path& file) {
+        return run({"discover", directory, "--out", out, "--trace", file.string()}).status;
+    };
+    put(scratch / "notes.txt", "mine");
+    ASSERT_EQ(mkfifo((scratch / "pipe").c_str(), 0600), 0);
+    fs::create_symlink(scratch / "notes.txt", scratch / "link");
+    for (const char* name : {"notes.txt", "pipe", "link", "user-directory"}) {
+        if (std::string(name) == "user-directory") fs::create_directory(scratch / name);
+        EXPECT_EQ(trace(scratch / name), inputAtFault) << name;
+    }
+    EXPECT_EQ(contentOf(scratch / "notes.txt"), "mine");
+    EXPECT_TRUE(fs::is_fifo(scratch / "pipe"));
+    EXPECT_TRUE(fs::is_symlink(scratch / "link"));
+    for (int time = 0; time < 2; ++time) EXPECT_EQ(trace(scratch / "trace.jsonl"), done);
+    EXPECT_THAT(contentOf(scratch / "trace.jsonl"), testing::StartsWith("{\"number\":0,"));
 }
 
 /// A disk that is full is played by a limit of the size of files: it lets the trial of the beginning pass.
