@@ -411,28 +411,23 @@ private:
     /// column is left out.
     static void addSpares(const Cut& cut, const StudyExperiment& experiment, Recording& recording) {
         const std::set<std::string, std::less<>> used = mappedColumns(*cut.whole, experiment);
-        const auto time = std::make_shared<const std::vector<double>>(recording.time);
         for (const Column& column : cut.whole->columns)
-            if (!used.contains(column.name)) addSpare(cut, column, time, recording.spares);
+            if (!used.contains(column.name)) addSpare(column, cut.first, recording);
     }
 
-    static void addSpare(const Cut& cut, const Column& column, const std::shared_ptr<const std::vector<double>>& time,
-                         std::vector<SpareChannel>& spares) {
+    static void addSpare(const Column& column, std::size_t first, Recording& recording) {
         constexpr double mostBlanks = 0.5;
-        const std::size_t first = cut.first, count = time->size();
+        const std::size_t count = recording.time.size();
         if (column.values.size() < first + count) return;
         const auto isInside = [&](const BlankCell& b) { return b.row >= first && b.row < first + count; };
         const auto blanks = std::count_if(column.blanks.begin(), column.blanks.end(), isInside);
         if (static_cast<double>(blanks) > mostBlanks * static_cast<double>(count)) return;
-        const auto read = [whole = cut.whole, &column, first, time] {
-            const auto begin = column.values.begin() + static_cast<std::ptrdiff_t>(first);
-            std::vector<double> values(begin, begin + static_cast<std::ptrdiff_t>(time->size()));
-            for (const BlankCell& blank : column.blanks)
-                if (blank.row >= first && blank.row - first < values.size()) values[blank.row - first] = std::nan("");
-            bridge(*time, values);
-            return values;
-        };
-        spares.push_back({column.name, column.unit, read()});
+        const auto begin = column.values.begin() + static_cast<std::ptrdiff_t>(first);
+        std::vector<double> values(begin, begin + static_cast<std::ptrdiff_t>(count));
+        for (const BlankCell& blank : column.blanks)
+            if (isInside(blank)) values[blank.row - first] = std::nan("");
+        bridge(recording.time, values);
+        recording.spares.push_back({column.name, column.unit, std::move(values)});
     }
 
     /// What the numbers that are used cannot well be.
