@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "core/base/outcome.hpp"
-#include "core/effect/decision_trace.hpp"
+#include "core/effect/judge/decision_trace.hpp"
 
 namespace analogon {
 

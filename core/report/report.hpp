@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/effect/finding.hpp"
+#include "core/effect/catalogue/finding.hpp"
 
 namespace analogon {
 

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "core/base/number_text.hpp"
-#include "core/effect/model_state.hpp"
+#include "core/effect/model/model_state.hpp"
 
 namespace analogon {
 

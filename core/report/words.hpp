@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/effect/finding.hpp"
+#include "core/effect/catalogue/finding.hpp"
 
 /// What the report says in words, for the page and the terminal alike. Plain text.
 namespace analogon {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/effect/finding.hpp"
+#include "core/effect/catalogue/finding.hpp"
 
 namespace analogon {
 

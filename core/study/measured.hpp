@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/unit.hpp"
-#include "core/effect/finding.hpp"
+#include "core/effect/catalogue/finding.hpp"
 #include "core/study/study.hpp"
 
 namespace analogon {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "core/effect/discover.hpp"
+#include "core/effect/search/discover.hpp"
 #include "core/study/study.hpp"
 
 /// The whole order, from a study on disk to results on disk: READ THIS FIRST.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/effect/catalogue.hpp"
+#include "core/effect/catalogue/catalogue.hpp"
 #include "tests/resources/bench.hpp"
 
 /// Effects: switched off they change nothing, switched on they do what their documentation says.

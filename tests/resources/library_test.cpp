@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/base/unit.hpp"
-#include "core/effect/catalogue.hpp"
+#include "core/effect/catalogue/catalogue.hpp"
 #include "core/flat/flat_model.hpp"
 #include "core/syntax/parser.hpp"
 

@@ -3,7 +3,7 @@
 #include <QScrollArea>
 #include <QTimer>
 
-#include "core/effect/preview.hpp"
+#include "core/effect/tell/preview.hpp"
 
 class QLabel;
 class QPushButton;

@@ -222,7 +222,7 @@ void RunController::previewEffect() {
         [look = *wanted_, study = document_.study(), options = options_](const Progress& progress) mutable {
             const Outcome<EstimationTask> task = taskOf(study, options);
             if (!task) return look;
-            if (const Outcome<ModelState> state = stateWith(*task, look.choice, options.discover, progress))
+            if (const Outcome<ModelState> state = stateWith(*task, look.choice, options.discover.fit, progress))
                 look.traces = tracesOf(*state);
             return look;
         },

@@ -4,7 +4,7 @@
 #include <QObject>
 #include <QTimer>
 
-#include "core/effect/preview.hpp"
+#include "core/effect/tell/preview.hpp"
 #include "ui/document/document.hpp"
 #include "ui/job/job.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "text_task.hpp"
+#include "tests/core/effect/text_task.hpp"
 
 namespace analogon {
 

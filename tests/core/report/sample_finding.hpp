@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/effect/finding.hpp"
+#include "core/effect/catalogue/finding.hpp"
 
 /// A made-up search on a heated sensor, with every part of a finding filled in.
 namespace analogon::testing {

@@ -14,7 +14,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "core/effect/model_state.hpp"
+#include "core/effect/model/model_state.hpp"
 #include "core/report/decision_lines.hpp"
 #include "core/study/run.hpp"
 #include "study_fixture.hpp"

@@ -8,7 +8,7 @@
 #include <random>
 #include <sstream>
 
-#include "core/effect/null_model.hpp"
+#include "core/effect/model/null_model.hpp"
 #include "core/report/report.hpp"
 #include "core/report/words.hpp"
 #include "core/residual/noise.hpp"

@@ -1,0 +1,171 @@
+#include "core/effect/block/law.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "core/base/parallel.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr std::size_t mostQuantities = 10;
+constexpr std::size_t mostOfFlows = 8, mostOfSensors = 4;
+constexpr double mostAngle = 200 * std::numbers::pi;  // that an actuator passes, of whatever gear
+constexpr double leastAngle = std::numbers::pi / 3;   // passed, for a wave along it to show
+
+using Names = std::vector<std::pair<std::string, std::string>>;  // of variables, with their units
+
+std::string potentialName(const ModelNodes::FlowNode& node) { return node.place.connector + "." + node.potential; }
+
+/// Whether a quantity is the angle of a shaft that turns on and on: nothing depends on how often it has turned.
+bool turnsOn(const Quantity& q, const std::string& unit) { return unit == "rad" && q.range.width() > mostAngle; }
+
+/// The quantities of the model but for one that moves as the place's own; temperatures as differences to `origin`,
+/// NaN: to their own first value.
+std::vector<Quantity> foreignQuantities(const Names& others, const Series& values, const std::string& own,
+                                        double origin) {
+    std::vector<Quantity> found;
+    const auto same = values.find(own);
+    for (const auto& [name, unit] : others) {
+        const auto x = values.find(name);
+        if (x == values.end() || found.size() == mostQuantities) continue;
+        if (same != values.end() && (x->second.front() - same->second.front()).cwiseAbs().maxCoeff() == 0) continue;
+        const double zero = unit != "K" ? 0 : std::isnan(origin) ? originOf(x->second.front()) : origin;
+        Quantity q = quantityOf("x" + std::to_string(found.size() + 1), name, name, unit, x->second, zero);
+        if (!turnsOn(q, unit)) found.push_back(std::move(q));
+    }
+    return found;
+}
+
+/// Products of two quantities of the model.
+void addPairs(const std::vector<Quantity>& foreign, std::size_t j, std::vector<Term>& terms) {
+    for (std::size_t k = j + 1; k < foreign.size(); ++k) terms.push_back(productOf(foreign[j], foreign[k], 3));
+}
+
+Eigen::VectorXd speed(const NullModel& null, const Eigen::VectorXd& angle, int experiment) {
+    const std::vector<double>& time = fittedRecording(null.variant.task, experiment).time;
+    Eigen::VectorXd w = Eigen::VectorXd::Zero(angle.size());
+    for (Eigen::Index k = 1; k < angle.size(); ++k)
+        w[k] = (angle[k] - angle[k - 1]) / (time[static_cast<std::size_t>(k)] - time[static_cast<std::size_t>(k - 1)]);
+    return w;
+}
+
+LawProbe probeAt(const NullModel& null, const ModelNodes::FlowNode& node, const Names& others, const Series& values) {
+    LawProbe probe(null, siteOf(node));
+    std::vector<Term>& terms = probe.terms();
+    const bool isMechanical = node.flow == "tau";
+    const std::string own = potentialName(node), potential = "port." + node.potential;
+    std::vector<Quantity> local;
+    if (const auto found = values.find(own); found != values.end()) {
+        if (isMechanical) {
+            std::vector<Eigen::VectorXd> speeds;
+            for (std::size_t e = 0; e < found->second.size(); ++e)
+                speeds.push_back(speed(null, found->second[e], static_cast<int>(e)));
+            local.push_back(
+                probe.addOwn(quantityOf("w", "", "w", "rad/s", speeds, 0), fmt::format("der({})", potential)));
+        }
+        const char* unit = isMechanical ? "rad" : node.flow == "Q_flow" ? "K" : "";
+        Quantity p = quantityOf("p", "", node.potential, unit, found->second, originOf(found->second.front()));
+        if (!turnsOn(p, unit)) local.push_back(probe.addOwn(std::move(p), potential));
+    }
+    for (const Quantity& q : local) addPowers(q, q.name == "w", 1, terms);
+    if (!local.empty() && local.back().name == "p") addHinges(local.back(), local.back().range, terms);
+    if (isMechanical && !local.empty()) {
+        const double largest = local.front().largest();
+        addHinges(local.front(), {-largest, largest}, terms);
+        if (local.size() == 2) addProducts(local[0], local[1], true, 1, terms);
+    }
+    const std::vector<Quantity> foreign = foreignQuantities(others, values, own, std::nan(""));
+    for (std::size_t j = 0; j < foreign.size(); ++j) {
+        probe.addForeign(foreign[j]);
+        addPowers(foreign[j], false, 2, terms);
+        for (const Quantity& q : local) addProducts(q, foreign[j], q.name == "w", 2, terms);
+        addPairs(foreign, j, terms);
+    }
+    return probe;
+}
+
+/// A reading that is bent, that picks up another quantity, or whose scale moves with one. Its gain and offset have
+/// names.
+LawProbe probeAt(const NullModel& null, const SignalInfo& output, const Names& others, const Series& values) {
+    LawProbe probe(null, siteOf(output.name, output.unit));
+    std::vector<Term>& terms = probe.terms();
+    const auto found = values.find(output.name);
+    if (found == values.end()) return probe;
+    const bool isAngle = output.unit == "rad";
+    const double origin = output.unit == "K" ? originOf(found->second.front()) : 0;
+    const std::string reading = trueReading(output.name);
+    const Quantity own = probe.addOwn(quantityOf("r", "", reading, output.unit, found->second, origin), "u");
+    if (!isAngle) {
+        addPowers(own, false, 1, terms);
+        terms.erase(terms.begin());  // its gain
+    } else if (own.range.width() > leastAngle) {
+        addWaves(own, terms);
+    }
+    const std::vector<Quantity> foreign = foreignQuantities(others, values, output.name, origin);
+    for (std::size_t j = 0; j < foreign.size(); ++j) {
+        const Quantity& x = probe.addForeign(foreign[j]);
+        addPowers(x, false, 2, terms);
+        terms.push_back(productOf(own, x, 2));
+        const bool isAlike = !output.unit.empty() && x.unit && own.unit && x.unit->text() == own.unit->text();
+        if (isAlike)
+            terms.push_back(
+                {fmt::format("({} - {})", x.name, own.name), fmt::format("({} - {})", x.variable, reading), x.unit, 2});
+        addPairs(foreign, j, terms);
+    }
+    return probe;
+}
+
+struct Likely {
+    std::size_t probe;
+    TermSet set;
+};
+
+/// The best of each kind of place, no more than so many.
+void keepBest(std::vector<Likely>& likely, std::size_t most) {
+    std::stable_sort(likely.begin(), likely.end(),
+                     [](const Likely& a, const Likely& b) { return a.set.explained > b.set.explained; });
+    if (likely.size() > most) likely.erase(likely.begin() + static_cast<std::ptrdiff_t>(most), likely.end());
+}
+
+}  // namespace
+
+std::vector<Law> likelyLaws(const NullModel& null, int before, const SimulationOptions& simulation, int threads,
+                            const Progress& progress) {
+    std::vector<Law> laws;
+    Diagram diagram;
+    const Outcome<ModelNodes> nodes = nodesOf(null.variant, diagram);
+    const Outcome<PreparedTask> held = prepareHeld(null.variant, {}, null.noise);
+    if (!nodes || !held) return laws;
+    const std::vector<ModelNodes::FlowNode> flowNodes = nodes->flowNodes();
+    const Names others = quantitiesOf(*held->system);
+    std::set<std::string> names;
+    for (const ModelNodes::FlowNode& node : flowNodes) names.insert(potentialName(node));
+    for (const auto& [name, unit] : others) names.insert(name);
+    const Series values = movingSeries(null, *held, {names.begin(), names.end()}, simulation);
+    std::vector<LawProbe> probes;
+    for (const ModelNodes::FlowNode& node : flowNodes) probes.push_back(probeAt(null, node, others, values));
+    for (const SignalInfo& output : held->system->outputs()) probes.push_back(probeAt(null, output, others, values));
+    std::vector<std::vector<TermSet>> sets(probes.size());
+    parallelFor(static_cast<int>(probes.size()), threads, [&](int k) {
+        const auto i = static_cast<std::size_t>(k);
+        if (progress.stopRequested()) return;
+        if (const std::optional<Eigen::MatrixXd> columns = probes[i].traces(false, simulation, progress))
+            sets[i] = likeliestSets(null, probes[i].terms(), *columns);
+    });
+    std::vector<Likely> likely, ofSensors;
+    for (std::size_t i = 0; i < probes.size(); ++i)
+        for (TermSet& set : sets[i]) (i < flowNodes.size() ? likely : ofSensors).push_back({i, std::move(set)});
+    keepBest(likely, mostOfFlows);
+    keepBest(ofSensors, mostOfSensors);
+    likely.insert(likely.end(), ofSensors.begin(), ofSensors.end());
+    keepBest(likely, likely.size());
+    for (const Likely& each : likely) laws.push_back(probes[each.probe].law(each.set.terms, ++before));
+    return laws;
+}
+
+}  // namespace analogon

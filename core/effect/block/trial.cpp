@@ -1,0 +1,406 @@
+#include "core/effect/block/trial.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace analogon {
+
+/// A point from which a candidate may be refitted.
+struct TrialStart {
+    Variant variant;  // effect's parameters freed, at their start values
+    PreparedTask prepared;
+    double promised{};  // half the sum of squares once the linearised problem is solved from here
+    bool isAlongRecorded{};
+    std::vector<GridPlan> plans{};  // of the steps near here; empty: not known
+};
+
+namespace {
+
+constexpr std::ptrdiff_t mostStarts = 8;  // that are weighed against each other
+constexpr std::ptrdiff_t mostFaint = 4;   // beyond so many, none whose trace explains far less
+constexpr double faintShare = 0.2;        // than the best
+constexpr double trialTolerance = 1e-6;
+constexpr double asMuchByWhole = 0.9;  // of the fall in the sum of squares
+constexpr int mostRefinements = 2;
+constexpr double refinement = 0.1;
+
+double smallestSecant(const Screened& s) {
+    double smallest = 0;
+    for (const Probe& p : s.probes)
+        if (p.secant > 0 && (smallest == 0 || p.secant < smallest)) smallest = p.secant;
+    return smallest;
+}
+
+FitParameter strengthParameter(const Screened& s, const Probe& probe) {
+    const EffectClass& effect = s.candidate.effect;
+    FitParameter p;
+    p.name = effect.strength;
+    p.start = probe.strength();
+    if (probe.secant != 0) {
+        // a trace taken at one strength speaks for its neighbourhood
+        const double low = std::abs(probe.secant) / 4, high = std::abs(probe.secant) * 4;
+        const double size = std::clamp(std::abs(p.start), low, high);
+        p.start = p.start < 0 || (p.start == 0 && probe.secant < 0) ? -size : size;
+    }
+    if (effect.oneSided) {
+        // some effects have no model at exactly 0 (a lag of no time): those were probed by secants alone
+        const auto reach = effect.reach.find(effect.strength);
+        p.min = smallestSecant(s) / (reach == effect.reach.end() ? 50 : reach->second);
+        if (probe.secant != 0) p.scale = ParameterScale::Logarithmic;
+    }
+    return p;
+}
+
+/// Factor by which a shape may leave the values with which it is tried.
+double reachOf(const EffectClass& effect, const std::string& shape) {
+    const auto reach = effect.reach.find(shape);
+    return reach == effect.reach.end() ? 100 : reach->second;
+}
+
+FitParameter shapeParameter(const Screened& s, const std::string& name, double start) {
+    FitParameter p;
+    p.name = name;
+    p.start = start;
+    if (name == s.candidate.effect.phase) return p;
+    double low = start, high = start;
+    for (const Probe& probe : s.probes) {
+        const auto value = probe.values.find(name);
+        if (value == probe.values.end()) continue;
+        low = std::min(low, value->second);
+        high = std::max(high, value->second);
+    }
+    if (low > 0) {
+        const double factor = reachOf(s.candidate.effect, name);
+        p.min = low / factor;
+        p.max = high * factor;
+        p.scale = ParameterScale::Logarithmic;
+    }
+    return p;
+}
+
+/// Length of the longest recording that is fitted [s].
+double longestOf(const EstimationTask& task) {
+    double longest = 0;
+    for (const int i : recordingsOf(task, Role::Fit)) {
+        const std::vector<double>& time = task.recordings[static_cast<std::size_t>(i)].time;
+        longest = std::max(longest, time.back() - time.front());
+    }
+    return longest;
+}
+
+std::vector<FitParameter> freedParameters(const Screened& s, const Probe& probe) {
+    std::vector<FitParameter> freed{strengthParameter(s, probe)};
+    const std::vector<double> linear = probe.linear();
+    for (std::size_t i = 0; i < s.candidate.effect.linear.size(); ++i) {
+        FitParameter p;
+        p.name = s.candidate.effect.linear[i];
+        p.start = i < linear.size() ? linear[i] : 0;
+        freed.push_back(std::move(p));
+    }
+    for (const auto& [name, value] : probe.values) freed.push_back(shapeParameter(s, name, value));
+    const PlacedEffect& placed = s.wired.effects.back();
+    for (FitParameter& p : freed) {
+        const auto unit = placed.effect.units.find(p.name);
+        if (unit != placed.effect.units.end()) p.unit = unit->second;
+        p.name = placed.instance + "." + p.name;
+    }
+    // what takes longer than every recording is not told by them: a signal that stands still is no slow one
+    FitParameter& strength = freed.front();
+    if (strength.unit == "s") {
+        strength.max = std::min(strength.max, longestOf(s.wired.task));
+        strength.start = std::min(strength.start, strength.max);
+    }
+    return freed;
+}
+
+/// The starts that a screened candidate offers: every probe's estimate of the strength, and for traces taken at a
+/// strength that strength itself, since what sets in at a threshold has no slope below it.
+std::vector<std::pair<const Probe*, double>> startsOf(const Screened& screened) {
+    std::vector<std::pair<const Probe*, double>> starts;
+    for (const Probe& probe : screened.probes) {
+        if (probe.strength() != 0) starts.emplace_back(&probe, 0);
+        if (probe.secant != 0) starts.emplace_back(&probe, probe.secant);
+    }
+    // beside parameters that have taken its part a slope may have the wrong sign: the size is a guess all the same
+    if (starts.empty())
+        for (const Probe& probe : screened.probes)
+            if (probe.plain.strengths.size() > 0 && probe.plain.strengths[0] != 0)
+                starts.emplace_back(&probe, std::abs(probe.plain.strengths[0]));
+    return starts;
+}
+
+/// A simulation near a start, with the steps that served there before: to choose them takes longer than to take them.
+Linearisation lineariseAt(TrialStart& start, const Eigen::VectorXd& values, bool withJacobian,
+                          const SimulationOptions& options, const Progress& progress) {
+    const FitProblem& problem = start.prepared.problem;
+    if (!start.plans.empty()) {
+        Linearisation known = linearise(problem, values, withJacobian, start.plans, options, progress);
+        if (known.ok) return known;
+    }
+    Linearisation at = linearise(problem, values, withJacobian, {}, options, progress);
+    // coarse steps may be stable for states that a friction holds, and not for what moves them
+    SimulationOptions finer = options;
+    for (int pass = 0; pass < mostRefinements && withJacobian && !at.ok && !progress.stopRequested(); ++pass) {
+        finer.relativeTolerance *= refinement;
+        at = linearise(problem, values, withJacobian, {}, finer, progress);
+    }
+    start.plans.clear();
+    for (const Trajectory& t : at.trajectories)
+        if (at.ok) start.plans.push_back(t.plan);
+    return at;
+}
+
+/// Half the sum of squares that is left when all parameters follow the tangent at this point.
+double promisedCost(const Linearisation& at) { return 0.5 * Complement(at.jacobian)(at.residuals).squaredNorm(); }
+
+std::optional<TrialStart> prepareStart(const NullModel& null, const Screened& screened, const Probe& probe,
+                                       double strength, Text& failure) {
+    TrialStart start;
+    start.variant = screened.wired;
+    start.variant.effects.back().freed = freedParameters(screened, probe);
+    if (strength != 0) start.variant.effects.back().freed.front().start = strength;
+    for (const FitParameter& p : start.variant.effects.back().freed) start.variant.task.parameters.push_back(p);
+    Outcome<PreparedTask> prepared = prepareAt(start.variant, null.noise);
+    if (!prepared) {
+        failure = prepared.diagnostics().front().message;
+        return std::nullopt;
+    }
+    start.prepared = std::move(*prepared);
+    for (FitParameter& p : start.prepared.problem.parameters) p.start = std::clamp(p.start, p.min, p.max);
+    return start;
+}
+
+/// The strength of the newest effect among the parameters of its problem.
+std::vector<FitParameter>::iterator strengthOf(TrialStart& start) {
+    const std::string& name = start.variant.effects.back().freed.front().name;
+    std::vector<FitParameter>& parameters = start.prepared.problem.parameters;
+    return std::find_if(parameters.begin(), parameters.end(), [&](const FitParameter& p) { return p.name == name; });
+}
+
+/// Lets the first `count` starts hold one along the recorded course and one along the simulated, where there are both:
+/// what they promise does not compare.
+void bothCourses(std::vector<TrialStart>& starts, std::size_t count) {
+    if (count < 2 || starts.size() <= count) return;
+    const auto last = starts.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto isOther = [&](const TrialStart& s) { return s.isAlongRecorded != starts.front().isAlongRecorded; };
+    if (std::any_of(starts.begin(), last, isOther)) return;
+    if (const auto other = std::find_if(last, starts.end(), isOther); other != starts.end())
+        std::iter_swap(last - 1, other);
+}
+
+bool isAmong(const std::vector<std::string>& names, const PlacedEffect& placed, const FitParameter& parameter) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& name) { return parameter.name == placed.instance + "." + name; });
+}
+
+bool isWhole(const PlacedEffect& placed, const FitParameter& parameter) {
+    return isAmong(placed.effect.whole, placed, parameter);
+}
+
+/// Where the strength comes from a slope at 0, the slope may promise far more than the model bears there (a magnet that
+/// warms until its field turns over). The strength is taken back until it is no worse than the model without; where
+/// that is no way down, so is all that the effect is linear in (a friction beside one of which it takes the part), and
+/// where all of it is none either, the strength begins alone (beside a friction of nearly that form, of which it would
+/// take any amount).
+void takeBack(const NullModel& null, TrialStart& start, const SimulationOptions& simulation, const Progress& progress) {
+    std::vector<FitParameter>& parameters = start.prepared.problem.parameters;
+    const std::vector<FitParameter> promised = parameters;
+    const PlacedEffect& placed = start.variant.effects.back();
+    const auto leadsDown = [&](const std::vector<std::string>& taken, double first) {
+        for (double part = first; part > 0.01; part *= 0.25) {
+            for (std::size_t i = 0; i < parameters.size(); ++i)
+                if (isAmong(taken, placed, promised[i]))
+                    parameters[i].start = std::clamp(part * promised[i].start, promised[i].min, promised[i].max);
+            const Linearisation at =
+                lineariseAt(start, start.prepared.problem.startValues(), false, simulation, progress);
+            if (at.ok && at.residuals.squaredNorm() < null.sumOfSquares()) return true;
+        }
+        return false;
+    };
+    const std::vector<std::string>& further = placed.effect.linear;
+    std::vector<std::string> all = further;
+    all.push_back(placed.effect.strength);
+    if (leadsDown({placed.effect.strength}, 1) || (!further.empty() && leadsDown(all, 0.25))) return;
+    parameters = promised;
+    if (further.empty()) return;
+    for (FitParameter& p : parameters)
+        if (isAmong(further, placed, p)) p.start = std::clamp(0.0, p.min, p.max);
+    if (!leadsDown({placed.effect.strength}, 1)) parameters = promised;
+}
+
+/// Moves the start to the optimum of a problem with the same parameters, whole numbers held where they start.
+void follow(TrialStart& start, FitProblem held, const FitOptions& options, const Progress& progress) {
+    const PlacedEffect& placed = start.variant.effects.back();
+    std::vector<FitParameter>& parameters = start.prepared.problem.parameters;
+    for (const FitParameter& p : parameters)
+        for (FitExperiment& e : held.experiments)
+            if (const int index = e.system->parameterIndex(p.name); isWhole(placed, p) && index >= 0)
+                e.parameters[static_cast<std::size_t>(index)] = p.start;
+    std::erase_if(held.parameters, [&](const FitParameter& p) { return isWhole(placed, p); });
+    for (FitParameter& own : held.parameters)
+        for (const FitParameter& p : parameters)
+            if (p.name == own.name && p.experiment == own.experiment) own.start = p.start;
+    const FitResult result = fit(held, options, progress);
+    if (!result.optimum.ok) return;
+    for (const FitEstimate& e : result.estimates)
+        for (FitParameter& p : parameters)
+            if (p.name == e.name && p.experiment == e.experiment) p.start = e.value;
+}
+
+/// Over many turns a count of waves that is off by a little fits nearly as well one turn later, and no slope leads from
+/// there to the best: what is a whole number is held at the start until all else has followed.
+void followWholeNumbers(TrialStart& start, const FitOptions& options, const Progress& progress) {
+    if (!start.variant.effects.back().effect.whole.empty()) follow(start, start.prepared.problem, options, progress);
+}
+
+/// Where the flow goes along a course that the model without it misses, all parameters first follow along the recorded
+/// one: from there the model takes that course by itself.
+void followRecorded(const NullModel& null, const Screened& screened, TrialStart& start, const FitOptions& options,
+                    const Progress& progress) {
+    if (!start.isAlongRecorded || !screened.recorded) return;
+    Variant variant = *screened.recorded;
+    for (const FitParameter& p : start.variant.effects.back().freed) variant.task.parameters.push_back(p);
+    const Outcome<PreparedTask> prepared = prepareAt(variant, null.noise);
+    if (prepared) follow(start, prepared->problem, options, progress);
+}
+
+}  // namespace
+
+FitOptions trialOptions(FitOptions options, int iterations) {
+    options.maxIterations = iterations;
+    options.costTolerance = trialTolerance;
+    return options;
+}
+
+TrialStarts::TrialStarts(const NullModel& null, const Screened& screened, const FitOptions& options, int starts,
+                         const Progress& progress)
+    : null_(null), screened_(screened), options_(options), progress_(progress) {
+    best_.screened = screened;
+    best_.variant = screened.wired;
+    const SimulationOptions rough = glance(options.simulation);  // starts are only compared
+    const std::vector<std::pair<const Probe*, double>> offered = startsOf(screened);
+    for (const auto& [probe, strength] : offered) {
+        if (progress.stopRequested()) break;
+        const auto alike = std::count_if(ready_.begin(), ready_.end(), [&](const TrialStart& s) {
+            return s.isAlongRecorded == probe->isAlongRecorded;
+        });
+        const bool isFaint = probe->plain.explained < faintShare * offered.front().first->plain.explained;
+        if (alike == mostStarts || (alike >= mostFaint && isFaint)) continue;
+        std::optional<TrialStart> start = prepareStart(null, screened, *probe, strength, best_.failure);
+        if (!start) continue;
+        if (probe->secant == 0 && !probe->isAlongRecorded) takeBack(null, *start, rough, progress);
+        start->isAlongRecorded = probe->isAlongRecorded;
+        if (probe->isAlongRecorded) {
+            start->promised = 0.5 * (null.sumOfSquares() - probe->plain.explained);
+        } else if (offered.size() > 1) {
+            const Eigen::VectorXd values = start->prepared.problem.startValues();
+            const Linearisation at = lineariseAt(*start, values, true, rough, progress);
+            if (!at.ok || !at.jacobian.allFinite()) continue;
+            start->promised = promisedCost(at);
+            // where the effect is not felt at all (below a threshold) a search by slopes has nowhere to go
+            const Eigen::Index strengthColumn = strengthOf(*start) - start->prepared.problem.parameters.begin();
+            if (at.jacobian.col(strengthColumn).norm() * std::abs(values[strengthColumn]) < 1e-6 * at.residuals.norm())
+                continue;
+        }
+        ready_.push_back(std::move(*start));
+    }
+    std::stable_sort(ready_.begin(), ready_.end(),
+                     [](const TrialStart& a, const TrialStart& b) { return a.promised < b.promised; });
+    const auto count = static_cast<std::size_t>(starts);
+    bothCourses(ready_, count);
+    if (ready_.size() > count) ready_.erase(ready_.begin() + static_cast<std::ptrdiff_t>(count), ready_.end());
+}
+
+TrialStarts::~TrialStarts() = default;
+
+bool TrialStarts::hasNext() const { return next_ < ready_.size() && !progress_.stopRequested(); }
+
+double TrialStarts::promised() const { return 2 * ready_[next_].promised; }
+
+void TrialStarts::takeNext() {
+    TrialStart start = std::move(ready_[next_++]);
+    followRecorded(null_, screened_, start, options_, progress_);
+    followWholeNumbers(start, options_, progress_);
+    FitResult result = fit(start.prepared.problem, options_, progress_);
+    if (!result.optimum.ok) {
+        best_.failure = result.message;
+        return;
+    }
+    holdWholeNumber(start, result);
+    if (best_.ok && result.objective >= best_.fit.objective) return;
+    best_.variant = std::move(start.variant);
+    best_.variant.values = valuesOf(result);
+    best_.variant.plans = stepsOf(result);
+    best_.fit = std::move(result);
+    best_.ok = true;
+}
+
+/// Holds a whole number at the better of those next to where the fit came to, if that explains nearly as much: beside
+/// what is not right yet a fraction of a period explains a little more, and takes the place of what is missing.
+void TrialStarts::holdWholeNumber(TrialStart& start, FitResult& result) const {
+    const PlacedEffect placed = start.variant.effects.back();
+    const auto whole = std::find_if(placed.freed.begin(), placed.freed.end(), [&](const FitParameter& p) {
+        return isWhole(placed, p) && result.find(p.name) != nullptr;
+    });
+    if (whole == placed.freed.end()) return;
+    // below the least that was tried it is no number of periods: a spring that stiffens looks like half of one
+    const std::string name = whole->name.substr(placed.instance.size() + 1);
+    const double least = whole->min * reachOf(placed.effect, name) - 1e-6;
+    const std::vector<ParameterValue> found = valuesOf(result);
+    const double value = result.find(whole->name)->value;
+    if (value < least) return;
+    const auto fall = [&](const FitResult& r) { return null_.sumOfSquares() - r.optimum.residuals.squaredNorm(); };
+    double most = asMuchByWhole * fall(result);
+    for (const double number : {std::floor(value), std::ceil(value)}) {
+        if (!(number >= least && number <= whole->max) || progress_.stopRequested()) continue;
+        PlacedEffect with = placed;
+        with.values[name] = number;
+        std::erase_if(with.freed, [&](const FitParameter& p) { return p.name == whole->name; });
+        Outcome<Variant> held = withEffects(null_.variant, {with}, found);
+        if (!held) return;
+        const Outcome<PreparedTask> prepared = prepareAt(*held, null_.noise);
+        if (!prepared) return;
+        FitResult fitted = fit(prepared->problem, options_, progress_);
+        if (!fitted.optimum.ok || !(fall(fitted) > most)) continue;
+        most = fall(fitted);
+        start.variant = std::move(*held);
+        result = std::move(fitted);
+    }
+}
+
+Trial refit(const NullModel& null, const Screened& screened, const FitOptions& options, int starts,
+            const Progress& progress) {
+    TrialStarts all(null, screened, options, starts, progress);
+    while (all.hasNext()) all.takeNext();
+    return std::move(all).best();
+}
+
+void proceed(const NullModel& null, Trial& trial, const FitOptions& options, const Progress& progress) {
+    Outcome<PreparedTask> prepared = prepareAt(trial.variant, null.noise);
+    if (!prepared) return;
+    FitResult result = fit(prepared->problem, options, progress);
+    if (!result.optimum.ok || result.objective > trial.fit.objective) return;
+    trial.variant.values = valuesOf(result);
+    trial.variant.plans = stepsOf(result);
+    trial.fit = std::move(result);
+}
+
+const Trial* leastLeft(const std::vector<Trial>& trials) {
+    const auto best = std::min_element(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) {
+        return (a.ok ? a.sumOfSquares() : 1e300) < (b.ok ? b.sumOfSquares() : 1e300);
+    });
+    return best != trials.end() && best->ok ? &*best : nullptr;
+}
+
+void rank(const NullModel& null, std::vector<Trial>& trials) {
+    const Trial* best = leastLeft(trials);
+    if (best == nullptr) return;
+    const EvidenceScale evidence(null, best->fit);
+    for (Trial& t : trials) t.evidence = t.ok ? evidence.of(t.sumOfSquares(), t.freed()) : -1e300;
+    std::stable_sort(trials.begin(), trials.end(),
+                     [](const Trial& a, const Trial& b) { return a.evidence > b.evidence; });
+}
+
+}  // namespace analogon

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "core/effect/block/screen.hpp"
+#include "core/effect/model/evidence.hpp"
+
+namespace analogon {
+
+/// A candidate refitted together with all parameters of the model.
+struct Trial {
+    Screened screened;
+    Variant variant;  // with the effect's parameters freed, at the optimum
+    FitResult fit;
+    bool ok{};
+    Text failure;
+    double evidence{};  // fall in the sum of squares over the residual variance, less k ln N_eff (set by `rank`)
+
+    double sumOfSquares() const { return fit.optimum.residuals.squaredNorm(); }
+    int freed() const { return static_cast<int>(variant.effects.back().freed.size()); }
+};
+
+constexpr int trialIterations = 12;  // a trial shows what it is worth; the winner is fitted to convergence
+FitOptions trialOptions(FitOptions options, int iterations);
+
+struct TrialStart;
+
+/// A candidate on the way through its starts (one a distinct shape or secant, at most `starts`, best promise first).
+/// What it is made of must outlive it.
+class TrialStarts {
+public:
+    TrialStarts(const NullModel& null, const Screened& screened, const FitOptions& options, int starts,
+                const Progress& progress);
+    TrialStarts(const TrialStarts&) = delete;
+    TrialStarts& operator=(const TrialStarts&) = delete;
+    ~TrialStarts();
+
+    bool hasNext() const;
+    /// Sum of squares that the linearised problem leaves from the next start.
+    double promised() const;
+    void takeNext();
+    /// The best that was reached so far.
+    const Trial& best() const& { return best_; }
+    Trial best() && { return std::move(best_); }
+
+private:
+    void holdWholeNumber(TrialStart& start, FitResult& result) const;
+
+    const NullModel& null_;
+    const Screened& screened_;
+    const FitOptions& options_;
+    const Progress& progress_;
+    std::vector<TrialStart> ready_;
+    std::size_t next_{};
+    Trial best_;
+};
+
+/// Refits from all of them.
+Trial refit(const NullModel& null, const Screened& screened, const FitOptions& options, int starts,
+            const Progress& progress);
+
+/// Goes on with the fit of a trial from where it stopped.
+void proceed(const NullModel& null, Trial& trial, const FitOptions& options, const Progress& progress);
+
+/// The trial that leaves least; nothing where none could be fitted.
+const Trial* leastLeft(const std::vector<Trial>& trials);
+
+/// Sorts by evidence, best first; the noise level and N_eff are those of the residual of the best fit among them.
+void rank(const NullModel& null, std::vector<Trial>& trials);
+
+}  // namespace analogon

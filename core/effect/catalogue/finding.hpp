@@ -1,0 +1,165 @@
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/fit/estimation_task.hpp"
+#include "core/residual/noise.hpp"
+
+/// What a fit or a discovery found: plain values, from which the report, the study and the screen are made.
+/// Names and meaning follow the report format (contract, section 6).
+namespace analogon {
+
+struct OutputState {
+    std::string name;
+    std::string unit;
+    ErrorFigures figures;
+    Eigen::VectorXd measured;  // NaN: not measured
+    Eigen::VectorXd simulated;
+    /// Standard deviation of the simulated value, since the parameters are uncertain; empty: not known.
+    Eigen::VectorXd deviation{};
+};
+
+struct ExperimentState {
+    std::string name;
+    Role role{Role::Fit};
+    double errorPercent{};  // root mean square over its outputs
+    std::vector<double> time;
+    std::vector<OutputState> outputs;
+    SimulationFailure failure;
+    std::vector<FitEstimate> starts{};  // its own start values, where they were estimated from this recording alone
+};
+
+/// A model with its values, held against every experiment.
+struct ModelState {
+    std::string modelText;  // with fitted values written in
+    std::vector<FitEstimate> parameters;
+    std::vector<ExperimentState> experiments;
+    std::map<std::string, ResidualSummary> residual;  // per output, over the fitted experiments
+    FitStatus status{FitStatus::Failed};
+    Text message;
+    std::vector<Text> remarks;
+    int simulations{};
+    double seconds{};  // that the fit took
+};
+
+enum class Way { Attach, Insert, Specialise };
+const char* name(Way way);  // "attach" …
+
+struct EffectValue {
+    std::string name;
+    double value{};
+    double standardError{};
+    std::string unit;
+};
+
+/// An effect of a library at a place, as the table of a finding names it.
+struct EffectChoice {
+    std::string className, at;
+
+    bool operator==(const EffectChoice&) const = default;
+};
+
+/// Where an effect was put and how it did, compared with the chosen one.
+struct Alternative {
+    std::string kind, at;
+    double deltaBic{};  // on the scale of the chosen one
+    bool equivalent{};
+};
+
+struct Evidence {
+    double score{};  // z² of the screening or F-like statistic, in units of the noise
+    double pValue{};
+    double deltaBic{};  // negative: better
+    double heldOut{};   // H of the blocks left out in turn, -1 … 1
+    double errorPercentBefore{}, errorPercentAfter{};
+};
+
+struct AddedEffect {
+    std::string kind, className, at;
+    Way way{Way::Attach};
+    std::string instance;           // the component's name in the model
+    std::string newInput, channel;  // top-level input that was added, and the recorded channel it carries
+    std::string description;        // of the class
+    std::vector<EffectValue> parameters;
+    Evidence evidence;
+    std::vector<Alternative> alternatives;
+    /// Values of parameters that the study holds or bounds and that would explain as much: "core.C = 302 J/K".
+    std::vector<Text> valuesInstead{};
+};
+
+enum class Verdict { Chosen, Equivalent, Weaker, NotSignificant, Absorbed, WrongSign, FailsHeldOut, Failed };
+const char* name(Verdict verdict);  // "chosen", "not significant" …
+
+struct CandidateResult {
+    std::string kind, at, className;
+    double score{};
+    double strength{};               // estimate from the screening
+    std::optional<double> deltaBic;  // when it was refitted
+    Verdict verdict{Verdict::NotSignificant};
+    std::vector<std::string> absorbedBy;  // parameters
+    int round{};
+    Text failure{};  // why it could not be tried
+    Text reason{};   // why it is not in the model; empty: it is, or the run is of before reasons were kept
+};
+
+struct Correlate {
+    std::string variable;
+    double correlation{};
+
+    bool isWorthAWord() const { return std::abs(correlation) >= 0.15; }
+};
+
+struct Remainder {
+    std::string output, node;
+    double evidence{};
+    double from{}, to{};  // [s]
+    std::string experiment;
+    std::vector<Correlate> movesWith;
+    Text proposedEquation;
+    std::string proposedClass{};                     // block that has the equation; empty: none
+    std::string proposedBlock{};                     // its text, where it is not of the library
+    double errorFitWith{-1}, errorValidateWith{-1};  // [%] with all that is proposed; negative: not known
+    double errorValidateWithout{-1};                 // [%] of the model that is reported; negative: not known
+    std::vector<std::string> equalNodes{};           // at which the same equation explains as much
+
+    /// Whether recordings that were not fitted speak against what is proposed.
+    bool worsensValidation() const {
+        constexpr double byMoreThanChance = 1.02;
+        return errorValidateWithout >= 0 && errorValidateWith > byMoreThanChance * errorValidateWithout;
+    }
+};
+
+/// An equation with the values of what it names: "y = min(u, y_max) with y_max = 4.2".
+Text withValues(const std::string& equation, const std::vector<EffectValue>& values);
+
+/// The model with all equations that are proposed, as they were fitted: what a study becomes when they are accepted.
+struct ProposedModel {
+    ModelState state;                              // without the traces
+    std::map<std::string, std::string> newInputs;  // top-level inputs that were added, and the recorded channel of each
+};
+
+/// Interrupted: the search was stopped before it could say anything else.
+enum class FindingKind { Adequate, Effect, Partial, Unexplained, Interrupted };
+const char* name(FindingKind kind);  // "adequate" …
+
+struct Finding {
+    FindingKind kind{FindingKind::Adequate};
+    ModelState baseline;
+    ModelState final;
+    std::vector<AddedEffect> effects;
+    std::vector<CandidateResult> candidates;
+    std::vector<Remainder> remainders;
+    std::optional<ProposedModel> proposed;  // empty: no equation is, or no block says it
+    Text nextExperiment;
+    std::vector<Text> warnings;
+    std::vector<std::string> heldInputs{};  // that the study joins by straight lines; all is told with them held
+    Text notSearched{};                     // why no effect was looked for; empty: they were
+    bool interrupted{};
+    double seconds{};
+};
+
+}  // namespace analogon

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <optional>
+
+#include "core/effect/block/trial.hpp"
+#include "core/effect/judge/disturbance.hpp"
+
+/// By what trials are held against each other and kept or refused, once they are fitted.
+namespace analogon {
+
+constexpr double nearlyAsMuch = 0.6;  // of the fall in the sum of squares
+constexpr double goodPart = 0.3;      // of what is left above the noise
+constexpr double beyondDoubt = 1000;  // evidence of an effect that leaves noise: no disturbance looks like it
+
+/// Probability of so much in noise, with as many candidates tried (Sidak 1967).
+double pValue(double explained, int dof, std::size_t tried);
+
+/// Whether what was tried is an equation without a name.
+bool isProposal(const Trial& trial);
+
+/// Such an equation; a channel in it by its name.
+std::string equationOf(const PlacedEffect& placed);
+
+/// What a fit has found for the parameters of an effect, by their names in it.
+std::vector<EffectValue> estimatesOf(const PlacedEffect& placed, const FitResult& fit);
+
+/// Between kinds that the data cannot tell apart while much is left: a command is followed at once more often than a
+/// sensor is fast.
+int plausibility(const EffectClass& effect);
+
+/// Whether an effect, by what the model loses without it, has to stay.
+bool isMissed(const Acceptance& a);
+
+/// Whether the model is so much worse without an effect that its standard error need not bear it out: where the model's
+/// own parameters are known but for a common factor, it tells nothing.
+bool isClearlyMissed(const Acceptance& a);
+
+/// Whether the strength of an effect is told by the data: by its standard error, or, where the scale of the model is
+/// open, by what the model loses without it. `leavesNoise`: the model explains all but noise.
+bool isTold(const PlacedEffect& placed, const std::vector<FitEstimate>& estimates, const Acceptance& missed,
+            bool leavesNoise);
+
+/// Whether an effect is more than what a flow that nobody measured takes over, one that varies slowly at some node: a
+/// second mass or a small exponent imitates it well from one short block to the next.
+bool isBorneOut(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int freed);
+
+/// The same of an effect that leaves noise: it need only be the likelier account (what is constant hardly differs from
+/// a flow that varies slowly).
+bool isLikelier(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int freed);
+
+/// Whether what the model loses without an effect (a fall in the sum of squares) is a good part of what the model
+/// leaves above the noise: in the shadow of something large that has no name, many an effect passes for a part of it.
+bool outweighsRest(double fall, const NullModel& null, double share);
+
+constexpr double leastOfRest = 0.5;         // share
+constexpr double leastBesideOffered = 0.2;  // the same, where an equation is offered for what is left
+
+/// Whether the strength rests at a bound, or a shape at the low end of its reach: the effect then stands for something
+/// else.
+bool isAtBound(const PlacedEffect& placed, const FitResult& fit);
+bool isAtBound(const Trial& trial);
+
+/// Whether a further parameter of the effect rests at a bound of its own: as far as the effect goes, it is not enough
+/// (surroundings as hot as they may be), and may stand for something else.
+bool hasShapeAtBound(const PlacedEffect& placed, const FitResult& fit);
+
+/// Whether a part that the effect has as a rule is next to nothing (a breakaway without friction at speed): it may
+/// stand for two others.
+bool lacksAPart(const PlacedEffect& placed, const FitResult& fit);
+
+/// Whether a parameter of the model that has a value of its own without an effect rests at a bound with it: the effect
+/// does the work of what is known to be there.
+bool drivesToBound(const FitResult& without, const FitResult& with);
+
+/// Whether a new effect and an old one grow against each other: two that cancel explain what neither does.
+bool fightsAnother(const NullModel& null, const FitResult& with);
+
+/// What the forms of effects that explain so much may be wrong by, both in evidence: a change of sign is rounded off,
+/// and no drag is exactly quadratic.
+double errorOfForms(double explained);
+
+/// Whether a proposed equation explains more than every named effect: clearly, beyond what their forms may be wrong by,
+/// and not just as one flexible form more while much is left anyway.
+bool beatsNames(const NullModel& null, const std::vector<Trial>& trials, std::size_t proposal,
+                std::optional<std::size_t> chosen);
+
+}  // namespace analogon

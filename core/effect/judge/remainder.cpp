@@ -1,0 +1,335 @@
+#include "core/effect/judge/remainder.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <optional>
+#include <random>
+
+#include "core/residual/quantisation.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr double significance = 1e-4;
+constexpr double leastMotion = 1e-9;  // of a quantity, after what the parameters can imitate is taken out
+constexpr double leastCorrelation = 0.05;
+constexpr int mostShift = 20;      // between two outputs [samples]
+constexpr double leastShared = 5;  // deviations of the correlation of two noises
+constexpr double nothing = 1e-3;   // rms of a residual in units of the noise: what rounding leaves of an output at rest
+constexpr double leastOfWhite = 60;  // evidence, on a channel whose residual is white
+
+/// A quantity the residual may move with, at the samples of every fitted experiment.
+struct Regressor {
+    std::string variable;
+    std::vector<Eigen::VectorXd> series;  // per experiment
+};
+
+Eigen::VectorXd differences(const Eigen::VectorXd& x) {
+    Eigen::VectorXd d = Eigen::VectorXd::Zero(x.size());
+    for (Eigen::Index k = 1; k + 1 < x.size(); ++k) d[k] = 0.5 * (x[k + 1] - x[k - 1]);
+    return d;
+}
+
+std::vector<Regressor> regressors(const NullModel& null, const PreparedTask& prepared,
+                                  const SimulationOptions& simulation) {
+    std::vector<Regressor> all;
+    const FitProblem& problem = prepared.problem;
+    const System& system = *prepared.system;
+    const auto add = [&](const std::string& name, const auto& seriesOf) {
+        Regressor r{name, {}};
+        for (std::size_t e = 0; e < problem.experiments.size(); ++e) r.series.push_back(seriesOf(e));
+        all.push_back(std::move(r));
+    };
+    const auto addForms = [&](const std::string& name, const auto& seriesOf) {
+        add(name, seriesOf);
+        add("der(" + name + ")", [&](std::size_t e) { return differences(seriesOf(e)); });
+        add(name + "*abs(" + name + ")",
+            [&](std::size_t e) { return Eigen::VectorXd(seriesOf(e).array() * seriesOf(e).array().abs()); });
+        add("sign(" + name + ")", [&](std::size_t e) { return Eigen::VectorXd(seriesOf(e).array().sign()); });
+    };
+    for (int i = 0; i < system.inputCount(); ++i)
+        addForms(system.inputs()[static_cast<std::size_t>(i)].name, [&](std::size_t e) {
+            return Eigen::VectorXd(problem.experiments[e].inputs.values.row(i).transpose());
+        });
+    std::vector<Eigen::MatrixXd> states;
+    for (std::size_t e = 0; e < problem.experiments.size(); ++e) {
+        SimulationTask task = taskOf(problem.experiments[e]);
+        task.keepStates = true;
+        states.push_back(simulateGrid(task, null.fit.plans[e], simulation).states);
+    }
+    for (int i = 0; i < system.stateCount(); ++i)
+        addForms(system.states()[static_cast<std::size_t>(i)].name,
+                 [&](std::size_t e) { return Eigen::VectorXd(states[e].row(i).transpose()); });
+    for (const Recording& r : null.variant.task.recordings) {
+        if (r.role != Role::Fit) continue;
+        for (const SpareChannel& s : r.spares)
+            add(s.name, [&](std::size_t e) {
+                const Recording& recording =
+                    null.variant.task.recordings[static_cast<std::size_t>(prepared.fitRecordings[e])];
+                for (const SpareChannel& channel : recording.spares)
+                    if (channel.name == s.name)
+                        return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(
+                            channel.values.data(), static_cast<Eigen::Index>(channel.values.size())));
+                return Eigen::VectorXd(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(recording.time.size())));
+            });
+        break;
+    }
+    add("time", [&](std::size_t e) {
+        const std::vector<double>& t = problem.experiments[e].inputs.time;
+        return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(t.data(), static_cast<Eigen::Index>(t.size())));
+    });
+    return all;
+}
+
+/// The stretch of an eighth of the record in which the squares are largest.
+void locate(const NullModel& null, const PreparedTask& prepared, const ResidualChannel& channel, Remainder& remainder) {
+    constexpr int stretches = 8;
+    const std::vector<double>& time =
+        prepared.problem.experiments[static_cast<std::size_t>(channel.experiment)].inputs.time;
+    const int count = channel.end - channel.begin;
+    double largest = -1;
+    for (int s = 0; s < stretches; ++s) {
+        const int from = count * s / stretches, to = count * (s + 1) / stretches;
+        if (to <= from) continue;
+        const double power =
+            null.fit.optimum.residuals.segment(channel.begin + from, to - from).squaredNorm() / (to - from);
+        if (power <= largest) continue;
+        largest = power;
+        remainder.from = time[static_cast<std::size_t>(channel.samples[static_cast<std::size_t>(from)])];
+        remainder.to = time[static_cast<std::size_t>(channel.samples[static_cast<std::size_t>(to - 1)])];
+    }
+}
+
+/// F test of all regressors together on the residual made white.
+double pWhitened(const ColumnScore& all, double total, int count) {
+    const double dof = static_cast<double>(all.directions.cols());
+    const double f = all.explained / dof / std::max(1e-300, (total - all.explained) / (count - dof));
+    return boost::math::cdf(boost::math::complement(boost::math::fisher_f(dof, count - dof), std::max(0.0, f)));
+}
+
+/// The same on the residual as it is, each channel taken for noise of its own level and correlation time: an
+/// autoregressive model hides slow structure, this does not.
+class PatientTest {
+public:
+    explicit PatientTest(const NullModel& null) : colours_(null.whitener) {
+        const Eigen::VectorXd& residuals = null.fit.optimum.residuals;
+        scale_ = Eigen::VectorXd::Zero(residuals.size());
+        for (const ResidualChannel& c : null.channels) {
+            const int count = c.end - c.begin;
+            const Eigen::VectorXd own = residuals.segment(c.begin, count);
+            const double variance = own.squaredNorm() / count, memory = summarise(own).autocorrelationTime;
+            if (variance > 0)
+                scale_.segment(c.begin, count).setConstant(1 / std::sqrt(variance * std::max(1.0, memory)));
+        }
+        complement_.emplace(Eigen::MatrixXd(scale_.asDiagonal() * null.fit.optimum.jacobian));
+        scaled_ = scaled(residuals);
+    }
+
+    /// `unlikely`: probability below which noise of the channels' own colours is asked how often it moves so much. What
+    /// slow quantities explain of slow noise leaves it faster than it was, and the test is too sure.
+    double p(const ResidualChannel& channel, const Eigen::MatrixXd& columns, double unlikely) const {
+        const Eigen::MatrixXd rest = (*complement_)(Eigen::MatrixXd(scale_.asDiagonal() * columns));
+        const Eigen::MatrixXd directions =
+            scoreColumns(Complement(Eigen::MatrixXd(rest.rows(), 0)), scaled_, rest, false).directions;
+        const double dof = static_cast<double>(directions.cols());
+        const Ratio own = ratio(channel, directions, scaled_);
+        if (dof < 1 || own.effective < 2 * dof + 10) return 1;
+        const double p =
+            boost::math::cdf(boost::math::complement(boost::math::fisher_f(dof, own.effective - dof), own.f));
+        return p < unlikely ? std::max(p, pAmongSurrogates(channel, directions, own.f)) : p;
+    }
+
+private:
+    static constexpr int surrogates = 60;
+
+    /// What some directions explain of a channel, over what they would of noise of the memory that is left.
+    struct Ratio {
+        double f{}, effective{};
+    };
+
+    Eigen::VectorXd scaled(const Eigen::VectorXd& residuals) const {
+        return (*complement_)(Eigen::MatrixXd(scale_.cwiseProduct(residuals)));
+    }
+
+    static Ratio ratio(const ResidualChannel& channel, const Eigen::MatrixXd& directions,
+                       const Eigen::VectorXd& residuals) {
+        const int count = channel.end - channel.begin;
+        const double dof = static_cast<double>(directions.cols());
+        const Eigen::VectorXd along = directions.transpose() * residuals, left = residuals - directions * along;
+        const ResidualSummary noise = summarise(left.segment(channel.begin, count));
+        const double effective = count / std::max(1.0, noise.autocorrelationTime);
+        const double variance = left.segment(channel.begin, count).squaredNorm() / (count - dof);
+        return {along.squaredNorm() / variance * effective / count / dof, effective};
+    }
+
+    /// Parametric bootstrap: the logarithm of the ratio is nearly normal.
+    double pAmongSurrogates(const ResidualChannel& channel, const Eigen::MatrixXd& directions, double f) const {
+        std::mt19937_64 random(1);
+        Eigen::VectorXd logs(surrogates);
+        for (double& log : logs) log = std::log(ratio(channel, directions, scaled(colours_.noise(random))).f);
+        const double mean = logs.mean(), deviation = std::sqrt((logs.array() - mean).square().sum() / (surrogates - 1));
+        const double t = (std::log(f) - mean) / (deviation * std::sqrt(1 + 1.0 / surrogates));
+        return boost::math::cdf(boost::math::complement(boost::math::students_t(surrogates - 1), t));
+    }
+
+    const Whitener& colours_;
+    Eigen::VectorXd scale_, scaled_;
+    std::optional<Complement> complement_;
+};
+
+/// Whether what is left on two outputs of a recording goes together, at a shift (without its colour) or at a frequency:
+/// sensors have no noise in common.
+bool isShared(const std::vector<ResidualChannel>& channels, const Eigen::VectorXd& residuals,
+              const Eigen::VectorXd& white) {
+    for (std::size_t i = 0; i < channels.size(); ++i)
+        for (std::size_t j = i + 1; j < channels.size(); ++j) {
+            if (channels[i].experiment != channels[j].experiment || channels[i].samples != channels[j].samples)
+                continue;
+            const int from = channels[i].begin, other = channels[j].begin, count = channels[i].end - from;
+            if (coherenceProbability(residuals.segment(from, count), residuals.segment(other, count)) < significance)
+                return true;
+            const Eigen::VectorXd a = white.segment(from, count), b = white.segment(other, count);
+            const double chance = a.norm() * b.norm() / std::sqrt(static_cast<double>(count));
+            for (int lag = -std::min(mostShift, count - 1); lag <= std::min(mostShift, count - 1); ++lag) {
+                const int rest = count - std::abs(lag);
+                const double together = lag < 0 ? a.head(rest).dot(b.tail(rest)) : a.tail(rest).dot(b.head(rest));
+                if (std::abs(together) > leastShared * chance) return true;
+            }
+        }
+    return false;
+}
+
+/// A channel under the tests.
+struct Examined {
+    const ResidualChannel* channel{};
+    ResidualSummary summary;
+    ColumnScore all;       // of what it may move with
+    Eigen::MatrixXd rest;  // the same columns, white, beside the parameters
+    double total{};        // sum of squares, white
+    double pMoves{1};      // that it moves with so much by chance
+    bool isWhite{}, isNoise{};
+};
+
+/// `scale`: the units in which the residual of the model stands, one a row; empty: those of the noise throughout.
+Leftovers leftoversIn(const NullModel& null, const Eigen::VectorXd& scale, const PreparedTask& prepared,
+                      const std::vector<Regressor>& candidates) {
+    Leftovers found;
+    const Complement& complement = null.scores().white;
+    const Eigen::VectorXd white = complement(null.scores().whiteResidual);
+    const PatientTest patient(null);
+    const double unlikely = significance / (3 * static_cast<double>(null.channels.size()));
+    const auto isChance = [&](double p) { return !(p < unlikely); };
+    std::vector<Examined> examined;
+    for (const ResidualChannel& channel : null.channels) {
+        if (quantisationStep(channel.measured) > 0 && isNoise(channel, null.fit.optimum.residuals)) continue;
+        const int count = channel.end - channel.begin;
+        const Eigen::VectorXd own = null.fit.optimum.residuals.segment(channel.begin, count);
+        if (own.norm() <= nothing * std::sqrt(static_cast<double>(count))) continue;
+        // every regressor enters through this channel alone
+        Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(white.size(), static_cast<Eigen::Index>(candidates.size()));
+        for (std::size_t j = 0; j < candidates.size(); ++j) {
+            const Eigen::VectorXd& series = candidates[j].series[static_cast<std::size_t>(channel.experiment)];
+            double mean = 0;
+            for (const int sample : channel.samples) mean += series[sample] / count;
+            for (int row = channel.begin; row < channel.end; ++row)
+                columns(row, static_cast<Eigen::Index>(j)) =
+                    series[channel.samples[static_cast<std::size_t>(row - channel.begin)]] - mean;
+        }
+        if (scale.size() > 0) columns = scale.asDiagonal() * columns;
+        Examined e;
+        e.channel = &channel;
+        e.rest = complement(null.whitener(columns));
+        e.all = scoreColumns(Complement(Eigen::MatrixXd(white.size(), 0)), white, e.rest, false);
+        const auto dof = static_cast<int>(e.all.directions.cols());
+        if (dof < 1 || count < 2 * dof + 10) continue;
+        e.total = white.segment(channel.begin, count).squaredNorm();
+        e.pMoves = std::min(pWhitened(e.all, e.total, count), patient.p(channel, columns, unlikely));
+        e.summary = summarise(own);
+        e.isWhite = isChance(e.summary.whiteProbability);
+        const double beyondChance = e.all.explained - dof * std::log(static_cast<double>(count));
+        const bool isLittle = e.isWhite && std::max(beyondChance, -std::log(std::max(e.pMoves, 1e-300))) < leastOfWhite;
+        e.isNoise = (isLittle || isChance(e.pMoves)) && (e.isWhite || isStationaryNoise(own));
+        examined.push_back(std::move(e));
+    }
+    const bool isAllNoise =
+        std::all_of(examined.begin(), examined.end(), [](const Examined& e) { return e.isNoise; }) &&
+        !isShared(null.channels, null.fit.optimum.residuals, white);
+    for (const Examined& e : examined) {
+        if (e.isWhite && e.isNoise) continue;
+        const ResidualChannel& channel = *e.channel;
+        const FitExperiment& experiment = prepared.problem.experiments[static_cast<std::size_t>(channel.experiment)];
+        const std::string& output = prepared.system->outputs()[static_cast<std::size_t>(channel.output)].name;
+        const int count = channel.end - channel.begin;
+        if (isAllNoise) {
+            const double span = experiment.inputs.time[static_cast<std::size_t>(channel.samples.back())] -
+                                experiment.inputs.time[static_cast<std::size_t>(channel.samples.front())];
+            found.noise.push_back({output, experiment.name, e.summary.autocorrelationTime * span / (count - 1)});
+            continue;
+        }
+        const double p = std::min(e.pMoves, e.summary.whiteProbability);
+        const double dof = static_cast<double>(e.all.directions.cols());
+        Remainder r;
+        r.output = output;
+        r.experiment = experiment.name;
+        r.evidence =
+            std::max(e.all.explained - dof * std::log(static_cast<double>(count)), -std::log(std::max(p, 1e-300)));
+        locate(null, prepared, channel, r);
+        for (std::size_t j = 0; j < candidates.size(); ++j) {
+            const Eigen::VectorXd c = e.rest.col(static_cast<Eigen::Index>(j));
+            const double n = c.norm();
+            // what hardly moves here (the sign of a temperature) moves with nothing
+            if (!(n > leastMotion * candidates[j].series[static_cast<std::size_t>(channel.experiment)].norm()))
+                continue;
+            const double correlation = c.dot(white) / n / std::sqrt(e.total);
+            if (std::abs(correlation) > leastCorrelation) r.movesWith.push_back({candidates[j].variable, correlation});
+        }
+        std::sort(r.movesWith.begin(), r.movesWith.end(), [](const Correlate& a, const Correlate& b) {
+            return std::abs(a.correlation) > std::abs(b.correlation);
+        });
+        if (r.movesWith.size() > 5) r.movesWith.resize(5);
+        if (r.evidence > 0) found.structure.push_back(std::move(r));
+    }
+    std::stable_sort(found.structure.begin(), found.structure.end(),
+                     [](const Remainder& a, const Remainder& b) { return a.evidence > b.evidence; });
+    return found;
+}
+
+/// One over the noise near each sample; empty where it is even on all channels.
+Eigen::VectorXd localScale(const NullModel& null, const PreparedTask& prepared, std::vector<UnevenNoise>& uneven) {
+    Eigen::VectorXd scale = Eigen::VectorXd::Ones(null.fit.optimum.residuals.size());
+    for (const ResidualChannel& c : null.channels) {
+        const Eigen::VectorXd local = localNoise(null.fit.optimum.residuals.segment(c.begin, c.end - c.begin));
+        if (local.size() == 0) continue;
+        scale.segment(c.begin, c.end - c.begin) = local.cwiseInverse();
+        uneven.push_back({prepared.system->outputs()[static_cast<std::size_t>(c.output)].name,
+                          prepared.problem.experiments[static_cast<std::size_t>(c.experiment)].name,
+                          local.maxCoeff() / local.minCoeff()});
+    }
+    return uneven.empty() ? Eigen::VectorXd() : scale;
+}
+
+}  // namespace
+
+Leftovers leftovers(const NullModel& null, const SimulationOptions& simulation) {
+    const Outcome<PreparedTask> prepared = prepareHeld(null.variant, {}, null.noise);
+    if (!prepared) return {};
+    const std::vector<Regressor> candidates = regressors(null, *prepared, simulation);
+    Leftovers found = leftoversIn(null, {}, *prepared, candidates);
+    if (found.structure.empty()) return found;
+    std::vector<UnevenNoise> uneven;
+    const Eigen::VectorXd scale = localScale(null, *prepared, uneven);
+    if (scale.size() == 0) return found;
+    FitResult scaled = null.fit;
+    scaled.optimum.residuals = scale.cwiseProduct(null.fit.optimum.residuals);
+    scaled.optimum.jacobian = scale.asDiagonal() * null.fit.optimum.jacobian;
+    NullModel even = null.with(null.variant, std::move(scaled));
+    even.whitener = Whitener(even.channels, even.fit.optimum.residuals);
+    Leftovers within = leftoversIn(even, scale, *prepared, candidates);
+    if (!within.structure.empty()) return found;
+    within.uneven = std::move(uneven);
+    return within;
+}
+
+}  // namespace analogon

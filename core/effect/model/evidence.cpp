@@ -1,0 +1,102 @@
+#include "core/effect/model/evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/effect/model/input_edge.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr double leastEvidence = 20;                   // fall in BIC that an effect must bring
+constexpr double leastOfStructure = 30;                // where it leaves structure, on which it may only feed
+constexpr double leastBesideOthers = 60;               // beside other effects, whose form it may only mend
+constexpr double leastAtEdges = 100;                   // where it acts right behind changes of an input alone
+constexpr double mostAtEdges = 0.7, fewAtEdges = 0.4;  // of the fall, of the samples
+constexpr int samplesBehindEdge = 3;
+constexpr double structureFactor = 3;       // of what chance can bring, there
+constexpr double leastHeldOutOfAll = 0.2;   // where nothing else remains, and far more is explained than chance can
+constexpr double farMore = 100;             // in evidence
+constexpr double leastHeldOutOfMuch = 0.7;  // where other structure remains, which a wrong effect may feed on
+constexpr double muchLeft = 1.44;           // squared residual over squared noise
+constexpr double leastShare = 0.05;  // beside what stays unexplained: a detail on top of a riddle explains nothing
+constexpr int heldOutFolds = 10;     // fewer leave out more of the excitation than the rest can make up for
+constexpr int mostBlocks = 40;
+constexpr double samplesPerBlock = 3;  // independent ones, at least
+
+/// Whether a fall in the sum of squares happens right behind changes of an input that is sampled too slowly for them,
+/// and hardly elsewhere: how the input ran there is not known.
+bool happensAtEdges(const NullModel& null, const FitResult& with) {
+    std::vector<std::vector<bool>> isBehind;  // by recording and sample
+    for (const Recording& r : null.variant.task.recordings) isBehind.emplace_back(r.time.size(), false);
+    for (const InputEdge& e : inputEdges(null.variant.task)) {
+        std::vector<bool>& samples = isBehind[static_cast<std::size_t>(e.recording)];
+        for (int k = e.sample + 1; k <= e.sample + samplesBehindEdge && k < static_cast<int>(samples.size()); ++k)
+            samples[static_cast<std::size_t>(k)] = true;
+    }
+    const std::vector<int> fitted = recordingsOf(null.variant.task, Role::Fit);
+    double fall = 0, there = 0, rows = 0;
+    for (const ResidualChannel& c : null.channels)
+        for (int row = c.begin; row < c.end; ++row) {
+            const double before = null.fit.optimum.residuals[row], after = with.optimum.residuals[row];
+            const auto recording = static_cast<std::size_t>(fitted[static_cast<std::size_t>(c.experiment)]);
+            const bool isHere =
+                isBehind[recording][static_cast<std::size_t>(c.samples[static_cast<std::size_t>(row - c.begin)])];
+            fall += before * before - after * after;
+            if (isHere) there += before * before - after * after;
+            rows += isHere ? 1 : 0;
+        }
+    return there > mostAtEdges * fall && rows < fewAtEdges * static_cast<double>(with.optimum.residuals.size());
+}
+
+}  // namespace
+
+EvidenceScale::EvidenceScale(const NullModel& null, const FitResult& best)
+    : without_(null.sumOfSquares()),
+      variance_(best.optimum.residuals.squaredNorm() /
+                std::max(1.0, static_cast<double>(null.fit.optimum.residuals.size()) -
+                                  static_cast<double>(best.estimates.size()))),
+      logCount_(std::log(effectiveCount(null.channels, best.optimum.residuals))) {}
+
+double EvidenceScale::of(double sumOfSquares, int freed) const {
+    return (without_ - sumOfSquares) / variance_ - freed * logCount_;
+}
+
+Acceptance examine(const NullModel& null, const FitResult& with, int freed, double threshold) {
+    const Whitener whiten(null.channels, with.optimum.residuals);
+    const auto whiteSum = [&](const Linearisation& l) {
+        return Complement(whiten(l.jacobian))(whiten(l.residuals)).squaredNorm();
+    };
+    Acceptance a;
+    a.explained = whiteSum(null.fit.optimum) - whiteSum(with.optimum);
+    a.evidence = a.explained - freed * std::log(static_cast<double>(null.fit.optimum.residuals.size()));
+    // An autoregressive model of a residual that still holds other slow effects takes their slow part for noise. What
+    // counts the same residual as noise of its own correlation time is the more patient judge of slow effects.
+    const double rows = static_cast<double>(null.fit.optimum.residuals.size());
+    const double count = effectiveCount(null.channels, with.optimum.residuals);
+    const double variance =
+        with.optimum.residuals.squaredNorm() / std::max(1.0, rows - static_cast<double>(with.estimates.size()));
+    a.effective = (null.sumOfSquares() - with.optimum.residuals.squaredNorm()) / variance * count / rows -
+                  freed * std::log(count);
+    a.heldOut =
+        heldOutGain(null.channels, null.fit.optimum, with.optimum,
+                    std::clamp(static_cast<int>(count / samplesPerBlock), heldOutFolds, mostBlocks), heldOutFolds);
+    // What leaves noise has explained all there was. What leaves structure must show more, and show it against chance.
+    const bool leavesStructure = !isNoise(null.channels, with);
+    const bool isFirst = null.variant.effects.empty();
+    const double least = !isFirst ? leastBesideOthers : leavesStructure ? leastOfStructure : leastEvidence;
+    a.leastEvidence = std::max(least, threshold * (leavesStructure ? structureFactor : 1));
+    const double best = std::max(a.evidence, a.effective);
+    a.isAtEdges = best > a.leastEvidence && best < leastAtEdges && happensAtEdges(null, with);
+    a.isSignificant = best > a.leastEvidence && !a.isAtEdges;
+    const double left = with.optimum.residuals.squaredNorm(), unexplained = left - rows;
+    const bool explainsAll = !leavesStructure && std::min(a.evidence, a.effective) > farMore;
+    a.leastHeldOutAsked = explainsAll ? leastHeldOutOfAll : left > muchLeft * rows ? leastHeldOutOfMuch : leastHeldOut;
+    a.holdsOut = a.heldOut > a.leastHeldOutAsked;
+    a.share = unexplained > 0 ? (null.sumOfSquares() - left) / unexplained : std::numeric_limits<double>::infinity();
+    a.isWorthwhile = a.share > leastShare;
+    return a;
+}
+
+}  // namespace analogon

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "core/fit/estimation_task.hpp"
+
+namespace analogon {
+
+/// Median time between samples of the fitted recordings [s]; 0: there are none.
+double samplingInterval(const EstimationTask& task);
+
+}  // namespace analogon

@@ -1,0 +1,281 @@
+#include "core/effect/model/score.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "core/base/stop.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr double rankThreshold = 1e-9;
+constexpr double rounding = 1e-9;  // of a column: no more is left of what the parameters imitate
+constexpr int maxAutoregressiveOrder = 12;
+constexpr double leastApart = 1e-4;  // of two directions, smallest over largest eigenvalue: else they count as one
+constexpr double leastSharedInformation = 0.05;  // of a direction, outside a part of the record that is left out
+
+/// Columns scaled to unit norm, so that parameters of any magnitude weigh alike in a rank decision.
+Eigen::MatrixXd unitColumns(const Eigen::MatrixXd& columns) {
+    Eigen::MatrixXd scaled = columns;
+    for (Eigen::Index j = 0; j < scaled.cols(); ++j) {
+        const double n = scaled.col(j).norm();
+        if (n > 0) scaled.col(j) /= n;
+    }
+    return scaled;
+}
+
+Eigen::MatrixXd orthonormalBasis(const Eigen::MatrixXd& columns, double threshold) {
+    if (columns.cols() == 0 || columns.rows() == 0) return Eigen::MatrixXd(columns.rows(), 0);
+    stopPoint();
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(unitColumns(columns));
+    qr.setThreshold(threshold);
+    const Eigen::Index rank = qr.rank();
+    Eigen::MatrixXd basis = Eigen::MatrixXd::Identity(columns.rows(), rank);
+    basis.applyOnTheLeft(qr.householderQ());
+    return basis;
+}
+
+}  // namespace
+
+Eigen::VectorXd besideRounding(const ResidualChannel& channel, const Eigen::VectorXd& residual, double step) {
+    constexpr int harmonics = 5;
+    const Eigen::VectorXd own = residual.segment(channel.begin, channel.end - channel.begin);
+    const Eigen::ArrayXd turns = 2 * std::numbers::pi * (channel.measured + own).array() / step;
+    Eigen::MatrixXd waves(own.size(), 2 * harmonics);
+    for (int k = 1; k <= harmonics; ++k) {
+        waves.col(2 * k - 2) = (k * turns).sin();
+        waves.col(2 * k - 1) = (k * turns).cos();
+    }
+    return own - waves * waves.colPivHouseholderQr().solve(own);
+}
+
+std::vector<ResidualChannel> residualChannels(const FitProblem& problem) {
+    std::vector<ResidualChannel> channels;
+    int row = 0;
+    for (std::size_t e = 0; e < problem.experiments.size(); ++e) {
+        const FitExperiment& experiment = problem.experiments[e];
+        for (Eigen::Index o = 0; o < experiment.measured.rows(); ++o) {
+            if (experiment.weights[o] <= 0) continue;
+            ResidualChannel channel{static_cast<int>(e), static_cast<int>(o), row, row, {}};
+            for (Eigen::Index k = 0; k < experiment.measured.cols(); ++k)
+                if (!std::isnan(experiment.measured(o, k))) channel.samples.push_back(static_cast<int>(k));
+            row += static_cast<int>(channel.samples.size());
+            channel.end = row;
+            channel.measured = experiment.weights[o] * experiment.measured.row(o)(channel.samples).transpose();
+            if (channel.end > channel.begin) channels.push_back(std::move(channel));
+        }
+    }
+    return channels;
+}
+
+Whitener::Whitener(const std::vector<ResidualChannel>& channels, const Eigen::VectorXd& residual)
+    : channels_(channels) {
+    for (const ResidualChannel& c : channels) {
+        models_.push_back(fitAutoregressive(residual.segment(c.begin, c.end - c.begin), maxAutoregressiveOrder));
+        if (!(models_.back().innovation > 0)) models_.back().innovation = 1;
+    }
+}
+
+Eigen::VectorXd Whitener::operator()(const Eigen::VectorXd& rows) const {
+    Eigen::VectorXd white = rows;
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+        const int begin = channels_[c].begin, count = channels_[c].end - channels_[c].begin;
+        white.segment(begin, count) = models_[c].whiten(rows.segment(begin, count)) / models_[c].innovation;
+    }
+    return white;
+}
+
+Eigen::MatrixXd Whitener::operator()(const Eigen::MatrixXd& rows) const {
+    Eigen::MatrixXd white(rows.rows(), rows.cols());
+    stopPoint();
+    for (Eigen::Index j = 0; j < rows.cols(); ++j) white.col(j) = (*this)(Eigen::VectorXd(rows.col(j)));
+    return white;
+}
+
+Eigen::VectorXd Whitener::noise(std::mt19937_64& random) const {
+    Eigen::VectorXd rows(channels_.empty() ? 0 : channels_.back().end);
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+        const int begin = channels_[c].begin, count = channels_[c].end - channels_[c].begin;
+        rows.segment(begin, count) = models_[c].simulate(count, random);
+    }
+    return rows;
+}
+
+Complement::Complement(const Eigen::MatrixXd& jacobian)
+    : basis_(orthonormalBasis(jacobian, rankThreshold)), jacobian_(jacobian) {}
+
+Eigen::MatrixXd Complement::operator()(const Eigen::MatrixXd& columns) const {
+    Eigen::MatrixXd rest = columns - basis_ * (basis_.transpose() * columns);
+    rest -= basis_ * (basis_.transpose() * rest);  // once more: what is left may be small against what was taken
+    return rest;
+}
+
+Eigen::VectorXd Complement::coefficients(const Eigen::VectorXd& column) const {
+    if (jacobian_.cols() == 0) return {};
+    Eigen::VectorXd norms = jacobian_.colwise().norm().transpose();
+    for (double& n : norms)
+        if (n == 0) n = 1;
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(unitColumns(jacobian_));
+    qr.setThreshold(rankThreshold);
+    return qr.solve(column).cwiseQuotient(norms);
+}
+
+ColumnScore scoreColumns(const Complement& complement, const Eigen::VectorXd& residual, const Eigen::MatrixXd& columns,
+                         bool oneSided) {
+    ColumnScore score;
+    score.strengths = Eigen::VectorXd::Zero(columns.cols());
+    score.directions = Eigen::MatrixXd(columns.rows(), 0);
+    const double length = columns.col(0).norm();
+    if (!(length > 0) || !std::isfinite(length)) return score;
+    Eigen::MatrixXd rest = complement(columns);
+    score.visible = rest.col(0).norm() / length;
+    for (Eigen::Index j = 1; j < rest.cols(); ++j)
+        if (!(rest.col(j).norm() > rounding * columns.col(j).norm())) rest.col(j).setZero();  // any strength would do
+    Eigen::VectorXd norms = rest.colwise().norm().transpose();
+    for (double& n : norms)
+        if (!(n > 0)) n = 1;
+    const Eigen::MatrixXd unit = rest * norms.cwiseInverse().asDiagonal();
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(unit);
+    qr.setThreshold(1e-6);
+    score.strengths = (-qr.solve(residual)).cwiseQuotient(norms);
+    score.wrongSign = oneSided && score.strengths[0] < 0;
+    score.directions = orthonormalBasis(rest, 1e-6);
+    score.explained = (score.directions.transpose() * residual).squaredNorm();
+    return score;
+}
+
+double explainedTogether(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, const Eigen::VectorXd& residual) {
+    Eigen::MatrixXd both(residual.size(), a.cols() + b.cols());
+    both << a, b;
+    const Eigen::VectorXd along = both.transpose() * residual;
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> gram;
+    gram.setThreshold(leastApart);
+    gram.compute(both.transpose() * both);
+    return along.dot(gram.solve(along));
+}
+
+double noiseThreshold(const std::vector<Eigen::MatrixXd>& directions, double logRows, double quantile,
+                      std::uint64_t seed) {
+    Eigen::Index total = 0;
+    for (const Eigen::MatrixXd& d : directions) total += d.cols();
+    if (total == 0) return 0;
+    Eigen::MatrixXd all(directions.front().rows(), total);
+    std::vector<Eigen::Index> starts;
+    Eigen::Index at = 0;
+    for (const Eigen::MatrixXd& d : directions) {
+        starts.push_back(at);
+        all.middleCols(at, d.cols()) = d;
+        at += d.cols();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(all.transpose() * all);
+    const Eigen::MatrixXd root = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+
+    constexpr int draws = 5000;
+    std::mt19937_64 generator(seed);
+    std::normal_distribution<double> normal;
+    std::vector<double> largest(draws);
+    Eigen::VectorXd z(total);
+    for (double& value : largest) {
+        for (double& x : z) x = normal(generator);
+        const Eigen::VectorXd v = root * z;
+        value = -1e300;
+        for (std::size_t k = 0; k < directions.size(); ++k) {
+            const Eigen::Index columns = directions[k].cols();
+            if (columns == 0) continue;
+            value =
+                std::max(value, v.segment(starts[k], columns).squaredNorm() - static_cast<double>(columns) * logRows);
+        }
+    }
+    std::sort(largest.begin(), largest.end());
+    return largest[static_cast<std::size_t>(quantile * (draws - 1))];
+}
+
+namespace {
+
+/// A part of the record, all but the directions of its rows that are `kept` (columns, orthonormal).
+Eigen::MatrixXd beside(const Eigen::MatrixXd& kept, const Eigen::MatrixXd& part) {
+    return part - kept * (kept.transpose() * part);
+}
+
+/// Residual on the left-out part after one Gauss-Newton refit to the rest.
+Eigen::VectorXd leftOutResidual(const Linearisation& model, const Eigen::MatrixXd& normal, const Eigen::VectorXd& scale,
+                                const std::vector<Eigen::Index>& rows, const Eigen::MatrixXd& kept) {
+    const Eigen::VectorXd residual = beside(kept, model.residuals(rows));
+    if (normal.cols() == 0) return residual;
+    const Eigen::MatrixXd block = beside(kept, model.jacobian(rows, Eigen::all) * scale.asDiagonal());
+    Eigen::MatrixXd rest = normal - block.transpose() * block;
+    rest.diagonal().array() +=
+        1e-6;  // columns are scaled to unit norm: keeps a direction seen in this block alone in place
+    return residual + block * rest.ldlt().solve(block.transpose() * residual);
+}
+
+/// What these rows alone tell of the parameters, as directions of the rows (columns, orthonormal): those of which the
+/// rest of the record has next to no information.
+Eigen::MatrixXd toldHereAlone(const Linearisation& model, const Eigen::MatrixXd& normal, const Eigen::VectorXd& scale,
+                              const std::vector<Eigen::Index>& rows) {
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    if (normal.cols() == 0) return Eigen::MatrixXd(count, 0);
+    const Eigen::MatrixXd block = model.jacobian(rows, Eigen::all) * scale.asDiagonal();
+    Eigen::MatrixXd whole = normal;
+    whole.diagonal().array() += 1e-9;  // unit columns: a direction that nothing tells of loses nothing
+    const Eigen::LLT<Eigen::MatrixXd> root(whole);
+    const Eigen::MatrixXd own = root.matrixL().solve(block.transpose());  // of parameters in which all rows count 1
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> shares(own * own.transpose());
+    const Eigen::Index alone = (shares.eigenvalues().array() > 1 - leastSharedInformation).count();
+    return own.transpose() * shares.eigenvectors().rightCols(alone) *
+           shares.eigenvalues().tail(alone).cwiseSqrt().cwiseInverse().asDiagonal();
+}
+
+}  // namespace
+
+double heldOutGain(const std::vector<ResidualChannel>& channels, const Linearisation& without,
+                   const Linearisation& with, int blocks, int folds) {
+    const auto scaleOf = [](const Linearisation& m) {
+        Eigen::VectorXd scale = m.jacobian.colwise().norm().transpose();
+        for (double& s : scale) s = s > 0 ? 1 / s : 0;
+        return scale;
+    };
+    const Eigen::VectorXd scale0 = scaleOf(without), scale1 = scaleOf(with);
+    const auto normalOf = [](const Linearisation& m, const Eigen::VectorXd& scale) {
+        const Eigen::MatrixXd j = m.jacobian * scale.asDiagonal();
+        return Eigen::MatrixXd(j.transpose() * j);
+    };
+    const Eigen::MatrixXd normal0 = normalOf(without, scale0), normal1 = normalOf(with, scale1);
+    double gained = 0, moved = 0;
+    for (int fold = 0; fold < std::min(folds, blocks); ++fold) {
+        std::vector<Eigen::Index> rows;
+        for (const ResidualChannel& c : channels) {
+            const int last = c.samples.back() + 1;
+            for (int row = c.begin; row < c.end; ++row)
+                if (static_cast<long>(c.samples[static_cast<std::size_t>(row - c.begin)]) * blocks / last % folds ==
+                    fold)
+                    rows.push_back(row);
+        }
+        if (rows.empty()) continue;
+        // what only this part of the record says of the effect is not left out; what it claims there is unconfirmed
+        const Eigen::MatrixXd alone = toldHereAlone(with, normal1, scale1, rows);
+        moved += (alone.transpose() * (with.residuals(rows) - without.residuals(rows))).squaredNorm();
+        const Eigen::VectorXd r0 = leftOutResidual(without, normal0, scale0, rows, alone);
+        const Eigen::VectorXd r1 = leftOutResidual(with, normal1, scale1, rows, alone);
+        gained += r0.squaredNorm() - r1.squaredNorm();
+        moved += (r1 - r0).squaredNorm();
+    }
+    return moved > 0 ? gained / moved : 0;
+}
+
+double effectiveCount(const std::vector<ResidualChannel>& channels, const Eigen::VectorXd& residual) {
+    double count = 0;
+    for (const ResidualChannel& c : channels) {
+        const int n = c.end - c.begin;
+        const ResidualSummary s = summarise(residual.segment(c.begin, n));
+        count += n / std::max(1.0, s.autocorrelationTime);
+    }
+    return std::max(2.0, count);
+}
+
+}  // namespace analogon

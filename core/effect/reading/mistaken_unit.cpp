@@ -1,0 +1,218 @@
+#include "core/effect/reading/mistaken_unit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/base/unit.hpp"
+#include "core/effect/block/trial.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr std::size_t mostFitted = 2;
+constexpr double leastShare = 3;       // times what stays unexplained, that must be explained
+constexpr double mostLeft = 1.0 / 16;  // of the sum of squares, unless it is noise: an effect may look like a scale
+constexpr double leastEvidence = 300;  // far more than an effect needs: none is looked for beside it
+
+/// What test benches record in, by kind, the commoner first: every other one of the same kind may be meant.
+constexpr std::array<const char*, 27> commonUnits{"K",   "degC", "degF", "rad/s", "rpm", "deg/s", "rad", "deg", "A",
+                                                  "mA",  "V",    "mV",   "W",     "kW",  "Nm",    "mNm", "N",   "kN",
+                                                  "m/s", "km/h", "m",    "mm",    "Pa",  "kPa",   "hPa", "bar", "g/s"};
+
+bool isSame(const UnitConversion& a, const UnitConversion& b) {
+    return std::abs(a.factor - b.factor) < 1e-9 * std::abs(b.factor) && std::abs(a.offset - b.offset) < 1e-9;
+}
+
+/// What turns a value that was read in one unit into what it is in another.
+std::optional<UnitConversion> rereading(const ChannelUnit& given, const std::string& likely) {
+    const Outcome<UnitConversion> asGiven = convertUnit(given.unit, given.modelUnit),
+                                  asLikely = convertUnit(likely, given.modelUnit);
+    if (!asGiven || !asLikely || isSame(*asGiven, *asLikely)) return std::nullopt;
+    const double factor = asLikely->factor / asGiven->factor;
+    return UnitConversion{factor, asLikely->offset - factor * asGiven->offset};
+}
+
+bool isAmong(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The row of a channel; nothing: it is none of these.
+std::optional<Eigen::Index> rowOf(const std::vector<std::string>& names, const std::string& channel) {
+    const auto at = std::find(names.begin(), names.end(), channel);
+    if (at == names.end()) return std::nullopt;
+    return at - names.begin();
+}
+
+void readAsLikely(Recording& recording, const MistakenUnit& mistake) {
+    std::set<std::string> columns;  // whose start values are done: several channels may be read from one
+    for (const ChannelUnit& given : recording.units) {
+        if (!mistake.concerns(given)) continue;
+        const std::optional<UnitConversion> again = rereading(given, mistake.likely);
+        if (!again) continue;
+        if (const auto row = rowOf(recording.inputNames, given.channel))
+            recording.inputs.row(*row) = recording.inputs.row(*row).unaryExpr(*again).eval();
+        if (const auto row = rowOf(recording.outputNames, given.channel))
+            recording.outputs.row(*row) = recording.outputs.row(*row).unaryExpr(*again).eval();
+        if (!columns.insert(given.column).second) continue;
+        for (RecordingStart& start : recording.starts)
+            if (start.column == given.column) start.value = (*again)(start.value);
+    }
+}
+
+/// Every column, and all of one unit together, in every other common unit: in all recordings that say so, and, where
+/// several are fitted, in each alone.
+std::vector<MistakenUnit> possibleMistakes(const EstimationTask& task) {
+    std::vector<MistakenUnit> mistakes;
+    const std::vector<int> fitted = recordingsOf(task, Role::Fit);
+    std::vector<int> all;
+    for (std::size_t r = 0; r < task.recordings.size(); ++r) all.push_back(static_cast<int>(r));
+    std::vector<std::vector<int>> where{all};
+    if (fitted.size() > 1)
+        for (const int one : fitted) where.push_back({one});
+    const auto add = [&](const std::vector<int>& recordings, const std::vector<const ChannelUnit*>& given) {
+        MistakenUnit mistake;
+        mistake.recordings = recordings;
+        mistake.unit = given.front()->unit;
+        for (const ChannelUnit* each : given) {
+            if (!isAmong(mistake.columns, each->column)) mistake.columns.push_back(each->column);
+            mistake.channels.push_back(each->channel);
+        }
+        for (const char* likely : commonUnits) {
+            if (!rereading(*given.front(), likely)) continue;
+            mistakes.push_back(mistake);
+            mistakes.back().likely = likely;
+        }
+    };
+    for (const std::vector<int>& recordings : where) {
+        std::map<std::pair<std::string, std::string>, std::vector<const ChannelUnit*>> byColumn;
+        std::map<std::string, std::vector<const ChannelUnit*>> byUnit;
+        for (const int r : recordings)
+            for (const ChannelUnit& given : task.recordings[static_cast<std::size_t>(r)].units) {
+                std::vector<const ChannelUnit*>& same = byColumn[{given.unit, given.column}];
+                const auto isKnown = [&](const ChannelUnit* each) { return each->channel == given.channel; };
+                if (std::any_of(same.begin(), same.end(), isKnown)) continue;
+                same.push_back(&given);
+                byUnit[given.unit].push_back(&given);
+            }
+        for (const auto& [name, given] : byColumn) add(recordings, given);
+        for (const auto& [unit, given] : byUnit)
+            if (byColumn[{unit, given.front()->column}].size() < given.size()) add(recordings, given);
+    }
+    return mistakes;
+}
+
+/// The noise of the outputs in the likely unit: where a reading is another one by a factor, so is its noise.
+std::vector<Eigen::VectorXd> noiseRead(const NullModel& null, const MistakenUnit& mistake) {
+    std::vector<Eigen::VectorXd> noise = null.noise;
+    const Outcome<PreparedTask> prepared = prepareHeld(null.variant, {}, null.noise);
+    if (!prepared) return noise;
+    for (const int r : mistake.recordings)
+        for (const ChannelUnit& given : null.variant.task.recordings[static_cast<std::size_t>(r)].units) {
+            if (!mistake.concerns(given)) continue;
+            const std::optional<UnitConversion> again = rereading(given, mistake.likely);
+            const int output = prepared->system->outputIndex(given.channel);
+            Eigen::VectorXd& own = noise[static_cast<std::size_t>(r)];
+            if (again && output >= 0 && output < own.size()) own[output] *= std::abs(again->factor);
+        }
+    return noise;
+}
+
+std::size_t rarity(const std::string& unit) {
+    return static_cast<std::size_t>(std::find(commonUnits.begin(), commonUnits.end(), unit) - commonUnits.begin());
+}
+
+/// Whether both are about the same numbers.
+bool isOfSameNumbers(const MistakenUnit& a, const MistakenUnit& b) {
+    return a.recordings == b.recordings && a.columns == b.columns;
+}
+
+/// Whether what one leaves more than the other is less than tells them apart.
+bool leavesAsLittle(const NullModel& model, const NullModel& best) {
+    const double rows = static_cast<double>(best.fit.optimum.residuals.size());
+    const double variance = best.sumOfSquares() / std::max(1.0, rows - best.parameterCount());
+    return independentShare(best, best.fit) * (model.sumOfSquares() - best.sumOfSquares()) <
+           equivalenceMargin * variance;
+}
+
+/// That which leaves least; of units for the same numbers that leave as little, the commonest, with the others.
+std::optional<MistakenUnit> likeliest(std::vector<MistakenUnit> found) {
+    if (found.empty()) return std::nullopt;
+    std::stable_sort(found.begin(), found.end(), [](const MistakenUnit& a, const MistakenUnit& b) {
+        return a.read.sumOfSquares() < b.read.sumOfSquares();
+    });
+    std::vector<MistakenUnit> alike;
+    for (MistakenUnit& each : found)
+        if (alike.empty() || (isOfSameNumbers(each, alike.front()) && leavesAsLittle(each.read, alike.front().read)))
+            alike.push_back(std::move(each));
+    std::stable_sort(alike.begin(), alike.end(),
+                     [](const MistakenUnit& a, const MistakenUnit& b) { return rarity(a.likely) < rarity(b.likely); });
+    MistakenUnit first = std::move(alike.front());
+    for (std::size_t i = 1; i < alike.size(); ++i) first.asLikely.push_back(alike[i].likely);
+    return first;
+}
+
+}  // namespace
+
+bool MistakenUnit::concerns(const ChannelUnit& given) const {
+    return given.unit == unit && isAmong(columns, given.column);
+}
+
+EstimationTask readAsLikely(EstimationTask task, const MistakenUnit& mistake) {
+    for (const int r : mistake.recordings) readAsLikely(task.recordings[static_cast<std::size_t>(r)], mistake);
+    return task;
+}
+
+Text channelWords(const EstimationTask& task, const MistakenUnit& mistake) {
+    const Recording& first = task.recordings[static_cast<std::size_t>(mistake.recordings.front())];
+    std::vector<std::string> names;
+    for (const std::string& channel : mistake.channels)
+        for (const ChannelUnit& given : first.units)
+            if (given.channel == channel) names.push_back(fmt::format("{} ('{}')", channel, given.column));
+    if (mistake.recordings.size() == task.recordings.size()) return listed(names);
+    return phrase("{} in '{}'", listed(names), first.name);
+}
+
+std::optional<MistakenUnit> mistakenUnit(const NullModel& null, const Variant& given, const FitOptions& options,
+                                         const Progress& progress) {
+    if (isNoise(null) || !(excess(null) > leastEvidence)) return std::nullopt;
+    struct Likely {
+        MistakenUnit mistake;
+        Variant variant;
+        std::vector<Eigen::VectorXd> noise;
+        double promised{};
+    };
+    std::vector<Likely> likely;
+    for (MistakenUnit& mistake : possibleMistakes(given.task)) {
+        if (progress.stopRequested()) return std::nullopt;
+        Likely each{std::move(mistake), given, {}, 0};
+        each.variant.task = readAsLikely(given.task, each.mistake);
+        each.noise = noiseRead(null, each.mistake);
+        const Outcome<PreparedTask> prepared = prepareAt(each.variant, each.noise);
+        if (!prepared) continue;
+        const Linearisation at =
+            linearise(prepared->problem, prepared->problem.startValues(), true, {}, options.simulation, progress);
+        if (!at.ok || !at.jacobian.allFinite()) continue;
+        each.promised = Complement(at.jacobian)(at.residuals).squaredNorm();
+        if (each.promised < null.sumOfSquares()) likely.push_back(std::move(each));
+    }
+    std::stable_sort(likely.begin(), likely.end(),
+                     [](const Likely& a, const Likely& b) { return a.promised < b.promised; });
+    if (likely.size() > mostFitted) likely.resize(mostFitted);
+    std::vector<MistakenUnit> found;
+    for (Likely& each : likely) {
+        Outcome<NullModel> read = fitNull(each.variant, each.noise, NoiseLevel::Keep, options, progress);
+        if (!read || progress.stopRequested()) continue;
+        const Acceptance gain = examine(null, read->fit, 0, 0);
+        if (!gain.accepted() || !(gain.share > leastShare)) continue;
+        if (!isNoise(*read) && !(read->sumOfSquares() < mostLeft * null.sumOfSquares())) continue;
+        if (!(std::max(gain.evidence, gain.effective) > leastEvidence)) continue;
+        found.push_back(std::move(each.mistake));
+        found.back().read = std::move(*read);
+    }
+    return likeliest(std::move(found));
+}
+
+}  // namespace analogon

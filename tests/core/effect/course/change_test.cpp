@@ -1,0 +1,97 @@
+#include "core/effect/course/change.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stop_token>
+
+#include "tests/core/effect/warm_body.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr int samples = 400, change = 200;
+
+/// A body whose joint to the surroundings conducts otherwise from the change on, in small steps of the exact solution.
+Recording recorded(const std::string& name, double before, double after) {
+    Recording r = warmBodyRecording(name, samples);
+    double x = 0;
+    for (int k = 0; k < samples; ++k) {
+        r.time.push_back(k);
+        r.inputs(0, k) = 3 + 2 * std::sin(0.1 * k);
+        r.outputs(0, k) = 300 + x + 0.05 * ((k * 7919) % 13 - 6) / 6.0;
+        constexpr int pieces = 200;
+        for (int i = 0; i < pieces; ++i) {
+            const double t = k + (i + 0.5) / pieces;
+            const double p = 3 + 2 * ((1 - (t - k)) * std::sin(0.1 * k) + (t - k) * std::sin(0.1 * (k + 1)));
+            const double G = k < change ? before : after, decay = std::exp(-G / 4 / pieces);
+            x = x * decay + p / G * (1 - decay);
+        }
+    }
+    return r;
+}
+
+NullModel changed(double before, double after, std::vector<Recording> checks = {}) {
+    FitParameter g;
+    g.name = "joint.G";
+    g.unit = "W/K";
+    g.start = 0.2;
+    EstimationTask task = warmBody({g});
+    task.recordings = {recorded("bench", before, after)};
+    for (Recording& check : checks) {
+        check.role = Role::Validate;
+        task.recordings.push_back(std::move(check));
+    }
+    Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, {}, {});
+    EXPECT_TRUE(null) << format(null.diagnostics());
+    return null ? std::move(*null) : NullModel{};
+}
+
+TEST(Change, IsFoundWithItsMomentAndItsSize) {
+    const std::optional<Change> found = bestChange(changed(0.2, 0.3), {}, 1, {});
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->parameter, "joint.G");
+    EXPECT_NEAR(found->before, 0.2, 0.002);
+    EXPECT_NEAR(found->after, 0.3, 0.002);
+    EXPECT_NEAR(found->time, change, 2);
+}
+
+TEST(Change, NeverTakesAQuantityOfOneSignToTheOther) {
+    // heat that comes out of the surroundings is no change of a conductance
+    const std::optional<Change> found = bestChange(changed(0.2, -0.002), {}, 1, {});
+    ASSERT_TRUE(found);
+    EXPECT_GT(found->after, 0);
+}
+
+TEST(Change, IsHeldAgainstChecksOfEitherCondition) {
+    const NullModel null = changed(
+        0.2, 0.3, {recorded("new", 0.2, 0.2), recorded("worn", 0.3, 0.3), recorded("another that wears", 0.2, 0.3)});
+    const std::optional<Change> found = bestChange(null, {}, 1, {});
+    ASSERT_TRUE(found);
+    const Outcome<ErrorsOfChange> errors = errorsOf(*found, null.variant.task.recordings, {}, {});
+    ASSERT_TRUE(errors) << format(errors.diagnostics());
+    EXPECT_LT(errors->fitted, 0.5);
+    ASSERT_EQ(errors->checks.size(), 3u);
+    EXPECT_EQ(errors->checks[1].experiment, "worn");
+    const double suits[] = {errors->checks[0].before, errors->checks[1].after, errors->checks[2].alike};
+    for (int i = 0; i < 3; ++i) {
+        const CheckOfChange& check = errors->checks[static_cast<std::size_t>(i)];
+        EXPECT_EQ(check.least(), suits[i]) << check.experiment;
+        EXPECT_LT(check.least(), 0.5) << check.experiment;
+        EXPECT_GT(check.before + check.after + check.alike, 10) << check.experiment;
+    }
+}
+
+TEST(Change, TellsNothingOfChecksThatWereNotSimulatedToTheirEnd) {
+    const NullModel null = changed(0.2, 0.3, {recorded("new", 0.2, 0.2)});
+    const std::optional<Change> found = bestChange(null, {}, 1, {});
+    ASSERT_TRUE(found);
+    std::stop_source stop;
+    stop.request_stop();
+    const Outcome<ErrorsOfChange> errors =
+        errorsOf(*found, null.variant.task.recordings, {}, Progress(stop.get_token(), {}));
+    EXPECT_TRUE(!errors || errors->checks.empty());
+}
+
+}  // namespace
+}  // namespace analogon

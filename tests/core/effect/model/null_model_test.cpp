@@ -1,0 +1,121 @@
+#include "core/effect/model/null_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/effect/block/missing_flow.hpp"
+#include "tests/core/effect/warm_body.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr int samples = 400;
+constexpr double interval = 0.25, capacity = 4;
+
+Recording heated(const std::string& name) {
+    Recording r = warmBodyRecording(name, samples);
+    r.inputs.setConstant(8);
+    for (int k = 0; k < samples; ++k) {
+        const double t = interval * k, noise = 0.02 * std::sin(12.9898 * k) * std::cos(78.233 * k);
+        r.time.push_back(t);
+        r.outputs(0, k) = 300 + 40 * (1 - std::exp(-t * 0.2 / capacity)) + noise;
+    }
+    return r;
+}
+
+/// A heated body, fitted to so many recordings.
+NullModel fitted(int recordings) {
+    EstimationTask task = warmBody({{"joint.G", "", 0.3, 0.01, 10}});
+    for (int i = 0; i < recordings; ++i) task.recordings.push_back(heated("run " + std::to_string(i + 1)));
+    Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, {}, {});
+    EXPECT_TRUE(null) << format(null.diagnostics());
+    return null ? std::move(*null) : NullModel();
+}
+
+TEST(NullModel, HasStepsForWhatIsNotLinearBesideALinearModel) {
+    const NullModel null = fitted(1);
+    ASSERT_EQ(null.fit.plans.size(), 1u);
+    EXPECT_EQ(null.fit.plans[0].method, GridMethod::Exact);
+    const StepsBeside& steps = null.steps({}, {});
+    EXPECT_EQ(&steps, &null.steps({}, {})) << "found once";
+    EXPECT_EQ(steps.states.size(), 1u);
+    EXPECT_EQ(steps.fine[0].method, GridMethod::RungeKutta4);
+    EXPECT_EQ(steps.glances[0].method, GridMethod::RungeKutta4);
+    const Outcome<PreparedTask> linear = prepareHeld(null.variant, {}, null.noise);
+    ASSERT_TRUE(linear) << format(linear.diagnostics());
+    EXPECT_EQ(null.plansOf(*linear->system, {}, {})[0].method, GridMethod::Exact);
+    Variant radiating = null.variant;
+    const auto text = R"(model Radiating
+  extends Body;
+  Analogon.Effects.Thermal.Radiation more(k_r=1e-10);
+equation
+  connect(body.port, more.port);
+end Radiating;
+)";
+    Outcome<Library> library = radiating.task.library.withSource(std::make_shared<Source>("radiating.mo", text));
+    ASSERT_TRUE(library) << format(library.diagnostics());
+    radiating.task.library = std::move(*library);
+    radiating.task.className = "Radiating";
+    const Outcome<PreparedTask> bent = prepareHeld(radiating, {}, null.noise);
+    ASSERT_TRUE(bent) << format(bent.diagnostics());
+    EXPECT_TRUE(null.plansOf(*bent->system, {}, {})[0] == steps.fine[0]);
+}
+
+TEST(NullModel, ObservesWhatIsSwitchedOffAlongItsOwnStates) {
+    const NullModel null = fitted(2);
+    const Outcome<PreparedTask> held = prepareHeld(null.variant, {}, null.noise);
+    ASSERT_TRUE(held) << format(held.diagnostics());
+    const std::vector<Trajectory> seen = observe(null, *held, {"joint.Q_flow", "body.T"}, {});
+    ASSERT_EQ(seen.size(), 2u);
+    for (std::size_t e = 0; e < seen.size(); ++e) {
+        SimulationTask task = taskOf(held->problem.experiments[e]);
+        task.observe = {"joint.Q_flow", "body.T"};
+        const Trajectory run = simulateGrid(task, null.fit.plans[e]);
+        ASSERT_EQ(seen[e].observed.rows(), 2);
+        EXPECT_LT((seen[e].observed - run.observed).cwiseAbs().maxCoeff(), 1e-9);
+        EXPECT_TRUE(seen[e].outputs.size() == 0) << "nothing was simulated for it";
+    }
+}
+
+TEST(NullModel, WithAnotherFitKnowsNothingOfTheFirst) {
+    const NullModel null = fitted(1);
+    const ScoresBeside& scores = null.scores();
+    EXPECT_EQ(&scores, &null.scores()) << "found once";
+    FitResult moved = null.fit;
+    moved.optimum.residuals *= 2;
+    const NullModel other = null.with(null.variant, moved);
+    EXPECT_LT((other.scores().whiteResidual - 2 * scores.whiteResidual).norm(), 1e-9 * scores.whiteResidual.norm());
+    EXPECT_EQ(other.noise, null.noise);
+}
+
+/// What a flow out of the body does to the reading, of hats that sum to 1 W: of each recording its own, in order.
+TEST(FlowResponses, AreThoseOfEachPieceOfAFlow) {
+    constexpr int pieces = 40;
+    const NullModel null = fitted(2);
+    const double G = null.fit.estimates.front().value;
+    const std::vector<FlowResponse> responses = flowResponses(null, pieces, {}, {});
+    const auto ofFlow = std::find_if(responses.begin(), responses.end(), [](const auto& r) { return r.isFlow; });
+    ASSERT_TRUE(ofFlow != responses.end());
+    const Eigen::MatrixXd& columns = ofFlow->columns;
+    ASSERT_EQ(columns.rows(), 2 * samples);
+    ASSERT_EQ(columns.cols(), 2 * (pieces + 1));
+    for (int run = 0; run < 2; ++run) {
+        const Eigen::MatrixXd own = columns.middleCols(run * (pieces + 1), pieces + 1);
+        EXPECT_EQ(own.middleRows((1 - run) * samples, samples).norm(), 0) << "nothing is felt in the other recording";
+        const Eigen::MatrixXd felt = own.middleRows(run * samples, samples);
+        const double noise = null.noise[static_cast<std::size_t>(run)][0];
+        for (int k = 0; k < samples; ++k)
+            EXPECT_NEAR(-felt.row(k).sum() * noise, (1 - std::exp(-interval * k * G / capacity)) / G, 1e-4) << k;
+        const double width = interval * (samples - 1) / pieces;
+        for (int j = 1; j < pieces; ++j) {
+            Eigen::Index latest = 0;
+            felt.col(j).cwiseAbs().maxCoeff(&latest);
+            EXPECT_NEAR(interval * static_cast<double>(latest), (j + 1) * width, width) << j;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace analogon

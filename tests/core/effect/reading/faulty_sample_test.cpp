@@ -1,0 +1,159 @@
+#include "core/effect/reading/faulty_sample.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/effect/model/model_state.hpp"
+#include "tests/core/effect/warm_body.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr int samples = 300;
+
+/// The warm body by the exact solution, its heater switched every 50 samples.
+Recording heated() {
+    Recording r = warmBodyRecording("run", samples);
+    std::mt19937 random(8);
+    std::normal_distribution<double> noise(0, 0.02);
+    double temperature = 300;
+    for (int k = 0; k < samples; ++k) {
+        const double power = k / 50 % 2;
+        r.time.push_back(k);
+        r.inputs(0, k) = power;
+        r.outputs(0, k) = temperature + noise(random);
+        const double end = 300 + power / 0.2;
+        temperature = end + (temperature - end) * std::exp(-0.05);
+    }
+    return r;
+}
+
+std::vector<FaultySamples> faultsIn(const Recording& recording) {
+    EstimationTask task = warmBody({{"body.C", "J/K", 3.5, 1, 10}, {"joint.G", "W/K", 0.25, 0.05, 1}});
+    task.recordings = {recording};
+    const Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, {}, {});
+    EXPECT_TRUE(null) << format(null.diagnostics());
+    return null ? faultySamples(*null) : std::vector<FaultySamples>();
+}
+
+std::vector<int> samplesOf(const std::vector<FaultySamples>& faults) {
+    std::vector<int> found;
+    for (const FaultySamples& f : faults) found.push_back(f.begin);
+    return found;
+}
+
+TEST(FaultySamples, AreThoseThatStandAlone) {
+    Recording r = heated();
+    EXPECT_TRUE(faultsIn(r).empty());
+    for (const int k : {20, 128, 129, 131, 240}) r.outputs(0, k) += k == 131 ? -1 : 0.8;
+    const std::vector<FaultySamples> found = faultsIn(r);
+    EXPECT_EQ(samplesOf(found), (std::vector<int>{20, 128, 129, 131, 240}));
+    EstimationTask task;
+    task.recordings = {r};
+    leaveOut(task, found);
+    EXPECT_TRUE(std::isnan(task.recordings[0].outputs(0, 240)));
+    EXPECT_FALSE(std::isnan(task.recordings[0].outputs(0, 241)));
+    EXPECT_EQ(faultRemarks(task.recordings, found).size(), 1u);
+}
+
+TEST(FaultySamples, AreNotWhatAnInputOrTheComponentDoes) {
+    Recording behindJump = heated();
+    behindJump.outputs(0, 101) += 1;
+    EXPECT_TRUE(faultsIn(behindJump).empty()) << "the heater is switched there";
+    Recording step = heated();
+    for (int k = 120; k < samples; ++k) step.outputs(0, k) += 1;
+    EXPECT_TRUE(faultsIn(step).empty()) << "what stays is none";
+    Recording pulse = heated();
+    for (int k = 120; k < 125; ++k) pulse.outputs(0, k) += 1;
+    EXPECT_TRUE(faultsIn(pulse).empty()) << "what lasts is none";
+    Recording often = heated();
+    for (int k = 10; k < samples; k += 12) often.outputs(0, k) += 1;
+    EXPECT_TRUE(faultsIn(often).empty()) << "what comes often is no fault";
+}
+
+TEST(FaultySamples, AreReadingsThatStuck) {
+    Recording r = heated();
+    for (int k = 110; k < 140; ++k) r.outputs(0, k) = r.outputs(0, 109);
+    for (int k = 1; k < 105; k += 2) r.outputs(0, k) = std::nan("");  // was not measured
+    const std::vector<FaultySamples> found = faultsIn(r);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_TRUE(found[0].isStuck);
+    EXPECT_EQ(found[0].begin, 110) << "the first was right";
+    EXPECT_EQ(found[0].end, 140);
+    Recording resting = heated();
+    for (int k = 0; k < samples; ++k) resting.outputs(0, k) = std::max(302.0, resting.outputs(0, k));
+    EXPECT_TRUE(faultsIn(resting).empty()) << "it goes on from where it was";
+}
+
+/// What is said of a second recording that is not fitted, and the errors [%] of that: reported, and without its faults.
+struct Unfitted {
+    std::vector<FaultySamples> faults;
+    std::vector<Text> remarks;
+    double reported{}, sound{};
+};
+
+Unfitted faultsBeside(const Recording& checked) {
+    EstimationTask task = warmBody({{"body.C", "J/K", 3.5, 1, 10}, {"joint.G", "W/K", 0.25, 0.05, 1}});
+    task.recordings = {heated(), checked};
+    task.recordings[1].name = "check";
+    task.recordings[1].role = Role::Validate;
+    const Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, {}, {});
+    EXPECT_TRUE(null) << format(null.diagnostics());
+    if (!null) return {};
+    EXPECT_TRUE(faultySamples(*null).empty()) << "of the fitted one";
+    const Outcome<ModelState> state = stateOf(null->variant, null->fit, {}, {});
+    EXPECT_TRUE(state) << format(state.diagnostics());
+    if (!state) return {};
+    Unfitted found;
+    found.faults = faultySamples(task.recordings, *state);
+    const ModelState sound = withoutFaults(*state, found.faults);
+    found.remarks = faultRemarks(task.recordings, found.faults, *state, sound);
+    found.reported = state->experiments[1].errorPercent;
+    found.sound = sound.experiments[1].errorPercent;
+    EXPECT_EQ(sound.experiments[0].errorPercent, state->experiments[0].errorPercent);
+    return found;
+}
+
+TEST(FaultySamples, OfARecordingThatIsNotFittedAreToldWithTheErrorWithoutThem) {
+    const Unfitted none = faultsBeside(heated());
+    EXPECT_TRUE(none.faults.empty());
+    EXPECT_TRUE(none.remarks.empty());
+    EXPECT_EQ(none.reported, none.sound);
+
+    Recording sparks = heated();
+    for (const int k : {20, 128, 240}) sparks.outputs(0, k) += 3;
+    const Unfitted spiked = faultsBeside(sparks);
+    EXPECT_EQ(samplesOf(spiked.faults), (std::vector<int>{20, 128, 240}));
+    EXPECT_NEAR(spiked.sound, none.sound, 0.05 * none.sound);
+    EXPECT_GT(spiked.reported, 3 * none.sound) << "the errors that are reported stay over all samples";
+    ASSERT_EQ(spiked.remarks.size(), 1u);
+    EXPECT_THAT(spiked.remarks[0].english(), testing::HasSubstr("output 'T' of 'check'"));
+    EXPECT_THAT(spiked.remarks[0].english(), testing::HasSubstr(fmt::format("{:.3g} %: without", spiked.reported)));
+
+    Recording held = heated();
+    for (int k = 110; k < 140; ++k) held.outputs(0, k) = held.outputs(0, 109);
+    const Unfitted stuck = faultsBeside(held);
+    ASSERT_EQ(stuck.faults.size(), 1u);
+    EXPECT_TRUE(stuck.faults[0].isStuck);
+    EXPECT_EQ(stuck.faults[0].begin, 110);
+    EXPECT_EQ(stuck.faults[0].end, 140);
+    EXPECT_LT(stuck.sound, 0.5 * stuck.reported);
+}
+
+TEST(FaultySamples, OfARecordingThatIsNotFittedMayLastToItsEnd) {
+    Recording dead = heated(), resting = heated();
+    for (int k = 230; k < samples; ++k) dead.outputs(0, k) = dead.outputs(0, 229);
+    const Unfitted stuck = faultsBeside(dead);
+    ASSERT_EQ(stuck.faults.size(), 1u);
+    EXPECT_EQ(stuck.faults[0].end, samples);
+    EXPECT_THAT(stuck.remarks[0].english(), testing::HasSubstr("from 229 s to its end"));
+    resting.inputs.setZero();
+    for (int k = 50; k < samples; ++k) resting.outputs(0, k) = resting.outputs(0, k < 230 ? k % 50 : 29);
+    EXPECT_TRUE(faultsBeside(resting).remarks.empty()) << "the model rests as well";
+}
+
+}  // namespace
+}  // namespace analogon
