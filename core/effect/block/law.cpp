@@ -8,14 +8,13 @@
 #include <set>
 
 #include "core/base/parallel.hpp"
+#include "core/effect/thresholds.hpp"
 
 namespace analogon {
-namespace {
 
-constexpr std::size_t mostQuantities = 10;
-constexpr std::size_t mostOfFlows = 8, mostOfSensors = 4;
-constexpr double mostAngle = 200 * std::numbers::pi;  // that an actuator passes, of whatever gear
-constexpr double leastAngle = std::numbers::pi / 3;   // passed, for a wave along it to show
+using namespace threshold::law;
+
+namespace {
 
 using Names = std::vector<std::pair<std::string, std::string>>;  // of variables, with their units
 

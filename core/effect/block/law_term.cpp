@@ -7,18 +7,16 @@
 #include <numeric>
 
 #include "core/effect/model/score.hpp"
+#include "core/effect/thresholds.hpp"
 #include "core/syntax/printer.hpp"
 
 namespace analogon {
+
+using namespace threshold::law;
+
 namespace {
 
-constexpr std::size_t mostSingles = 4;
-constexpr double leastTermEvidence = 10;
-constexpr double nearlyAll = 0.9;        // by which a term must explain more for each step of complexity
-constexpr double sameTrace = 0.99;       // correlation of traces that are one to a search
-constexpr double leastTermShare = 0.02;  // of what the first explains: less is decoration
-constexpr double roundedSpeed = 0.01;    // of the largest: where the sign of a speed turns over
-constexpr int mostWaves = 3;
+constexpr double roundedSpeed = 0.01;  // of the largest: where the sign of a speed turns over
 
 std::optional<UnitFactors> power(const std::optional<UnitFactors>& unit, int exponent) {
     if (!unit) return std::nullopt;

@@ -2,11 +2,13 @@
 
 #include <cmath>
 
-namespace analogon {
-namespace {
+#include "core/effect/thresholds.hpp"
 
-constexpr double sameCourse = 1e-6;  // of the variation, by which proportional outputs of one simulation may differ
-constexpr double sameRate = 1e-2;    // the same of an output that was summed over the samples
+namespace analogon {
+
+using namespace threshold::screen;
+
+namespace {
 
 /// Trapezoidal sum over the time, from 0 at the first sample.
 Eigen::VectorXd summed(const Eigen::VectorXd& rate, const std::vector<double>& time) {

@@ -5,15 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "core/effect/block/candidate.hpp"
 #include "core/effect/model/null_model.hpp"
 
 namespace analogon {
-
-/// An effect at a place.
-struct Candidate {
-    EffectClass effect;
-    EffectPlace place;
-};
 
 /// One way to switch a candidate on: its shape, and the strength at which the trace was taken.
 struct Probe {
@@ -36,29 +31,12 @@ struct Screened {
     std::vector<Probe> probes;                // best first
     Text failure;                             // why it could not be tried; empty: it was
 
-    double score() const;  // fall in the sum of squares of the best probe (right sign)
+    double score() const;  // decrease of chi-square of the best probe (right sign)
     double whitenedScore() const;
     bool isAbsorbed() const;  // no probe is visible
     bool isWrongSign() const;
     std::vector<std::string> absorbedBy;  // parameters that imitate it
 };
-
-/// The nodes of a variant. `diagram` receives its drawing, which they refer to.
-Outcome<ModelNodes> nodesOf(const Variant& variant, Diagram& diagram);
-
-/// Sorts items by how many parts of the model meet at their connectors, the most first; else they keep their order.
-template <class Item, class ConnectorOf>
-void mostPartsFirst(const Variant& variant, std::vector<Item>& items, const ConnectorOf& connectorOf) {
-    if (items.size() < 2) return;
-    Diagram diagram;
-    if (const Outcome<ModelNodes> nodes = nodesOf(variant, diagram))
-        std::stable_sort(items.begin(), items.end(), [&](const Item& a, const Item& b) {
-            return nodes->blocksAt(connectorOf(a)) > nodes->blocksAt(connectorOf(b));
-        });
-}
-
-/// Every effect of the catalogue at every place where it fits.
-Outcome<std::vector<Candidate>> candidatesFor(const Variant& variant, const std::vector<EffectClass>& catalogue);
 
 /// The options with a limit on the effort of one simulation, the same on any machine: a candidate that is far too
 /// stiff for the recording is given up.

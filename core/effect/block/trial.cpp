@@ -5,7 +5,11 @@
 #include <limits>
 #include <optional>
 
+#include "core/effect/thresholds.hpp"
+
 namespace analogon {
+
+using namespace threshold::trial;
 
 /// A point from which a candidate may be refitted.
 struct TrialStart {
@@ -18,11 +22,6 @@ struct TrialStart {
 
 namespace {
 
-constexpr std::ptrdiff_t mostStarts = 8;  // that are weighed against each other
-constexpr std::ptrdiff_t mostFaint = 4;   // beyond so many, none whose trace explains far less
-constexpr double faintShare = 0.2;        // than the best
-constexpr double trialTolerance = 1e-6;
-constexpr double asMuchByWhole = 0.9;  // of the fall in the sum of squares
 constexpr int mostRefinements = 2;
 constexpr double refinement = 0.1;
 
@@ -153,7 +152,9 @@ Linearisation lineariseAt(TrialStart& start, const Eigen::VectorXd& values, bool
 }
 
 /// Half the sum of squares that is left when all parameters follow the tangent at this point.
-double promisedCost(const Linearisation& at) { return 0.5 * Complement(at.jacobian)(at.residuals).squaredNorm(); }
+double promisedCost(const Linearisation& at) {
+    return 0.5 * OrthogonalProjector(at.jacobian)(at.residuals).squaredNorm();
+}
 
 std::optional<TrialStart> prepareStart(const NullModel& null, const Screened& screened, const Probe& probe,
                                        double strength, Text& failure) {
@@ -279,7 +280,7 @@ TrialStarts::TrialStarts(const NullModel& null, const Screened& screened, const 
     : null_(null), screened_(screened), options_(options), progress_(progress) {
     best_.screened = screened;
     best_.variant = screened.wired;
-    const SimulationOptions rough = glance(options.simulation);  // starts are only compared
+    const SimulationOptions rough = coarse(options.simulation);  // starts are only compared
     const std::vector<std::pair<const Probe*, double>> offered = startsOf(screened);
     for (const auto& [probe, strength] : offered) {
         if (progress.stopRequested()) break;
@@ -351,8 +352,10 @@ void TrialStarts::holdWholeNumber(TrialStart& start, FitResult& result) const {
     const std::vector<ParameterValue> found = valuesOf(result);
     const double value = result.find(whole->name)->value;
     if (value < least) return;
-    const auto fall = [&](const FitResult& r) { return null_.sumOfSquares() - r.optimum.residuals.squaredNorm(); };
-    double most = asMuchByWhole * fall(result);
+    const auto chi2Decrease = [&](const FitResult& r) {
+        return null_.sumOfSquares() - r.optimum.residuals.squaredNorm();
+    };
+    double most = asMuchByWhole * chi2Decrease(result);
     for (const double number : {std::floor(value), std::ceil(value)}) {
         if (!(number >= least && number <= whole->max) || progress_.stopRequested()) continue;
         PlacedEffect with = placed;
@@ -363,8 +366,8 @@ void TrialStarts::holdWholeNumber(TrialStart& start, FitResult& result) const {
         const Outcome<PreparedTask> prepared = prepareAt(*held, null_.noise);
         if (!prepared) return;
         FitResult fitted = fit(prepared->problem, options_, progress_);
-        if (!fitted.optimum.ok || !(fall(fitted) > most)) continue;
-        most = fall(fitted);
+        if (!fitted.optimum.ok || !(chi2Decrease(fitted) > most)) continue;
+        most = chi2Decrease(fitted);
         start.variant = std::move(*held);
         result = std::move(fitted);
     }

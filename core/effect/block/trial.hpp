@@ -5,8 +5,11 @@
 
 #include "core/effect/block/screen.hpp"
 #include "core/effect/model/evidence.hpp"
+#include "core/effect/thresholds.hpp"
 
 namespace analogon {
+
+using threshold::trial::trialIterations;
 
 /// A candidate refitted together with all parameters of the model.
 struct Trial {
@@ -15,13 +18,12 @@ struct Trial {
     FitResult fit;
     bool ok{};
     Text failure;
-    double evidence{};  // fall in the sum of squares over the residual variance, less k ln N_eff (set by `rank`)
+    double evidence{};  // decrease of chi-square over the residual variance, less k ln N_eff (set by `rank`)
 
     double sumOfSquares() const { return fit.optimum.residuals.squaredNorm(); }
     int freed() const { return static_cast<int>(variant.effects.back().freed.size()); }
 };
 
-constexpr int trialIterations = 12;  // a trial shows what it is worth; the winner is fitted to convergence
 FitOptions trialOptions(FitOptions options, int iterations);
 
 struct TrialStart;

@@ -111,14 +111,12 @@ void collectParameters(const Library& library, const LibraryClass& of, std::map<
     }
 }
 
-Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, const Modification& annotation) {
-    Diagnostics warnings;
-    AnnotationReader read(of.qualifiedName, warnings);
+/// What the annotation says, each word as it is.
+EffectClass readWords(const LibraryClass& of, const Modification& annotation, AnnotationReader& read) {
     EffectClass e;
     e.className = of.qualifiedName;
     e.description = of.definition->description;
     e.kind = read.text(annotation, "kind", true);
-    const std::string way = read.text(annotation, "way", true);
     e.ports = read.list(annotation, "ports");
     e.signalSide = read.text(annotation, "at", false);
     e.inSignalUnit = read.list(annotation, "inSignalUnit");
@@ -151,11 +149,16 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
     if (const Modification* shape = child(annotation, "shape"))
         for (const Modification& m : shape->arguments)
             if (m.value) e.shape[m.name.text()] = read.texts(*m.value, m.name.text());
-    if (!read.ok()) return warnings;
+    return e;
+}
 
-    const auto refuse = [&](Text message, Text hint) {
-        return Outcome<EffectClass>(warning(std::move(message), annotation.span, std::move(hint)));
-    };
+Diagnostic refusal(const Modification& annotation, Text message, Text hint) {
+    return warning(std::move(message), annotation.span, std::move(hint));
+}
+
+/// How the effect enters a model, and that it has the connectors or the base class which that takes.
+Diagnostics settleWay(const Library& library, const LibraryClass& of, const Modification& annotation,
+                      const std::string& way, EffectClass& e) {
     if (way == "attach")
         e.way = Way::Attach;
     else if (way == "insert")
@@ -163,27 +166,36 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
     else if (way == "specialise")
         e.way = Way::Specialise;
     else
-        return refuse(phrase("unknown way '{}' of the effect {}", way, of.qualifiedName),
-                      phrase("use \"attach\", \"insert\" or \"specialise\""));
+        return {refusal(annotation, phrase("unknown way '{}' of the effect {}", way, of.qualifiedName),
+                        phrase("use \"attach\", \"insert\" or \"specialise\""))};
     const std::size_t wanted = e.way == Way::Attach ? 1 : e.way == Way::Insert ? 2 : 0;
     if (e.ports.size() != wanted)
-        return refuse(
+        return {refusal(
+            annotation,
             phrase("the effect {} names {} connectors, '{}' takes {}", of.qualifiedName, e.ports.size(), way, wanted),
-            phrase("list them as ports = {{\"…\"}}"));
-    if (e.way == Way::Specialise) {
-        if (of.definition->bases.empty())
-            return refuse(phrase("{} specialises nothing: it inherits from no class", of.qualifiedName),
-                          phrase("let it extend the base class of the components it may replace"));
-        const LibraryClass* base = library.lookup(of.definition->bases.front().base, of.qualifiedName);
-        if (base == nullptr) return refuse(phrase("the base class of {} is not known", of.qualifiedName), "");
-        e.base = base->qualifiedName;
-    }
+            phrase("list them as ports = {{\"…\"}}"))};
+    if (e.way != Way::Specialise) return {};
+    if (of.definition->bases.empty())
+        return {refusal(annotation, phrase("{} specialises nothing: it inherits from no class", of.qualifiedName),
+                        phrase("let it extend the base class of the components it may replace"))};
+    const LibraryClass* base = library.lookup(of.definition->bases.front().base, of.qualifiedName);
+    if (base == nullptr)
+        return {refusal(annotation, phrase("the base class of {} is not known", of.qualifiedName), "")};
+    e.base = base->qualifiedName;
+    return {};
+}
+
+/// The parameters that the effect adds, with their units.
+void settleParameters(const Library& library, const LibraryClass& of, EffectClass& e) {
     collectParameters(library, of, e.units);
-    if (e.way == Way::Specialise) {
-        std::map<std::string, std::string> ofBase;
-        collectParameters(library, *library.find(e.base), ofBase);
-        for (const auto& [name, unit] : ofBase) e.units.erase(name);
-    }
+    if (e.way != Way::Specialise) return;
+    std::map<std::string, std::string> ofBase;
+    collectParameters(library, *library.find(e.base), ofBase);
+    for (const auto& [name, unit] : ofBase) e.units.erase(name);
+}
+
+/// All parameters that the annotation names.
+std::vector<std::string> namedParameters(const EffectClass& e) {
     std::vector<std::string> named = e.linear;
     for (const std::vector<std::string>* more : {&e.whole, &e.inSignalUnit, &e.inSignalRate})
         named.insert(named.end(), more->begin(), more->end());
@@ -192,10 +204,21 @@ Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, 
     if (!e.waves.empty()) named.push_back(e.waves);
     for (const auto& [parameter, value] : e.fixed) named.push_back(parameter);
     for (const auto& [parameter, values] : e.shape) named.push_back(parameter);
-    for (const std::string& n : named)
+    return named;
+}
+
+Outcome<EffectClass> readEffect(const Library& library, const LibraryClass& of, const Modification& annotation) {
+    Diagnostics warnings;
+    AnnotationReader read(of.qualifiedName, warnings);
+    const std::string way = read.text(annotation, "way", true);
+    EffectClass e = readWords(of, annotation, read);
+    if (!read.ok()) return warnings;
+    if (Diagnostics refused = settleWay(library, of, annotation, way, e); !refused.empty()) return refused;
+    settleParameters(library, of, e);
+    for (const std::string& n : namedParameters(e))
         if (!e.units.contains(n))
-            return refuse(phrase("the effect {} has no parameter '{}'", of.qualifiedName, n),
-                          phrase("declare it, or mend the name in the annotation"));
+            return {refusal(annotation, phrase("the effect {} has no parameter '{}'", of.qualifiedName, n),
+                            phrase("declare it, or mend the name in the annotation"))};
     return e;
 }
 

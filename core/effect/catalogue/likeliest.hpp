@@ -6,6 +6,7 @@
 
 #include "core/base/parallel.hpp"
 #include "core/base/progress.hpp"
+#include "core/effect/thresholds.hpp"
 
 namespace analogon {
 
@@ -13,9 +14,8 @@ namespace analogon {
 /// not many.
 template <class Likely>
 void keepLikeliest(std::vector<Likely>& likely) {
-    constexpr double leastLikely = 0.3;  // of what the likeliest explains
-    constexpr std::size_t mostFitted = 4;
     if (likely.empty()) return;
+    using namespace threshold::reading;
     const double least = leastLikely * likely.front().explained;
     std::erase_if(likely, [&](const Likely& each) { return each.explained < least; });
     if (likely.size() > mostFitted) likely.resize(mostFitted);

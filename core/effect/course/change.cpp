@@ -7,15 +7,17 @@
 #include "core/effect/block/trial.hpp"
 #include "core/effect/catalogue/likeliest.hpp"
 #include "core/effect/model/model_state.hpp"
+#include "core/effect/thresholds.hpp"
 #include "core/fit/clock.hpp"
 #include "core/flat/parameter_change.hpp"
 
 namespace analogon {
+
+using namespace threshold::course;
+
 namespace {
 
-constexpr int coarse = 40;           // moments that are tried over a recording, then again around the best
-constexpr double margin = 0.04;      // of the recording at either end, where a break is no break
-constexpr double mostShrunk = 0.05;  // of a quantity that has one sign: less is no change but a fault
+constexpr int momentsTried = 40;  // moments that are tried over a recording, then again around the best
 
 /// Rows of one experiment at or after a moment.
 Eigen::VectorXd from(const NullModel& null, const std::vector<double>& time, int experiment, double moment,
@@ -36,7 +38,7 @@ Eigen::VectorXd from(const NullModel& null, const std::vector<double>& time, int
 std::vector<Change> likelyChanges(const NullModel& null) {
     const Eigen::MatrixXd& jacobian = null.fit.optimum.jacobian;
     const Eigen::VectorXd& residual = null.fit.optimum.residuals;
-    const Complement& complement = null.scores().plain;
+    const OrthogonalProjector& complement = null.scores().plain;
     std::vector<Change> likely;
     int experiment = 0;
     for (const Recording& recording : null.variant.task.recordings) {
@@ -55,10 +57,10 @@ std::vector<Change> likelyChanges(const NullModel& null) {
                     best = {estimate.name,   experiment, moment, estimate.value, estimate.value + score.strengths[0],
                             score.explained, {},         {}};
             };
-            for (int k = 0; k <= coarse; ++k)
-                take(begin + span * (margin + (1 - 2 * margin) * k / static_cast<double>(coarse)));
+            for (int k = 0; k <= momentsTried; ++k)
+                take(begin + span * (margin + (1 - 2 * margin) * k / static_cast<double>(momentsTried)));
             if (best.parameter.empty()) continue;
-            const double around = best.time, step = span / coarse;
+            const double around = best.time, step = span / momentsTried;
             for (int k = -10; k <= 10; ++k) take(around + step * k / 10.0);
             likely.push_back(std::move(best));
         }
@@ -163,7 +165,7 @@ std::optional<Change> bestChange(const NullModel& null, FitOptions options, int 
     const std::vector<double>& time = fittedRecording(null.variant.task, best->experiment).time;
     std::vector<Change> near;
     for (const double away : {-4.0, -2.0, -1.0, 1.0, 2.0, 4.0}) {
-        const double moment = best->time + away * (time.back() - time.front()) / coarse;
+        const double moment = best->time + away * (time.back() - time.front()) / momentsTried;
         if (moment <= time.front() || moment >= time.back()) continue;
         near.push_back(*best);
         near.back().time = moment;

@@ -16,7 +16,7 @@ struct Change {
     double time{};     // [s]
     double before{};   // value
     double after{};
-    double explained{};  // fall in the sum of squares, in units of the noise
+    double explained{};  // decrease of chi-square, in units of the noise
     Variant variant;     // with the change, at the values of its fit
     FitResult fit;
 };

@@ -99,7 +99,7 @@ std::optional<Dependence> fitted(const NullModel& null, const Channel& channel, 
 std::vector<Likely> likelyDependences(const NullModel& null, const std::vector<Channel>& channels) {
     const std::vector<int> recordings = recordingsOf(null.variant.task, Role::Fit);
     const Eigen::MatrixXd& jacobian = null.fit.optimum.jacobian;
-    const Complement& complement = null.scores().plain;
+    const OrthogonalProjector& complement = null.scores().plain;
     std::vector<Likely> likely;
     for (std::size_t c = 0; c < channels.size(); ++c)
         for (Eigen::Index j = 0; j < jacobian.cols(); ++j) {

@@ -13,7 +13,7 @@ struct Dependence {
     std::string parameter, channel;
     double value{}, slope{};
     double middle{}, range{};  // of the channel over the fitted recordings, in its own unit
-    double explained{};        // fall in the sum of squares, in units of the noise
+    double explained{};        // decrease of chi-square, in units of the noise
     Variant variant;           // with the dependence, at the values of its fit
     FitResult fit;
 };

@@ -6,17 +6,14 @@
 #include "core/base/unit.hpp"
 #include "core/effect/model/model_state.hpp"
 #include "core/effect/reading/start_value.hpp"
+#include "core/effect/thresholds.hpp"
 #include "core/flat/flat_model.hpp"
 
 namespace analogon {
-namespace {
 
-constexpr double likelyShare = 0.5;  // of what the effect explains, in first order, for a fit to be tried
-constexpr std::size_t mostFitted = 3;
-constexpr double reach = 5;            // factor by which a held value may be wrong
-constexpr double otherValue = 1e-3;    // share by which a value differs from another one
-constexpr double plausibleFactor = 3;  // between a value that is held and one that may be meant
-constexpr double clearlyMore = 30;     // than an effect explains, where it may lie farther from there
+using namespace threshold::heldValue;
+
+namespace {
 
 /// Where the recordings hold a parameter: as the study says, else as the model does; nothing where they differ.
 std::optional<double> heldAt(const EstimationTask& task, const std::string& name, std::optional<double> inModel) {
@@ -98,7 +95,7 @@ std::vector<Likely> likely(const NullModel& without, const std::vector<FitParame
     const FitProblem& problem = prepared->problem;
     const Linearisation line = linearise(problem, problem.startValues(), true, {}, options.simulation, progress);
     if (!line.ok || line.residuals.size() != without.fit.optimum.residuals.size()) return {};
-    const Complement complement(without.fit.optimum.jacobian);
+    const OrthogonalProjector complement(without.fit.optimum.jacobian);
     std::vector<Likely> all;
     for (std::size_t j = 0; j < problem.parameters.size(); ++j)
         for (const FitParameter& p : held) {
@@ -118,7 +115,7 @@ Text HeldInstead::text() const { return phrase("{} = {:.5g}{}", parameter, value
 std::vector<HeldInstead> heldInstead(const NullModel& without, const NullModel& with, const FitOptions& options,
                                      const Progress& progress) {
     const double rows = static_cast<double>(with.fit.optimum.residuals.size());
-    const double left = sumInUnitsOf(without, with), fall = without.sumOfSquares() - left;
+    const double left = sumInUnitsOf(without, with), chi2Decrease = without.sumOfSquares() - left;
     const double variance = left / rows;
     const std::vector<FitParameter> held = heldParameters(without.variant);
     std::vector<HeldInstead> found;
@@ -127,7 +124,8 @@ std::vector<HeldInstead> heldInstead(const NullModel& without, const NullModel& 
     for (const FitParameter& p : bound)
         tried.push_back(&p);  // what they would explain beyond has no slope at the bound
     for (const Likely& l : likely(without, held, options, progress))
-        if (tried.size() < bound.size() + mostFitted && l.explained >= likelyShare * fall) tried.push_back(l.parameter);
+        if (tried.size() < bound.size() + mostFitted && l.explained >= likelyShare * chi2Decrease)
+            tried.push_back(l.parameter);
     for (std::size_t i = 0; i < tried.size() && !progress.stopRequested(); ++i) {
         const FitParameter& p = *tried[i];
         Variant freed = withFreed(without.variant, {p});

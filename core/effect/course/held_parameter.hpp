@@ -13,7 +13,7 @@ struct HeldInstead {
     double held{}, value{}, standardError{};
     bool byBound{};  // it is fitted, and rests at a bound of its own
     bool leavesNoise{};
-    double gain{};       // fall in the sum of squares against the effect's, in units of the variance that this leaves
+    double gain{};       // decrease of chi-square against the effect's, in units of the variance that this leaves
     double explained{};  // the same against neither
     double errorFitWith{-1}, errorValidateWith{-1};  // [%] with this value instead; negative: not known
 

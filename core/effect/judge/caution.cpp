@@ -11,17 +11,14 @@
 #include "core/effect/model/sampling.hpp"
 #include "core/effect/reading/faulty_sample.hpp"
 #include "core/effect/reading/start_value.hpp"
+#include "core/effect/thresholds.hpp"
 #include "core/residual/noise.hpp"
 
 namespace analogon {
-namespace {
 
-constexpr double hardlyMoved = 2;                    // of its range, beyond which a quantity stood still
-constexpr double worthSaying = 0.1;                  // of the fitted range
-constexpr double leastDifference = 1e-3;             // of a parameter between two recordings
-constexpr double clearlyWorse = 1.3, asGood = 1.15;  // of what is left in the fitted recordings
-constexpr double sigmas = 5.0;                       // by which more than chance is told from it
-constexpr double mostOfExcess = 0.5, least = 100.0;  // of what is above the noise; in units of the noise, squared
+using namespace threshold::caution;
+
+namespace {
 
 Range rangeIn(const Recording& recording, const std::vector<std::string>& names, const Eigen::MatrixXd& values,
               const std::string& name) {
@@ -94,7 +91,7 @@ std::vector<Text> driftBetweenRecordings(const NullModel& null) {
     const Eigen::MatrixXd& jacobian = null.fit.optimum.jacobian;
     const Eigen::VectorXd& residual = null.fit.optimum.residuals;
     const double excess = residual.squaredNorm() - static_cast<double>(residual.size());
-    const Complement complement(jacobian);
+    const OrthogonalProjector complement(jacobian);
     struct Drift {
         double explained{}, before{}, after{};
         std::string parameter, recording;

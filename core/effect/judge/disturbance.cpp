@@ -10,9 +10,13 @@
 #include "core/base/stop.hpp"
 #include "core/effect/block/screen.hpp"
 #include "core/effect/model/score.hpp"
+#include "core/effect/thresholds.hpp"
 #include "core/fit/coordinates.hpp"
 
 namespace analogon {
+
+using namespace threshold::disturbance;
+
 namespace {
 
 constexpr int piecesOfADisturbance = 100;
@@ -20,11 +24,7 @@ constexpr double correlations[] = {0.2, 0.8, 0.97};         // of neighbouring p
 constexpr double leastVariance = 1e-3, varianceFactor = 3;  // of the flow's strongest trace, in units of the noise
 constexpr int varianceSteps = 24;
 constexpr int mostRounds = 10, stepsARound = 3;
-constexpr double leastFall = 2;      // of the misfit, for another step or round
-constexpr double likelyShare = 0.5;  // of what the likeliest place explains
 // mean square that a sensor's error may leave on the other outputs, in units of the noise and as a share of all
-constexpr double mostElsewhere = 2, shareElsewhere = 0.02;
-constexpr double leastOfAPlace = 10;        // fall of the misfit, for a place to be named
 constexpr double leastInformation = 1e-10;  // of the best known direction of the parameters
 
 /// Root of the correlation of pieces that follow each other by a first-order Markov process.
@@ -167,7 +167,7 @@ double leftElsewhere(const Linearisation& model, const FlowResponse& response) {
         if (response.columns.row(i).isZero(0)) rows.push_back(i);
     if (rows.empty()) return 0;
     const Eigen::VectorXd there = model.residuals(rows);
-    const Eigen::VectorXd left = Complement(Eigen::MatrixXd(model.jacobian(rows, Eigen::all)))(there);
+    const Eigen::VectorXd left = OrthogonalProjector(Eigen::MatrixXd(model.jacobian(rows, Eigen::all)))(there);
     return left.squaredNorm() / static_cast<double>(rows.size());
 }
 

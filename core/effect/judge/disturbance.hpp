@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "core/effect/block/missing_flow.hpp"
+#include "core/effect/thresholds.hpp"
 
 namespace analogon {
 
-inline constexpr std::size_t mostDisturbances = 3;  // flows at different places
+using threshold::disturbance::mostDisturbances;
 
 /// A flow that nobody measured and that no law governs (a draught, a load that varies) as part of a model's noise: a
 /// Gaussian process of its own variance and correlation time at one node, or the slow error of one sensor. The residual
@@ -119,7 +120,8 @@ struct BesideDisturbance {
 BesideDisturbance besideDisturbance(const NullModel& model, const SimulationOptions& simulation,
                                     const Progress& progress, std::size_t most = mostDisturbances);
 
-/// Fall in BIC from one model to another that has `more` parameters, each beside its disturbance; of `rows` samples.
+/// Decrease of BIC from one model to another that has `more` parameters, each beside its disturbance; of `rows`
+/// samples.
 double evidenceBeside(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int more);
 
 }  // namespace analogon

@@ -4,17 +4,13 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
+#include "core/effect/thresholds.hpp"
+
 namespace analogon {
-namespace {
 
-constexpr double leastBesideDisturbance = 30;  // fall in BIC
-constexpr double leastLikelier = 8;            // the same where noise is left
-constexpr double clearlyMissed = 100;          // in evidence
-constexpr double deviationsBesideStructure = 2;
-constexpr double asMuch = 0.99;   // of what a name explains
-constexpr double mostGrowth = 5;  // of an effect's strength when another joins it
+using namespace threshold::judgement;
 
-}  // namespace
+namespace {}  // namespace
 
 double pValue(double explained, int dof, std::size_t tried) {
     if (!(explained > 0) || dof < 1) return 1;
@@ -53,8 +49,8 @@ bool isTold(const PlacedEffect& placed, const std::vector<FitEstimate>& estimate
     return isDistinct || (isClearlyMissed(missed) && isScaleOpen(placed, estimates));
 }
 
-bool outweighsRest(double fall, const NullModel& null, double share) {
-    return !(levelOf(null.fit) > largeResidual) || fall > share * excess(null);
+bool outweighsRest(double chi2Decrease, const NullModel& null, double share) {
+    return !(reducedChi(null.fit) > largeResidual) || chi2Decrease > share * excess(null);
 }
 
 bool isBorneOut(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int freed) {
@@ -128,7 +124,7 @@ bool beatsNames(const NullModel& null, const std::vector<Trial>& trials, std::si
     }
     const double named = null.sumOfSquares() - leastLeft,
                  proposed = null.sumOfSquares() - trials[proposal].sumOfSquares();
-    const bool leavesMuch = levelOf(trials[proposal].fit) > largeResidual;
+    const bool leavesMuch = reducedChi(trials[proposal].fit) > largeResidual;
     // what explains as much with fewer parameters is the better account, by whatever name
     const bool isSimpler = trials[proposal].freed() < trials[*chosen].freed();
     if (isSimpler && leavesMuch && proposed > asMuch * named) return true;

@@ -4,13 +4,16 @@
 
 #include "core/effect/block/trial.hpp"
 #include "core/effect/judge/disturbance.hpp"
+#include "core/effect/thresholds.hpp"
 
 /// By what trials are held against each other and kept or refused, once they are fitted.
 namespace analogon {
 
-constexpr double nearlyAsMuch = 0.6;  // of the fall in the sum of squares
-constexpr double goodPart = 0.3;      // of what is left above the noise
-constexpr double beyondDoubt = 1000;  // evidence of an effect that leaves noise: no disturbance looks like it
+using threshold::judgement::beyondDoubt;
+using threshold::judgement::goodPart;
+using threshold::judgement::leastBesideOffered;
+using threshold::judgement::leastOfRest;
+using threshold::judgement::nearlyAsMuch;
 
 /// Probability of so much in noise, with as many candidates tried (Sidak 1967).
 double pValue(double explained, int dof, std::size_t tried);
@@ -48,12 +51,9 @@ bool isBorneOut(const BesideDisturbance& without, const BesideDisturbance& with,
 /// a flow that varies slowly).
 bool isLikelier(const BesideDisturbance& without, const BesideDisturbance& with, Eigen::Index rows, int freed);
 
-/// Whether what the model loses without an effect (a fall in the sum of squares) is a good part of what the model
+/// Whether what the model loses without an effect (a decrease of chi-square) is a good part of what the model
 /// leaves above the noise: in the shadow of something large that has no name, many an effect passes for a part of it.
-bool outweighsRest(double fall, const NullModel& null, double share);
-
-constexpr double leastOfRest = 0.5;         // share
-constexpr double leastBesideOffered = 0.2;  // the same, where an equation is offered for what is left
+bool outweighsRest(double chi2Decrease, const NullModel& null, double share);
 
 /// Whether the strength rests at a bound, or a shape at the low end of its reach: the effect then stands for something
 /// else.

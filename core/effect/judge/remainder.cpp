@@ -7,18 +7,16 @@
 #include <optional>
 #include <random>
 
+#include "core/effect/thresholds.hpp"
 #include "core/residual/quantisation.hpp"
 
 namespace analogon {
+
+using namespace threshold::remainder;
+
 namespace {
 
-constexpr double significance = 1e-4;
-constexpr double leastMotion = 1e-9;  // of a quantity, after what the parameters can imitate is taken out
-constexpr double leastCorrelation = 0.05;
-constexpr int mostShift = 20;      // between two outputs [samples]
-constexpr double leastShared = 5;  // deviations of the correlation of two noises
-constexpr double nothing = 1e-3;   // rms of a residual in units of the noise: what rounding leaves of an output at rest
-constexpr double leastOfWhite = 60;  // evidence, on a channel whose residual is white
+constexpr std::size_t mostCorrelates = 5;  // that are told
 
 /// A quantity the residual may move with, at the samples of every fitted experiment.
 struct Regressor {
@@ -132,7 +130,7 @@ public:
     double p(const ResidualChannel& channel, const Eigen::MatrixXd& columns, double unlikely) const {
         const Eigen::MatrixXd rest = (*complement_)(Eigen::MatrixXd(scale_.asDiagonal() * columns));
         const Eigen::MatrixXd directions =
-            scoreColumns(Complement(Eigen::MatrixXd(rest.rows(), 0)), scaled_, rest, false).directions;
+            scoreColumns(OrthogonalProjector(Eigen::MatrixXd(rest.rows(), 0)), scaled_, rest, false).directions;
         const double dof = static_cast<double>(directions.cols());
         const Ratio own = ratio(channel, directions, scaled_);
         if (dof < 1 || own.effective < 2 * dof + 10) return 1;
@@ -176,7 +174,7 @@ private:
 
     const Whitener& colours_;
     Eigen::VectorXd scale_, scaled_;
-    std::optional<Complement> complement_;
+    std::optional<OrthogonalProjector> complement_;
 };
 
 /// Whether what is left on two outputs of a recording goes together, at a shift (without its colour) or at a frequency:
@@ -212,84 +210,134 @@ struct Examined {
     bool isWhite{}, isNoise{};
 };
 
+/// What a residual is asked with: the model, what may move with it, and the units in which it stands.
+struct Examination {
+    const NullModel& null;
+    const Eigen::VectorXd& scale;  // one a row; empty: those of the noise throughout
+    const PreparedTask& prepared;
+    const std::vector<Regressor>& regressors;
+    PatientTest patient;
+    Eigen::VectorXd white;  // the residual, with its noise made white and the parameters' freedom taken out
+    double unlikely;        // probability, beyond which it is no chance on any of the channels
+
+    Examination(const NullModel& model, const Eigen::VectorXd& units, const PreparedTask& task,
+                const std::vector<Regressor>& candidates)
+        : null(model),
+          scale(units),
+          prepared(task),
+          regressors(candidates),
+          patient(model),
+          white(model.scores().white(model.scores().whiteResidual)),
+          unlikely(significance / (3 * static_cast<double>(model.channels.size()))) {}
+
+    bool isChance(double p) const { return !(p < unlikely); }
+};
+
+/// The regressors as they enter through one channel alone, less their means.
+Eigen::MatrixXd columnsThrough(const Examination& of, const ResidualChannel& channel) {
+    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(of.white.size(), static_cast<Eigen::Index>(of.regressors.size()));
+    const int count = channel.end - channel.begin;
+    for (std::size_t j = 0; j < of.regressors.size(); ++j) {
+        const Eigen::VectorXd& series = of.regressors[j].series[static_cast<std::size_t>(channel.experiment)];
+        double mean = 0;
+        for (const int sample : channel.samples) mean += series[sample] / count;
+        for (int row = channel.begin; row < channel.end; ++row)
+            columns(row, static_cast<Eigen::Index>(j)) =
+                series[channel.samples[static_cast<std::size_t>(row - channel.begin)]] - mean;
+    }
+    if (of.scale.size() > 0) columns = of.scale.asDiagonal() * columns;
+    return columns;
+}
+
+/// Empty: there is nothing to ask on this channel, or too little to tell.
+std::optional<Examined> examine(const Examination& of, const ResidualChannel& channel) {
+    const Eigen::VectorXd& residuals = of.null.fit.optimum.residuals;
+    if (quantisationStep(channel.measured) > 0 && isNoise(channel, residuals)) return std::nullopt;
+    const int count = channel.end - channel.begin;
+    const Eigen::VectorXd own = residuals.segment(channel.begin, count);
+    if (own.norm() <= nothing * std::sqrt(static_cast<double>(count))) return std::nullopt;
+    const Eigen::MatrixXd columns = columnsThrough(of, channel);
+    Examined e;
+    e.channel = &channel;
+    e.rest = of.null.scores().white(of.null.whitener(columns));
+    e.all = scoreColumns(OrthogonalProjector(Eigen::MatrixXd(of.white.size(), 0)), of.white, e.rest, false);
+    const auto dof = static_cast<int>(e.all.directions.cols());
+    if (dof < 1 || count < 2 * dof + 10) return std::nullopt;
+    e.total = of.white.segment(channel.begin, count).squaredNorm();
+    e.pMoves = std::min(pWhitened(e.all, e.total, count), of.patient.p(channel, columns, of.unlikely));
+    e.summary = summarise(own);
+    e.isWhite = of.isChance(e.summary.whiteProbability);
+    const double beyondChance = e.all.explained - dof * std::log(static_cast<double>(count));
+    const bool isLittle = e.isWhite && std::max(beyondChance, -std::log(std::max(e.pMoves, 1e-300))) < leastOfWhite;
+    e.isNoise = (isLittle || of.isChance(e.pMoves)) && (e.isWhite || isStationaryNoise(own));
+    return e;
+}
+
+const FitExperiment& experimentOf(const Examination& of, const ResidualChannel& channel) {
+    return of.prepared.problem.experiments[static_cast<std::size_t>(channel.experiment)];
+}
+
+const std::string& outputOf(const Examination& of, const ResidualChannel& channel) {
+    return of.prepared.system->outputs()[static_cast<std::size_t>(channel.output)].name;
+}
+
+ColouredNoise noiseOf(const Examination& of, const Examined& e) {
+    const ResidualChannel& channel = *e.channel;
+    const FitExperiment& experiment = experimentOf(of, channel);
+    const double span = experiment.inputs.time[static_cast<std::size_t>(channel.samples.back())] -
+                        experiment.inputs.time[static_cast<std::size_t>(channel.samples.front())];
+    return {outputOf(of, channel), experiment.name,
+            e.summary.autocorrelationTime * span / (channel.end - channel.begin - 1)};
+}
+
+/// With what the residual of a channel moves, most first.
+std::vector<Correlate> correlates(const Examination& of, const Examined& e) {
+    std::vector<Correlate> found;
+    for (std::size_t j = 0; j < of.regressors.size(); ++j) {
+        const Eigen::VectorXd c = e.rest.col(static_cast<Eigen::Index>(j));
+        const double n = c.norm();
+        // what hardly moves here (the sign of a temperature) moves with nothing
+        if (!(n > leastMotion * of.regressors[j].series[static_cast<std::size_t>(e.channel->experiment)].norm()))
+            continue;
+        const double correlation = c.dot(of.white) / n / std::sqrt(e.total);
+        if (std::abs(correlation) > leastCorrelation) found.push_back({of.regressors[j].variable, correlation});
+    }
+    std::sort(found.begin(), found.end(),
+              [](const Correlate& a, const Correlate& b) { return std::abs(a.correlation) > std::abs(b.correlation); });
+    if (found.size() > mostCorrelates) found.resize(mostCorrelates);
+    return found;
+}
+
+Remainder structureOf(const Examination& of, const Examined& e) {
+    const double p = std::min(e.pMoves, e.summary.whiteProbability);
+    const double dof = static_cast<double>(e.all.directions.cols());
+    const double count = e.channel->end - e.channel->begin;
+    Remainder r;
+    r.output = outputOf(of, *e.channel);
+    r.experiment = experimentOf(of, *e.channel).name;
+    r.evidence = std::max(e.all.explained - dof * std::log(count), -std::log(std::max(p, 1e-300)));
+    locate(of.null, of.prepared, *e.channel, r);
+    r.movesWith = correlates(of, e);
+    return r;
+}
+
 /// `scale`: the units in which the residual of the model stands, one a row; empty: those of the noise throughout.
 Leftovers leftoversIn(const NullModel& null, const Eigen::VectorXd& scale, const PreparedTask& prepared,
                       const std::vector<Regressor>& candidates) {
-    Leftovers found;
-    const Complement& complement = null.scores().white;
-    const Eigen::VectorXd white = complement(null.scores().whiteResidual);
-    const PatientTest patient(null);
-    const double unlikely = significance / (3 * static_cast<double>(null.channels.size()));
-    const auto isChance = [&](double p) { return !(p < unlikely); };
+    const Examination of(null, scale, prepared, candidates);
     std::vector<Examined> examined;
-    for (const ResidualChannel& channel : null.channels) {
-        if (quantisationStep(channel.measured) > 0 && isNoise(channel, null.fit.optimum.residuals)) continue;
-        const int count = channel.end - channel.begin;
-        const Eigen::VectorXd own = null.fit.optimum.residuals.segment(channel.begin, count);
-        if (own.norm() <= nothing * std::sqrt(static_cast<double>(count))) continue;
-        // every regressor enters through this channel alone
-        Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(white.size(), static_cast<Eigen::Index>(candidates.size()));
-        for (std::size_t j = 0; j < candidates.size(); ++j) {
-            const Eigen::VectorXd& series = candidates[j].series[static_cast<std::size_t>(channel.experiment)];
-            double mean = 0;
-            for (const int sample : channel.samples) mean += series[sample] / count;
-            for (int row = channel.begin; row < channel.end; ++row)
-                columns(row, static_cast<Eigen::Index>(j)) =
-                    series[channel.samples[static_cast<std::size_t>(row - channel.begin)]] - mean;
-        }
-        if (scale.size() > 0) columns = scale.asDiagonal() * columns;
-        Examined e;
-        e.channel = &channel;
-        e.rest = complement(null.whitener(columns));
-        e.all = scoreColumns(Complement(Eigen::MatrixXd(white.size(), 0)), white, e.rest, false);
-        const auto dof = static_cast<int>(e.all.directions.cols());
-        if (dof < 1 || count < 2 * dof + 10) continue;
-        e.total = white.segment(channel.begin, count).squaredNorm();
-        e.pMoves = std::min(pWhitened(e.all, e.total, count), patient.p(channel, columns, unlikely));
-        e.summary = summarise(own);
-        e.isWhite = isChance(e.summary.whiteProbability);
-        const double beyondChance = e.all.explained - dof * std::log(static_cast<double>(count));
-        const bool isLittle = e.isWhite && std::max(beyondChance, -std::log(std::max(e.pMoves, 1e-300))) < leastOfWhite;
-        e.isNoise = (isLittle || isChance(e.pMoves)) && (e.isWhite || isStationaryNoise(own));
-        examined.push_back(std::move(e));
-    }
+    for (const ResidualChannel& channel : null.channels)
+        if (std::optional<Examined> e = examine(of, channel)) examined.push_back(std::move(*e));
     const bool isAllNoise =
         std::all_of(examined.begin(), examined.end(), [](const Examined& e) { return e.isNoise; }) &&
-        !isShared(null.channels, null.fit.optimum.residuals, white);
+        !isShared(null.channels, null.fit.optimum.residuals, of.white);
+    Leftovers found;
     for (const Examined& e : examined) {
         if (e.isWhite && e.isNoise) continue;
-        const ResidualChannel& channel = *e.channel;
-        const FitExperiment& experiment = prepared.problem.experiments[static_cast<std::size_t>(channel.experiment)];
-        const std::string& output = prepared.system->outputs()[static_cast<std::size_t>(channel.output)].name;
-        const int count = channel.end - channel.begin;
-        if (isAllNoise) {
-            const double span = experiment.inputs.time[static_cast<std::size_t>(channel.samples.back())] -
-                                experiment.inputs.time[static_cast<std::size_t>(channel.samples.front())];
-            found.noise.push_back({output, experiment.name, e.summary.autocorrelationTime * span / (count - 1)});
-            continue;
-        }
-        const double p = std::min(e.pMoves, e.summary.whiteProbability);
-        const double dof = static_cast<double>(e.all.directions.cols());
-        Remainder r;
-        r.output = output;
-        r.experiment = experiment.name;
-        r.evidence =
-            std::max(e.all.explained - dof * std::log(static_cast<double>(count)), -std::log(std::max(p, 1e-300)));
-        locate(null, prepared, channel, r);
-        for (std::size_t j = 0; j < candidates.size(); ++j) {
-            const Eigen::VectorXd c = e.rest.col(static_cast<Eigen::Index>(j));
-            const double n = c.norm();
-            // what hardly moves here (the sign of a temperature) moves with nothing
-            if (!(n > leastMotion * candidates[j].series[static_cast<std::size_t>(channel.experiment)].norm()))
-                continue;
-            const double correlation = c.dot(white) / n / std::sqrt(e.total);
-            if (std::abs(correlation) > leastCorrelation) r.movesWith.push_back({candidates[j].variable, correlation});
-        }
-        std::sort(r.movesWith.begin(), r.movesWith.end(), [](const Correlate& a, const Correlate& b) {
-            return std::abs(a.correlation) > std::abs(b.correlation);
-        });
-        if (r.movesWith.size() > 5) r.movesWith.resize(5);
-        if (r.evidence > 0) found.structure.push_back(std::move(r));
+        if (isAllNoise)
+            found.noise.push_back(noiseOf(of, e));
+        else if (Remainder r = structureOf(of, e); r.evidence > 0)
+            found.structure.push_back(std::move(r));
     }
     std::stable_sort(found.structure.begin(), found.structure.end(),
                      [](const Remainder& a, const Remainder& b) { return a.evidence > b.evidence; });

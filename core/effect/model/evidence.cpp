@@ -5,27 +5,15 @@
 #include <limits>
 
 #include "core/effect/model/input_edge.hpp"
+#include "core/effect/thresholds.hpp"
 
 namespace analogon {
+
+using namespace threshold::acceptance;
+
 namespace {
 
-constexpr double leastEvidence = 20;                   // fall in BIC that an effect must bring
-constexpr double leastOfStructure = 30;                // where it leaves structure, on which it may only feed
-constexpr double leastBesideOthers = 60;               // beside other effects, whose form it may only mend
-constexpr double leastAtEdges = 100;                   // where it acts right behind changes of an input alone
-constexpr double mostAtEdges = 0.7, fewAtEdges = 0.4;  // of the fall, of the samples
-constexpr int samplesBehindEdge = 3;
-constexpr double structureFactor = 3;       // of what chance can bring, there
-constexpr double leastHeldOutOfAll = 0.2;   // where nothing else remains, and far more is explained than chance can
-constexpr double farMore = 100;             // in evidence
-constexpr double leastHeldOutOfMuch = 0.7;  // where other structure remains, which a wrong effect may feed on
-constexpr double muchLeft = 1.44;           // squared residual over squared noise
-constexpr double leastShare = 0.05;  // beside what stays unexplained: a detail on top of a riddle explains nothing
-constexpr int heldOutFolds = 10;     // fewer leave out more of the excitation than the rest can make up for
-constexpr int mostBlocks = 40;
-constexpr double samplesPerBlock = 3;  // independent ones, at least
-
-/// Whether a fall in the sum of squares happens right behind changes of an input that is sampled too slowly for them,
+/// Whether a decrease of chi-square happens right behind changes of an input that is sampled too slowly for them,
 /// and hardly elsewhere: how the input ran there is not known.
 bool happensAtEdges(const NullModel& null, const FitResult& with) {
     std::vector<std::vector<bool>> isBehind;  // by recording and sample
@@ -36,18 +24,18 @@ bool happensAtEdges(const NullModel& null, const FitResult& with) {
             samples[static_cast<std::size_t>(k)] = true;
     }
     const std::vector<int> fitted = recordingsOf(null.variant.task, Role::Fit);
-    double fall = 0, there = 0, rows = 0;
+    double chi2Decrease = 0, there = 0, rows = 0;
     for (const ResidualChannel& c : null.channels)
         for (int row = c.begin; row < c.end; ++row) {
             const double before = null.fit.optimum.residuals[row], after = with.optimum.residuals[row];
             const auto recording = static_cast<std::size_t>(fitted[static_cast<std::size_t>(c.experiment)]);
             const bool isHere =
                 isBehind[recording][static_cast<std::size_t>(c.samples[static_cast<std::size_t>(row - c.begin)])];
-            fall += before * before - after * after;
+            chi2Decrease += before * before - after * after;
             if (isHere) there += before * before - after * after;
             rows += isHere ? 1 : 0;
         }
-    return there > mostAtEdges * fall && rows < fewAtEdges * static_cast<double>(with.optimum.residuals.size());
+    return there > mostAtEdges * chi2Decrease && rows < fewAtEdges * static_cast<double>(with.optimum.residuals.size());
 }
 
 }  // namespace
@@ -66,7 +54,7 @@ double EvidenceScale::of(double sumOfSquares, int freed) const {
 Acceptance examine(const NullModel& null, const FitResult& with, int freed, double threshold) {
     const Whitener whiten(null.channels, with.optimum.residuals);
     const auto whiteSum = [&](const Linearisation& l) {
-        return Complement(whiten(l.jacobian))(whiten(l.residuals)).squaredNorm();
+        return OrthogonalProjector(whiten(l.jacobian))(whiten(l.residuals)).squaredNorm();
     };
     Acceptance a;
     a.explained = whiteSum(null.fit.optimum) - whiteSum(with.optimum);

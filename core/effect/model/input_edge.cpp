@@ -6,16 +6,16 @@
 
 #include "core/base/range.hpp"
 #include "core/effect/model/white_noise.hpp"
+#include "core/effect/thresholds.hpp"
 
 namespace analogon {
+
+using namespace threshold::inputEdge;
+
 namespace {
 
-constexpr double leastJump = 0.03, mostAside = 0.1;  // of the input's range; of the jump, in the intervals beside it
-constexpr double clearOfNoise = 8;                   // deviations of the noise
-constexpr std::size_t mostEdges = 60, fewestEdges = 8;
 constexpr double mostSamples = 1e5;  // that are simulated to look at each edge once
 constexpr double sharpness = 1e-4;   // of an interval, that a jump takes
-constexpr double asHeld = 0.8;       // of an interval
 
 /// What an interval of a recording holds, by the input it happens to.
 using Edges = std::map<int, const InputEdge*>;

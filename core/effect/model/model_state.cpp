@@ -10,14 +10,16 @@
 #include "core/base/range.hpp"
 #include "core/base/stop.hpp"
 #include "core/base/unit.hpp"
+#include "core/effect/thresholds.hpp"
 #include "core/fit/clock.hpp"
 #include "core/fit/own_parameters.hpp"
 #include "core/fit/uncertainty.hpp"
 
 namespace analogon {
-namespace {
 
-constexpr double colourSignificance = 1e-3;
+using namespace threshold::noise;
+
+namespace {
 
 OutputState outputState(const SignalInfo& info, const Eigen::RowVectorXd& simulated,
                         const Eigen::RowVectorXd& measured) {

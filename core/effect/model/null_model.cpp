@@ -8,17 +8,17 @@
 
 #include "core/base/range.hpp"
 #include "core/base/stop.hpp"
+#include "core/effect/thresholds.hpp"
 #include "core/residual/noise.hpp"
 #include "core/residual/quantisation.hpp"
 
 namespace analogon {
+
+using namespace threshold::noise;
+
 namespace {
 
-constexpr double fewestSteps = 8;     // of a converter, for what it rounds off to be told from the signal
-constexpr double allRounding = 1.15;  // of the rms of what a converter rounds off: there is little else
-
-constexpr double roughly = 30;            // times the integration's tolerance, for what is only compared
-constexpr double indistinctShare = 0.03;  // of a large residual
+constexpr double roughly = 30;  // times the integration's tolerance, for what is only compared
 
 bool standsStill(const FitExperiment& experiment, Eigen::Index output) {
     return !(rangeOf(experiment.measured.row(output)).width() > 0);
@@ -88,7 +88,7 @@ std::vector<GridPlan> NullModel::plansOf(const System& system, const SimulationO
     return plans;
 }
 
-SimulationOptions glance(SimulationOptions simulation) {
+SimulationOptions coarse(SimulationOptions simulation) {
     simulation.relativeTolerance *= roughly;
     simulation.isGlance = true;
     return simulation;
@@ -97,7 +97,7 @@ SimulationOptions glance(SimulationOptions simulation) {
 const StepsBeside& NullModel::steps(const SimulationOptions& simulation, const Progress& progress) const {
     std::call_once(found->hasSteps, [&] {
         StepsBeside& steps = found->steps;
-        steps.fine = steps.glances = stepsOf(fit);
+        steps.fine = steps.coarse = stepsOf(fit);
         const Outcome<PreparedTask> held = prepareHeld(variant, {}, noise);
         if (!held) return;
         steps.states = namesOfStates(*held->system);
@@ -111,7 +111,7 @@ const StepsBeside& NullModel::steps(const SimulationOptions& simulation, const P
             task.keepStates = true;
             steps.atTheSamples.push_back(simulateGrid(task, steps.fine[e], simulation).states);
             if (steps.fine[e].method == GridMethod::Exact) steps.fine[e] = planned(stepwise);
-            steps.glances[e] = planned(glance(stepwise));
+            steps.coarse[e] = planned(coarse(stepwise));
         }
     });
     return found->steps;
@@ -120,7 +120,8 @@ const StepsBeside& NullModel::steps(const SimulationOptions& simulation, const P
 const ScoresBeside& NullModel::scores() const {
     std::call_once(found->hasScores, [&] {
         const Linearisation& at = fit.optimum;
-        found->scores = {Complement(at.jacobian), Complement(whitener(at.jacobian)), whitener(at.residuals)};
+        found->scores = {OrthogonalProjector(at.jacobian), OrthogonalProjector(whitener(at.jacobian)),
+                         whitener(at.residuals)};
     });
     return *found->scores;
 }
@@ -182,7 +183,7 @@ std::optional<FitResult> fitBeside(const NullModel& null, const Variant& variant
     return result;
 }
 
-double levelOf(const FitResult& fit) {
+double reducedChi(const FitResult& fit) {
     return std::sqrt(fit.optimum.residuals.squaredNorm() / static_cast<double>(fit.optimum.residuals.size()));
 }
 
@@ -238,7 +239,7 @@ double independentShare(const NullModel& null, const FitResult& fit) {
     const Eigen::VectorXd& r = fit.optimum.residuals;
     const double rows = static_cast<double>(r.size());
     const double share = effectiveCount(null.channels, r) / rows;
-    return levelOf(fit) > largeResidual ? std::min(share, equivalenceMargin / (indistinctShare * rows)) : share;
+    return reducedChi(fit) > largeResidual ? std::min(share, equivalenceMargin / (indistinctShare * rows)) : share;
 }
 
 double excess(const NullModel& null) {

@@ -6,22 +6,28 @@
 #include "core/base/progress.hpp"
 #include "core/effect/model/score.hpp"
 #include "core/effect/model/variant.hpp"
+#include "core/effect/thresholds.hpp"
 
 namespace analogon {
+
+using threshold::acceptance::equivalenceMargin;
+using threshold::acceptance::largeResidual;
+using threshold::acceptance::leastLike;
+using threshold::acceptance::whiteSignificance;
 
 /// How what is simulated beside a fitted model passes over the fitted experiments, one plan for each, and the states
 /// of the model itself.
 struct StepsBeside {
     /// Those of the fit, or, where it passes by its recurrence, those that the model would take without.
     std::vector<GridPlan> fine;
-    std::vector<GridPlan> glances;              // as coarse as will do for what is only compared
+    std::vector<GridPlan> coarse;               // as coarse as will do for what is only compared
     std::vector<std::string> states;            // of the model whose parameters are held
     std::vector<Eigen::MatrixXd> atTheSamples;  // states (rows) at the samples of each experiment; empty: it failed
 };
 
 /// What the parameters of a fitted model leave of a trace, and its residual, with the noise made white.
 struct ScoresBeside {
-    Complement plain, white;
+    OrthogonalProjector plain, white;
     Eigen::VectorXd whiteResidual;
 };
 
@@ -70,12 +76,7 @@ std::vector<Trajectory> observe(const NullModel& null, const PreparedTask& held,
                                 const SimulationOptions& simulation);
 
 /// How exactly what is only compared is simulated.
-SimulationOptions glance(SimulationOptions simulation);
-
-constexpr double leastLike = 0.5;           // of a winner's evidence, for what explains less to be like it
-constexpr double equivalenceMargin = 10;    // evidence within which two candidates cannot be told apart
-constexpr double largeResidual = 1.2;       // in units of the noise: above it, first-order scores may mislead
-constexpr double whiteSignificance = 1e-4;  // probability below which a residual does not pass for white
+SimulationOptions coarse(SimulationOptions simulation);
 
 /// Whether a fit keeps the noise level it is given, or finds it anew from what it leaves.
 enum class NoiseLevel { Keep, Estimate };
@@ -93,7 +94,7 @@ std::optional<FitResult> fitBeside(const NullModel& null, const Variant& variant
                                    const Progress& progress);
 
 /// What a fit leaves, in units of the noise.
-double levelOf(const FitResult& fit);
+double reducedChi(const FitResult& fit);
 
 /// Whether a channel of a residual passes for white, but for what its converter rounds off; whether all do.
 bool isNoise(const ResidualChannel& channel, const Eigen::VectorXd& residuals);

@@ -9,15 +9,17 @@
 #include <random>
 
 #include "core/base/stop.hpp"
+#include "core/effect/thresholds.hpp"
 
 namespace analogon {
+
+using namespace threshold::screen;
+
 namespace {
 
 constexpr double rankThreshold = 1e-9;
 constexpr double rounding = 1e-9;  // of a column: no more is left of what the parameters imitate
 constexpr int maxAutoregressiveOrder = 12;
-constexpr double leastApart = 1e-4;  // of two directions, smallest over largest eigenvalue: else they count as one
-constexpr double leastSharedInformation = 0.05;  // of a direction, outside a part of the record that is left out
 
 /// Columns scaled to unit norm, so that parameters of any magnitude weigh alike in a rank decision.
 Eigen::MatrixXd unitColumns(const Eigen::MatrixXd& columns) {
@@ -106,16 +108,16 @@ Eigen::VectorXd Whitener::noise(std::mt19937_64& random) const {
     return rows;
 }
 
-Complement::Complement(const Eigen::MatrixXd& jacobian)
+OrthogonalProjector::OrthogonalProjector(const Eigen::MatrixXd& jacobian)
     : basis_(orthonormalBasis(jacobian, rankThreshold)), jacobian_(jacobian) {}
 
-Eigen::MatrixXd Complement::operator()(const Eigen::MatrixXd& columns) const {
+Eigen::MatrixXd OrthogonalProjector::operator()(const Eigen::MatrixXd& columns) const {
     Eigen::MatrixXd rest = columns - basis_ * (basis_.transpose() * columns);
     rest -= basis_ * (basis_.transpose() * rest);  // once more: what is left may be small against what was taken
     return rest;
 }
 
-Eigen::VectorXd Complement::coefficients(const Eigen::VectorXd& column) const {
+Eigen::VectorXd OrthogonalProjector::coefficients(const Eigen::VectorXd& column) const {
     if (jacobian_.cols() == 0) return {};
     Eigen::VectorXd norms = jacobian_.colwise().norm().transpose();
     for (double& n : norms)
@@ -125,8 +127,8 @@ Eigen::VectorXd Complement::coefficients(const Eigen::VectorXd& column) const {
     return qr.solve(column).cwiseQuotient(norms);
 }
 
-ColumnScore scoreColumns(const Complement& complement, const Eigen::VectorXd& residual, const Eigen::MatrixXd& columns,
-                         bool oneSided) {
+ColumnScore scoreColumns(const OrthogonalProjector& complement, const Eigen::VectorXd& residual,
+                         const Eigen::MatrixXd& columns, bool oneSided) {
     ColumnScore score;
     score.strengths = Eigen::VectorXd::Zero(columns.cols());
     score.directions = Eigen::MatrixXd(columns.rows(), 0);

@@ -4,12 +4,15 @@
 #include <random>
 #include <vector>
 
+#include "core/effect/thresholds.hpp"
 #include "core/fit/problem.hpp"
 #include "core/residual/noise.hpp"
 
 /// The linear algebra of the search: what of an effect's trace the parameters cannot imitate, and how much of the
 /// residual it explains. Score tests as in Rao 1948; projection on the complement of the parameters' Jacobian.
 namespace analogon {
+
+using threshold::screen::leastVisible;
 
 /// The rows of a residual vector that belong to one output of one experiment, in time order.
 struct ResidualChannel {
@@ -44,9 +47,9 @@ private:
 };
 
 /// Projection on the complement of the columns of a Jacobian (rank found by pivoting).
-class Complement {
+class OrthogonalProjector {
 public:
-    explicit Complement(const Eigen::MatrixXd& jacobian);
+    explicit OrthogonalProjector(const Eigen::MatrixXd& jacobian);
     Eigen::MatrixXd operator()(const Eigen::MatrixXd& columns) const;
     int rank() const { return static_cast<int>(basis_.cols()); }
     /// Least-squares coefficients of the Jacobian's columns for a column (how the parameters imitate it).
@@ -57,18 +60,16 @@ private:
     Eigen::MatrixXd jacobian_;
 };
 
-constexpr double leastVisible = 3e-3;
-
 /// What one or more columns (the first: the strength) explain of a residual.
 struct ColumnScore {
     double visible{};            // |g_perp| / |g| of the strength: under leastVisible the parameters imitate it
-    double explained{};          // fall in the sum of squares when the columns are fitted
+    double explained{};          // decrease of chi-square when the columns are fitted
     bool wrongSign{};            // the best strength is negative though the effect is one-sided
     Eigen::VectorXd strengths;   // best coefficients
     Eigen::MatrixXd directions;  // orthonormal basis of the projected columns (correlation with other candidates)
 };
-ColumnScore scoreColumns(const Complement& complement, const Eigen::VectorXd& residual, const Eigen::MatrixXd& columns,
-                         bool oneSided);
+ColumnScore scoreColumns(const OrthogonalProjector& complement, const Eigen::VectorXd& residual,
+                         const Eigen::MatrixXd& columns, bool oneSided);
 
 /// What two effects explain of a residual together, their projected columns (`directions`) fitted at once: far more
 /// than the sum of what each does alone where they hide each other.

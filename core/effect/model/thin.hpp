@@ -1,10 +1,11 @@
 #pragma once
 
+#include "core/effect/thresholds.hpp"
 #include "core/fit/estimation_task.hpp"
 
 namespace analogon {
 
-constexpr long mostSearchedSamples = 6000;  // the fits before and after a search are on all
+using threshold::screen::mostSearchedSamples;
 
 /// The task with long recordings made shorter for a search: every `factor` neighbouring samples of the fitted
 /// recordings become their mean (time, inputs, outputs, spare channels; what was not measured is left out of it), so

@@ -5,13 +5,15 @@
 #include <vector>
 
 #include "core/base/median.hpp"
+#include "core/effect/thresholds.hpp"
 
 namespace analogon {
+
+using namespace threshold::noise;
+
 namespace {
 
-constexpr Eigen::Index fewest = 50;       // samples
-constexpr double outlier = 4;             // deviations of a second difference: a step or a kink
-constexpr double leastAlternation = 0.5;  // white noise: successive second differences correlate by -2/3
+constexpr Eigen::Index fewest = 50;  // samples
 
 }  // namespace
 

@@ -9,27 +9,13 @@
 #include "core/base/median.hpp"
 #include "core/base/range.hpp"
 #include "core/effect/model/model_state.hpp"
+#include "core/effect/thresholds.hpp"
 
 namespace analogon {
-namespace {
 
-constexpr int neighbours = 6;           // looked at on either side
-constexpr int fewestNeighbours = 3;     // of them
-constexpr int longest = 3;              // samples in a row
-constexpr int longestStart = 4;         // until a model at rest has caught up
-constexpr double leastDecay = 0.5;      // of what it lacks, from one of them to the next
-constexpr double mostAfterwards = 0.1;  // of the first one
-constexpr double allClear = 8;          // deviations of the noise
-constexpr double levelAside = 0.25;     // of the spike, by which the two sides may differ
-constexpr double ownPart = 0.5;         // of what the model leaves, that the measurement shows by itself
-constexpr double leastSteps = 4;        // of a converter
-constexpr int reachOfAJump = 4;         // samples behind a jump of an input
-constexpr double jumpOfMedian = 5, jumpOfRange = 0.01;
-constexpr double mostOfSamples = 0.01;
-constexpr double halfClear = 4, mostHalfClear = 2;  // where that many more stand out, the noise has long tails
-constexpr std::size_t mostAnyway = 6, mostTold = 4;
-constexpr int fewestAlike = 12, fewestSamples = 50;  // in a row; of a channel that can be judged
-constexpr double mostAlike = 0.01;                   // of neighbours elsewhere
+using namespace threshold::faultySample;
+
+namespace {
 
 using Runs = std::vector<std::pair<int, int>>;  // [begin, end) of rows
 

@@ -6,21 +6,14 @@
 #include "core/base/range.hpp"
 #include "core/effect/model/model_state.hpp"
 #include "core/effect/model/sampling.hpp"
+#include "core/effect/thresholds.hpp"
 #include "core/fit/clock.hpp"
 
 namespace analogon {
-namespace {
 
-constexpr std::size_t mostSamples = 200'000;  // of longer records half a sample is next to nothing
-constexpr std::size_t mostInputs = 6;
-constexpr int fewestJumps = 3;
-constexpr double leastJump = 0.02;  // of the range
-constexpr double alone = 0.6;       // of the jumps, with nothing moving on either side of them
-constexpr double sameValue = 1e-9;  // of the range
-constexpr double promising = 0.7;   // of the squares on lines, that may be left at the parameters on lines
-constexpr double muchLess = 0.6;    // of the squares on lines, that are left
-constexpr double likeHalf = 1.05;   // of the squares half a sample later: as good, where its shape tells
-constexpr double betterThanHalf = 0.9;
+using namespace threshold::heldCommand;
+
+namespace {
 
 /// Inputs that are joined by straight lines and change at all, in the order of the first fitted recording.
 std::vector<std::string> inputsOnLines(const EstimationTask& task) {
@@ -123,7 +116,7 @@ private:
     const FitOptions& options_;
     const Progress& progress_;
     double interval_{};
-    Complement complement_;
+    OrthogonalProjector complement_;
 };
 
 }  // namespace

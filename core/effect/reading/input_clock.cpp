@@ -8,16 +8,17 @@
 
 #include "core/base/range.hpp"
 #include "core/effect/model/sampling.hpp"
+#include "core/effect/thresholds.hpp"
 #include "core/fit/clock.hpp"
 #include "core/fit/held_input.hpp"
 
 namespace analogon {
+
+using namespace threshold::inputClock;
+
 namespace {
 
 constexpr double reach[] = {0.25, 0.5, 1, 1.5, 2, 3, 4, 6, 8, 12, 16};  // of the sampling interval
-constexpr int mostInVain = 2;                                           // further offsets, once they do worse
-constexpr std::size_t mostInputs = 6;                                   // that are looked at one by one
-constexpr double mostOfRecording = 0.05;                                // that a column may be late by
 constexpr int bitsOfAnOffset = 10;
 
 /// What a model leaves with inputs that are late by so much, its parameters following along their tangents.
@@ -51,7 +52,7 @@ private:
     const SimulationOptions& simulation_;
     const Progress& progress_;
     Outcome<PreparedTask> prepared_;
-    Complement complement_;
+    OrthogonalProjector complement_;
 };
 
 /// The inputs of the model as recorded that change at all.

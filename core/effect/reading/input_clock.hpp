@@ -30,7 +30,7 @@ std::vector<InputClock> likeliestClocks(const NullModel& null, const std::vector
                                         const SimulationOptions& simulation, const Progress& progress,
                                         std::size_t& group);
 
-/// Fall in the sum of squares of what a model leaves when each output may pick up these inputs directly: that looks
+/// Decrease of chi-square of what a model leaves when each output may pick up these inputs directly: that looks
 /// much as if they were late, and is an effect.
 double explainedByPickUp(const NullModel& null, const std::vector<InputClock>& clocks);
 

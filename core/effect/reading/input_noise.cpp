@@ -4,12 +4,15 @@
 #include <cmath>
 
 #include "core/effect/model/white_noise.hpp"
+#include "core/effect/thresholds.hpp"
 
 namespace analogon {
+
+using namespace threshold::inputNoise;
+
 namespace {
 
 constexpr Eigen::Index reach = 12;  // of the filter, in samples to either side
-constexpr double within = 3.5;      // deviations of the noise: a neighbour of the same level
 
 Eigen::RowVectorXd filtered(const Eigen::RowVectorXd& signal, double noise) {
     Eigen::RowVectorXd result = signal;

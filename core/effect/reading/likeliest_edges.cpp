@@ -6,16 +6,20 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/base/parallel.hpp"
 #include "core/effect/model/score.hpp"
+#include "core/effect/thresholds.hpp"
 
 namespace analogon {
+
+using namespace threshold::inputEdge;
+
 namespace {
 
 constexpr double firstParts[] = {0.001, 0.01, 0.03, 0.06, 0.12, 0.25, 0.5, 0.75, 0.88, 0.94, 0.97, 0.99, 0.999};
 constexpr int bitsOfAPart = 8;
-constexpr double evenPrecision = 12;  // of a number that lies anywhere between 0 and 1
 
 /// The residual of a model as its inputs jump at these moments, its parameters held.
 class EdgeModel {
@@ -69,6 +73,124 @@ private:
     std::vector<GridPlan> plans_;
 };
 
+/// Least squares of the parts of their intervals at which edges are, beside the parameters along their tangents.
+class EdgeFit {
+public:
+    EdgeFit(const EdgeModel& model, const NullModel& null, const std::vector<InputEdge>& edges, bool areAlike,
+            int threads, const Progress& progress)
+        : model_(model),
+          complement_(null.fit.optimum.jacobian),
+          variance_(null.sumOfSquares() / static_cast<double>(null.fit.optimum.residuals.size())),
+          edges_(edges),
+          areAlike_(areAlike),
+          threads_(threads),
+          progress_(progress),
+          parts_(areAlike ? 1 : edges.size(), 0.5) {}
+
+    /// False: it could not be simulated, or was stopped.
+    bool run() {
+        // all alike first: where a model is much faster than the sampling, no slope at the middle tells of the ends
+        seekAlike();
+        residuals_ = model_.residuals(edgesAt(parts_));
+        if (residuals_.size() == 0) return false;
+        for (const double width : {0.02, 0.005}) {
+            const std::optional<Eigen::MatrixXd> traces = tracesWithin(width);
+            if (!traces) return false;
+            follow(stepAlong(*traces));
+        }
+        return true;
+    }
+
+    std::vector<InputEdge> edges() const { return edgesAt(parts_); }
+    /// How many of the parts the data tell.
+    int told() const { return told_; }
+
+private:
+    std::vector<InputEdge> edgesAt(const std::vector<double>& parts) const {
+        std::vector<InputEdge> moved = edges_;
+        for (std::size_t i = 0; i < moved.size(); ++i) moved[i].part = std::clamp(parts[areAlike_ ? 0 : i], 0.0, 1.0);
+        return moved;
+    }
+    double misfit(const Eigen::VectorXd& residuals) const {
+        return residuals.size() == 0 ? std::numeric_limits<double>::infinity() : complement_(residuals).squaredNorm();
+    }
+    std::vector<double> alike(double part) const {
+        std::vector<double> tried(parts_.size(), part);
+        for (std::size_t i = 0; i < tried.size(); ++i)
+            if (edges_[i].bend != 0) tried[i] = 0.5;
+        return tried;
+    }
+
+    void seekAlike() {
+        const auto misfitAlike = [&](double part) { return misfit(model_.residuals(edgesAt(alike(part)))); };
+        std::vector<double> misfits(std::size(firstParts));
+        parallelFor(static_cast<int>(misfits.size()), threads_,
+                    [&](int i) { misfits[static_cast<std::size_t>(i)] = misfitAlike(firstParts[i]); });
+        const auto best = static_cast<std::size_t>(std::min_element(misfits.begin(), misfits.end()) - misfits.begin());
+        const double low = firstParts[best == 0 ? 0 : best - 1],
+                     high = firstParts[std::min(best + 1, std::size(firstParts) - 1)];
+        parts_ = alike(boost::math::tools::brent_find_minima(misfitAlike, low, high, bitsOfAPart).first);
+    }
+
+    /// Slopes of the residual along each part, by differences of that width.
+    std::optional<Eigen::MatrixXd> tracesWithin(double width) const {
+        Eigen::MatrixXd traces(residuals_.size(), static_cast<Eigen::Index>(parts_.size()));
+        std::atomic<bool> isWhole{true};
+        parallelFor(static_cast<int>(parts_.size()), threads_, [&](int j) {
+            if (!isWhole || progress_.stopRequested()) return;
+            std::vector<double> tried = parts_;
+            double& part = tried[static_cast<std::size_t>(j)];
+            const double by = part > 0.5 ? -width : width;
+            part += by;
+            const Eigen::VectorXd there = model_.residuals(edgesAt(tried));
+            if (there.size() == 0)
+                isWhole = false;
+            else
+                traces.col(j) = (there - residuals_) / by;
+        });
+        if (!isWhole || progress_.stopRequested()) return std::nullopt;
+        return traces;
+    }
+
+    /// Gauss-Newton, each part equally likely beforehand between 0 and 1.
+    Eigen::VectorXd stepAlong(const Eigen::MatrixXd& traces) {
+        const auto unknowns = static_cast<Eigen::Index>(parts_.size());
+        const Eigen::MatrixXd own = complement_(traces);
+        Eigen::MatrixXd information = own.transpose() * own / variance_;
+        told_ = static_cast<int>((information.diagonal().array() > evenPrecision).count());
+        information.diagonal().array() += evenPrecision;
+        const Eigen::Map<const Eigen::VectorXd> now(parts_.data(), unknowns);
+        return -information.ldlt().solve(own.transpose() * complement_(residuals_) / variance_ +
+                                         evenPrecision * (now - Eigen::VectorXd::Constant(unknowns, 0.5)));
+    }
+
+    /// As much of a step as leaves less.
+    void follow(const Eigen::VectorXd& step) {
+        for (const double share : {1.0, 0.3, 0.1}) {
+            std::vector<double> tried = parts_;
+            for (std::size_t i = 0; i < tried.size(); ++i)
+                tried[i] = std::clamp(tried[i] + share * step[static_cast<Eigen::Index>(i)], nearestToSample,
+                                      1 - nearestToSample);
+            const Eigen::VectorXd there = model_.residuals(edgesAt(tried));
+            if (!(misfit(there) < misfit(residuals_))) continue;
+            parts_ = std::move(tried);
+            residuals_ = there;
+            return;
+        }
+    }
+
+    const EdgeModel& model_;
+    const OrthogonalProjector complement_;
+    const double variance_;
+    const std::vector<InputEdge>& edges_;
+    const bool areAlike_;
+    const int threads_;
+    const Progress& progress_;
+    std::vector<double> parts_;
+    Eigen::VectorXd residuals_;
+    int told_{};
+};
+
 }  // namespace
 
 std::vector<InputEdge> likeliestEdges(const NullModel& null, std::vector<InputEdge> edges, bool areAlike,
@@ -80,73 +202,10 @@ std::vector<InputEdge> likeliestEdges(const NullModel& null, std::vector<InputEd
     EdgeModel model(null, simulation, progress);
     if (!model.isReady()) return {};
     model.plan(edges);
-    const Complement complement(null.fit.optimum.jacobian);
-    const double variance = null.sumOfSquares() / static_cast<double>(null.fit.optimum.residuals.size());
-    const auto at = [&](const std::vector<double>& parts) {
-        std::vector<InputEdge> moved = edges;
-        for (std::size_t i = 0; i < edges.size(); ++i) moved[i].part = std::clamp(parts[areAlike ? 0 : i], 0.0, 1.0);
-        return moved;
-    };
-    const auto misfit = [&](const Eigen::VectorXd& residuals) {
-        return residuals.size() == 0 ? std::numeric_limits<double>::infinity() : complement(residuals).squaredNorm();
-    };
-
-    // all alike first: where a model is much faster than the sampling, no slope at the middle tells of the ends
-    std::vector<double> parts(areAlike ? 1 : edges.size(), 0.5);
-    const auto alike = [&](double part) {
-        std::vector<double> tried(parts.size(), part);
-        for (std::size_t i = 0; i < tried.size(); ++i)
-            if (edges[i].bend != 0) tried[i] = 0.5;
-        return tried;
-    };
-    const auto misfitAlike = [&](double part) { return misfit(model.residuals(at(alike(part)))); };
-    std::vector<double> misfits(std::size(firstParts));
-    parallelFor(static_cast<int>(misfits.size()), threads,
-                [&](int i) { misfits[static_cast<std::size_t>(i)] = misfitAlike(firstParts[i]); });
-    const auto best = static_cast<std::size_t>(std::min_element(misfits.begin(), misfits.end()) - misfits.begin());
-    const double low = firstParts[best == 0 ? 0 : best - 1],
-                 high = firstParts[std::min(best + 1, std::size(firstParts) - 1)];
-    parts = alike(boost::math::tools::brent_find_minima(misfitAlike, low, high, bitsOfAPart).first);
-    Eigen::VectorXd here = model.residuals(at(parts));
-    if (here.size() == 0) return {};
-    const auto unknowns = static_cast<Eigen::Index>(parts.size());
-    for (const double width : {0.02, 0.005}) {
-        Eigen::MatrixXd traces(here.size(), unknowns);
-        std::atomic<bool> isWhole{true};
-        parallelFor(static_cast<int>(unknowns), threads, [&](int j) {
-            if (!isWhole || progress.stopRequested()) return;
-            std::vector<double> tried = parts;
-            double& part = tried[static_cast<std::size_t>(j)];
-            const double by = part > 0.5 ? -width : width;
-            part += by;
-            const Eigen::VectorXd there = model.residuals(at(tried));
-            if (there.size() == 0)
-                isWhole = false;
-            else
-                traces.col(j) = (there - here) / by;
-        });
-        if (!isWhole || progress.stopRequested()) return {};
-        const Eigen::MatrixXd own = complement(traces);
-        Eigen::MatrixXd information = own.transpose() * own / variance;
-        told = static_cast<int>((information.diagonal().array() > evenPrecision).count());
-        information.diagonal().array() += evenPrecision;
-        const Eigen::Map<const Eigen::VectorXd> now(parts.data(), unknowns);
-        const Eigen::VectorXd step =
-            -information.ldlt().solve(own.transpose() * complement(here) / variance +
-                                      evenPrecision * (now - Eigen::VectorXd::Constant(unknowns, 0.5)));
-        for (const double share : {1.0, 0.3, 0.1}) {
-            std::vector<double> tried = parts;
-            for (std::size_t i = 0; i < tried.size(); ++i)
-                tried[i] = std::clamp(tried[i] + share * step[static_cast<Eigen::Index>(i)], nearestToSample,
-                                      1 - nearestToSample);
-            const Eigen::VectorXd there = model.residuals(at(tried));
-            if (!(misfit(there) < misfit(here))) continue;
-            parts = std::move(tried);
-            here = there;
-            break;
-        }
-    }
-    return at(parts);
+    EdgeFit fit(model, null, edges, areAlike, threads, progress);
+    const bool isFitted = fit.run();
+    told = fit.told();
+    return isFitted ? fit.edges() : std::vector<InputEdge>();
 }
 
 }  // namespace analogon

@@ -8,14 +8,13 @@
 
 #include "core/base/unit.hpp"
 #include "core/effect/block/trial.hpp"
+#include "core/effect/thresholds.hpp"
 
 namespace analogon {
-namespace {
 
-constexpr std::size_t mostFitted = 2;
-constexpr double leastShare = 3;       // times what stays unexplained, that must be explained
-constexpr double mostLeft = 1.0 / 16;  // of the sum of squares, unless it is noise: an effect may look like a scale
-constexpr double leastEvidence = 300;  // far more than an effect needs: none is looked for beside it
+using namespace threshold::mistakenUnit;
+
+namespace {
 
 /// What test benches record in, by kind, the commoner first: every other one of the same kind may be meant.
 constexpr std::array<const char*, 27> commonUnits{"K",   "degC", "degF", "rad/s", "rpm", "deg/s", "rad", "deg", "A",
@@ -195,7 +194,7 @@ std::optional<MistakenUnit> mistakenUnit(const NullModel& null, const Variant& g
         const Linearisation at =
             linearise(prepared->problem, prepared->problem.startValues(), true, {}, options.simulation, progress);
         if (!at.ok || !at.jacobian.allFinite()) continue;
-        each.promised = Complement(at.jacobian)(at.residuals).squaredNorm();
+        each.promised = OrthogonalProjector(at.jacobian)(at.residuals).squaredNorm();
         if (each.promised < null.sumOfSquares()) likely.push_back(std::move(each));
     }
     std::stable_sort(likely.begin(), likely.end(),

@@ -96,8 +96,8 @@ TEST_F(OneNode, TakesOverWhatAnEffectOnlyImitates) {
     int imitated = 0;
     for (int run = 0; run < 10; ++run) {
         const Eigen::VectorXd trace = effect(), residual = noise() + 5 * through(wandering());
-        const double fall = trace.dot(residual) * trace.dot(residual) / trace.squaredNorm();
-        imitated += fall > 100;
+        const double chi2Decrease = trace.dot(residual) * trace.dot(residual) / trace.squaredNorm();
+        imitated += chi2Decrease > 100;
         EXPECT_LT(evidenceOf(trace, residual), 15) << "run " << run;
     }
     EXPECT_GT(imitated, 5) << "in white noise it would pass for certain";

@@ -42,7 +42,7 @@ TEST(NullModel, HasStepsForWhatIsNotLinearBesideALinearModel) {
     EXPECT_EQ(&steps, &null.steps({}, {})) << "found once";
     EXPECT_EQ(steps.states.size(), 1u);
     EXPECT_EQ(steps.fine[0].method, GridMethod::RungeKutta4);
-    EXPECT_EQ(steps.glances[0].method, GridMethod::RungeKutta4);
+    EXPECT_EQ(steps.coarse[0].method, GridMethod::RungeKutta4);
     const Outcome<PreparedTask> linear = prepareHeld(null.variant, {}, null.noise);
     ASSERT_TRUE(linear) << format(linear.diagnostics());
     EXPECT_EQ(null.plansOf(*linear->system, {}, {})[0].method, GridMethod::Exact);

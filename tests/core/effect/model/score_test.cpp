@@ -108,11 +108,11 @@ TEST(ResidualChannels, AreNoiseBesideWhatAnEncoderCounts) {
     EXPECT_FALSE(isNoise(residualChannels(wrong).front(), residual));
 }
 
-TEST(Complement, TakesOutWhatTheParametersCanImitate) {
+TEST(OrthogonalProjector, TakesOutWhatTheParametersCanImitate) {
     const int n = 500;
     Eigen::MatrixXd jacobian(n, 2);
     jacobian << 1e-9 * wave(n, 1), 1e6 * wave(n, 2);  // any magnitude counts alike
-    const Complement complement(jacobian);
+    const OrthogonalProjector complement(jacobian);
     EXPECT_EQ(complement.rank(), 2);
     const Eigen::VectorXd imitated = 3 * wave(n, 1) - 2 * wave(n, 2);
     EXPECT_LT(complement(Eigen::MatrixXd(imitated)).norm() / imitated.norm(), 1e-12);
@@ -121,15 +121,15 @@ TEST(Complement, TakesOutWhatTheParametersCanImitate) {
     EXPECT_NEAR(coefficients[1], -2e-6, 1e-12);
 }
 
-TEST(Complement, CountsAColumnTwiceInTheJacobianOnce) {
+TEST(OrthogonalProjector, CountsAColumnTwiceInTheJacobianOnce) {
     Eigen::MatrixXd jacobian(100, 2);
     jacobian << wave(100, 1), 2 * wave(100, 1);
-    EXPECT_EQ(Complement(jacobian).rank(), 1);
+    EXPECT_EQ(OrthogonalProjector(jacobian).rank(), 1);
 }
 
 TEST(ScoreColumns, FindsStrengthAndExplainedSquares) {
     const int n = 2000;
-    const Complement complement(wave(n, 1));
+    const OrthogonalProjector complement(wave(n, 1));
     const Eigen::VectorXd trace = wave(n, 3);
     const Eigen::VectorXd residual = gaussian(n, 1) - 0.5 * trace;  // simulated minus measured: the effect is missing
     const ColumnScore s = scoreColumns(complement, residual, trace, true);
@@ -144,7 +144,7 @@ TEST(ScoreColumns, FindsStrengthAndExplainedSquares) {
 TEST(ScoreColumns, SaysHowLittleOfAnAbsorbedEffectIsVisible) {
     const int n = 1000;
     const Eigen::VectorXd trace = wave(n, 1) + 1e-3 * wave(n, 5);
-    const ColumnScore s = scoreColumns(Complement(wave(n, 1)), gaussian(n, 2), trace, false);
+    const ColumnScore s = scoreColumns(OrthogonalProjector(wave(n, 1)), gaussian(n, 2), trace, false);
     EXPECT_NEAR(s.visible, 1e-3, 1e-5);
 }
 
@@ -153,7 +153,7 @@ TEST(ScoreColumns, TellsNoStrengthOfWhatTheParametersImitate) {
     Eigen::MatrixXd columns(n, 3);
     columns << wave(n, 3), 2 * wave(n, 1), wave(n, 5);
     const Eigen::VectorXd residual = gaussian(n, 1) - 0.5 * wave(n, 3) + 0.7 * wave(n, 5);
-    const ColumnScore s = scoreColumns(Complement(wave(n, 1)), residual, columns, false);
+    const ColumnScore s = scoreColumns(OrthogonalProjector(wave(n, 1)), residual, columns, false);
     EXPECT_NEAR(s.strengths[0], 0.5, 0.1);
     EXPECT_EQ(s.strengths[1], 0) << "what rounding leaves of it fits anything";
     EXPECT_NEAR(s.strengths[2], -0.7, 0.1);
@@ -204,7 +204,7 @@ Linearisation leftBy(const Eigen::MatrixXd& columns, const Eigen::VectorXd& resi
     Linearisation l;
     l.ok = true;
     l.jacobian = columns;
-    l.residuals = Complement(columns)(residual);
+    l.residuals = OrthogonalProjector(columns)(residual);
     return l;
 }
 

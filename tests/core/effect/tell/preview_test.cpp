@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/effect/model/model_state.hpp"
+#include "core/effect/search/discover.hpp"
 #include "tests/core/effect/warm_body.hpp"
 
 namespace analogon {
@@ -29,7 +30,7 @@ EstimationTask readTooHigh() {
 TEST(Preview, ShowsTheModelWithOneEffect) {
     const EstimationTask task = readTooHigh();
     const FitOptions options;
-    const Outcome<ModelState> without = fitModel(task, options.fit);
+    const Outcome<ModelState> without = fitModel(task, options);
     ASSERT_TRUE(without) << format(without.diagnostics());
     const Outcome<ModelState> with = stateWith(task, {"Analogon.Effects.Sensor.Offset", "output T"}, options);
     ASSERT_TRUE(with) << format(with.diagnostics());

@@ -1,16 +1,18 @@
-/// Parameters that change, in mid run or with a recorded channel, beside what the search for effects comes to.
+#include "core/effect/search/course_search.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "core/effect/judge/disturbance.hpp"
-#include "core/effect/search/search.hpp"
+#include "core/effect/judge/judgement.hpp"
+#include "core/effect/search/context.hpp"
+#include "core/effect/thresholds.hpp"
 
 namespace analogon {
-namespace {
 
-constexpr double changeShare = 0.5, leastChange = 100;
-constexpr double leastPromised = 0.1;  // of what is above the noise, by first order, for a change to outdo effects
-constexpr double leastAlone = 1000;  // evidence beyond one effect: what is wrong does not leave noise of that by chance
+using namespace threshold::course;
+
+namespace {
 
 /// Evidence for a change against the effects that were found, beside independent samples.
 template <class Change>
@@ -54,65 +56,64 @@ bool isBorneOut(const NullModel& base, const Change& change, const SimulationOpt
 
 }  // namespace
 
-/// A parameter that changed in mid run is imitated by many slow effects; none of them is it.
-void Search::seekChange(const NullModel& base) {
-    if (soughtChange_ || isNoise(base) || progress_.stopRequested()) return;
-    soughtChange_ = true;
-    say("reconsider", phrase("parameters that change"), -1);
-    change_ = bestChange(base, search_.fit, options_.threads, progress_);
-    if (!progress_.stopRequested()) dependence_ = bestDependence(base, search_.fit, options_.threads, progress_);
-    if (change_)
-        trace("course", "change " + change_->parameter,
-              {{"explained", change_->explained},
-               {"time", change_->time},
-               {"before", change_->before},
-               {"after", change_->after}},
-              "best");
-    if (dependence_)
-        trace("course", "dependence " + dependence_->parameter + " on " + dependence_->channel,
-              {{"explained", dependence_->explained}, {"slope", dependence_->slope}}, "best");
+void seekChange(SearchContext& search, const NullModel& base) {
+    if (search.courses.isSought || isNoise(base) || search.progress.stopRequested()) return;
+    search.courses.isSought = true;
+    search.say("reconsider", phrase("parameters that change"), -1);
+    search.courses.change = bestChange(base, search.fit, search.options.threads, search.progress);
+    if (!search.progress.stopRequested())
+        search.courses.dependence = bestDependence(base, search.fit, search.options.threads, search.progress);
+    if (search.courses.change)
+        search.journal.add("course", "change " + search.courses.change->parameter,
+                           {{"explained", search.courses.change->explained},
+                            {"time", search.courses.change->time},
+                            {"before", search.courses.change->before},
+                            {"after", search.courses.change->after}},
+                           "best");
+    if (search.courses.dependence)
+        search.journal.add(
+            "course",
+            "dependence " + search.courses.dependence->parameter + " on " + search.courses.dependence->channel,
+            {{"explained", search.courses.dependence->explained}, {"slope", search.courses.dependence->slope}}, "best");
 }
 
-/// Whether one change leaves noise alone and is a better account than these effects, by so much evidence.
-bool Search::isChangeAll(const NullModel& base, const NullModel& with, double leastGain) {
-    seekChange(base);
+bool isChangeAll(SearchContext& search, const NullModel& base, const NullModel& with, double leastGain) {
+    seekChange(search, base);
     const auto isAll = [&](const auto& change) {
         return change && isNoise(base.channels, change->fit) && isBetterThan(base, with, *change, leastGain);
     };
-    return isAll(change_) || isAll(dependence_);
+    return isAll(search.courses.change) || isAll(search.courses.dependence);
 }
 
-/// Whether one change leaves noise alone where the effect that the first round chose leaves far too much for it to be
-/// half of a pair: none is added to it then.
-bool Search::isChangeAlone(const NullModel& base, const Round& first) {
+bool isChangeAlone(SearchContext& search, const NullModel& base, const Round& first) {
     if (!first.chosen || !(excess(base) > leastAlone)) return false;
     const Trial& winner = first.trials[*first.chosen];
     if (isNoise(base.channels, winner.fit) || !(promisedByChange(base) > changeShare * excess(base))) return false;
-    return isChangeAll(base, base.with(winner.variant, winner.fit), leastAlone);
+    return isChangeAll(search, base, base.with(winner.variant, winner.fit), leastAlone);
 }
 
-/// Keeps the better of the changes where it is a better account than the effects that were found.
-void Search::settleChange(const NullModel& base, const NullModel& with) {
+void settleChange(SearchContext& search, const NullModel& base, const NullModel& with) {
     // hardly anything outdoes effects that leave noise
-    if (!soughtChange_ && isNoise(with) && !(promisedByChange(base) > leastPromised * excess(base))) return;
-    seekChange(base);
+    if (!search.courses.isSought && isNoise(with) && !(promisedByChange(base) > leastPromised * excess(base))) return;
+    seekChange(search, base);
     const auto settle = [&](auto& change) {
         if (!change) return;
         const bool isBetter = isBetterThan(base, with, *change);
-        const bool isTaken = isBetter && isBorneOut(base, *change, search_.fit.simulation, progress_);
-        trace("course", change->parameter, {{"explained", change->explained}, {"gain", gainOf(base, with, *change)}},
-              isTaken    ? "accepted"
-              : isBetter ? "no more than a disturbance"
-                         : "no better than the effects");
+        const bool isTaken = isBetter && isBorneOut(base, *change, search.fit.simulation, search.progress);
+        search.journal.add("course", change->parameter,
+                           {{"explained", change->explained}, {"gain", gainOf(base, with, *change)}},
+                           isTaken    ? "accepted"
+                           : isBetter ? "no more than a disturbance"
+                                      : "no better than the effects");
         if (!isTaken) change.reset();
     };
-    settle(change_);
-    settle(dependence_);
-    if (!change_ || !dependence_) return;
-    if (change_->explained > dependence_->explained)
-        dependence_.reset();
+    settle(search.courses.change);
+    settle(search.courses.dependence);
+    if (!search.courses.change || !search.courses.dependence) return;
+    if (search.courses.change->explained > search.courses.dependence->explained)
+        search.courses.dependence.reset();
     else
-        change_.reset();
+        search.courses.change.reset();
 }
 
 }  // namespace analogon

@@ -1,17 +1,23 @@
-/// Two effects that hide each other: neither need show alone, and the strongest alone need not be one of them.
+#include "core/effect/search/pair.hpp"
+
 #include <algorithm>
 
+#include "core/effect/judge/judgement.hpp"
 #include "core/effect/judge/reason.hpp"
 #include "core/effect/model/model_state.hpp"
-#include "core/effect/search/search.hpp"
+#include "core/effect/search/context.hpp"
+#include "core/effect/search/path.hpp"
+#include "core/effect/search/prune.hpp"
+#include "core/effect/search/trials.hpp"
+#include "core/effect/search/verdicts.hpp"
+#include "core/effect/search/without.hpp"
+#include "core/effect/thresholds.hpp"
 
 namespace analogon {
-namespace {
 
-constexpr std::size_t mostScreened = 60;   // that are paired
-constexpr std::size_t mostMembers = 4;     // that are tried because of a pair
-constexpr std::size_t mostForGranted = 2;  // for another to be sought beside each
-constexpr double nearlyBest = 0.95;        // of what the best pair explains, for another to be looked at
+using namespace threshold::pairs;
+
+namespace {
 
 /// Two of a list that explain this much together.
 struct Pair {
@@ -40,77 +46,76 @@ bool isSame(const Candidate& a, const Candidate& b) {
     return a.effect.className == b.effect.className && a.place == b.place;
 }
 
-}  // namespace
-
 /// A trial of the fault of one effect at the signal of another, beside a model without either.
-std::optional<Trial> Search::trialOf(const NullModel& rest, const std::string& fault, const EffectPlace& place) {
-    const Outcome<std::vector<Candidate>> candidates = candidatesIn(rest.variant);
+std::optional<Trial> trialOf(SearchContext& search, const NullModel& rest, const std::string& fault,
+                             const EffectPlace& place) {
+    const Outcome<std::vector<Candidate>> candidates = candidatesIn(search, rest.variant);
     if (!candidates) return std::nullopt;
     const auto found = std::find_if(candidates->begin(), candidates->end(), [&](const Candidate& c) {
         return c.place == place && c.effect.proposal.empty() && faultOf(c.effect) == fault;
     });
     if (found == candidates->end()) return std::nullopt;
-    say("reconsider", phrase("{} at {}", found->effect.kind, place.at), -1);
-    const Screened screened = screen(rest, *found, search_.fit.simulation, progress_);
+    search.say("reconsider", phrase("{} at {}", found->effect.kind, place.at), -1);
+    const Screened screened = screen(rest, *found, search.fit.simulation, search.progress);
     if (!screened.failure.empty()) return std::nullopt;
-    std::vector<Trial> trials = tryThese(rest, {&screened}, 2 * trialIterations, startsPerTrial);
-    if (progress_.stopRequested() || trials.empty() || !trials.front().ok) return std::nullopt;
+    std::vector<Trial> trials = tryThese(search, rest, {&screened}, 2 * trialIterations, startsPerTrial);
+    if (search.progress.stopRequested() || trials.empty() || !trials.front().ok) return std::nullopt;
     return std::move(trials.front());
 }
 
-/// A lag of one signal and a dead time of another look much like the dead time of the one and the lag of the other, and
-/// no exchange of one alone leads from there to here: the newest effect is tried the other way round with each before
-/// it.
-void Search::crossOver(NullModel& null) {
-    if (!(levelOf(null.fit) < mostForPairs)) return;
-    for (std::size_t i = 0; i + 1 < null.variant.effects.size() && !progress_.stopRequested(); ++i) {
-        const PlacedEffect a = null.variant.effects[i], b = null.variant.effects.back();
+}  // namespace
+
+void crossOver(SearchContext& search, Node& node) {
+    if (!(reducedChi(node.null.fit) < mostForPairs)) return;
+    for (std::size_t i = 0; i + 1 < node.null.variant.effects.size() && !search.progress.stopRequested(); ++i) {
+        const PlacedEffect a = node.null.variant.effects[i], b = node.null.variant.effects.back();
         const bool areFaults = !a.effect.signalSide.empty() && !b.effect.signalSide.empty() &&
                                a.effect.proposal.empty() && b.effect.proposal.empty() && a.twins.empty() &&
                                b.twins.empty();
         if (!areFaults || a.place == b.place || faultOf(a.effect) == faultOf(b.effect)) continue;
-        std::vector<PlacedEffect> others = null.variant.effects;
+        std::vector<PlacedEffect> others = node.null.variant.effects;
         others.pop_back();
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-        const std::optional<NullModel> rest = refittedWith(null, others);
+        const std::optional<NullModel> rest = refittedWith(search, node.null, others);
         if (!rest) continue;
-        std::optional<Trial> first = trialOf(*rest, faultOf(b.effect), a.place);
+        std::optional<Trial> first = trialOf(search, *rest, faultOf(b.effect), a.place);
         if (!first) continue;
-        Outcome<NullModel> between = fitNull(first->variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
+        Outcome<NullModel> between =
+            fitNull(first->variant, node.null.noise, NoiseLevel::Keep, search.fit, search.progress);
         if (!between) continue;
-        std::optional<Trial> second = trialOf(*between, faultOf(a.effect), b.place);
+        std::optional<Trial> second = trialOf(search, *between, faultOf(a.effect), b.place);
         if (!second) continue;
-        Outcome<NullModel> crossed = fitNull(second->variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
-        const bool isTaken = crossed && gainOver(null, crossed->sumOfSquares(),
-                                                 crossed->parameterCount() - null.parameterCount()) > equivalenceMargin;
-        if (crossed) traceModel("cross over", *crossed, isTaken ? "taken" : "set aside");
+        Outcome<NullModel> crossed =
+            fitNull(second->variant, node.null.noise, NoiseLevel::Keep, search.fit, search.progress);
+        const bool isTaken =
+            crossed && gainOver(node.null, crossed->sumOfSquares(),
+                                crossed->parameterCount() - node.null.parameterCount()) > equivalenceMargin;
+        if (crossed) search.journal.model("cross over", *crossed, isTaken ? "taken" : "set aside");
         if (!isTaken) continue;
-        steps_.pop_back();
-        steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(i));
+        node.steps.pop_back();
+        node.steps.erase(node.steps.begin() + static_cast<std::ptrdiff_t>(i));
         const auto take = [&](const NullModel& before, Trial trial) {
             Step step;
-            step.order = ++choices_;
+            step.order = ++search.journal.choices;
             step.acceptance = examine(before, trial.fit, trial.freed(), 0);
             step.winner = std::move(trial);
-            steps_.push_back(std::move(step));
+            node.steps.push_back(std::move(step));
         };
         take(*rest, std::move(*first));
         take(*between, std::move(*second));
-        const Candidate &one = steps_[steps_.size() - 2].winner.screened.candidate,
-                        &other = steps_.back().winner.screened.candidate;
+        const Candidate &one = node.steps[node.steps.size() - 2].winner.screened.candidate,
+                        &other = node.steps.back().winner.screened.candidate;
         for (const PlacedEffect& old : {a, b})
-            setVerdict(old, Verdict::Weaker,
+            setVerdict(search, node, old, Verdict::Weaker,
                        phrase("{} and {} explain more in place of both", nameOf(one), nameOf(other)));
-        setVerdict(one, Verdict::Chosen, {});
-        setVerdict(other, Verdict::Chosen, {});
-        null = std::move(*crossed);
+        setVerdict(search, node, one, Verdict::Chosen, {});
+        setVerdict(search, node, other, Verdict::Chosen, {});
+        node.null = std::move(*crossed);
         return;
     }
 }
 
-/// The same round with trials of those that explain most together with another: the best alone may have left them no
-/// place among what was tried.
-Search::Round Search::withPairMembers(const NullModel& null, Round round) {
+Round withPairMembers(SearchContext& search, const NullModel& null, Round round) {
     std::vector<const Screened*> named;
     for (const Screened& s : round.screened)
         if (s.failure.empty() && s.score() > 0 && s.candidate.effect.proposal.empty()) named.push_back(&s);
@@ -128,8 +133,8 @@ Search::Round Search::withPairMembers(const NullModel& null, Round round) {
         add(named[p.stronger]);
         add(named[p.weaker]);
     }
-    std::vector<Trial> more = tryThese(null, members, 2 * trialIterations, startsPerTrial);
-    traceTrials("trial for a pair", null, more);
+    std::vector<Trial> more = tryThese(search, null, members, 2 * trialIterations, startsPerTrial);
+    search.journal.trials("trial for a pair", null, more);
     round.trials.insert(round.trials.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     round.chosen.reset();
     round.members.clear();
@@ -141,39 +146,36 @@ Search::Round Search::withPairMembers(const NullModel& null, Round round) {
     return round;
 }
 
-/// Where one effect leaves another, what is left has a long memory: few of its samples are independent, and neither of
-/// the two may show by itself, however much it explains. With one of them for granted another is sought; both are
-/// chosen where they pass the tests together, and each is missed beside the other. The choice beside the round's own;
-/// nothing: there are no two.
-std::optional<Search::Round> Search::chosenTogether(const NullModel& null, Round& round) {
+std::optional<Round> chosenTogether(SearchContext& search, const Node& node, Round& round) {
+    const NullModel& null = node.null;
     std::vector<std::size_t> begins;
     for (const std::size_t i : round.tooFaint) {
-        const double fall = null.sumOfSquares() - round.trials[i].sumOfSquares();
-        if (begins.size() < mostForGranted && fall > goodPart * excess(null)) begins.push_back(i);
+        const double chi2Decrease = null.sumOfSquares() - round.trials[i].sumOfSquares();
+        if (begins.size() < mostForGranted && chi2Decrease > goodPart * excess(null)) begins.push_back(i);
     }
-    if (begins.empty() || isNoise(null) || isColouredNoise(null)) return std::nullopt;
+    if (begins.empty() || isNoise(null) || isColouredNoise(search, null)) return std::nullopt;
     for (const std::size_t begin : begins) {
         const Trial& first = round.trials[begin];
-        Outcome<NullModel> one = fitNull(first.variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
+        Outcome<NullModel> one = fitNull(first.variant, null.noise, NoiseLevel::Keep, search.fit, search.progress);
         if (!one) continue;
-        Round second = tryAll(*one);
-        if (progress_.stopRequested()) return std::nullopt;
-        decide(*one, second);
+        Round second = tryAll(search, *one);
+        if (search.progress.stopRequested()) return std::nullopt;
+        decide(search, *one, second);
         if (!second.chosen) continue;
         const Trial& last = second.trials[*second.chosen];
-        Outcome<NullModel> both = fitNull(last.variant, null.noise, NoiseLevel::Keep, search_.fit, progress_);
+        Outcome<NullModel> both = fitNull(last.variant, null.noise, NoiseLevel::Keep, search.fit, search.progress);
         if (!both) continue;
         const Acceptance together = examine(null, both->fit, first.freed() + last.freed(), round.threshold);
-        const bool pass = together.accepted() && !isWithinForms(std::max(together.evidence, together.effective));
+        const bool pass = together.accepted() && !isWithinForms(node, std::max(together.evidence, together.effective));
         const Candidate &taken = first.screened.candidate, &beside = last.screened.candidate;
-        traceTest("together", keyOf(taken.effect, taken.place) + " + " + keyOf(beside.effect, beside.place), together,
-                  pass ? "accepted" : "refused");
+        search.journal.test("together", keyOf(taken.effect, taken.place) + " + " + keyOf(beside.effect, beside.place),
+                            together, pass ? "accepted" : "refused");
         if (!pass) continue;
-        const std::optional<NullModel> rest = without(*both, null.variant.effects.size());
+        const std::optional<NullModel> rest = without(search, *both, null.variant.effects.size());
         if (!rest) continue;
         const Acceptance missed = examine(*rest, both->fit, first.freed(), 0);
-        traceTest("beside the other", keyOf(taken.effect, taken.place), missed,
-                  missed.accepted() ? "accepted" : "refused");
+        search.journal.test("beside the other", keyOf(taken.effect, taken.place), missed,
+                            missed.accepted() ? "accepted" : "refused");
         if (!missed.accepted()) continue;
         round.chosen = begin;
         round.members = equivalents(null, round.trials, begin);
@@ -185,10 +187,8 @@ std::optional<Search::Round> Search::chosenTogether(const NullModel& null, Round
     return std::nullopt;
 }
 
-/// The members of the pairs that explain most together, each pair by the one that explains more alone; at most `most`,
-/// none of `taken`.
-std::vector<std::size_t> Search::pairBeginnings(const NullModel& null, const Round& round, std::size_t most,
-                                                const std::vector<Candidate>& taken) const {
+std::vector<std::size_t> pairBeginnings(const NullModel& null, const Round& round, std::size_t most,
+                                        const std::vector<Candidate>& taken) {
     std::vector<std::size_t> named;
     std::vector<const Screened*> screened;
     for (std::size_t i = 0; i < round.trials.size(); ++i) {

@@ -1,0 +1,143 @@
+#include "core/effect/block/prober.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace analogon {
+namespace {
+
+constexpr double mostOfAWave = 1;     // [rad] that may pass in a step
+constexpr int mostStepsOfAWave = 16;  // in a sample interval: what is faster averages out
+
+}  // namespace
+
+Outcome<Done> Prober::compile() {
+    std::vector<FitParameter> free{named(placed_.effect.strength)};
+    for (const std::string& l : placed_.effect.linear) free.push_back(named(l));
+    std::vector<std::string> kept;
+    for (const auto& [name, values] : placed_.effect.shape) kept.push_back(placed_.instance + "." + name);
+    if (!placed_.effect.phase.empty()) kept.push_back(placed_.instance + "." + placed_.effect.phase);
+    Outcome<PreparedTask> held = prepareHeld(wired_, free, null_.noise, kept);
+    if (!held) return held.diagnostics();
+    held_ = std::move(*held);
+    // a linear model's recurrence does not serve what makes it another; slopes all go along the same course
+    const StepsBeside& beside = null_.steps(simulation_, progress_);
+    plans_ = null_.plansOf(*held_.system, simulation_, progress_);
+    held_.problem.knownPlans = beside.coarse;
+    const bool takesSlopes = placed_.effect.secant.empty() || !placed_.effect.phase.empty();
+    const bool hasOwnStates = addedStates() != 0;
+    for (std::size_t e = 0; takesSlopes && hasOwnStates && e < plans_.size(); ++e)
+        if (null_.fit.plans[e].method == GridMethod::Exact && plans_[e].method != GridMethod::Exact)
+            plans_[e] = planFor(held_.problem, static_cast<int>(e), off(), simulation_, progress_, &plans_[e]);
+    return Done{};
+}
+
+bool Prober::take(const std::map<std::string, double>& shape, double secant, Probe& probe) {
+    for (const auto& [name, value] : shape) set(placed_.instance + "." + name, value);
+    probe.values = shape;
+    probe.secant = secant;
+    if (!placed_.effect.phase.empty()) return takeWave(shape, probe);
+    const std::optional<Eigen::MatrixXd> columns = traces(secant);
+    if (!columns) return false;
+    probe.column = columns->col(0);
+    probe.plain = plainScore(*columns);
+    probe.whitened = whitenedScore(*columns);
+    return true;
+}
+
+int Prober::addedStates() const {
+    return held_.system->stateCount() - static_cast<int>(null_.steps(simulation_, progress_).states.size());
+}
+
+std::vector<std::string> Prober::imitators(const Eigen::VectorXd& column) const {
+    const Eigen::VectorXd c = scores_.plain.coefficients(column);
+    std::vector<std::pair<double, std::string>> parts;
+    for (Eigen::Index j = 0; j < c.size(); ++j)
+        parts.emplace_back(std::abs(c[j]) * null_.fit.optimum.jacobian.col(j).norm(),
+                           null_.fit.estimates[static_cast<std::size_t>(j)].name);
+    std::sort(parts.rbegin(), parts.rend());
+    std::vector<std::string> names;
+    for (const auto& [part, name] : parts)
+        if (part > 0.1 * parts.front().first) names.push_back(name);
+    return names;
+}
+
+FitParameter Prober::named(const std::string& parameter) const {
+    FitParameter p;
+    p.name = placed_.instance + "." + parameter;
+    return p;
+}
+
+void Prober::set(const std::string& parameter, double value) {
+    const int index = held_.system->parameterIndex(parameter);
+    if (index < 0) return;
+    for (FitExperiment& e : held_.problem.experiments) e.parameters[static_cast<std::size_t>(index)] = value;
+}
+
+Eigen::VectorXd Prober::off() const {
+    return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(held_.problem.parameters.size()));
+}
+
+ColumnScore Prober::plainScore(const Eigen::MatrixXd& columns) const {
+    return scoreColumns(scores_.plain, null_.fit.optimum.residuals, columns, placed_.effect.oneSided);
+}
+
+ColumnScore Prober::whitenedScore(const Eigen::MatrixXd& columns) const {
+    return scoreColumns(scores_.white, scores_.whiteResidual, null_.whitener(columns), placed_.effect.oneSided);
+}
+
+std::optional<Eigen::MatrixXd> Prober::traces(double secant, const std::vector<GridPlan>& plans) {
+    Eigen::VectorXd at = off();
+    at[0] = secant;
+    const bool isSlope = secant == 0;
+    const bool needsTangents = isSlope || !placed_.effect.linear.empty();
+    const SimulationOptions simulation = isSlope ? simulation_ : coarse(simulation_);
+    const Linearisation l =
+        linearise(held_.problem, at, needsTangents, isSlope ? plans : std::vector<GridPlan>{}, simulation, progress_);
+    if (!l.ok || l.residuals.size() != null_.fit.optimum.residuals.size()) return std::nullopt;
+    // what follows is judged with these steps: to choose them anew takes longer than to take them
+    if (!isSlope) held_.problem.knownPlans = stepsOf(l);
+    Eigen::MatrixXd columns = needsTangents ? l.jacobian : Eigen::MatrixXd(l.residuals.size(), 1);
+    if (!isSlope) columns.col(0) = (l.residuals - null_.fit.optimum.residuals) / secant;
+    return columns.allFinite() ? std::optional(std::move(columns)) : std::nullopt;
+}
+
+std::vector<GridPlan> Prober::plansFor(double waves) const {
+    std::vector<GridPlan> plans = plans_;
+    for (std::size_t e = 0; e < std::min(plans.size(), course_.size()); ++e) {
+        const std::vector<double>& x = course_[e];
+        std::vector<int> needed;
+        for (std::size_t k = 0; k + 1 < x.size(); ++k) {
+            const double steps = std::ceil(waves * std::abs(x[k + 1] - x[k]) / mostOfAWave);
+            needed.push_back(static_cast<int>(std::clamp(steps, 1.0, 1.0 * mostStepsOfAWave)));
+        }
+        plans[e] = refined(plans[e], needed);
+    }
+    return plans;
+}
+
+bool Prober::takeWave(const std::map<std::string, double>& shape, Probe& probe) {
+    const EffectClass& effect = placed_.effect;
+    const auto waves = shape.find(effect.waves);
+    const std::vector<GridPlan> plans = plansFor(waves == shape.end() ? 1 : waves->second);
+    Eigen::MatrixXd both(null_.fit.optimum.residuals.size(), 2);
+    for (const int quarter : {0, 1}) {
+        set(placed_.instance + "." + effect.phase, quarter * quarterTurn);
+        const std::optional<Eigen::MatrixXd> columns = traces(0, plans);
+        if (!columns) return false;
+        both.col(quarter) = columns->col(0);
+    }
+    probe.plain = plainScore(both);
+    probe.whitened = whitenedScore(both);
+    const Eigen::Vector2d parts = probe.plain.strengths;
+    const double strength = parts.norm();
+    probe.column = strength > 0 ? Eigen::VectorXd(both * parts / strength) : Eigen::VectorXd(both.col(0));
+    probe.plain.visible = plainScore(probe.column).visible;
+    probe.whitened.visible = whitenedScore(probe.column).visible;
+    probe.plain.strengths = Eigen::VectorXd::Constant(1, strength);
+    probe.values[effect.phase] = std::atan2(parts[1], parts[0]);
+    probe.isAlongRecorded = wired_.task.imposed.has_value();
+    return true;
+}
+
+}  // namespace analogon

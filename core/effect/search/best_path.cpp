@@ -1,0 +1,198 @@
+#include "core/effect/search/best_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/effect/judge/judgement.hpp"
+#include "core/effect/judge/reason.hpp"
+#include "core/effect/search/context.hpp"
+#include "core/effect/search/course_search.hpp"
+#include "core/effect/search/laws.hpp"
+#include "core/effect/search/pair.hpp"
+#include "core/effect/search/path.hpp"
+#include "core/effect/search/prune.hpp"
+#include "core/effect/search/recordings.hpp"
+#include "core/effect/search/trials.hpp"
+#include "core/effect/thresholds.hpp"
+
+namespace analogon {
+
+using namespace threshold::paths;
+
+namespace {
+
+/// What is tried first of all. Noise with a memory is no missing effect, but a weak one may lie in it.
+Round firstRound(SearchContext& search, NullModel& base) {
+    Round first = tryAll(search, base);
+    if (search.progress.stopRequested()) return first;
+    decide(search, base, first);
+    while (allowForRecordings(search, base, first)) {
+        first = tryAll(search, base);
+        decide(search, base, first);
+    }
+    if (first.chosen && !isClearlyMissed(first.acceptance) && isColouredNoise(search, base))
+        first.passOver(phrase("what is left is noise with a memory, and this explains too little of it"));
+    return first;
+}
+
+/// The other effects with which the search may begin: they pass the same tests alone.
+std::vector<std::size_t> otherBeginnings(const NullModel& null, const Round& round) {
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < round.trials.size() && others.size() < otherPaths; ++i) {
+        const Trial& t = round.trials[i];
+        if (!t.ok || isProposal(t) || isAtBound(t) || t.evidence < rivalShare * round.trials[*round.chosen].evidence)
+            continue;
+        if (i == *round.chosen || std::find(round.members.begin(), round.members.end(), i) != round.members.end())
+            continue;
+        if (examine(null, t.fit, t.freed(), round.threshold).accepted()) others.push_back(i);
+    }
+    return others;
+}
+
+/// Whether a path ends better than another: of two accounts that are as good and as simple, the one by names.
+bool isBetter(const SearchContext& search, const Node& path, const Node& than) {
+    const auto misfit = [](const Node& p) {
+        const double rows = static_cast<double>(p.null.fit.optimum.residuals.size());
+        return p.null.sumOfSquares() + p.null.parameterCount() * std::log(rows);
+    };
+    const double gain = independentShare(path.null, path.null.fit) * (misfit(than) - misfit(path));
+    const bool isNamed = hasProposal(than.null) && !hasProposal(path.null) && isNoise(path.null) &&
+                         termsIn(search, path.null) <= termsIn(search, than.null);
+    return gain > (isNamed ? -equivalenceMargin : equivalenceMargin);
+}
+
+/// Whether a path with an equation is no simpler than one of names, and explains no more than these forms may be wrong
+/// by.
+bool isOnlyOfForm(const SearchContext& search, const NullModel& base, const Node& path, const Node& named) {
+    if (!hasProposal(path.null) || hasProposal(named.null) || termsIn(search, path.null) < termsIn(search, named.null))
+        return false;
+    const double explained = sumInUnitsOf(named.null, base) - named.null.sumOfSquares();
+    const double more = named.null.sumOfSquares() - sumInUnitsOf(named.null, path.null);
+    return more < errorOfForms(explained);
+}
+
+/// Keeps the better of two paths, and the other among the ends; one that leads where another went adds nothing.
+void keepBetter(SearchContext& search, Node& best, Node path, const NullModel& base) {
+    if (path.meetsAnother) return;
+    const bool isTaken = isBetter(search, path, best) && !isOnlyOfForm(search, base, path, best);
+    search.journal.model("end of path", path.null, isTaken ? "better" : "set aside");
+    if (isTaken) std::swap(best, path);
+    search.frontier.otherEnds.push_back(std::move(path));
+}
+
+/// Begins with what explains most of all that is left and fails only on the blocks left out: those are refitted to
+/// first order, which far from the optimum tells little. Where such a path leads to noise, what it found is borne out.
+void addUnprovenPaths(SearchContext& search, Node& best, const NullModel& base, const Round& first) {
+    std::size_t tried = 0;
+    for (const std::size_t begin : first.failsHeldOut) {
+        const bool isEnough = tried == otherPaths || (tried > 0 && search.work.done > mostTrialWork);
+        if (search.progress.stopRequested() || isNoise(best.null) || isEnough) return;
+        const double chi2Decrease = base.sumOfSquares() - first.trials[begin].sumOfSquares();
+        if (!(chi2Decrease > goodPart * excess(base))) continue;
+        ++tried;
+        Node path = pathFrom(search, base, first, begin);
+        if (search.frontier.beginsAnew) return;
+        if (isNoise(path.null) && !hasProposal(path.null)) keepBetter(search, best, std::move(path), base);
+    }
+}
+
+/// Begins with the halves of pairs, also where one equation took the place of names: it may stand for two that hide
+/// each other.
+void addPairPaths(SearchContext& search, Node& best, const NullModel& base, const Round& first,
+                  const std::vector<Candidate>& taken) {
+    constexpr std::size_t aPair = 2;
+    // far from an optimum no slopes tell of two effects
+    const bool isNear = reducedChi(best.null.fit) < mostForPairs || search.frontier.bestError < mostErrorForPairs;
+    if (isExplained(best, aPair) || !isNear || search.progress.stopRequested()) return;
+    const Round wider = search.work.done > mostTrialWork ? first : withPairMembers(search, base, first);
+    for (const std::size_t begin : pairBeginnings(base, wider, otherPairs, taken)) {
+        if (search.progress.stopRequested() || isExplained(best, aPair) || search.work.done > mostTrialWork) return;
+        Node path = pathFrom(search, base, wider, begin);
+        if (search.frontier.beginsAnew) return;
+        if (path.steps.size() > 1) keepBetter(search, best, std::move(path), base);  // else it has passed no test alone
+    }
+}
+
+/// The path that goes on from this one with a law that leaves next to nothing; none where no law does.
+std::optional<Node> withLaw(SearchContext& search, Node begin) {
+    if (!addLaw(search, begin) || !(reducedChi(begin.null.fit) < largeResidual)) return std::nullopt;
+    removeUnneeded(search, begin, 1);
+    Round next = tryAll(search, begin.null);
+    decide(search, begin.null, next);
+    goOn(search, begin, std::move(next));
+    return begin;
+}
+
+/// Goes on from a path with a law; true where that is the better end. As many terms as there are names are no simpler,
+/// and were chosen from far more.
+bool addLawPath(SearchContext& search, Node& best, const NullModel& base, Node begin) {
+    if (!isNoise(best.null) && reducedChi(best.null.fit) < structuredResidual) return false;
+    std::optional<Node> path = withLaw(search, std::move(begin));
+    if (search.frontier.beginsAnew || !path) return false;
+    const bool isTaken = isBetter(search, *path, best) && !isOnlyOfForm(search, base, *path, best);
+    search.journal.model("end of path", path->null, isTaken ? "better" : "set aside");
+    if (!isTaken) {
+        search.frontier.otherEnds.push_back(std::move(*path));
+        return false;
+    }
+    if (isNoise(best.null) && termsIn(search, path->null) >= termsIn(search, best.null)) return false;
+    search.frontier.otherEnds.push_back(std::move(best));
+    best = std::move(*path);
+    return isNoise(best.null);
+}
+
+}  // namespace
+
+bool isExplained(const Node& path, std::size_t most) {
+    return isNoise(path.null) && !hasProposal(path.null) && path.null.variant.effects.size() <= most;
+}
+
+Outcome<Node> bestPathFrom(SearchContext& search, NullModel& base) {
+    const Round first = firstRound(search, base);
+    Node best{base, {}};
+    if (search.progress.stopRequested()) return best;
+    if (isChangeAlone(search, base, first))
+        return bareOf(search, base, first, phrase("a parameter that changes is the better account"));
+    std::vector<std::size_t> others;
+    if (first.chosen) others = otherBeginnings(base, first);
+    goOn(search, best, first);
+    if (search.frontier.beginsAnew || search.progress.stopRequested()) return best;
+    const bool hasMore = best.steps.size() > 1 || hasProposal(best.null);
+    const std::vector<PlacedEffect>& found = best.null.variant.effects;
+    // surroundings as hot as they may be are those of something else
+    const bool isAtItsEnd = std::any_of(found.begin(), found.end(),
+                                        [&](const PlacedEffect& e) { return hasShapeAtBound(e, best.null.fit); });
+    const bool isOdd = isAtItsEnd || std::any_of(found.begin(), found.end(),
+                                                 [&](const PlacedEffect& e) { return lacksAPart(e, best.null.fit); });
+    if (!hasMore && !isOdd && (isNoise(best.null) || isColouredNoise(search, best.null))) return best;
+    if (!isNoise(best.null) && isChangeAll(search, base, best.null)) return best;
+
+    addUnprovenPaths(search, best, base, first);
+    if (search.frontier.beginsAnew) return best;
+    const bool isLawful =
+        addLawPath(search, best, base,
+                   bareOf(search, base, first, phrase("an equation without a name explains more in its place")));
+    if (search.frontier.beginsAnew || (isLawful && termsIn(search, best.null) < 2)) return best;
+    const auto placeOf = [&](std::size_t trial) { return first.trials[trial].screened.candidate.place; };
+    for (const std::size_t other : others) {
+        const bool isEnough = other != others.front() && search.work.done > mostTrialWork;
+        const bool isDone = !isOdd && reducedChi(best.null.fit) < structuredResidual;
+        if (search.progress.stopRequested() || isDone || isEnough) break;
+        // beside an effect that lacks a part and leaves noise it is what goes to the same place that it may stand for
+        if (isNoise(best.null) && !isAtItsEnd && !(placeOf(other) == placeOf(*first.chosen))) continue;
+        Node path = pathFrom(search, base, first, other);
+        if (search.frontier.beginsAnew) return best;
+        keepBetter(search, best, std::move(path), base);
+    }
+    std::vector<Candidate> taken;
+    if (first.chosen) taken.push_back(first.trials[*first.chosen].screened.candidate);
+    for (const std::size_t other : others) taken.push_back(first.trials[other].screened.candidate);
+    addPairPaths(search, best, base, first, taken);
+    if (search.frontier.beginsAnew || search.progress.stopRequested() || isNoise(best.null) ||
+        search.work.done > mostTrialWork || !search.frontier.opening)
+        return best;
+    addLawPath(search, best, base, std::move(*search.frontier.opening));
+    return best;
+}
+
+}  // namespace analogon

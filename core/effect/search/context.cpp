@@ -1,0 +1,50 @@
+#include "core/effect/search/context.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/effect/model/thin.hpp"
+#include "core/effect/thresholds.hpp"
+
+namespace analogon {
+
+using namespace threshold::paths;
+
+namespace {
+
+/// The options with limits in work alone: what is found depends on no clock, and on no other load of the machine.
+DiscoverOptions limitedInWork(DiscoverOptions options) {
+    SimulationOptions& simulation = options.fit.simulation;
+    simulation.wallClockLimit = std::numeric_limits<double>::infinity();
+    simulation.stepLimit = std::min(simulation.stepLimit, mostSteps);
+    return options;
+}
+
+}  // namespace
+
+void WorkLimit::add(double steps) {
+    done += steps;
+    if (most_ > 0 && done > most_) end_.request_stop();
+}
+
+bool Stay::isLike(const Stay& other) const {
+    return effects == other.effects && std::abs(misfit - other.misfit) < sameOptimum * misfit;
+}
+
+SearchContext::SearchContext(const EstimationTask& task, const DiscoverOptions& given, const Progress& outside)
+    : options(limitedInWork(given)),
+      work(given.mostWork, outside.stopToken()),
+      progress(work.token(), [&outside](const Progress::Report& report) { outside.report(report); }),
+      fit(options.fit),
+      journal(given.trace) {
+    readings.thinning = thinningFor(task, mostSearchedSamples);
+    readings.full.task = task;
+    readings.searched.task = thinned(task, readings.thinning);
+}
+
+Stay stayAt(const SearchContext& search, const NullModel& null, double misfit) {
+    return {keysOf(null.variant.effects), misfit, search.journal.path};
+}
+
+}  // namespace analogon

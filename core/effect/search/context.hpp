@@ -1,0 +1,90 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/effect/course/courses.hpp"
+#include "core/effect/judge/node.hpp"
+#include "core/effect/reading/readings.hpp"
+#include "core/effect/search/discover.hpp"
+#include "core/effect/search/journal.hpp"
+
+/// What one search works with and where it has been. A pass takes it beside the node that it works on.
+namespace analogon {
+
+/// Ends a search that has done as much as it may, or that is asked to stop from outside.
+class WorkLimit {
+public:
+    WorkLimit(double most, const std::stop_token& outside)
+        : most_(most), asked_(outside, [this] { end_.request_stop(); }) {}
+
+    void add(double steps);
+    double done{};       // in steps of the trials
+    int clockChanges{};  // that is, inputs drawn at other times, which must not go on for ever
+    std::stop_token token() const { return end_.get_token(); }
+
+private:
+    double most_;  // 0: no limit
+    std::stop_source end_;
+    std::stop_callback<std::function<void()>> asked_;
+};
+
+/// Where a path has been.
+struct Stay {
+    std::set<std::string> effects;  // by keysOf()
+    double misfit{};                // by one measure or another, see Frontier
+    int path{};
+
+    /// The same effects at the same optimum: what follows is known.
+    bool isLike(const Stay& other) const;
+};
+
+/// A node that may be reported, and how the recordings were read when it was reached: another reading may have been
+/// begun since.
+struct Whole {
+    Node node;
+    Readings readings;
+};
+
+/// The nodes that were reached.
+struct Frontier {
+    std::vector<Node> otherEnds{};         // of paths that explain less than the best
+    std::vector<Stay> visited{};           // with the error of the fitted data [%]
+    std::vector<Stay> lawless{};           // where no law passed, with the sum of squares
+    std::optional<Node> opening{};         // where the first choice of all led
+    std::optional<Whole> whole{};          // the best so far, of named effects: what an interrupted search reports
+    std::vector<CandidateResult> noted{};  // of the path that was walked on last
+    std::optional<Finding> begun{};        // the model as given: from there on there is something to report
+    bool beginsAnew{};                     // what was allowed for in a later round
+    double bestError{-1};                  // [%] of the fitted data
+};
+
+class SearchContext {
+public:
+    SearchContext(const EstimationTask& task, const DiscoverOptions& options, const Progress& progress);
+
+    const DiscoverOptions options;
+    WorkLimit work;
+    const Progress progress;  // stops at the limit of the work, too
+    FitOptions fit;           // of what is only searched: integrated as exactly as the noise asks for
+    std::vector<EffectClass> catalogue;
+    std::map<std::string, std::string> laws;  // texts of the classes that were written for this model, by name
+    Readings readings;
+    Courses courses;
+    Frontier frontier;
+    Journal journal;
+
+    void say(std::string stage, Text detail, double fraction) const {
+        progress.report({std::move(stage), std::move(detail), fraction, frontier.bestError});
+    }
+};
+
+/// The place of a model in the search.
+Stay stayAt(const SearchContext& search, const NullModel& null, double misfit);
+
+}  // namespace analogon

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/effect/judge/node.hpp"
+
+/// Effects tried again beside those that joined them: one in the place of another, one in the place of two.
+namespace analogon {
+
+class SearchContext;
+
+enum class Rivals { Known, New };  // of its round; what goes to its place or is the same fault of another signal
+
+/// Whether a trial explains no less than so much evidence as far as the data tell, a part (`weight`) of whose samples
+/// are independent.
+bool isLike(const Trial& trial, double evidence, double weight);
+
+/// Tries the rivals of one effect again, now that others have joined it: what came second alone may be the better
+/// half of a pair. True when one of them took its place (at the end of the list). `elsewhere`: the same effect at that
+/// place instead.
+bool replace(SearchContext& search, Node& node, std::size_t effect, Rivals wanted,
+             const EffectPlace* elsewhere = nullptr);
+
+/// Gives the rivals of every effect but the newest another chance. Bounded: each change lowers the misfit.
+bool reconsider(SearchContext& search, Node& node);
+
+/// Where a part of an effect is next to nothing, another effect may stand for that part at a place of its own: where
+/// one at that place does for both, it takes their place. True: it did.
+bool doesForBoth(SearchContext& search, Node& node, std::size_t effect, std::size_t part);
+
+/// Puts together what the search has taken apart.
+void unite(SearchContext& search, Node& node);
+
+/// What goes to the place of an effect may do as well beside the others, though no round has tried it, and so may the
+/// same fault of another signal: at the end each is held against what is new of that.
+void completeClasses(SearchContext& search, Node& node);
+
+}  // namespace analogon

@@ -1,0 +1,164 @@
+#include "core/effect/search/interrupted.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+#include "core/base/stop.hpp"
+#include "core/effect/judge/judgement.hpp"
+#include "core/effect/judge/reason.hpp"
+#include "core/effect/model/model_state.hpp"
+#include "core/effect/search/context.hpp"
+#include "core/effect/search/verdicts.hpp"
+#include "core/effect/tell/added_effects.hpp"
+
+namespace analogon {
+namespace {
+
+constexpr std::chrono::milliseconds forTelling{80};  // of work, after a stop, for what is still to be simulated
+
+/// After a stop: work that is cut short, and leaves things as they were, where it takes longer than anybody waits.
+template <class Work>
+void soon(const Work& work) {
+    const StopAfter limit(forTelling);
+    const StopScope scope(limit.token());
+    try {
+        work();
+    } catch (const Stopped&) {
+    }
+}
+
+/// Of records so long that what is made for a simulation takes longer than anybody waits.
+bool areLong(const EstimationTask& task) {
+    constexpr Eigen::Index most = 200'000;  // samples of outputs
+    Eigen::Index count = 0;
+    for (const Recording& r : task.recordings) count += static_cast<Eigen::Index>(r.time.size()) * r.outputs.rows();
+    return count > most;
+}
+
+/// What the search had no time to hold against the rest must be clear by itself.
+bool isClear(const Node& node) {
+    return isNoise(node.null) || std::all_of(node.steps.begin(), node.steps.end(), [](const Step& s) {
+               return isMissed(s.acceptance) && isClearlyMissed(s.acceptance) && s.acceptance.heldOut > leastHeldOut;
+           });
+}
+
+/// The model as given, and with the effects of a path that is not the end of the search.
+Finding tellWhole(const SearchContext& search, const Node& node, const FlatModel* valued) {
+    Finding finding = *search.frontier.begun;
+    finding.final = *node.state;
+    const auto& onTime = search.readings.drawn.errorsOnTime;
+    addEffects(finding, node, {}, valued, onTime ? onTime->first : -1);
+    finding.kind = finding.effects.empty() ? FindingKind::Interrupted
+                   : isNoise(node.null)    ? FindingKind::Effect
+                                           : FindingKind::Partial;
+    finding.interrupted = true;
+    return finding;
+}
+
+}  // namespace
+
+Outcome<ModelState> stateSoFar(const NullModel& null, const SimulationOptions& simulation) {
+    std::optional<Outcome<ModelState>> state;
+    if (!areLong(null.variant.task)) soon([&] { state = stateOf(null.variant, null.fit, simulation, {}); });
+    if (!state) state = valuesAlone(null.variant, null.fit);
+    return std::move(*state);
+}
+
+Outcome<Finding> fittedSoFar(const NullModel& null, const SimulationOptions& simulation) {
+    if (null.fit.estimates.empty()) return error(phrase("cancelled"));
+    Outcome<ModelState> state = stateSoFar(null, simulation);
+    if (!state) return state.diagnostics();
+    Finding finding;
+    finding.baseline = finding.final = std::move(*state);
+    finding.kind = FindingKind::Interrupted;
+    finding.interrupted = true;
+    return finding;
+}
+
+void reportAsRecorded(SearchContext& search, const NullModel& null, ModelState& state) {
+    if (search.readings.drawn.asRecorded.empty()) return;
+    Variant plain = search.readings.full;
+    for (std::size_t r = 0; r < search.readings.drawn.asRecorded.size(); ++r) {
+        Recording& recording = plain.task.recordings[r];
+        const Recording& from = search.readings.drawn.asRecorded[r];
+        recording.time = from.time;
+        recording.inputs = from.inputs;
+        recording.outputs = from.outputs;
+        recording.spares = from.spares;
+    }
+    Outcome<Variant> whole = withEffects(plain, null.variant.effects, null.variant.values);
+    if (!whole) return;
+    Outcome<ModelState> told = stateOf(*whole, null.fit, search.options.fit.simulation, Progress());
+    if (!told || isStopped()) return;
+    search.readings.drawn.errorsOnTime = {errorPercentOf(state, Role::Fit), validationErrorOf(state)};
+    state.experiments = std::move(told->experiments);
+    state.residual = std::move(told->residual);
+}
+
+void keepSoFar(const SearchContext& search, const std::vector<CandidateResult>& candidates) {
+    const Frontier& frontier = search.frontier;
+    if (!search.options.keep || !frontier.begun) return;
+    Finding finding = frontier.whole && isClear(frontier.whole->node) ? tellWhole(search, frontier.whole->node, nullptr)
+                                                                      : *frontier.begun;
+    finding.candidates = candidates;
+    settleVerdicts(finding, finding.candidates);
+    search.options.keep(std::move(finding));
+}
+
+namespace {
+
+/// The recordings as they were read when a node was reached; start values of checks stay estimated.
+void readAsThen(SearchContext& search, const Whole& whole) {
+    const std::vector<ToldStart> checks = std::move(search.readings.checkStarts);
+    search.readings = whole.readings;
+    search.readings.checkStarts = checks;
+    setFitted(search.readings.full.task, checks, true);
+}
+
+/// The start values that were estimated for checks, and the recordings as they are, in what is told of a node.
+void takeChecksAndRecordings(SearchContext& search, Node& node) {
+    if (!search.readings.checkStarts.empty()) {
+        setFitted(node.null.variant.task, search.readings.checkStarts, true);
+        Outcome<ModelState> found = stateOf(node.null.variant, node.null.fit, search.options.fit.simulation, {});
+        if (found && !isStopped()) node.state = std::move(*found);
+    }
+    reportAsRecorded(search, node.null, *node.state);
+}
+
+}  // namespace
+
+Outcome<Finding> foundSoFar(SearchContext& search, const NullModel& first) {
+    Frontier& frontier = search.frontier;
+    if (!frontier.begun) {
+        Outcome<Finding> fitted = fittedSoFar(first, search.options.fit.simulation);
+        if (!fitted) return fitted;
+        frontier.begun = std::move(*fitted);
+    }
+    const bool hasEffects = frontier.whole && isClear(frontier.whole->node);
+    std::optional<FlatModel> valued;
+    if (hasEffects) {
+        Node& whole = frontier.whole->node;
+        readAsThen(search, *frontier.whole);
+        soon([&] { takeChecksAndRecordings(search, whole); });
+        soon([&] {
+            if (Outcome<FlatModel> flat = flattened(whole.null.variant.task, whole.state->modelText); flat)
+                valued = std::move(*flat);
+        });
+    }
+    Finding finding =
+        hasEffects ? tellWhole(search, frontier.whole->node, valued ? &*valued : nullptr) : *frontier.begun;
+    finding.candidates = hasEffects ? frontier.whole->node.candidates : frontier.noted;
+    const Text why = takenOut(phrase("the search was stopped before it was borne out"));
+    for (CandidateResult& c : finding.candidates)
+        if (c.verdict == Verdict::Chosen &&
+            std::none_of(finding.effects.begin(), finding.effects.end(),
+                         [&](const AddedEffect& e) { return e.kind == c.kind && e.at == c.at; })) {
+            c.verdict = Verdict::NotSignificant;
+            c.reason = why;
+        }
+    settleVerdicts(finding, finding.candidates);
+    return finding;
+}
+
+}  // namespace analogon

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/effect/catalogue/finding.hpp"
+#include "core/effect/reading/mistaken_unit.hpp"
+
+namespace analogon {
+
+class SearchContext;
+
+/// What is found where numbers are in another unit than the recordings say: whatever an effect would explain beside
+/// them is that.
+Finding besideMistake(const SearchContext& search, Finding finding, const NullModel& null, const MistakenUnit& mistake);
+
+}  // namespace analogon

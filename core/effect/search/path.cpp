@@ -1,0 +1,145 @@
+#include "core/effect/search/path.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/effect/judge/judgement.hpp"
+#include "core/effect/judge/reason.hpp"
+#include "core/effect/model/model_state.hpp"
+#include "core/effect/search/context.hpp"
+#include "core/effect/search/exchange.hpp"
+#include "core/effect/search/interrupted.hpp"
+#include "core/effect/search/pair.hpp"
+#include "core/effect/search/prune.hpp"
+#include "core/effect/search/recordings.hpp"
+#include "core/effect/search/redraw.hpp"
+#include "core/effect/search/refine.hpp"
+#include "core/effect/search/verdicts.hpp"
+
+namespace analogon {
+
+bool isWithinForms(const Node& node, double evidence) {
+    double explained = 0;
+    for (const Step& each : node.steps) explained += each.acceptance.evidence;
+    return evidence < errorOfForms(explained);
+}
+
+namespace {
+
+/// Adds what a round has chosen, and what was chosen together with it (`other`), to a path; false where no fit with it
+/// can be done: the model without it stands.
+bool addChoices(SearchContext& search, Node& path, const Round& round, const std::optional<Round>& other) {
+    const std::size_t stood = path.steps.size();
+    path.steps.push_back(stepOf(search, path.null, round));
+    if (other) {
+        noteAll(search, path, *other);
+        path.steps.push_back(stepOf(search, path.null, *other));
+    }
+    for (std::size_t i = stood; i < path.steps.size(); ++i) {
+        const Candidate& chosen = path.steps[i].winner.screened.candidate;
+        search.journal.test("choose", keyOf(chosen.effect, chosen.place), path.steps[i].acceptance, "chosen");
+    }
+    const Variant wider = path.steps.back().winner.variant;
+    // the noise shows better with every effect that is explained
+    Outcome<NullModel> next = fitNull(wider, path.null.noise, NoiseLevel::Estimate, search.fit, search.progress);
+    if (!next) next = fitNull(wider, path.null.noise, NoiseLevel::Keep, search.fit, search.progress);
+    if (!next) {
+        for (; path.steps.size() > stood; path.steps.pop_back())
+            setVerdict(search, path, path.steps.back().winner.screened.candidate, Verdict::NotSignificant,
+                       phrase("could not be fitted: {}", next.diagnostics().front().message));
+        return false;
+    }
+    path.null = std::move(*next);
+    return true;
+}
+
+/// What the round has chosen, weighed against what was chosen before it.
+void weighAgain(SearchContext& search, Node& path) {
+    sharpen(search, path);
+    reconsider(search, path);
+    crossOver(search, path);
+    removeUnneeded(search, path, 1);  // a single one has just passed its tests
+    treatAlike(search, path);
+}
+
+/// Keeps the node where it is the best so far; true where the search has been there before.
+bool isKnown(SearchContext& search, Node& path) {
+    Outcome<ModelState> after = stateOf(path.null.variant, path.null.fit, search.fit.simulation, search.progress);
+    if (!after || search.progress.stopRequested()) return false;
+    Frontier& frontier = search.frontier;
+    const double error = errorPercentOf(*after, Role::Fit);
+    frontier.bestError = std::min(frontier.bestError, error);
+    if (!hasProposal(path.null) &&
+        !(frontier.whole && errorPercentOf(*frontier.whole->node.state, Role::Fit) <= error)) {
+        frontier.whole = Whole{path, search.readings};
+        frontier.whole->node.state = std::move(*after);
+        keepSoFar(search, path.candidates);
+    }
+    Stay here = stayAt(search, path.null, error);
+    const auto before =
+        std::find_if(frontier.visited.begin(), frontier.visited.end(), [&](const Stay& s) { return s.isLike(here); });
+    const bool isThere = before != frontier.visited.end();
+    path.meetsAnother = isThere && before->path != search.journal.path;
+    if (!isThere) frontier.visited.push_back(std::move(here));
+    return isThere;
+}
+
+/// One round beside a path; false where the path ends.
+bool goOnByOne(SearchContext& search, Node& path, Round round) {
+    Frontier& frontier = search.frontier;
+    const bool isFirst = search.journal.round == 1;
+    if (!isFirst) decide(search, path.null, round);
+    frontier.beginsAnew = !isFirst && allowForRecordings(search, path.null, round);
+    if (frontier.beginsAnew) return false;
+    std::optional<Round> other;
+    if (!round.chosen)
+        other = chosenTogether(search, path, round);
+    else if (isWithinForms(path, std::max(round.acceptance.evidence, round.acceptance.effective)))
+        round.passOver(phrase("explains no more than the forms of the effects that were found may be wrong by"));
+    if (search.progress.stopRequested()) return false;
+    noteAll(search, path, round);
+    if (!round.chosen || !addChoices(search, path, round, other)) return false;
+    weighAgain(search, path);
+    frontier.beginsAnew = takesEdgesForDelays(search, path.null);
+    if (frontier.beginsAnew || isKnown(search, path)) return false;
+    if (!frontier.opening) frontier.opening = path;
+    return true;
+}
+
+}  // namespace
+
+void goOn(SearchContext& search, Node& path, Round first) {
+    Journal& journal = search.journal;
+    ++journal.path;
+    journal.round = 0;
+    journal.model("path", path.null, "begun");
+    for (journal.round = 1; journal.round <= search.options.maxRounds && !search.progress.stopRequested();
+         ++journal.round) {
+        Round round = journal.round == 1 ? std::move(first) : tryAll(search, path.null);
+        if (search.progress.stopRequested() || !goOnByOne(search, path, std::move(round))) break;
+    }
+    journal.model("path", path.null,
+                  search.frontier.beginsAnew ? "begins anew beside the recordings"
+                  : path.meetsAnother        ? "meets another"
+                                             : "ended");
+}
+
+Node pathFrom(SearchContext& search, const NullModel& base, Round round, std::size_t begin) {
+    round.passOver(phrase("the search came to a better end from {}", nameOf(round.candidate(begin))));
+    round.chosen = begin;
+    round.members = equivalents(base, round.trials, begin);
+    round.acceptance = examine(base, round.trials[begin].fit, round.trials[begin].freed(), round.threshold);
+    Node path{base, {}};
+    goOn(search, path, std::move(round));
+    return path;
+}
+
+Node bareOf(SearchContext& search, const NullModel& base, Round first, const Text& why) {
+    first.passOver(why);
+    Node bare{base, {}};
+    search.journal.round = 1;
+    noteAll(search, bare, first);
+    return bare;
+}
+
+}  // namespace analogon

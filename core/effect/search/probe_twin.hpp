@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/effect/block/screen.hpp"
+#include "core/effect/thresholds.hpp"
+
+namespace analogon {
+
+using threshold::rounds::twinCorrelation;
+
+/// Whether two probes promise the same: one direction each, and that alike.
+bool isTwin(const Probe& a, const Probe& b);
+
+/// Whether any probe of a candidate promises the same as this one.
+bool isTwin(const Probe& probe, const Screened& candidate);
+
+}  // namespace analogon

@@ -1,0 +1,192 @@
+#include "core/effect/search/prune.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <mutex>
+
+#include "core/base/parallel.hpp"
+#include "core/effect/judge/judgement.hpp"
+#include "core/effect/judge/reason.hpp"
+#include "core/effect/judge/remainder.hpp"
+#include "core/effect/model/model_state.hpp"
+#include "core/effect/search/context.hpp"
+#include "core/effect/search/verdicts.hpp"
+#include "core/effect/search/without.hpp"
+
+namespace analogon {
+namespace {
+
+/// The error that is left without the effect of a step, by the model refitted without it.
+void tellErrorWithout(const SearchContext& search, Step& step, const NullModel& without) {
+    if (Outcome<ModelState> state =
+            stateOf(without.variant, without.fit, search.fit.simulation, search.progress, Detail::Errors))
+        step.errorWithout = errorPercentOf(*state, Role::Fit);
+}
+
+}  // namespace
+
+bool isColouredNoise(const SearchContext& search, const NullModel& null) {
+    if (isNoise(null)) return false;
+    return leftovers(null, search.fit.simulation).isNoiseAlone();
+}
+
+Need needOf(const SearchContext& search, const NullModel& null, std::size_t effect, const NullModel& without,
+            const Acceptance& missed, bool isLast, const std::function<BesideDisturbance(std::size_t most)>& beside) {
+    const PlacedEffect& placed = null.variant.effects[effect];
+    const bool leavesNoise = isNoise(null);
+    if (!isMissed(missed)) return {whyRefused(missed, 0)};
+    if (!isTold(placed, null.fit.estimates, missed, leavesNoise)) return {indistinct()};
+    if (isAtBound(placed, null.fit)) return {atBound()};
+    if (!isLast) return {};
+    if (!leavesNoise && drivesToBound(without.fit, null.fit))
+        return {
+            phrase("with it a parameter of the model rests at a bound: it does the work of what is known to be there")};
+    if (!(missed.heldOut > leastHeldOut)) return {whyRefused(missed, leastHeldOut)};
+    if (leavesNoise && !(missed.evidence < beyondDoubt)) return {};
+    // what is constant hardly differs from a flow that varies slowly, and noise with a memory is noise as well
+    const bool isNoiseLeft = leavesNoise || isColouredNoise(search, null);
+    const std::size_t most = isNoiseLeft ? 1 : mostDisturbances;
+    const BesideDisturbance disturbed = besideDisturbance(without, search.fit.simulation, search.progress, most);
+    const BesideDisturbance with = beside(most);
+    const Eigen::Index rows = null.fit.optimum.residuals.size();
+    const int freed = static_cast<int>(placed.freed.size());
+    const bool isMore =
+        isNoiseLeft ? isLikelier(disturbed, with, rows, freed) : isBorneOut(disturbed, with, rows, freed);
+    return {isMore ? Text() : noMoreThanDisturbance(), evidenceBeside(disturbed, with, rows, freed)};
+}
+
+namespace {
+
+/// How a model does without one of its effects.
+struct Judged {
+    std::optional<NullModel> without;  // empty: it cannot be fitted
+    Acceptance missed;
+    Need need;
+};
+
+/// The disturbance beside a model as it stands, found when first asked for, by any thread.
+class DisturbanceOnce {
+public:
+    const BesideDisturbance& of(const SearchContext& search, const NullModel& null, std::size_t most) {
+        const std::lock_guard lock(guard_);
+        if (!known_) known_ = besideDisturbance(null, search.fit.simulation, search.progress, most);
+        return *known_;
+    }
+    void forget() { known_.reset(); }
+
+private:
+    std::mutex guard_;
+    std::optional<BesideDisturbance> known_;
+};
+
+Judged judge(const SearchContext& search, const Node& node, std::size_t effect, bool isLast, DisturbanceOnce& beside) {
+    const PlacedEffect& placed = node.null.variant.effects[effect];
+    search.say("remove", phrase("{} at {}", placed.effect.kind, placed.place.at), -1);
+    Judged judged{without(search, node.null, effect), {}, {}};
+    if (!judged.without) return judged;
+    judged.missed = examine(*judged.without, node.null.fit, static_cast<int>(placed.freed.size()), 0);
+    judged.need = needOf(search, node.null, effect, *judged.without, judged.missed, isLast,
+                         [&](std::size_t most) { return beside.of(search, node.null, most); });
+    return judged;
+}
+
+void tellJudged(const Journal& journal, const PlacedEffect& placed, const Judged& judged) {
+    const Text& why = judged.need.whyNot;
+    const std::string verdict = why.empty() ? "kept" : "taken out", key = keyOf(placed.effect, placed.place);
+    journal.test("missed", key, judged.missed, verdict, why);
+    if (judged.need.besideDisturbance)
+        journal.add("beside disturbance", key, {{"delta_bic", -*judged.need.besideDisturbance}}, verdict);
+}
+
+}  // namespace
+
+void removeUnneeded(SearchContext& search, Node& node, std::size_t least, bool isLast) {
+    DisturbanceOnce beside;
+    std::vector<Judged> judged;
+    std::size_t first = 0;  // of these
+    for (std::size_t i = 0; i < node.steps.size() && node.steps.size() > least && !search.progress.stopRequested();) {
+        if (i >= first + judged.size()) {
+            first = i;
+            const auto atOnce = static_cast<std::size_t>(threadCount(search.options.threads));
+            judged.assign(std::min(node.steps.size() - i, atOnce), {});
+            parallelFor(static_cast<int>(judged.size()), search.options.threads, [&](int k) {
+                const auto next = static_cast<std::size_t>(k);
+                judged[next] = judge(search, node, first + next, isLast, beside);
+            });
+        }
+        Judged& own = judged[i - first];
+        if (!own.without) {
+            ++i;
+            continue;
+        }
+        const PlacedEffect& placed = node.null.variant.effects[i];
+        tellJudged(search.journal, placed, own);
+        if (own.need.whyNot.empty()) {
+            node.steps[i].acceptance = own.missed;
+            node.steps[i].chi2Decrease = own.without->sumOfSquares() - node.null.sumOfSquares();
+            tellErrorWithout(search, node.steps[i], *own.without);
+            ++i;
+            continue;
+        }
+        setVerdict(search, node, placed, Verdict::NotSignificant, takenOut(own.need.whyNot));
+        if (hasProposal(node.null) && placed.effect.proposal.empty()) node.displaced.push_back({placed, node.steps[i]});
+        node.null = std::move(*own.without);
+        beside.forget();
+        node.steps.erase(node.steps.begin() + static_cast<std::ptrdiff_t>(i));
+        judged.clear();
+        first = i = 0;
+    }
+}
+
+void removeOutweighed(SearchContext& search, Node& node, double share) {
+    while (!search.progress.stopRequested()) {
+        std::optional<std::size_t> least;
+        for (std::size_t i = 0; i < node.steps.size(); ++i)
+            if (node.null.variant.effects[i].effect.proposal.empty() &&
+                (!least || node.steps[i].chi2Decrease < node.steps[*least].chi2Decrease))
+                least = i;
+        const Text why = explainsLittle();
+        if (!least || outweighsRest(node.steps[*least].chi2Decrease, node.null, share) ||
+            !takeOut(search, node, *least, why))
+            return;
+        removeUnneeded(search, node, 0, true);
+    }
+}
+
+bool dropIndistinct(SearchContext& search, const NullModel& last, const ModelState& state, Node& node) {
+    // where the fit found no errors at all they tell nothing of an effect
+    if (std::none_of(state.parameters.begin(), state.parameters.end(),
+                     [](const FitEstimate& e) { return std::isfinite(e.standardError); }))
+        return false;
+    const std::vector<PlacedEffect>& effects = last.variant.effects;
+    for (std::size_t i = 0; i < effects.size(); ++i) {
+        if (!isTold(effects[i], state.parameters, node.steps[i].acceptance, isNoise(last)) &&
+            takeOut(search, node, i, indistinct()))
+            return true;
+    }
+    return false;
+}
+
+bool dropUnmissed(SearchContext& search, const NullModel& last, Node& node) {
+    std::optional<std::size_t> least;
+    Text why;
+    double leastEvidence = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < node.steps.size() && !search.progress.stopRequested(); ++i) {
+        search.say("remove", phrase("{} at {}", last.variant.effects[i].effect.kind, last.variant.effects[i].place.at),
+                   -1);
+        const std::optional<NullModel> rest = withoutOnAll(search, last, i);
+        if (!rest) continue;
+        const Acceptance missed = examine(*rest, last.fit, static_cast<int>(last.variant.effects[i].freed.size()), 0);
+        if (isMissed(missed)) {
+            node.steps[i].acceptance = missed;
+            tellErrorWithout(search, node.steps[i], *rest);
+        } else if (missed.evidence < leastEvidence) {
+            least = i;
+            why = phrase("on all samples instead of means of them: {}", whyRefused(missed, 0));
+            leastEvidence = missed.evidence;
+        }
+    }
+    return least && !search.progress.stopRequested() && takeOut(search, node, *least, why);
+}
+
+}  // namespace analogon

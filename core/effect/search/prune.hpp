@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "core/effect/judge/disturbance.hpp"
+#include "core/effect/judge/node.hpp"
+
+/// Takes effects out again that the model does not miss.
+namespace analogon {
+
+class SearchContext;
+
+/// Why an effect need not stay.
+struct Need {
+    Text whyNot;                                // empty: it has to
+    std::optional<double> besideDisturbance{};  // evidence for it beside a disturbance, where that was asked
+};
+
+/// Whether what is left is noise, of which a part has a memory; where a record is too short to tell, it is not.
+bool isColouredNoise(const SearchContext& search, const NullModel& null);
+
+/// Whether an effect, missed by so much, has to stay. `beside`: of the model as it stands, once it is
+/// asked for. At the last, where something is left that nothing explains, the effect must be more than what a
+/// disturbance takes over; where noise is left, a weak one must be likelier.
+Need needOf(const SearchContext& search, const NullModel& null, std::size_t effect, const NullModel& without,
+            const Acceptance& missed, bool isLast, const std::function<BesideDisturbance(std::size_t most)>& beside);
+
+/// Takes each effect out again and keeps only those that are missed. As many as there are threads are judged at once;
+/// what was judged beside one that is taken out is judged anew.
+void removeUnneeded(SearchContext& search, Node& node, std::size_t least, bool isLast = false);
+
+/// Takes out the names that explain little against what is left beside them, least first: the others are judged without
+/// it.
+void removeOutweighed(SearchContext& search, Node& node, double share);
+
+/// Of the last refit, an effect whose strength as it would be reported is not distinguishable from 0 is taken out of
+/// the model of the search; false: there is none.
+bool dropIndistinct(SearchContext& search, const NullModel& last, const ModelState& state, Node& node);
+
+/// Means of neighbouring samples blur what is faster than they are, and an effect can mend just that. On all samples
+/// each must be missed as well; true: one was not, and is taken out of the model of the search.
+bool dropUnmissed(SearchContext& search, const NullModel& last, Node& node);
+
+}  // namespace analogon

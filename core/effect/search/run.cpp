@@ -1,0 +1,298 @@
+#include "core/effect/search/run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/base/stop.hpp"
+#include "core/base/stopwatch.hpp"
+#include "core/effect/catalogue/kinds.hpp"
+#include "core/effect/judge/caution.hpp"
+#include "core/effect/model/model_state.hpp"
+#include "core/effect/search/beside_recordings.hpp"
+#include "core/effect/search/conclude.hpp"
+#include "core/effect/search/course_search.hpp"
+#include "core/effect/search/experiments.hpp"
+#include "core/effect/search/first_fit.hpp"
+#include "core/effect/search/held_values.hpp"
+#include "core/effect/search/interrupted.hpp"
+#include "core/effect/search/mistaken_reading.hpp"
+#include "core/effect/search/prune.hpp"
+#include "core/effect/search/recordings.hpp"
+#include "core/effect/search/redraw.hpp"
+#include "core/effect/search/starts.hpp"
+
+namespace analogon {
+
+Outcome<Finding> Run::run() {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto found = [this]() -> Outcome<Finding> {
+        try {
+            const StopScope scope(search_.progress.stopToken());
+            Outcome<Finding> whole = searched();
+            stopPoint();  // what was passed over since then may have changed what it says
+            return whole;
+        } catch (const Stopped&) {
+            const std::stop_source nobody;  // asks what is told now to stop, whatever is in force outside
+            const StopScope scope(nobody.get_token());
+            return foundSoFar(search_, first_);
+        }
+    };
+    Outcome<Finding> finding = found();
+    if (!finding) return finding;
+    finding->seconds = secondsSince(begin);
+    search_.journal.finding(*finding);
+    return finding;
+}
+
+Outcome<Finding> Run::searched() {
+    for (const auto phase : {&Run::chooseCatalogue, &Run::fitAsGiven, &Run::tellAsGiven})
+        if (const Outcome<Done> done = (this->*phase)(); !done) return done.diagnostics();
+    if (isNotToBeSearched()) return std::move(end_.finding);
+    if (const Outcome<Done> done = seekBestPath(); !done) return done.diagnostics();
+    freeChecks();
+    concludeBestPath();
+    weighHeldValues();
+    if (const Outcome<Done> done = fitAtLast(); !done) return done.diagnostics();
+    return tellEnding(search_, std::move(end_));
+}
+
+/// The effects of the libraries that are asked for.
+Outcome<Done> Run::chooseCatalogue() {
+    Outcome<std::vector<EffectClass>> catalogue = effectCatalogue(search_.readings.searched.task.library);
+    if (!catalogue) return catalogue.diagnostics();
+    for (const Diagnostic& w : catalogue.diagnostics()) end_.finding.warnings.push_back(format(w));
+    const std::vector<std::string>& kinds = search_.options.kinds;
+    const std::vector<EffectChoice>& choices = search_.options.choices;
+    if (Diagnostics faults = unknownKinds(kinds, *catalogue); !faults.empty()) return faults;
+    if (!kinds.empty())
+        std::erase_if(*catalogue, [&](const EffectClass& e) {
+            return std::find(kinds.begin(), kinds.end(), e.kind) == kinds.end();
+        });
+    if (!choices.empty())  // their places are chosen among those of these classes alone
+        std::erase_if(*catalogue, [&](const EffectClass& e) {
+            return std::none_of(choices.begin(), choices.end(),
+                                [&](const EffectChoice& c) { return c.className == e.className; });
+        });
+    search_.catalogue = std::move(*catalogue);
+    return Done{};
+}
+
+Outcome<Done> Run::fitOnAll() {
+    if (search_.readings.thinning < 2) return Done{};
+    Outcome<NullModel> fitted =
+        fitNull(search_.readings.full, {}, NoiseLevel::Estimate, search_.options.fit, search_.progress);
+    if (!fitted) return fitted.diagnostics();
+    onAll_ = std::move(*fitted);
+    return Done{};
+}
+
+/// The model as given, fitted to sound samples from where it comes to its best optimum.
+Outcome<Done> Run::fitAsGiven() {
+    Readings& readings = search_.readings;
+    std::vector<Text>& warnings = end_.finding.warnings;
+    search_.say("fit", readings.searched.task.className, 0);
+    first_.variant = readings.searched;
+    const FitOptions fromAnywhere = beginningAnywhere(search_.options.fit);
+    if (Outcome<Done> fitted = fitNull(first_, NoiseLevel::Estimate, fromAnywhere, search_.progress); !fitted)
+        return fitted.diagnostics();
+    Outcome<NullModel> null = first_;
+    if (null->beginning) {  // what follows begins where the model can be simulated
+        readings.searched.values = readings.full.values = null->beginning->values;
+        warnings.push_back(null->beginning->remark);
+    }
+    if (const Outcome<Done> fitted = fitOnAll(); !fitted) return fitted.diagnostics();
+    search_.journal.model("null fit", *null, "fitted");
+    const bool hasFaults = leaveOutFaults(search_, onAll_ ? *onAll_ : *null);
+    if (hasFaults) null = fitNull(readings.searched, {}, NoiseLevel::Estimate, search_.options.fit, search_.progress);
+    if (!null) return null.diagnostics();
+    const bool isElsewhere = beginElsewhere(search_, *null);
+    if (isElsewhere)
+        warnings.push_back(
+            phrase("from the start values of the study the fit ends at a poorer optimum: the search begins at the best "
+                   "of {} starts about them",
+                   1 + otherStarts));
+    if (onAll_) {
+        warnings.push_back(
+            phrase("long recordings: the search works on means of {} samples, the fit before "
+                   "and after it on all of them",
+                   readings.thinning));
+        if (hasFaults || isElsewhere)
+            if (const Outcome<Done> fitted = fitOnAll(); !fitted) return fitted.diagnostics();
+    }
+    end_.base = std::move(*null);
+    return Done{};
+}
+
+void Run::keepAsInterrupted() {
+    search_.frontier.begun = end_.finding;
+    search_.frontier.begun->kind = FindingKind::Interrupted;
+    search_.frontier.begun->interrupted = true;
+}
+
+Outcome<Done> Run::tellAsGiven() {
+    const NullModel& given = onAll_ ? *onAll_ : end_.base;
+    const SimulationOptions& simulation = search_.options.fit.simulation;
+    Outcome<ModelState> state = stateOf(given.variant, given.fit, simulation, search_.progress);
+    if (!state) return state.diagnostics();
+    end_.finding.baseline = end_.finding.final = std::move(*state);
+    search_.frontier.bestError = errorPercentOf(end_.finding.baseline, Role::Fit);
+    asGiven_ = {given.variant, given.fit};
+    asGiven_.fit.optimum = {};
+    stopPoint();
+    keepAsInterrupted();
+    keepSoFar(search_, {});
+    search_.journal.model("null fit", end_.base, "base");
+    search_.fit.simulation.relativeTolerance = toleranceBeside(end_.base, simulation.relativeTolerance);
+    return Done{};
+}
+
+/// Whether numbers are in another unit than the recordings say; what is found is told of that then.
+bool Run::isOfMistakenUnit() {
+    const Variant given{search_.readings.searched.task, {}, {}};
+    const auto mistake = mistakenUnit(end_.base, given, search_.fit, search_.progress);
+    if (!mistake) return false;
+    // numbers in another unit may only make up for a record that begins elsewhere than the model
+    const std::optional<Begun> begun = findBeginning(search_, end_.base, Against::Noise, 0);
+    const bool isOfBeginning = begun && begun->sumOfSquares < mistake->read.sumOfSquares();
+    search_.journal.add("reading", "unit " + mistake->unit + " as " + mistake->likely,
+                        {{"sum_of_squares", mistake->read.sumOfSquares()}}, isOfBeginning ? "set aside" : "accepted");
+    if (isOfBeginning) return false;
+    end_.finding = besideMistake(search_, std::move(end_.finding), end_.base, *mistake);
+    return true;
+}
+
+bool Run::isNotToBeSearched() {
+    if (isOfMistakenUnit()) return true;
+    Text few = tooFewSamples(end_.base);
+    if (few.empty()) return false;
+    end_.finding.kind = FindingKind::Unexplained;
+    end_.finding.warnings.push_back(few);
+    end_.finding.notSearched = std::move(few);
+    return true;
+}
+
+Outcome<Done> Run::seekBestPath() {
+    Outcome<Node> best = bestPath(search_, end_.base);
+    if (!best) return best.diagnostics();
+    end_.node = std::move(*best);
+    return Done{};
+}
+
+/// Recordings that only validate begin where they are estimated to, in all that is told from here on.
+void Run::freeChecks() {
+    analogon::freeChecks(search_, end_.node.null);
+    const std::vector<ToldStart>& starts = search_.readings.checkStarts;
+    if (starts.empty()) return;
+    setFitted(asGiven_.variant.task, starts, true);
+    for (NullModel* model : {&end_.node.null, &end_.base}) setFitted(model->variant.task, starts, true);
+    for (Node& other : search_.frontier.otherEnds) setFitted(other.null.variant.task, starts, true);
+    // before and after are told alike
+    if (Outcome<ModelState> told = stateOf(asGiven_.variant, asGiven_.fit, search_.options.fit.simulation, Progress()))
+        end_.finding.final = end_.finding.baseline = std::move(*told);
+    stopPoint();
+    keepAsInterrupted();
+}
+
+/// Whether nothing was found where much is left.
+bool Run::isOpen() const {
+    return end_.node.steps.empty() && !isNoise(end_.node.null) && search_.courses.areEmpty() &&
+           end_.conclusion.leavesMuch && !search_.progress.stopRequested();
+}
+
+/// What the best path comes to, or a parameter that is not constant in its place. What explains most may be what a
+/// disturbance takes over best, or what stands on effects that are not missed; then the next best path is judged.
+void Run::concludeBestPath() {
+    const NullModel& base = end_.base;
+    const Courses& courses = search_.courses;
+    settleChange(search_, base, end_.node.null);
+    if (!courses.areEmpty()) {
+        takeOutAll(
+            search_, end_.node, base,
+            courses.change
+                ? phrase("{} that changes in mid run is the better account", courses.change->parameter)
+                : phrase("{} that moves with a recorded channel is the better account", courses.dependence->parameter));
+        end_.finding.final = end_.finding.baseline;
+    }
+    end_.conclusion = conclude(search_, end_.node, base, courses.areEmpty());
+    for (Node& other : search_.frontier.otherEnds) {
+        if (!isOpen()) break;
+        if (!(misfitIn(base, other.null) < end_.conclusion.misfit)) continue;
+        Conclusion next = conclude(search_, other, base, false);
+        const bool isBetter = other.steps.empty() ? !next.proposed.empty() && next.misfit < end_.conclusion.misfit
+                                                  : misfitIn(base, other.null) < end_.conclusion.misfit;
+        search_.journal.model("other end", other.null, isBetter ? "taken" : "set aside");
+        if (!isBetter) continue;
+        end_.node = std::move(other);
+        end_.conclusion = std::move(next);
+    }
+}
+
+/// Start values, clocks and held parameters are asked once more beside the effects that were found; and what to run
+/// next.
+void Run::weighHeldValues() {
+    stopPoint();
+    Node& node = end_.node;
+    holdUnneededStarts(search_, node.null);
+    holdUnneededClocks(search_, node.null);
+    end_.heldWrongly = takeOutAllForHeld(search_, node, end_.base);
+    if (end_.heldWrongly.empty()) {
+        end_.held = heldValues(search_, node);
+        end_.heldWrongly = takeOutForHeld(search_, node, end_.held);
+    }
+    if (!end_.heldWrongly.empty()) {
+        end_.finding.final = end_.finding.baseline;
+        end_.conclusion.proposed.clear();  // what bent for the same reason
+    }
+    end_.finding.nextExperiment = proposeExperiments(search_, node);
+    if (end_.conclusion.proposed.empty() && search_.courses.areEmpty() && !isNoise(node.null))
+        end_.places = likeliestPlaces(node.null, search_.fit.simulation, search_.progress);
+}
+
+bool Run::isAsGiven() const {
+    const Readings& readings = search_.readings;
+    return end_.node.steps.empty() && readings.freedStarts.empty() && readings.noisyInputs.empty() &&
+           readings.drawn.asRecorded.empty();
+}
+
+/// The search was content with less: the model that is reported is fitted on every sample, and integrated as exactly as
+/// was asked for. What it does not need there is taken out of it.
+Outcome<Done> Run::fitAtLast() {
+    Node& node = end_.node;
+    Readings& readings = search_.readings;
+    const FitOptions& exact = search_.options.fit;
+    const bool isQuiet = !readings.noisyInputs.empty(), isOther = onAll_ || isQuiet;
+    while (!isAsGiven()) {
+        stopPoint();
+        // what is left with the inputs as recorded is their noise; it says nothing of the component
+        if (isQuiet) end_.beforeReading = node.null;
+        Outcome<Variant> whole = node.null.variant;
+        if (isOther) whole = withEffects(readings.full, node.null.variant.effects, node.null.variant.values);
+        if (!whole) return whole.diagnostics();
+        Outcome<NullModel> fitted = fitNull(*whole, onAll_ ? onAll_->noise : node.null.noise,
+                                            isOther ? NoiseLevel::Estimate : NoiseLevel::Keep, exact, search_.progress);
+        if (!fitted) {
+            // what the search came to stands, integrated as it was there
+            end_.finding.warnings.push_back(
+                phrase("the last fit failed, the search's own stands: {}", fitted.diagnostics().front().message));
+            Outcome<ModelState> found =
+                stateOf(node.null.variant, node.null.fit, search_.fit.simulation, search_.progress);
+            if (!found) return found.diagnostics();
+            end_.finding.final = std::move(*found);
+            return Done{};
+        }
+        Outcome<ModelState> after = stateOf(fitted->variant, fitted->fit, exact.simulation, search_.progress);
+        if (!after) return after.diagnostics();
+        if (dropIndistinct(search_, *fitted, *after, node)) continue;
+        if (onAll_ && !isQuiet && dropUnmissed(search_, *fitted, node)) continue;
+        node.null = std::move(*fitted);
+        search_.journal.model("last fit", node.null, "fitted");
+        end_.finding.final = std::move(*after);
+        reportAsRecorded(search_, node.null, end_.finding.final);
+        return Done{};
+    }
+    node.null = onAll_ ? *onAll_ : end_.base;
+    return Done{};
+}
+
+}  // namespace analogon

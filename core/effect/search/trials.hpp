@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "core/effect/block/trial.hpp"
+#include "core/effect/thresholds.hpp"
+
+/// Candidates screened beside a model, and those that promise most refitted: what the blocks family proposes.
+namespace analogon {
+
+class SearchContext;
+
+using threshold::rounds::rivalShare;
+using threshold::rounds::startsPerTrial;
+
+Outcome<std::vector<Candidate>> candidatesIn(const SearchContext& search, const Variant& variant);
+
+std::vector<Screened> screenAll(const SearchContext& search, const NullModel& null);
+
+std::vector<Trial> tryThese(SearchContext& search, const NullModel& null, const std::vector<const Screened*>& chosen,
+                            int iterations, int starts);
+
+/// Takes the trials that a short fit brought to the front further.
+void continueBest(const SearchContext& search, const NullModel& null, std::vector<Trial>& trials);
+
+/// What does nearly as well as the best may only have been fitted from farther away, and what promises as much but ends
+/// worse than it began has lost its way: it begins once more where the best has led the other parameters (`values`),
+/// which left so much.
+void retryNear(SearchContext& search, const NullModel& null, const std::vector<ParameterValue>& values,
+               double sumOfSquares, std::vector<Trial>& trials);
+
+/// Refits the candidates that promise most by either score; where the residual is large against the noise, all. Beside
+/// noise alone, what promises less than would tell it apart (`leastScore`) is not worth a trial. Ranked.
+std::vector<Trial> tryBest(SearchContext& search, const NullModel& null, const std::vector<Screened>& screened,
+                           double leastScore);
+
+}  // namespace analogon

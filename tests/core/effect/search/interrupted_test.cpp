@@ -1,0 +1,64 @@
+#include "core/effect/search/interrupted.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/effect/model/model_state.hpp"
+#include "core/effect/search/path.hpp"
+#include "tests/core/effect/search/warm_search.hpp"
+
+namespace analogon {
+namespace {
+
+/// A search that came to the sensor's lag and was stopped then.
+void reachTheLag(WarmSearch& of) {
+    const Outcome<ModelState> given =
+        stateOf(of.base.variant, of.base.fit, of.search.fit.simulation, of.search.progress);
+    ASSERT_TRUE(given);
+    of.search.frontier.begun = Finding();
+    of.search.frontier.begun->baseline = of.search.frontier.begun->final = *given;
+    of.search.frontier.begun->kind = FindingKind::Interrupted;
+    Node path{of.base, {}};
+    goOn(of.search, path, of.decided());
+    ASSERT_TRUE(of.search.frontier.whole);
+}
+
+TEST(FoundSoFar, IsTheBestNodeByNames) {
+    WarmSearch of(laggingBody(3));
+    reachTheLag(of);
+    const Outcome<Finding> finding = foundSoFar(of.search, of.base);
+    ASSERT_TRUE(finding);
+    EXPECT_TRUE(finding->interrupted);
+    EXPECT_EQ(finding->kind, FindingKind::Effect);
+    ASSERT_EQ(finding->effects.size(), 1u);
+    EXPECT_EQ(finding->effects.front().kind, "sensor.lag");
+    EXPECT_LT(errorPercentOf(finding->final, Role::Fit), errorPercentOf(finding->baseline, Role::Fit));
+}
+
+TEST(FoundSoFar, IsToldWithTheRecordingsAsTheyWereReadThen) {
+    WarmSearch of(laggingBody(3));
+    reachTheLag(of);
+    // another reading has been begun since, in which the inputs are redrawn
+    of.search.readings.drawn.asRecorded = of.search.readings.full.task.recordings;
+    of.search.readings.drawn.asRecorded.front().outputs.array() += 1000;
+    const Outcome<Finding> finding = foundSoFar(of.search, of.base);
+    ASSERT_TRUE(finding);
+    EXPECT_LT(errorPercentOf(finding->final, Role::Fit), 5);
+    EXPECT_EQ(finding->final.experiments.front().outputs.front().measured,
+              of.search.frontier.whole->node.state->experiments.front().outputs.front().measured);
+}
+
+TEST(FoundSoFar, OfASearchThatReachedNothingIsTheModelAsGivenAndNoVerdict) {
+    WarmSearch of(laggingBody(3));
+    const Outcome<Finding> finding = foundSoFar(of.search, of.base);
+    ASSERT_TRUE(finding);
+    EXPECT_EQ(finding->kind, FindingKind::Interrupted);
+    EXPECT_TRUE(finding->effects.empty());
+}
+
+TEST(FoundSoFar, OfNoFitAtAllIsAFault) {
+    WarmSearch of(laggingBody(3));
+    EXPECT_FALSE(foundSoFar(of.search, NullModel()));
+}
+
+}  // namespace
+}  // namespace analogon

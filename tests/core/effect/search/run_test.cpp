@@ -1,0 +1,55 @@
+#include "core/effect/search/run.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/effect/model/model_state.hpp"
+#include "tests/core/effect/search/warm_search.hpp"
+
+namespace analogon {
+namespace {
+
+DiscoverOptions amongSensors() {
+    DiscoverOptions options;
+    options.kinds = {"sensor.lag", "sensor.offset"};
+    return options;
+}
+
+TEST(Run, NamesTheEffectAndTellsItWithItsFigures) {
+    const Outcome<Finding> finding = analogon::Run(laggingBody(3), amongSensors(), {}).run();
+    ASSERT_TRUE(finding) << format(finding.diagnostics());
+    EXPECT_EQ(finding->kind, FindingKind::Effect);
+    ASSERT_EQ(finding->effects.size(), 1u);
+    const AddedEffect& lag = finding->effects.front();
+    EXPECT_EQ(lag.kind, "sensor.lag");
+    ASSERT_FALSE(lag.parameters.empty());
+    EXPECT_NEAR(lag.parameters.front().value, 3, 5 * lag.parameters.front().standardError);
+    EXPECT_EQ(lag.evidence.errorPercentAfter, errorPercentOf(finding->final, Role::Fit));
+    EXPECT_GT(lag.evidence.errorPercentBefore, lag.evidence.errorPercentAfter);
+}
+
+TEST(Run, SaysThatNothingIsMissing) {
+    const Outcome<Finding> finding = analogon::Run(laggingBody(0), amongSensors(), {}).run();
+    ASSERT_TRUE(finding);
+    EXPECT_EQ(finding->kind, FindingKind::Adequate);
+    EXPECT_TRUE(finding->effects.empty());
+    EXPECT_FALSE(finding->candidates.empty());
+}
+
+TEST(Run, OfAKindThatIsNoneIsAFault) {
+    DiscoverOptions options;
+    options.kinds = {"sensor.leg"};
+    EXPECT_FALSE(analogon::Run(laggingBody(3), options, {}).run());
+}
+
+TEST(Run, ThatIsStoppedAtTheLimitOfItsWorkSaysSo) {
+    DiscoverOptions options = amongSensors();
+    options.mostWork = 1;
+    const Outcome<Finding> finding = analogon::Run(laggingBody(3), options, {}).run();
+    ASSERT_TRUE(finding);
+    EXPECT_TRUE(finding->interrupted);
+    EXPECT_NE(finding->kind, FindingKind::Adequate);
+    EXPECT_NE(finding->kind, FindingKind::Unexplained);
+}
+
+}  // namespace
+}  // namespace analogon

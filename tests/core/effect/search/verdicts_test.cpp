@@ -1,0 +1,58 @@
+#include "core/effect/search/verdicts.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/effect/search/warm_search.hpp"
+
+namespace analogon {
+namespace {
+
+CandidateResult line(const std::string& kind, Verdict verdict) {
+    CandidateResult c;
+    c.kind = c.className = kind;
+    c.at = "x";
+    c.verdict = verdict;
+    return c;
+}
+
+Candidate candidate(const std::string& kind) {
+    Candidate c;
+    c.effect.kind = c.effect.className = kind;
+    c.place.at = "x";
+    return c;
+}
+
+TEST(Verdicts, OfWhatIsTakenOutGoToTheLineThatWasChosen) {
+    WarmSearch of(laggingBody(0));
+    Node node;
+    node.candidates = {line("a", Verdict::Chosen), line("a", Verdict::Weaker), line("b", Verdict::Weaker)};
+    setVerdict(of.search, node, candidate("a"), Verdict::NotSignificant, Text("not missed"));
+    EXPECT_EQ(node.candidates[0].verdict, Verdict::NotSignificant);
+    EXPECT_EQ(node.candidates[0].reason.english(), "not missed");
+    EXPECT_EQ(node.candidates[1].verdict, Verdict::Weaker);
+    setVerdict(of.search, node, candidate("a"), Verdict::Chosen, {});
+    EXPECT_EQ(node.candidates[1].verdict, Verdict::Chosen) << "what is chosen is so in its last round";
+    setVerdict(of.search, node, candidate("c"), Verdict::Chosen, {});  // no line, no change
+    EXPECT_EQ(node.candidates.size(), 3u);
+}
+
+TEST(Verdicts, OfWhatWasChosenOnTheWayAndIsNotInTheEndAreSettled) {
+    Finding finding;
+    AddedEffect kept;
+    kept.kind = "a";
+    kept.at = "x";
+    kept.alternatives = {{"c", "x", 3, true}};
+    finding.effects = {kept};
+    std::vector<CandidateResult> candidates = {line("a", Verdict::Chosen), line("b", Verdict::Chosen),
+                                               line("c", Verdict::Equivalent), line("d", Verdict::Equivalent)};
+    settleVerdicts(finding, candidates);
+    EXPECT_EQ(candidates[0].verdict, Verdict::Chosen);
+    EXPECT_EQ(candidates[1].verdict, Verdict::NotSignificant);
+    EXPECT_EQ(candidates[2].verdict, Verdict::Equivalent);
+    EXPECT_EQ(candidates[3].verdict, Verdict::Weaker);
+    EXPECT_FALSE(candidates[1].reason.empty());
+    EXPECT_FALSE(candidates[3].reason.empty());
+}
+
+}  // namespace
+}  // namespace analogon
