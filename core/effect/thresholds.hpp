@@ -5,27 +5,16 @@
 #include <span>
 #include <string_view>
 
-#ifdef ANALOGON_TUNABLE_THRESHOLDS
-#include "core/effect/tuned_threshold.hpp"
-#endif
-
 /// Every number by which a search decides, in one table (thresholds.def): as a constant, threshold::GROUP::NAME, and as
 /// a list for whoever wants to see them all. A new one needs a row there and a case of the bench that fails without it.
 namespace analogon {
 
 namespace threshold {
 
-#ifdef ANALOGON_TUNABLE_THRESHOLDS
-#define THRESHOLD(group, type, name, value, unit, meaning, origin)                \
-    namespace group {                                                             \
-    inline const type name = tunedThreshold<type>(#group "." #name, type(value)); \
-    }
-#else
 #define THRESHOLD(group, type, name, value, unit, meaning, origin) \
     namespace group {                                              \
     inline constexpr type name = value;                            \
     }
-#endif
 #include "core/effect/thresholds.def"
 #undef THRESHOLD
 

@@ -10,8 +10,6 @@ namespace analogon {
 
 using namespace threshold::judgement;
 
-namespace {}  // namespace
-
 double pValue(double explained, int dof, std::size_t tried) {
     if (!(explained > 0) || dof < 1) return 1;
     const double p = boost::math::cdf(boost::math::complement(boost::math::chi_squared(dof), explained));

@@ -5,14 +5,11 @@
 
 #include "core/effect/judge/node.hpp"
 #include "core/effect/search/round.hpp"
-#include "core/effect/thresholds.hpp"
 
 /// Where a search may begin, and which of its ends is the best.
 namespace analogon {
 
 class SearchContext;
-
-using threshold::paths::mostTrialWork;
 
 /// Whether nothing is left to find: noise alone behind no more than so many named effects.
 bool isExplained(const Node& path, std::size_t most);

@@ -7,7 +7,6 @@
 #include "core/base/parallel.hpp"
 #include "core/effect/judge/judgement.hpp"
 #include "core/effect/judge/reason.hpp"
-#include "core/effect/search/best_path.hpp"
 #include "core/effect/search/context.hpp"
 #include "core/effect/search/trials.hpp"
 #include "core/effect/search/verdicts.hpp"
@@ -253,6 +252,10 @@ bool reconsider(SearchContext& search, Node& node) {
     return changed;
 }
 
+namespace {
+
+/// Where a part of an effect is next to nothing, another effect may stand for that part at a place of its own: where
+/// one at that place does for both, it takes their place. True: it did.
 bool doesForBoth(SearchContext& search, Node& node, std::size_t effect, std::size_t part) {
     const PlacedEffect &odd = node.null.variant.effects[effect], lesser = node.null.variant.effects[part];
     const bool mayGoThere = odd.effect.ports.size() == lesser.effect.ports.size() && odd.effect.signalSide.empty() &&
@@ -276,6 +279,8 @@ bool doesForBoth(SearchContext& search, Node& node, std::size_t effect, std::siz
     return true;
 }
 
+}  // namespace
+
 void unite(SearchContext& search, Node& node) {
     for (std::size_t i = 0; i < node.steps.size(); ++i)
         for (std::size_t part = 0; part < node.steps.size() && !search.progress.stopRequested(); ++part)
@@ -285,7 +290,7 @@ void unite(SearchContext& search, Node& node) {
 void completeClasses(SearchContext& search, Node& node) {
     std::size_t i = 0;
     for (std::size_t k = node.steps.size();
-         k-- > 0 && !search.progress.stopRequested() && search.work.done <= mostTrialWork;)
+         k-- > 0 && !search.progress.stopRequested() && search.work.done <= threshold::paths::mostTrialWork;)
         if (!replace(search, node, i, Rivals::New)) ++i;  // what takes a place stands at the end
 }
 

@@ -22,10 +22,6 @@ bool replace(SearchContext& search, Node& node, std::size_t effect, Rivals wante
 /// Gives the rivals of every effect but the newest another chance. Bounded: each change lowers the misfit.
 bool reconsider(SearchContext& search, Node& node);
 
-/// Where a part of an effect is next to nothing, another effect may stand for that part at a place of its own: where
-/// one at that place does for both, it takes their place. True: it did.
-bool doesForBoth(SearchContext& search, Node& node, std::size_t effect, std::size_t part);
-
 /// Puts together what the search has taken apart.
 void unite(SearchContext& search, Node& node);
 

@@ -12,8 +12,6 @@ namespace analogon {
 
 using namespace threshold::experiments;
 
-namespace {}  // namespace
-
 Text proposeExperiments(SearchContext& search, const Node& node) {
     Text text;
     int count = 0;

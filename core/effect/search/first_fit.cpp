@@ -9,8 +9,6 @@ namespace analogon {
 
 using namespace threshold::firstFit;
 
-namespace {}  // namespace
-
 FitOptions beginningAnywhere(FitOptions options) {
     options.otherStarts = startsAnywhere;
     return options;

@@ -9,6 +9,7 @@
 #include "core/effect/judge/reason.hpp"
 #include "core/effect/model/model_state.hpp"
 #include "core/effect/search/context.hpp"
+#include "core/effect/search/reading_remarks.hpp"
 #include "core/effect/search/verdicts.hpp"
 #include "core/effect/tell/added_effects.hpp"
 
@@ -74,26 +75,6 @@ Outcome<Finding> fittedSoFar(const NullModel& null, const SimulationOptions& sim
     finding.kind = FindingKind::Interrupted;
     finding.interrupted = true;
     return finding;
-}
-
-void reportAsRecorded(SearchContext& search, const NullModel& null, ModelState& state) {
-    if (search.readings.drawn.asRecorded.empty()) return;
-    Variant plain = search.readings.full;
-    for (std::size_t r = 0; r < search.readings.drawn.asRecorded.size(); ++r) {
-        Recording& recording = plain.task.recordings[r];
-        const Recording& from = search.readings.drawn.asRecorded[r];
-        recording.time = from.time;
-        recording.inputs = from.inputs;
-        recording.outputs = from.outputs;
-        recording.spares = from.spares;
-    }
-    Outcome<Variant> whole = withEffects(plain, null.variant.effects, null.variant.values);
-    if (!whole) return;
-    Outcome<ModelState> told = stateOf(*whole, null.fit, search.options.fit.simulation, Progress());
-    if (!told || isStopped()) return;
-    search.readings.drawn.errorsOnTime = {errorPercentOf(state, Role::Fit), validationErrorOf(state)};
-    state.experiments = std::move(told->experiments);
-    state.residual = std::move(told->residual);
 }
 
 void keepSoFar(const SearchContext& search, const std::vector<CandidateResult>& candidates) {

@@ -14,10 +14,6 @@ Outcome<ModelState> stateSoFar(const NullModel& null, const SimulationOptions& s
 /// What a search reports that was stopped in its first fit.
 Outcome<Finding> fittedSoFar(const NullModel& null, const SimulationOptions& simulation);
 
-/// Where the search has placed the jumps of the inputs or set their clocks, the errors are told with the recordings as
-/// they are.
-void reportAsRecorded(SearchContext& search, const NullModel& null, ModelState& state);
-
 /// Hands on what there is to tell until now, whenever that is more than before (DiscoverOptions::keep).
 void keepSoFar(const SearchContext& search, const std::vector<CandidateResult>& candidates);
 

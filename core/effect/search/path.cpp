@@ -63,7 +63,7 @@ void weighAgain(SearchContext& search, Node& path) {
 }
 
 /// Keeps the node where it is the best so far; true where the search has been there before.
-bool isKnown(SearchContext& search, Node& path) {
+bool visit(SearchContext& search, Node& path) {
     Outcome<ModelState> after = stateOf(path.null.variant, path.null.fit, search.fit.simulation, search.progress);
     if (!after || search.progress.stopRequested()) return false;
     Frontier& frontier = search.frontier;
@@ -101,7 +101,7 @@ bool goOnByOne(SearchContext& search, Node& path, Round round) {
     if (!round.chosen || !addChoices(search, path, round, other)) return false;
     weighAgain(search, path);
     frontier.beginsAnew = takesEdgesForDelays(search, path.null);
-    if (frontier.beginsAnew || isKnown(search, path)) return false;
+    if (frontier.beginsAnew || visit(search, path)) return false;
     if (!frontier.opening) frontier.opening = path;
     return true;
 }

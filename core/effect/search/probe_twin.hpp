@@ -7,10 +7,7 @@ namespace analogon {
 
 using threshold::rounds::twinCorrelation;
 
-/// Whether two probes promise the same: one direction each, and that alike.
-bool isTwin(const Probe& a, const Probe& b);
-
-/// Whether any probe of a candidate promises the same as this one.
+/// Whether any probe of a candidate promises the same as this one: one direction each, and that alike.
 bool isTwin(const Probe& probe, const Screened& candidate);
 
 }  // namespace analogon

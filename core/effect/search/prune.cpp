@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <limits>
 #include <mutex>
+#include <optional>
 
 #include "core/base/parallel.hpp"
+#include "core/effect/judge/disturbance.hpp"
 #include "core/effect/judge/judgement.hpp"
 #include "core/effect/judge/reason.hpp"
 #include "core/effect/judge/remainder.hpp"
@@ -30,38 +32,12 @@ bool isColouredNoise(const SearchContext& search, const NullModel& null) {
     return leftovers(null, search.fit.simulation).isNoiseAlone();
 }
 
-Need needOf(const SearchContext& search, const NullModel& null, std::size_t effect, const NullModel& without,
-            const Acceptance& missed, bool isLast, const std::function<BesideDisturbance(std::size_t most)>& beside) {
-    const PlacedEffect& placed = null.variant.effects[effect];
-    const bool leavesNoise = isNoise(null);
-    if (!isMissed(missed)) return {whyRefused(missed, 0)};
-    if (!isTold(placed, null.fit.estimates, missed, leavesNoise)) return {indistinct()};
-    if (isAtBound(placed, null.fit)) return {atBound()};
-    if (!isLast) return {};
-    if (!leavesNoise && drivesToBound(without.fit, null.fit))
-        return {
-            phrase("with it a parameter of the model rests at a bound: it does the work of what is known to be there")};
-    if (!(missed.heldOut > leastHeldOut)) return {whyRefused(missed, leastHeldOut)};
-    if (leavesNoise && !(missed.evidence < beyondDoubt)) return {};
-    // what is constant hardly differs from a flow that varies slowly, and noise with a memory is noise as well
-    const bool isNoiseLeft = leavesNoise || isColouredNoise(search, null);
-    const std::size_t most = isNoiseLeft ? 1 : mostDisturbances;
-    const BesideDisturbance disturbed = besideDisturbance(without, search.fit.simulation, search.progress, most);
-    const BesideDisturbance with = beside(most);
-    const Eigen::Index rows = null.fit.optimum.residuals.size();
-    const int freed = static_cast<int>(placed.freed.size());
-    const bool isMore =
-        isNoiseLeft ? isLikelier(disturbed, with, rows, freed) : isBorneOut(disturbed, with, rows, freed);
-    return {isMore ? Text() : noMoreThanDisturbance(), evidenceBeside(disturbed, with, rows, freed)};
-}
-
 namespace {
 
-/// How a model does without one of its effects.
-struct Judged {
-    std::optional<NullModel> without;  // empty: it cannot be fitted
-    Acceptance missed;
-    Need need;
+/// Why an effect need not stay.
+struct Need {
+    Text whyNot;                                // empty: it has to
+    std::optional<double> besideDisturbance{};  // evidence for it beside a disturbance, where that was asked
 };
 
 /// The disturbance beside a model as it stands, found when first asked for, by any thread.
@@ -79,14 +55,48 @@ private:
     std::optional<BesideDisturbance> known_;
 };
 
+/// How a model does without one of its effects.
+struct Judged {
+    std::optional<NullModel> without;  // empty: it cannot be fitted
+    Acceptance missed;
+    Need need;
+};
+
+/// Whether an effect, missed by so much, has to stay. `beside`: of the model as it stands, once it is
+/// asked for. At the last, where something is left that nothing explains, the effect must be more than what a
+/// disturbance takes over; where noise is left, a weak one must be likelier.
+Need needOf(const SearchContext& search, const NullModel& null, std::size_t effect, const NullModel& without,
+            const Acceptance& missed, bool isLast, DisturbanceOnce& beside) {
+    const PlacedEffect& placed = null.variant.effects[effect];
+    const bool leavesNoise = isNoise(null);
+    if (!isMissed(missed)) return {whyRefused(missed, 0)};
+    if (!isTold(placed, null.fit.estimates, missed, leavesNoise)) return {indistinct()};
+    if (isAtBound(placed, null.fit)) return {atBound()};
+    if (!isLast) return {};
+    if (!leavesNoise && drivesToBound(without.fit, null.fit))
+        return {
+            phrase("with it a parameter of the model rests at a bound: it does the work of what is known to be there")};
+    if (!(missed.heldOut > leastHeldOut)) return {whyRefused(missed, leastHeldOut)};
+    if (leavesNoise && !(missed.evidence < beyondDoubt)) return {};
+    // what is constant hardly differs from a flow that varies slowly, and noise with a memory is noise as well
+    const bool isNoiseLeft = leavesNoise || isColouredNoise(search, null);
+    const std::size_t most = isNoiseLeft ? 1 : mostDisturbances;
+    const BesideDisturbance disturbed = besideDisturbance(without, search.fit.simulation, search.progress, most);
+    const BesideDisturbance with = beside.of(search, null, most);
+    const Eigen::Index rows = null.fit.optimum.residuals.size();
+    const int freed = static_cast<int>(placed.freed.size());
+    const bool isMore =
+        isNoiseLeft ? isLikelier(disturbed, with, rows, freed) : isBorneOut(disturbed, with, rows, freed);
+    return {isMore ? Text() : noMoreThanDisturbance(), evidenceBeside(disturbed, with, rows, freed)};
+}
+
 Judged judge(const SearchContext& search, const Node& node, std::size_t effect, bool isLast, DisturbanceOnce& beside) {
     const PlacedEffect& placed = node.null.variant.effects[effect];
     search.say("remove", phrase("{} at {}", placed.effect.kind, placed.place.at), -1);
     Judged judged{without(search, node.null, effect), {}, {}};
     if (!judged.without) return judged;
     judged.missed = examine(*judged.without, node.null.fit, static_cast<int>(placed.freed.size()), 0);
-    judged.need = needOf(search, node.null, effect, *judged.without, judged.missed, isLast,
-                         [&](std::size_t most) { return beside.of(search, node.null, most); });
+    judged.need = needOf(search, node.null, effect, *judged.without, judged.missed, isLast, beside);
     return judged;
 }
 

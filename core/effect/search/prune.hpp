@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-
-#include "core/effect/judge/disturbance.hpp"
 #include "core/effect/judge/node.hpp"
 
 /// Takes effects out again that the model does not miss.
@@ -11,20 +7,8 @@ namespace analogon {
 
 class SearchContext;
 
-/// Why an effect need not stay.
-struct Need {
-    Text whyNot;                                // empty: it has to
-    std::optional<double> besideDisturbance{};  // evidence for it beside a disturbance, where that was asked
-};
-
 /// Whether what is left is noise, of which a part has a memory; where a record is too short to tell, it is not.
 bool isColouredNoise(const SearchContext& search, const NullModel& null);
-
-/// Whether an effect, missed by so much, has to stay. `beside`: of the model as it stands, once it is
-/// asked for. At the last, where something is left that nothing explains, the effect must be more than what a
-/// disturbance takes over; where noise is left, a weak one must be likelier.
-Need needOf(const SearchContext& search, const NullModel& null, std::size_t effect, const NullModel& without,
-            const Acceptance& missed, bool isLast, const std::function<BesideDisturbance(std::size_t most)>& beside);
 
 /// Takes each effect out again and keeps only those that are missed. As many as there are threads are judged at once;
 /// what was judged beside one that is taken out is judged anew.

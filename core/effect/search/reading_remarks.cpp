@@ -3,6 +3,8 @@
 #include <map>
 
 #include "core/base/number_text.hpp"
+#include "core/base/stop.hpp"
+#include "core/effect/model/model_state.hpp"
 #include "core/effect/model/sampling.hpp"
 #include "core/effect/search/context.hpp"
 
@@ -24,6 +26,26 @@ Text remarkOn(const std::vector<InputEdge>& edges) {
 }
 
 }  // namespace
+
+void reportAsRecorded(SearchContext& search, const NullModel& null, ModelState& state) {
+    if (search.readings.drawn.asRecorded.empty()) return;
+    Variant plain = search.readings.full;
+    for (std::size_t r = 0; r < search.readings.drawn.asRecorded.size(); ++r) {
+        Recording& recording = plain.task.recordings[r];
+        const Recording& from = search.readings.drawn.asRecorded[r];
+        recording.time = from.time;
+        recording.inputs = from.inputs;
+        recording.outputs = from.outputs;
+        recording.spares = from.spares;
+    }
+    Outcome<Variant> whole = withEffects(plain, null.variant.effects, null.variant.values);
+    if (!whole) return;
+    Outcome<ModelState> told = stateOf(*whole, null.fit, search.options.fit.simulation, Progress());
+    if (!told || isStopped()) return;
+    search.readings.drawn.errorsOnTime = {errorPercentOf(state, Role::Fit), validationErrorOf(state)};
+    state.experiments = std::move(told->experiments);
+    state.residual = std::move(told->residual);
+}
 
 std::vector<Text> recordingRemarks(const SearchContext& search, const NullModel& null) {
     std::vector<Text> remarks = faultRemarks(search.readings.full.task.recordings, search.readings.faults);

@@ -11,8 +11,6 @@ namespace analogon {
 
 using namespace threshold::refine;
 
-namespace {}  // namespace
-
 void sharpen(SearchContext& search, Node& node) {
     for (int pass = 0; pass < mostSharpenings && !search.progress.stopRequested(); ++pass) {
         std::vector<PlacedEffect> effects = node.null.variant.effects;

@@ -37,6 +37,7 @@ struct Round {
 std::vector<std::size_t> equalPlaces(const SearchContext& search, const NullModel& null,
                                      const std::vector<Trial>& trials, std::size_t best);
 
+/// The class of a trial: it, and what the data do not tell from it.
 std::vector<std::size_t> equivalents(const NullModel& null, const std::vector<Trial>& trials, std::size_t best);
 
 /// Screens every candidate and refits those that promise most.

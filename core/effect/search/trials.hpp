@@ -13,10 +13,14 @@ class SearchContext;
 using threshold::rounds::rivalShare;
 using threshold::rounds::startsPerTrial;
 
+/// Every effect at every place, of what the options ask for.
 Outcome<std::vector<Candidate>> candidatesIn(const SearchContext& search, const Variant& variant);
 
+/// All of them beside a model; an equation that is the twin of a name of the wrong sign is refused with it.
 std::vector<Screened> screenAll(const SearchContext& search, const NullModel& null);
 
+/// Refits candidates, each from its best start and, where that may change what is chosen, from further ones. Counts as
+/// work of the search; in the order of `chosen`.
 std::vector<Trial> tryThese(SearchContext& search, const NullModel& null, const std::vector<const Screened*>& chosen,
                             int iterations, int starts);
 

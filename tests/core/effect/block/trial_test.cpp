@@ -6,30 +6,13 @@
 #include <cmath>
 #include <random>
 
-#include "tests/core/effect/warm_body.hpp"
+#include "tests/core/effect/lagging_body.hpp"
 
 namespace analogon {
 namespace {
 
-/// A body heated in two steps whose sensor lags by 3 s, fitted without the lag.
-Outcome<NullModel> fittedWithoutItsLag() {
-    constexpr double step = 0.25, lag = 3;
-    EstimationTask task = warmBody({{"joint.G", "", 0.3, 0.01, 10}});
-    Recording r = warmBodyRecording("warm-up", 400);
-    double body = 300, sensor = 300;
-    for (int k = 0; k < 400; ++k) {
-        const double power = k < 200 ? 8 : 2, noise = 0.05 * std::sin(12.9898 * k) * std::cos(78.233 * k);
-        r.time.push_back(step * k);
-        r.inputs(0, k) = power;
-        r.outputs(0, k) = sensor + noise;
-        for (int i = 0; i < 100; ++i) {
-            sensor += step / 100 * (body - sensor) / lag;
-            body += step / 100 * (power - 0.2 * (body - 300)) / 4;
-        }
-    }
-    task.recordings = {r};
-    return fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, {}, {});
-}
+/// A body whose sensor lags by 3 s, fitted without the lag.
+Outcome<NullModel> fittedWithoutItsLag() { return fitNull({laggingBody(3), {}, {}}, {}, NoiseLevel::Estimate, {}, {}); }
 
 /// The first place of a kind of effects, with its traces.
 Screened screenedOf(const NullModel& null, const std::string& kind) {

@@ -3,28 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
+
+#include "tests/core/effect/noisy_command.hpp"
 
 namespace analogon {
 namespace {
 
-constexpr int samples = 2000;
-
-/// Steps, a ramp and a slow wave, as a test bench commands them.
-Eigen::VectorXd command() {
-    Eigen::VectorXd u(samples);
-    for (int k = 0; k < samples; ++k)
-        u[k] = k < 800 ? 2.0 * (k / 100 % 3) : k < 1400 ? 0.01 * (k - 800) : 6 + std::sin(0.01 * k);
-    return u;
-}
-
-Eigen::VectorXd noise(double deviation) {
-    std::mt19937 random(2);
-    std::normal_distribution<double> normal(0, deviation);
-    Eigen::VectorXd n(samples);
-    for (double& x : n) x = normal(random);
-    return n;
-}
+using namespace noisy_command;
 
 TEST(WhiteNoise, IsToldFromWhatWasCommanded) {
     EXPECT_NEAR(whiteNoise(command() + noise(0.05)), 0.05, 0.01);
