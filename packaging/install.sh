@@ -1,11 +1,13 @@
 # Sourced by run.sh and test.sh: installs the Debian packages that are missing, and only those.
 
+# The plain BLAS is named because apt would take OpenBLAS for it, which starts a thread a core with 128 MiB each, and asks
+# for them for ever where the program's own limit of memory is below that.
 build_packages=(
     build-essential cmake ninja-build pkg-config
     qt6-base-dev libqt6opengl6-dev qt6-svg-dev libgl1-mesa-dev
     libquazip1-qt6-dev libeigen3-dev libsundials-dev libnlopt-cxx-dev libceres-dev libmatio-dev
     nlohmann-json3-dev libfmt-dev libcli11-dev libboost-math-dev libudunits2-dev
-    libasmjit-dev
+    libasmjit-dev libblas-dev liblapack-dev
     zlib1g-dev libgtest-dev libgmock-dev fonts-dejavu-core
 )
 format_packages=(clang-format)
