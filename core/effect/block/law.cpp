@@ -21,27 +21,27 @@ using Names = std::vector<std::pair<std::string, std::string>>;  // of variables
 std::string potentialName(const ModelNodes::FlowNode& node) { return node.place.connector + "." + node.potential; }
 
 /// Whether a quantity is the angle of a shaft that turns on and on: nothing depends on how often it has turned.
-bool turnsOn(const Quantity& q, const std::string& unit) { return unit == "rad" && q.range.width() > mostAngle; }
+bool turnsOn(const LawQuantity& q, const std::string& unit) { return unit == "rad" && q.range.width() > mostAngle; }
 
 /// The quantities of the model but for one that moves as the place's own; temperatures as differences to `origin`,
 /// NaN: to their own first value.
-std::vector<Quantity> foreignQuantities(const Names& others, const Series& values, const std::string& own,
-                                        double origin) {
-    std::vector<Quantity> found;
+std::vector<LawQuantity> foreignQuantities(const Names& others, const Series& values, const std::string& own,
+                                           double origin) {
+    std::vector<LawQuantity> found;
     const auto same = values.find(own);
     for (const auto& [name, unit] : others) {
         const auto x = values.find(name);
         if (x == values.end() || found.size() == mostQuantities) continue;
         if (same != values.end() && (x->second.front() - same->second.front()).cwiseAbs().maxCoeff() == 0) continue;
         const double zero = unit != "K" ? 0 : std::isnan(origin) ? originOf(x->second.front()) : origin;
-        Quantity q = quantityOf("x" + std::to_string(found.size() + 1), name, name, unit, x->second, zero);
+        LawQuantity q = quantityOf("x" + std::to_string(found.size() + 1), name, name, unit, x->second, zero);
         if (!turnsOn(q, unit)) found.push_back(std::move(q));
     }
     return found;
 }
 
 /// Products of two quantities of the model.
-void addPairs(const std::vector<Quantity>& foreign, std::size_t j, std::vector<Term>& terms) {
+void addPairs(const std::vector<LawQuantity>& foreign, std::size_t j, std::vector<Term>& terms) {
     for (std::size_t k = j + 1; k < foreign.size(); ++k) terms.push_back(productOf(foreign[j], foreign[k], 3));
 }
 
@@ -58,7 +58,7 @@ LawProbe probeAt(const NullModel& null, const ModelNodes::FlowNode& node, const 
     std::vector<Term>& terms = probe.terms();
     const bool isMechanical = node.flow == "tau";
     const std::string own = potentialName(node), potential = "port." + node.potential;
-    std::vector<Quantity> local;
+    std::vector<LawQuantity> local;
     if (const auto found = values.find(own); found != values.end()) {
         if (isMechanical) {
             std::vector<Eigen::VectorXd> speeds;
@@ -68,21 +68,21 @@ LawProbe probeAt(const NullModel& null, const ModelNodes::FlowNode& node, const 
                 probe.addOwn(quantityOf("w", "", "w", "rad/s", speeds, 0), fmt::format("der({})", potential)));
         }
         const char* unit = isMechanical ? "rad" : node.flow == "Q_flow" ? "K" : "";
-        Quantity p = quantityOf("p", "", node.potential, unit, found->second, originOf(found->second.front()));
+        LawQuantity p = quantityOf("p", "", node.potential, unit, found->second, originOf(found->second.front()));
         if (!turnsOn(p, unit)) local.push_back(probe.addOwn(std::move(p), potential));
     }
-    for (const Quantity& q : local) addPowers(q, q.name == "w", 1, terms);
+    for (const LawQuantity& q : local) addPowers(q, q.name == "w", 1, terms);
     if (!local.empty() && local.back().name == "p") addHinges(local.back(), local.back().range, terms);
     if (isMechanical && !local.empty()) {
         const double largest = local.front().largest();
         addHinges(local.front(), {-largest, largest}, terms);
         if (local.size() == 2) addProducts(local[0], local[1], true, 1, terms);
     }
-    const std::vector<Quantity> foreign = foreignQuantities(others, values, own, std::nan(""));
+    const std::vector<LawQuantity> foreign = foreignQuantities(others, values, own, std::nan(""));
     for (std::size_t j = 0; j < foreign.size(); ++j) {
         probe.addForeign(foreign[j]);
         addPowers(foreign[j], false, 2, terms);
-        for (const Quantity& q : local) addProducts(q, foreign[j], q.name == "w", 2, terms);
+        for (const LawQuantity& q : local) addProducts(q, foreign[j], q.name == "w", 2, terms);
         addPairs(foreign, j, terms);
     }
     return probe;
@@ -98,16 +98,16 @@ LawProbe probeAt(const NullModel& null, const SignalInfo& output, const Names& o
     const bool isAngle = output.unit == "rad";
     const double origin = output.unit == "K" ? originOf(found->second.front()) : 0;
     const std::string reading = trueReading(output.name);
-    const Quantity own = probe.addOwn(quantityOf("r", "", reading, output.unit, found->second, origin), "u");
+    const LawQuantity own = probe.addOwn(quantityOf("r", "", reading, output.unit, found->second, origin), "u");
     if (!isAngle) {
         addPowers(own, false, 1, terms);
         terms.erase(terms.begin());  // its gain
     } else if (own.range.width() > leastAngle) {
         addWaves(own, terms);
     }
-    const std::vector<Quantity> foreign = foreignQuantities(others, values, output.name, origin);
+    const std::vector<LawQuantity> foreign = foreignQuantities(others, values, output.name, origin);
     for (std::size_t j = 0; j < foreign.size(); ++j) {
-        const Quantity& x = probe.addForeign(foreign[j]);
+        const LawQuantity& x = probe.addForeign(foreign[j]);
         addPowers(x, false, 2, terms);
         terms.push_back(productOf(own, x, 2));
         const bool isAlike = !output.unit.empty() && x.unit && own.unit && x.unit->text() == own.unit->text();

@@ -23,7 +23,7 @@ constexpr const char* icon = R"(  annotation (Icon(coordinateSystem(extent={{-10
 std::string coefficient(std::size_t i) { return "a" + std::to_string(i + 1); }
 
 /// The name of a foreign quantity as it comes into the class.
-std::string inputOf(const Quantity& q) { return q.origin != 0 ? q.name + "_in" : q.name; }
+std::string inputOf(const LawQuantity& q) { return q.origin != 0 ? q.name + "_in" : q.name; }
 
 }  // namespace
 
@@ -57,11 +57,11 @@ LawSite siteOf(const std::string& output, const std::string& unit) {
     return site;
 }
 
-const Quantity& LawProbe::addOwn(Quantity quantity, std::string expression) {
+const LawQuantity& LawProbe::addOwn(LawQuantity quantity, std::string expression) {
     return own_.emplace_back(std::move(quantity), std::move(expression)).quantity;
 }
 
-const Quantity& LawProbe::addForeign(Quantity quantity) { return foreign_.emplace_back(std::move(quantity)); }
+const LawQuantity& LawProbe::addForeign(LawQuantity quantity) { return foreign_.emplace_back(std::move(quantity)); }
 
 std::optional<Eigen::MatrixXd> LawProbe::traces(bool perExperiment, const SimulationOptions& simulation,
                                                 const Progress& progress) const {
@@ -155,7 +155,7 @@ EffectClass LawProbe::effect(const std::string& name, const std::vector<std::siz
         sum.push_back(coefficient(i) + "*" + terms_[chosen[i]].shown);
     }
     e.proposal = fmt::format("{} {}", site_.shown, fmt::join(sum, " + "));
-    for (const Quantity& q : foreign_)
+    for (const LawQuantity& q : foreign_)
         if (uses(chosen, q.name)) e.bound[inputOf(q)] = q.variable;
     return e;
 }
@@ -168,17 +168,17 @@ std::string LawProbe::classText(const std::string& name, const std::vector<std::
                             unit.empty() || unit == "1" ? "" : fmt::format("(unit=\"{}\")", unit));
     }
     std::vector<std::string> equations;
-    const auto define = [&](const Quantity& q, const std::string& value) {
+    const auto define = [&](const LawQuantity& q, const std::string& value) {
         text += fmt::format("  Real {};\n", q.name);
         equations.push_back(q.origin == 0
                                 ? fmt::format("{} = {}", q.name, value)
                                 : fmt::format("{} = {} - ({})", q.name, value, syntax::printNumber(q.origin)));
     };
-    for (const Quantity& q : foreign_)
+    for (const LawQuantity& q : foreign_)
         if (uses(chosen, q.name)) text += fmt::format("  input Real {} \"{}\";\n", inputOf(q), q.variable);
     for (const Own& own : own_)
         if (uses(chosen, own.quantity.name)) define(own.quantity, own.expression);
-    for (const Quantity& q : foreign_)
+    for (const LawQuantity& q : foreign_)
         if (q.origin != 0 && uses(chosen, q.name)) define(q, inputOf(q));
     text += "equation\n";
     for (const std::string& e : equations) text += "  " + e + ";\n";

@@ -46,8 +46,8 @@ public:
     const EffectPlace& place() const { return site_.place; }
 
     /// Adds a quantity of the class: one of the site's own, by its expression there, or one of the model.
-    const Quantity& addOwn(Quantity quantity, std::string expression);
-    const Quantity& addForeign(Quantity quantity);
+    const LawQuantity& addOwn(LawQuantity quantity, std::string expression);
+    const LawQuantity& addForeign(LawQuantity quantity);
 
     std::vector<Term>& terms() { return terms_; }
     const std::vector<Term>& terms() const { return terms_; }
@@ -61,7 +61,7 @@ public:
 
 private:
     struct Own {
-        Quantity quantity;
+        LawQuantity quantity;
         std::string expression;
     };
 
@@ -76,7 +76,7 @@ private:
     const NullModel* null_;
     LawSite site_;
     std::vector<Own> own_;
-    std::vector<Quantity> foreign_;
+    std::vector<LawQuantity> foreign_;
     std::vector<Term> terms_;
 };
 

@@ -29,7 +29,7 @@ std::optional<UnitFactors> product(const std::optional<UnitFactors>& a, const st
 }
 
 /// Smooth stand-in for the sign of a quantity.
-std::string signText(const Quantity& q) {
+std::string signText(const LawQuantity& q) {
     return fmt::format("{0}/sqrt({0}^2 + {1}^2)", q.name, syntax::printNumber(roundedSpeed * q.largest()));
 }
 
@@ -102,7 +102,7 @@ private:
 
 }  // namespace
 
-void addPowers(const Quantity& q, bool withSign, int complexity, std::vector<Term>& terms) {
+void addPowers(const LawQuantity& q, bool withSign, int complexity, std::vector<Term>& terms) {
     terms.push_back({q.name, q.shown, q.unit, complexity});
     terms.push_back(
         {fmt::format("{0}*abs({0})", q.name), fmt::format("{0}*abs({0})", q.shown), power(q.unit, 2), complexity});
@@ -112,11 +112,11 @@ void addPowers(const Quantity& q, bool withSign, int complexity, std::vector<Ter
     if (withSign) terms.push_back({signText(q), fmt::format("sign({})", q.shown), UnitFactors(), complexity});
 }
 
-Term productOf(const Quantity& a, const Quantity& b, int complexity) {
+Term productOf(const LawQuantity& a, const LawQuantity& b, int complexity) {
     return {a.name + "*" + b.name, a.shown + "*" + b.shown, product(a.unit, b.unit), complexity};
 }
 
-void addProducts(const Quantity& a, const Quantity& b, bool withSign, int complexity, std::vector<Term>& terms) {
+void addProducts(const LawQuantity& a, const LawQuantity& b, bool withSign, int complexity, std::vector<Term>& terms) {
     terms.push_back(productOf(a, b, complexity));
     const std::optional<UnitFactors> both = terms.back().unit;
     terms.push_back(
@@ -128,7 +128,7 @@ void addProducts(const Quantity& a, const Quantity& b, bool withSign, int comple
                          fmt::format("sign({})*abs({})", a.shown, b.shown), b.unit, complexity});
 }
 
-void addHinges(const Quantity& q, const Range& range, std::vector<Term>& terms) {
+void addHinges(const LawQuantity& q, const Range& range, std::vector<Term>& terms) {
     for (const double part : {0.3, 0.5, 0.65, 0.8, 0.9}) {
         const std::string high = fmt::format("{:.4g}", range.low + part * range.width()),
                           low = fmt::format("{:.4g}", range.high - part * range.width());
@@ -139,7 +139,7 @@ void addHinges(const Quantity& q, const Range& range, std::vector<Term>& terms) 
     }
 }
 
-void addWaves(const Quantity& q, std::vector<Term>& terms) {
+void addWaves(const LawQuantity& q, std::vector<Term>& terms) {
     for (int n = 1; n <= mostWaves; ++n)
         for (const char* wave : {"sin", "cos"}) {
             const std::string times = n == 1 ? "" : std::to_string(n) + "*";
@@ -188,9 +188,9 @@ std::vector<std::pair<std::string, std::string>> quantitiesOf(const System& syst
     return names;
 }
 
-Quantity quantityOf(std::string name, std::string variable, std::string shown, const std::string& unit,
-                    const std::vector<Eigen::VectorXd>& values, double origin) {
-    Quantity q{std::move(name), std::move(variable), std::move(shown), UnitFactors::of(unit), {}, origin};
+LawQuantity quantityOf(std::string name, std::string variable, std::string shown, const std::string& unit,
+                       const std::vector<Eigen::VectorXd>& values, double origin) {
+    LawQuantity q{std::move(name), std::move(variable), std::move(shown), UnitFactors::of(unit), {}, origin};
     for (const Eigen::VectorXd& v : values) q.range.take(rangeOf(v));
     q.range.low -= origin;
     q.range.high -= origin;

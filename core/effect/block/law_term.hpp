@@ -13,7 +13,7 @@
 namespace analogon {
 
 /// A quantity that a law may contain.
-struct Quantity {
+struct LawQuantity {
     std::string name;                 // in the class: "w", "x1"
     std::string variable;             // of the model; empty: one of the place's own
     std::string shown;                // in the equation that people read
@@ -31,14 +31,14 @@ struct Term {
 };
 
 /// q, q|q|, q², q³, |q| and, where asked for, a smooth stand-in for the sign.
-void addPowers(const Quantity& q, bool withSign, int complexity, std::vector<Term>& terms);
-Term productOf(const Quantity& a, const Quantity& b, int complexity);
+void addPowers(const LawQuantity& q, bool withSign, int complexity, std::vector<Term>& terms);
+Term productOf(const LawQuantity& a, const LawQuantity& b, int complexity);
 /// ab, a|b|, ab² and, where asked for, b sign(a) and |b| sign(a).
-void addProducts(const Quantity& a, const Quantity& b, bool withSign, int complexity, std::vector<Term>& terms);
+void addProducts(const LawQuantity& a, const LawQuantity& b, bool withSign, int complexity, std::vector<Term>& terms);
 /// What sets in above or below a value: an overflow, a stop, a valve.
-void addHinges(const Quantity& q, const Range& range, std::vector<Term>& terms);
+void addHinges(const LawQuantity& q, const Range& range, std::vector<Term>& terms);
 /// Waves of an angle, once to thrice a turn, in two phases: an eccentric wheel, a bent scale.
-void addWaves(const Quantity& q, std::vector<Term>& terms);
+void addWaves(const LawQuantity& q, std::vector<Term>& terms);
 
 /// Terms that a law may consist of, and how much they explain to first order.
 struct TermSet {
@@ -62,8 +62,8 @@ Series movingSeries(const NullModel& null, const PreparedTask& held, const std::
 std::vector<std::pair<std::string, std::string>> quantitiesOf(const System& system);
 
 /// A quantity of these courses.
-Quantity quantityOf(std::string name, std::string variable, std::string shown, const std::string& unit,
-                    const std::vector<Eigen::VectorXd>& values, double origin);
+LawQuantity quantityOf(std::string name, std::string variable, std::string shown, const std::string& unit,
+                       const std::vector<Eigen::VectorXd>& values, double origin);
 
 /// A number near the first value, for quantities (temperatures, angles) of which the differences matter.
 double originOf(const Eigen::VectorXd& values);

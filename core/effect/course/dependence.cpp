@@ -67,8 +67,8 @@ struct Likely {
     double explained{}, slope{};
 };
 
-std::optional<Dependence> fitted(const NullModel& null, const Channel& channel, const Likely& likely,
-                                 const FitOptions& options, const Progress& progress) {
+std::optional<ChannelDependence> fitted(const NullModel& null, const Channel& channel, const Likely& likely,
+                                        const FitOptions& options, const Progress& progress) {
     const FitEstimate& estimate = null.fit.estimates[static_cast<std::size_t>(likely.parameter)];
     Variant variant = null.variant;
     variant.task.change = ParameterChange{estimate.name, 0, inputName};
@@ -83,7 +83,7 @@ std::optional<Dependence> fitted(const NullModel& null, const Channel& channel, 
     variant.task.parameters.push_back(slope);
     std::optional<FitResult> result = fitBeside(null, variant, options, progress);
     if (!result) return std::nullopt;
-    Dependence dependence{estimate.name, channel.name, 0, 0, channel.middle, channel.range, 0, {}, {}};
+    ChannelDependence dependence{estimate.name, channel.name, 0, 0, channel.middle, channel.range, 0, {}, {}};
     for (const FitEstimate& e : result->estimates) {
         if (e.name == estimate.name) dependence.value = e.value;
         if (e.name == slope.name) dependence.slope = e.value;
@@ -121,14 +121,14 @@ double explainedByDependence(const NullModel& null) {
     return likely.empty() ? 0 : likely.front().explained;
 }
 
-std::optional<Dependence> bestDependence(const NullModel& null, FitOptions options, int threads,
-                                         const Progress& progress) {
+std::optional<ChannelDependence> bestDependence(const NullModel& null, FitOptions options, int threads,
+                                                const Progress& progress) {
     options.simulation = limited(null, options.simulation);
     const std::vector<Channel> channels = unusedChannels(null.variant.task);
     if (channels.empty()) return std::nullopt;
     std::vector<Likely> likely = likelyDependences(null, channels);
     keepLikeliest(likely);
-    std::optional<Dependence> best;
+    std::optional<ChannelDependence> best;
     takeBest(likely, best, threads, progress,
              [&](const Likely& each) { return fitted(null, channels[each.channel], each, options, progress); });
     return best;

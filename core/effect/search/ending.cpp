@@ -110,7 +110,7 @@ void tellHeldWrongly(Ending& end, const std::vector<ColouredNoise>& noise) {
 }
 
 void tellDependence(const SearchContext& search, Ending& end, const std::vector<ColouredNoise>& noise) {
-    const Dependence& dependence = *search.courses.dependence;
+    const ChannelDependence& dependence = *search.courses.dependence;
     Remainder r = remainderOf(dependence);
     if (const Outcome<ModelState> with = stateOf(dependence.variant, dependence.fit, search.options.fit.simulation,
                                                  search.progress, Detail::Errors)) {

@@ -81,7 +81,7 @@ Remainder remainderOf(const HeldInstead& h) {
     return r;
 }
 
-Remainder remainderOf(const Dependence& d) {
+Remainder remainderOf(const ChannelDependence& d) {
     return changing(d.parameter, d.explained,
                     fmt::format("{} = {:.4g} {} {:.4g}*({} - {:.4g})", d.parameter, d.value, d.slope < 0 ? "-" : "+",
                                 std::abs(d.slope / d.range), d.channel, d.middle));

@@ -28,6 +28,6 @@ Text remarkOfEqual(const HeldInstead& h);
 
 Remainder remainderOf(const HeldInstead& h);
 
-Remainder remainderOf(const Dependence& d);
+Remainder remainderOf(const ChannelDependence& d);
 
 }  // namespace analogon
