@@ -54,6 +54,12 @@ Diagnostic damaged(const fs::path& archive, const std::string& entry, const char
                      phrase("Get the file again from where it came from."));
 }
 
+/// Why a file is not written. One that took a part only has no fault of the system: the text of any file then.
+Text reasonOf(const QFile& file) {
+    const QString reason = file.errorString();
+    return reason == QFile().errorString() ? phrase("the disk may be full") : Text(reason.toStdString());
+}
+
 /// Unpacks one entry; never more than the archive said it holds.
 Outcome<Done> unpackEntry(QuaZip& zip, const fs::path& archive, const ZipEntry& entry, const fs::path& target,
                           const Progress& progress) {
@@ -76,14 +82,13 @@ Outcome<Done> unpackEntry(QuaZip& zip, const fs::path& archive, const ZipEntry& 
         if (static_cast<std::uint64_t>(count) > left)
             return damaged(archive, entry.name, "is larger than the archive says");
         left -= static_cast<std::uint64_t>(count);
-        if (to.write(bytes.constData(), count) != count) return cannotWrite(target, to.errorString().toStdString());
+        if (to.write(bytes.constData(), count) != count) return cannotWrite(target, reasonOf(to));
     }
     if (left > 0) return damaged(archive, entry.name, "is shorter than the archive says");
     from.close();  // compares the checksum
     if (from.getZipError() != UNZ_OK) return damaged(archive, entry.name, "is damaged: its checksum does not fit");
     to.close();
-    return to.error() == QFile::NoError ? Outcome<Done>(Done{})
-                                        : Outcome<Done>(cannotWrite(target, to.errorString().toStdString()));
+    return to.error() == QFile::NoError ? Outcome<Done>(Done{}) : Outcome<Done>(cannotWrite(target, reasonOf(to)));
 }
 
 /// All entries below a directory; returns the warnings.
@@ -252,10 +257,7 @@ Outcome<Done> writeZip(const fs::path& directory, const fs::path& target, const 
     }
     zip.close();
     isWritten = isWritten && zip.getZipError() == ZIP_OK && file.flush() && fsync(file.handle()) == 0;
-    if (!isWritten)
-        return cannotWrite(shown, file.error() == QFile::NoError ? phrase("the disk may be full")
-                                                                 : Text(file.errorString().toStdString()));
-    return Done{};
+    return isWritten ? Outcome<Done>(Done{}) : Outcome<Done>(cannotWrite(shown, reasonOf(file)));
 }
 
 Outcome<Done> zipWhole(const fs::path& directory, const fs::path& path, const char* mimetype) {
@@ -340,7 +342,7 @@ Outcome<Done> unpackArchive(const fs::path& archive, const fs::path& directory, 
     code.clear();
     if (!fs::create_directory(beside, code)) return cannotWrite(target, code);
     Outcome<Done> done = unpackInto(archive, beside, progress);
-    if (!done) return done;
+    if (!done) return renamed(done.diagnostics(), beside.string(), target.string());
     fs::create_directories(target.parent_path(), code);
     if (!code) fs::rename(beside, target, code);
     if (code) return cannotWrite(target, code);

@@ -2,9 +2,12 @@
 
 #include <fcntl.h>
 #include <stdio.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <vector>
 
 #include "core/base/file_handle.hpp"
 
@@ -36,6 +39,26 @@ std::error_code renameToNew(const fs::path& from, const fs::path& to) {
     code.clear();
     fs::rename(from, to, code);
     return code;
+}
+
+std::error_code copyToNew(const fs::path& from, const fs::path& to) {
+    const auto fault = [] { return std::error_code(errno, std::generic_category()); };
+    const FileHandle source(open(from.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));  // a pipe is not waited for
+    struct stat status {};
+    if (!source.isOpen() || fstat(source.number(), &status) != 0) return fault();
+    if (!S_ISREG(status.st_mode)) return std::make_error_code(std::errc::not_supported);
+    FileHandle target(open(to.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, status.st_mode & 0777));
+    if (!target.isOpen()) return fault();
+    std::vector<char> bytes(1u << 20);
+    for (ssize_t count = 0; (count = read(source.number(), bytes.data(), bytes.size())) != 0;) {
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return fault();
+        for (ssize_t done = 0, now = 0; done < count; done += std::max<ssize_t>(now, 0)) {
+            now = write(target.number(), bytes.data() + done, static_cast<std::size_t>(count - done));
+            if (now < 0 && errno != EINTR) return fault();
+        }
+    }
+    return close(target.release()) == 0 ? std::error_code() : fault();  // some file systems say so only now
 }
 
 bool isPlainFile(const fs::path& path) {

@@ -16,6 +16,10 @@ std::error_code exchange(const std::filesystem::path& a, const std::filesystem::
 /// A rename onto a path where nothing is; errc::file_exists: something is there.
 std::error_code renameToNew(const std::filesystem::path& from, const std::filesystem::path& to);
 
+/// The content and the rights of a file in one that does not exist yet; the fault is the one of the system, as "No
+/// space left on device" (std::filesystem::copy_file calls that "Input/output error").
+std::error_code copyToNew(const std::filesystem::path& from, const std::filesystem::path& to);
+
 /// A regular file, and no link to one.
 bool isPlainFile(const std::filesystem::path& path);
 /// A directory, and no link to one.

@@ -17,6 +17,7 @@
 
 #include "core/archive/archive.hpp"
 #include "core/base/file_fault.hpp"
+#include "core/base/file_handle.hpp"
 #include "core/base/unit.hpp"
 #include "core/export/fmi2_text.hpp"
 #include "core/export/fmu_model.hpp"
@@ -257,6 +258,19 @@ Outcome<Done> writeFiles(const Fmu& fmu, const fs::path& directory) {
     return Done{};
 }
 
+/// A compiler without room for its intermediate files fails as it does on a fault of the sources: an FMU that was
+/// there would lose its binary. So its room is taken on trial before; 1 MiB holds a small model many times over.
+bool hasRoomForCompiler(const Fmu& fmu, const fs::path& directory) {
+    std::size_t bytes = 1u << 20;
+    for (const auto& [name, content] : fmu.files) bytes += 8 * content.size();
+    const fs::path trial = directory / "room";
+    const FileHandle file(open(trial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
+    const bool hasRoom = file.isOpen() && posix_fallocate(file.number(), 0, static_cast<off_t>(bytes)) == 0;
+    std::error_code code;
+    fs::remove(trial, code);
+    return hasRoom;
+}
+
 Diagnostic sourcesOnly(const Text& why) {
     Diagnostic note;
     note.severity = Severity::Note;
@@ -369,6 +383,8 @@ Outcome<Done> writeFmu(const Fmu& fmu, const fs::path& file, std::chrono::second
     if (!place) return place.diagnostics();
     const fs::path directory = (*place)->path() / "fmu";
     if (Outcome<Done> written = writeFiles(fmu, directory); !written) return written;
+    if (!hasRoomForCompiler(fmu, (*place)->path()))
+        return cannotWrite((*place)->path(), phrase("the disk may be full"));
     const std::optional<Diagnostic> note =
         addBinary(fmu, directory, (*place)->path() / "messages", compilerLimit, progress);
     if (Outcome<Done> zipped = zipDirectory(directory, file); !zipped) return zipped;

@@ -55,8 +55,7 @@ Outcome<Done> fill(const fs::path& fresh, const fs::path& shown, const RunResult
     if (Outcome<Done> done = writeStudy(result.completed, fresh / "study"); !done) return done;
     if (result.proposed)
         if (Outcome<Done> done = writeStudy(*result.proposed, fresh / "study-proposed"); !done) return done;
-    ResultsRecord::write(fresh);
-    if (!isPlainFile(fresh / ".analogon-results")) return cannotWrite(shown, phrase("the disk may be full"));
+    if (!ResultsRecord::write(fresh)) return cannotWrite(shown, phrase("the disk may be full"));
     return Done{};
 }
 
@@ -71,6 +70,7 @@ public:
         for (const char* name : resultNames)
             if (isThere(place_ / name) && !isThere(own_ / "new" / name)) gone << name << '\n';
         gone.close();
+        if (!gone) return std::make_error_code(std::errc::no_space_on_device);
         syncToDisk(own_ / "gone");
         std::error_code code = renameToNew(own_ / "new", own_ / "ready");
         syncToDisk(own_);

@@ -31,14 +31,17 @@ std::string stampOf(const fs::path& file) {
 
 }  // namespace
 
-void ResultsRecord::write(const fs::path& directory) {
+bool ResultsRecord::write(const fs::path& directory) {
     std::string text(head);
     std::error_code code;
     for (fs::recursive_directory_iterator entry(directory, code), end; !code && entry != end; entry.increment(code))
         if (const std::string stamp = stampOf(entry->path()); !stamp.empty())
             text += fmt::format("\n{} {}", stamp, entry->path().lexically_relative(directory).string());
-    std::ofstream(directory / recordName, std::ios::binary) << text << '\n';
+    std::ofstream stream(directory / recordName, std::ios::binary);
+    stream << text << '\n';
+    stream.close();
     syncToDisk(directory / recordName);
+    return !code && stream.good();
 }
 
 ResultsRecord ResultsRecord::read(const fs::path& directory) {

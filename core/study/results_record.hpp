@@ -13,8 +13,8 @@ inline constexpr const char* resultNames[] = {"report.json", "report.html",    "
 
 class ResultsRecord {
 public:
-    /// Of the files below a directory as they are now.
-    static void write(const std::filesystem::path& directory);
+    /// Of the files below a directory as they are now. Whether it is whole on the disk.
+    [[nodiscard]] static bool write(const std::filesystem::path& directory);
     /// As it was written into a directory; one without it knows no file.
     static ResultsRecord read(const std::filesystem::path& directory);
 

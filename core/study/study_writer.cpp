@@ -82,7 +82,7 @@ private:
         stream << content;
         stream.close();
         syncToDisk(temporary_ / name);
-        if (!stream) return cannotWrite(target_ / name, std::make_error_code(std::errc::io_error));
+        if (!stream) return cannotWrite(target_ / name, phrase("the disk may be full"));
         written_.insert(name);
         return Done{};
     }
@@ -129,8 +129,7 @@ private:
         if ((!study_.directory.empty() || source.is_absolute()) && fs::exists(source, code)) {
             if (fs::equivalent(source, target_ / place, code)) return Done{};  // it is there already
             if (Outcome<Done> room = makeRoom(place); !room) return room;
-            code.clear();
-            fs::copy_file(source, temporary_ / place, code);
+            code = copyToNew(source, temporary_ / place);
             if (code) return cannotWrite(target_ / place, code);
             // A measurement kept read-only at its origin shall not make the copy so.
             fs::permissions(temporary_ / place, fs::perms::owner_write, fs::perm_options::add, code);

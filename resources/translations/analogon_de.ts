@@ -3093,6 +3093,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>In %1 gespeichert.</translation>
     </message>
     <message>
+        <source>No copy of the unsaved work can be kept: %1</source>
+        <translation>Von der ungespeicherten Arbeit lässt sich keine Kopie anlegen: %1</translation>
+    </message>
+    <message>
         <source>Not saved: see the messages.</source>
         <translation>Nicht gespeichert: siehe Meldungen.</translation>
     </message>
@@ -3234,6 +3238,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     <message>
         <source>Writing the report</source>
         <translation>Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>Report written to %1/report.html, but no report.pdf: see the messages.</source>
+        <translation>Bericht nach %1/report.html geschrieben, aber kein report.pdf: siehe Meldungen.</translation>
     </message>
     <message>
         <source>Report written to %1/report.html.</source>

@@ -7,9 +7,11 @@
 #include <QStandardPaths>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "core/archive/archive.hpp"
 #include "core/base/owned_directory.hpp"
+#include "core/base/whole_file.hpp"
 #include "ui/document/document.hpp"
 
 namespace analogon::ui {
@@ -65,7 +67,7 @@ void Recovery::write() {
         place().mkpath(".");
         auto own =
             OwnedDirectory::make(QFile::encodeName(place().path()).toStdString(), prefix, OwnedDirectory::Left::Kept);
-        if (!own) return;
+        if (!own) return tell(own.diagnostics());
         store_ = std::make_shared<Store>(std::move(*own));
     }
     const QString target = file(), origin = document_.path();
@@ -73,14 +75,21 @@ void Recovery::write() {
         tr("Keeping a copy"),
         [study = document_.study(), history = document_.pastRuns(), store = store_, target,
          origin](const Progress&) -> Outcome<Done> {
-            QFile note(noteOf(target));
-            if (note.open(QIODevice::WriteOnly)) note.write(origin.toUtf8());
+            const Outcome<Done> noted =
+                writeWhole(QFile::encodeName(noteOf(target)).toStdString(), origin.toStdString());
+            if (!noted) return noted;
             return saveStudy(study, target.toStdString(), history);
         },
         [this](const Outcome<Done>& written) {
             if (!document_.isModified()) return clear();
-            if (written) dropInherited();
+            if (!written) return tell(written.diagnostics());
+            isTold_ = false;
+            dropInherited();
         });
+}
+
+void Recovery::tell(const Diagnostics& faults) {
+    if (!std::exchange(isTold_, true) && !faults.empty()) Q_EMIT notKept(faults.front());
 }
 
 void Recovery::clear() {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/diagnostic.hpp"
 #include "ui/job/job.hpp"
 
 namespace analogon::ui {
@@ -34,9 +35,14 @@ public:
     /// Ends the copy: the study is saved, or its changes are not wanted.
     void clear();
 
+Q_SIGNALS:
+    /// There is no copy of the latest changes, and why; once, until there is one again.
+    void notKept(const analogon::Diagnostic& fault);
+
 private:
     void changed();
     void write();
+    void tell(const Diagnostics& faults);
     void dropInherited();
     QString file() const;
 
@@ -44,6 +50,7 @@ private:
     Document& document_;
     std::shared_ptr<Store> store_;  // null: nothing was to be kept yet
     QString inherited_;             // the copy this work was recovered from, until it has one of its own or is saved
+    bool isTold_{};                 // that no copy can be kept
     QTimer delay_;
     JobRunner writer_;
 };

@@ -137,9 +137,9 @@ QString writeReportPdf(const QString& file, const QString& title, RunKind kind, 
     document.setHtml("<body>" + reportBody(title, kind, finding, pictures.size()) + "</body>");
     document.setPageSize(QSizeF(writer.width(), writer.height()));
     document.print(&writer);
-    const bool isWritten = bytes.data().startsWith("%PDF") &&
-                           writeWhole(QFile::encodeName(file).toStdString(), bytes.data().toStdString()).hasValue();
-    return isWritten ? QString() : ResultPanel::tr("%1 cannot be written.").arg(file);
+    if (!bytes.data().startsWith("%PDF")) return ResultPanel::tr("%1 cannot be written.").arg(file);
+    const Outcome<Done> written = writeWhole(QFile::encodeName(file).toStdString(), bytes.data().toStdString());
+    return written ? QString() : file + ": " + inWords(written.diagnostics().front().message);
 }
 
 }  // namespace analogon::ui

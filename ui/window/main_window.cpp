@@ -466,6 +466,9 @@ void MainWindow::connectPanels() {
         const auto next = std::exchange(afterSave_, nullptr);
         if (isDone && next) next();
     });
+    connect(recovery_, &Recovery::notKept, this, [this](const Diagnostic& fault) {
+        statusBar()->showMessage(tr("No copy of the unsaved work can be kept: %1").arg(inWords(fault.message)));
+    });
     connect(plots_, &PlotPanel::told, this, [this](const QString& s) { statusBar()->showMessage(s, 8000); });
     connect(compose_, &ComposeActions::told, this, [this](const QString& s) { statusBar()->showMessage(s, 8000); });
     connect(compose_, &ComposeActions::inspectWanted, this, [this](const QString& block) {

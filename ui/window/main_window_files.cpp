@@ -192,20 +192,24 @@ void MainWindow::writeReport(const QString& path) {
     if (!document_->result()) return;
     const auto write = [this, result = document_->sharedResult(), kind = document_->resultKind(),
                         title = document_->title(), path](std::vector<QImage> pictures) {
-        writer_->start<Outcome<Done>>(
+        writer_->start<Outcome<bool>>(  // whether it is there on paper, too
             tr("Writing the report"),
-            [result, kind, title, pictures = std::move(pictures), path](const Progress&) -> Outcome<Done> {
-                Outcome<Done> done = writeResults(*result, commandName(kind), path.toStdString());
-                if (!done) return done;
+            [result, kind, title, pictures = std::move(pictures), path](const Progress&) -> Outcome<bool> {
+                const Outcome<Done> done = writeResults(*result, commandName(kind), path.toStdString());
+                if (!done) return done.diagnostics();
+                Diagnostics said = done.diagnostics();
                 const QString fault =
                     writeReportPdf(QDir(path).filePath("report.pdf"), title, kind, result->finding, pictures);
-                if (!fault.isEmpty()) return error(fault.toStdString());
-                return done;
+                if (!fault.isEmpty()) said.push_back(error(fault.toStdString()));
+                return {fault.isEmpty(), std::move(said)};
             },
-            [this, path](Outcome<Done> done) {
-                document_->setRunMessages(done.diagnostics());
-                statusBar()->showMessage(done ? tr("Report written to %1/report.html.").arg(path)
-                                              : tr("No report written: see the messages."));
+            [this, path](Outcome<bool> isOnPaper) {
+                document_->setRunMessages(isOnPaper.diagnostics());
+                if (!isOnPaper) return statusBar()->showMessage(tr("No report written: see the messages."));
+                statusBar()->showMessage(
+                    (*isOnPaper ? tr("Report written to %1/report.html.")
+                                : tr("Report written to %1/report.html, but no report.pdf: see the messages."))
+                        .arg(path));
             });
     };
     plots_->takePictures(write);
