@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -15,11 +16,14 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <random>
 #include <thread>
 
 #include "app/analogon-cli/command_line.hpp"
+#include "tests/app/interrupt_studies.hpp"
 
 namespace analogon::cli {
 namespace {
@@ -50,6 +54,8 @@ public:
         argv.push_back(nullptr);
         id_ = fork();
         if (id_ != 0) return;
+        // a shell that starts the tests in the background has them ignore it, and the program keeps to that
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
         dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
         dup2(open(err_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), STDERR_FILENO);
         execv(ANALOGON_CLI, argv.data());
@@ -64,13 +70,10 @@ public:
     void send(int signal) const { kill(id_, signal); }
     /// Processor time so far [s], of all threads.
     double work() const {
-        std::string stat = contentOf(fmt::format("/proc/{}/stat", id_));
-        std::istringstream fields(stat.substr(std::min(stat.size(), stat.rfind(')') + 2)));
-        std::string skipped;
-        for (int i = 3; i < 14; ++i) fields >> skipped;
-        double user = 0, system = 0;
-        fields >> user >> system;
-        return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+        clockid_t clock{};
+        timespec time{};
+        if (clock_getcpuclockid(id_, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0;
+        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
     }
     bool isOver() {
         if (isOver_) return true;
@@ -79,7 +82,12 @@ public:
         if (isOver_) allWork_ = secondsOf(used.ru_utime) + secondsOf(used.ru_stime);
         return isOver_;
     }
-    /// The exit status; -1: a signal ended it.
+    /// Until it has worked for so long, or is over: whether it is still at work.
+    bool awaitWork(double seconds) {
+        while (!isOver() && work() < seconds) std::this_thread::sleep_for(milliseconds(1));
+        return !isOver();
+    }
+    /// The exit status; -1: a signal ended it, as before the program has begun to listen.
     int wait() {
         rusage used{};
         if (!isOver_) wait4(id_, &status_, 0, &used);
@@ -103,37 +111,11 @@ private:
     double allWork_{};
 };
 
-/// Thermal masses in a row, every other one a thousand times lighter: stiff, and the more of them the slower.
-void writeChain(const fs::path& directory, int masses, int samples) {
-    fs::create_directories(directory);
-    std::ofstream model(directory / "model.mo");
-    model << "model Chain\n  Analogon.Interfaces.RealInput P(unit=\"W\");\n"
-             "  Analogon.Interfaces.RealOutput T(unit=\"K\");\n"
-             "  Analogon.Sources.PrescribedHeatFlow heat;\n  Analogon.Sources.FixedTemperature around(T=293.15);\n"
-             "  Analogon.Thermal.ThermalConductor out(G=0.5);\n  Analogon.Sensors.TemperatureSensor sensor;\n";
-    for (int i = 0; i < masses; ++i) {
-        model << fmt::format("  Analogon.Thermal.HeatCapacitor c{}(C={}, T_start=293.15);\n", i, i % 2 ? 0.005 : 5.0);
-        if (i > 0) model << fmt::format("  Analogon.Thermal.ThermalConductor g{}(G=2);\n", i);
-    }
-    model << "equation\n  connect(P, heat.Q_flow);\n  connect(heat.port, c0.port);\n  connect(c0.port, sensor.port);\n"
-             "  connect(sensor.T, T);\n  connect(out.port_b, around.port);\n";
-    for (int i = 1; i < masses; ++i)
-        model << fmt::format("  connect(c{}.port, g{}.port_a);\n  connect(g{}.port_b, c{}.port);\n", i - 1, i, i, i);
-    model << fmt::format("  connect(c{}.port, out.port_a);\nend Chain;\n", masses - 1);
-    std::ofstream(directory / "study.json") << R"({"format": "analogon-study-1", "class": "Chain",
-  "experiments": [{"name": "steps", "role": "fit", "file": "steps.csv", "time": "t",
-                   "inputs": {"P": "P"}, "outputs": {"T": "T"}}],
-  "parameters": {"c0.C": {"fit": true, "min": 0.1, "max": 100}, "c2.C": {"fit": true, "min": 0.1, "max": 100},
-                 "g1.G": {"fit": true, "min": 0.05, "max": 50}, "out.G": {"fit": true, "min": 0.05, "max": 50}}})";
-    std::ofstream csv(directory / "steps.csv");
-    csv << "t [s],P [W],T [K]\n";
-    double T = 293.15;
-    for (int k = 0; k < samples; ++k) {
-        const double P = 20 + 10 * (k / 100 % 2) + 5 * std::sin(0.01 * k);
-        T += 0.5 / 60 * (1.5 * P + 293.15 - T);
-        csv << fmt::format("{},{:.4f},{:.4f}\n", 0.5 * k, P, T + 0.005 * ((k * 7919) % 13 - 6));
-    }
-}
+/// What was seen of the interrupts: how long the program was at work after each.
+struct Seen {
+    std::string what;
+    double work{}, waited{};  // [s] of a processor, and by the clock
+};
 
 class Interrupts : public testing::Test {
 protected:
@@ -143,18 +125,6 @@ protected:
         fs::create_directories(scratch);
     }
     void TearDown() override { fs::remove_all(scratch.parent_path()); }
-
-    std::vector<fs::path> studies() const {
-        std::vector<fs::path> all{root / "examples" / "lambda-sensor-heating", root / "examples" / "water-pump"};
-        for (const int masses : {4, 20, 60}) {
-            all.push_back(scratch / fmt::format("chain-{}", masses));
-            writeChain(all.back(), masses, 40000 / masses);
-        }
-        const char* const more = std::getenv("ANALOGON_INTERRUPT_STUDIES");  // directories, separated by colons
-        std::istringstream list(more ? more : "");
-        for (std::string each; std::getline(list, each, ':');) all.emplace_back(each);
-        return all;
-    }
 
     /// What it reports is what was found until then, and nothing that was not looked at.
     void expectHonest(const fs::path& out, const std::string& command) const {
@@ -167,54 +137,118 @@ protected:
         EXPECT_TRUE(fs::exists(out / "study" / "study.json"));
     }
 
+    /// For people: how long the interrupted runs took to end.
+    static void tell(std::vector<Seen> seen, int runs, int told) {
+        std::sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) { return a.work < b.work; });
+        const auto at = [&](double part) {
+            return seen[static_cast<std::size_t>(part * static_cast<double>(seen.size() - 1))];
+        };
+        std::printf(
+            "%zu of %d runs were interrupted, %d of them told what they had found; processor time until the end: "
+            "%.3f s of half, %.3f s of 99 %%, %.3f s at most (%s; %.3f s by the clock)\n",
+            seen.size(), runs, told, at(0.5).work, at(0.99).work, seen.back().work, seen.back().what.c_str(),
+            seen.back().waited);
+    }
+
     fs::path scratch;
 };
 
-/// ANALOGON_INTERRUPTS says how many; each is at a random moment of a run on one of the studies.
+/// What a command does on a study, as often as it is asked.
+class InterruptedCommand {
+public:
+    InterruptedCommand(std::string command, fs::path study, fs::path scratch)
+        : command_(std::move(command)), study_(std::move(study)), scratch_(std::move(scratch)) {}
+
+    std::string name() const { return command_ + " of " + study_.filename().string(); }
+    const std::string& command() const { return command_; }
+    const fs::path& study() const { return study_; }
+    fs::path out() const { return scratch_ / "out"; }
+
+    Process begin() const {
+        fs::remove_all(out());
+        std::vector<std::string> arguments{command_, study_.string()};
+        if (command_ != "check") arguments.insert(arguments.end(), {"--out", out().string(), "--threads", "1"});
+        if (command_ == "fit") arguments.insert(arguments.end(), {"--profile", "all"});
+        return Process(arguments, scratch_);
+    }
+    /// The processor time [s] that it takes where nobody interrupts it, measured once; at most `longest`.
+    double duration(double longest) {
+        if (!duration_) {
+            Process process = begin();
+            duration_ = process.awaitWork(longest) ? longest : process.allWork();
+        }
+        return *duration_;
+    }
+
+private:
+    std::string command_;
+    fs::path study_, scratch_;
+    std::optional<double> duration_;
+};
+
+constexpr int endedBySignal = -1;
+
+/// The interrupt was taken, or came when the results were being written already.
+void expectTaken(int status, const Process& process) {
+    EXPECT_TRUE(status == interrupted || status == done) << status << ": " << process.err();
+}
+
+/// ANALOGON_INTERRUPTS says how many runs must have ended by an interrupt: each at a moment drawn from the time that
+/// the command takes on that study, most of them early, where one stage follows the other.
 TEST_F(Interrupts, EndTheProgramSoonWhereverItIs) {
-    constexpr double mostWork = 0.4;  // [s] of a processor: 0.2 for what was under way, and 0.2
+    constexpr double mostWork = 0.4;                   // [s] of a processor: 0.2 for what was under way, and 0.2
+    constexpr double start = 0.012, listening = 0.06;  // [s], until the program listens: now and then, and always
     const char* const wanted = std::getenv("ANALOGON_INTERRUPTS");
     const char* const seed = std::getenv("ANALOGON_SEED");
     const int count = wanted ? std::atoi(wanted) : 8;
-    const std::vector<std::string> commands{"discover", "fit", "simulate", "check"};
+    const double longest = count < 100 ? 1.5 : 12;
     std::mt19937 random(seed ? static_cast<unsigned>(std::atoi(seed)) : 1);
-    const std::vector<fs::path> all = studies();
-    int interruptedRuns = 0, told = 0;
-    double worst = 0;
-    for (int i = 0; i < count; ++i) {
-        const fs::path& study = all[static_cast<std::size_t>(i) % all.size()];
-        const std::string& command = commands[static_cast<std::size_t>(i) / all.size() % commands.size()];
-        const fs::path out = scratch / fmt::format("out-{}", i);
-        // most runs are short, and most of what a long one does comes again and again
-        const auto after =
-            milliseconds(static_cast<int>(20 * std::pow(200.0, static_cast<double>(random() % 1000) / 1000)));
-        SCOPED_TRACE(fmt::format("{} of {} after {} ms", command, study.string(), after.count()));
-        std::vector<std::string> arguments{command, study.string()};
-        if (command != "check") arguments.insert(arguments.end(), {"--out", out.string(), "--threads", "1"});
-        if (command == "fit") arguments.insert(arguments.end(), {"--profile", "all"});
-        Process process(arguments, scratch);
-        for (double work = 0; !process.isOver() && work < 1e-3 * static_cast<double>(after.count());
-             work = process.work())
-            std::this_thread::sleep_for(milliseconds(2));
-        if (process.isOver()) continue;
+    std::uniform_real_distribution<double> uniform;
+    std::vector<InterruptedCommand> commands;
+    for (const fs::path& study : writeInterruptStudies(scratch))
+        for (const char* command : {"discover", "fit", "simulate", "check"})
+            commands.emplace_back(command, study, scratch);
+
+    std::vector<Seen> seen;
+    std::map<std::string, int> ofCommand, ofStudy;
+    int runs = 0, told = 0;
+    for (; static_cast<int>(seen.size()) < count && runs < 10 * count; ++runs) {
+        // 13 and 40 have no divisor in common: all pairs in turn, and few are enough for all commands
+        InterruptedCommand& pair = commands[static_cast<std::size_t>(runs) * 13 % commands.size()];
+        const double duration = std::max(pair.duration(longest), 2 * start), part = uniform(random);
+        const double after =
+            runs % 3 == 0 ? start + part * (duration - start) : start * std::pow(duration / start, part);
+        SCOPED_TRACE(fmt::format("{} after {:.3f} of {:.3f} s", pair.name(), after, duration));
+        Process process = pair.begin();
+        if (!process.awaitWork(after)) continue;
         const double before = process.work();
+        const auto begin = std::chrono::steady_clock::now();
         process.send(SIGINT);
         const int status = process.wait();
-        EXPECT_TRUE(status == interrupted || status == done) << status << ": " << process.err();
+        const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - begin;
         const double work = process.allWork() - before;
+        if (status == endedBySignal && before < listening) continue;
+        expectTaken(status, process);
         EXPECT_LE(work, mostWork);
-        worst = std::max(worst, work);
-        interruptedRuns += status == interrupted;
-        if (command == "check") continue;
-        EXPECT_EQ(fs::exists(out), fs::exists(out / "report.json")) << "all or nothing";
-        if (status != interrupted || !fs::exists(out / "report.json")) continue;
+        const bool hasReport = fs::exists(pair.out() / "report.json");
+        EXPECT_EQ(fs::exists(pair.out()), hasReport) << "all or nothing";
+        if (status != interrupted) continue;
+        seen.push_back({fmt::format("{} after {:.3f} s", pair.name(), after), work, waited.count()});
+        ++ofCommand[pair.command()];
+        ++ofStudy[pair.study().filename().string()];
+        EXPECT_THAT(process.err(), HasSubstr(hasReport ? "the best result so far was written" : "interrupted before"));
+        if (!hasReport) continue;
         ++told;
-        expectHonest(out, command);
-        fs::remove_all(out);
+        expectHonest(pair.out(), pair.command());
     }
-    RecordProperty("worst_ms", static_cast<int>(1000 * worst));
-    std::printf("%d of %d runs were interrupted, %d of them told what they had found; the longest took %.3f s\n",
-                interruptedRuns, count, told, worst);
+    ASSERT_EQ(static_cast<int>(seen.size()), count) << "too few of " << runs << " runs were really interrupted";
+    if (count >= 100) {
+        EXPECT_EQ(ofCommand.size(), 4u);
+        EXPECT_EQ(ofStudy.size(), 10u);
+        EXPECT_GT(told, count / 10);
+    }
+    tell(seen, runs, told);
+    for (const auto& [command, number] : ofCommand) std::printf("  %s: %d\n", command.c_str(), number);
 }
 
 /// What some shells and `timeout` send twice within a second is one interrupt.
