@@ -2,6 +2,7 @@
 
 #include <dirent.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -22,7 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* marker = ".analogon-owned";
-constexpr std::string_view markerText = "analogon-directory-1\nMade by Analogon for its own use, and removed by it.\n";
+constexpr std::string_view markerHead = "analogon-directory-2\nMade by Analogon for its own use, and removed by it.\n";
+constexpr std::size_t longestMarker = 512;  // [byte]
 /// An unusual mode, set as the directory is made: it tells one whose maker was killed before it could mark it.
 constexpr mode_t ownMode = S_ISVTX | S_IRWXU;
 
@@ -33,6 +35,20 @@ std::string randomEnding() {
     for (int i = 0; i < 6; ++i) ending += letters[random() % letters.size()];
     return ending;
 }
+
+/// What a copy of a directory does not have: its number (inode) together with the moment it was made at, which nobody
+/// can set; where the file system does not keep that, together with the device. The device of a disk may be another one
+/// after the machine was started again.
+std::string identityOf(int directory) {
+    struct statx whole {};
+    if (statx(directory, "", AT_EMPTY_PATH, STATX_INO | STATX_BTIME, &whole) == 0 && (whole.stx_mask & STATX_BTIME))
+        return fmt::format("{} made at {}.{:09}", whole.stx_ino, whole.stx_btime.tv_sec, whole.stx_btime.tv_nsec);
+    struct stat status {};
+    if (fstat(directory, &status) != 0) return {};
+    return fmt::format("{} on {}", status.st_ino, status.st_dev);
+}
+
+std::string markerTextOf(int directory) { return fmt::format("{}directory {}\n", markerHead, identityOf(directory)); }
 
 bool isOwnDirectory(const struct stat& status) { return S_ISDIR(status.st_mode) && status.st_uid == geteuid(); }
 
@@ -72,8 +88,9 @@ int mark(const fs::path& path) {
     FileHandle file(openat(directory.number(), marker, O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
     if (!file.isOpen() || (flock(file.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)) return -1;
     if (!isInPlace(directory.number(), file.number())) return -1;
-    const ssize_t written = write(file.number(), markerText.data(), markerText.size());
-    if (written == static_cast<ssize_t>(markerText.size())) return file.release();
+    const std::string text = markerTextOf(directory.number());
+    const ssize_t written = write(file.number(), text.data(), text.size());
+    if (written == static_cast<ssize_t>(text.size())) return file.release();
     const int fault = written < 0 ? errno : ENOSPC;
     unlinkat(directory.number(), marker, 0);
     errno = fault;
@@ -118,11 +135,12 @@ std::optional<OwnedDirectory> OwnedDirectory::adopt(const fs::path& path) {
         return std::nullopt;
     if (flock(file.number(), LOCK_EX | LOCK_NB) != 0 || !isInPlace(directory.number(), file.number()))
         return std::nullopt;
-    std::string text(markerText.size() + 1, '\0');
+    std::string text(longestMarker, '\0');
     const ssize_t count = pread(file.number(), text.data(), text.size(), 0);
     text.resize(count < 0 ? 0 : static_cast<std::size_t>(count));
-    const bool wasJustBegun = markerText.starts_with(text) && hasOwnMode(status) && holdsNothing(directory.number());
-    if (text != markerText && !wasJustBegun) return std::nullopt;
+    const std::string expected = markerTextOf(directory.number());
+    const bool wasJustBegun = expected.starts_with(text) && hasOwnMode(status) && holdsNothing(directory.number());
+    if (text != expected && !wasJustBegun) return std::nullopt;
     return OwnedDirectory(path, std::move(file));
 }
 
@@ -144,9 +162,12 @@ void OwnedDirectory::release() {
     lock_.reset();
 }
 
-/// The marker goes last: should the program be ended meanwhile, the rest is still known.
+/// The marker goes last: should the program be ended meanwhile, the rest is still known. What somebody has put at this
+/// path meanwhile, in the place of ours, stays.
 void OwnedDirectory::remove() {
     if (path_.empty()) return;
+    const FileHandle directory(open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+    if (!directory.isOpen() || !isInPlace(directory.number(), lock_.number())) return release();
     std::error_code code;
     for (fs::directory_iterator entry(path_, code), end; !code && entry != end; entry.increment(code)) {
         std::error_code lost;

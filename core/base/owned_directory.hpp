@@ -11,7 +11,8 @@ namespace analogon {
 
 /// A directory that the program makes for its own use and removes again. It is known by what it holds, never by its
 /// name: a marker file whose lock (flock) is held as long as its maker lives, in whatever container that runs. Locks
-/// end with the process, so what a killed one has left behind is told from what is in use.
+/// end with the process, so what a killed one has left behind is told from what is in use. The marker names the
+/// directory that it was made for: a copy, which holds it too, belongs to whoever made the copy.
 class OwnedDirectory {
 public:
     enum class Left { Removed, Kept };

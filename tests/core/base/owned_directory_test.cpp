@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cstdlib>
 #include <fstream>
 #include <thread>
 
@@ -99,6 +100,37 @@ TEST_F(OwnedDirectories, AreNotToldByTheirNameOrByWhatSomebodyElsePutsThere) {
     EXPECT_EQ(entries(), before);
     EXPECT_TRUE(fs::exists(elsewhere / "file")) << "a link is not followed";
     EXPECT_TRUE(fs::exists(place / "own-full" / "work"));
+}
+
+TEST_F(OwnedDirectories, CopiedBySomebodyBelongToThem) {
+    const fs::path dead = leftover(), copy = place / "own-copy", moved = place / "own-moved";
+    ASSERT_EQ(std::system(("cp -a '" + dead.string() + "' '" + copy.string() + "'").c_str()), 0);
+    struct stat whole {
+    }, copied{};
+    ASSERT_EQ(stat((dead / ".analogon-owned").c_str(), &whole), 0);
+    ASSERT_EQ(stat((copy / ".analogon-owned").c_str(), &copied), 0);
+    ASSERT_EQ(copied.st_size, whole.st_size) << "the marker is in the copy, too";
+    fs::rename(dead, moved);
+    removeAbandoned(place, prefix);
+    EXPECT_TRUE(fs::exists(copy / "file"));
+    EXPECT_FALSE(OwnedDirectory::adopt(copy));
+    EXPECT_TRUE(fs::exists(copy / "file"));
+    EXPECT_FALSE(fs::exists(moved)) << "one that was moved is still ours";
+}
+
+/// Ours was moved away while it was in use, and something else put in its place.
+TEST_F(OwnedDirectories, AreNotTakenForWhatLiesInTheirPlace) {
+    {
+        const auto made = OwnedDirectory::make(place, prefix);
+        ASSERT_TRUE(made);
+        fs::rename(made->path(), place / "elsewhere");
+        fs::create_directories(made->path());
+        std::ofstream(made->path() / "file") << "mine";
+        std::ofstream(made->path() / ".analogon-owned") << "mine";
+    }
+    EXPECT_EQ(entries(), 2u);
+    EXPECT_FALSE(OwnedDirectory::adopt(place / "elsewhere")->path().empty()) << "the dead one is known where it is";
+    EXPECT_EQ(entries(), 1u);
 }
 
 TEST_F(OwnedDirectories, OfAnotherUserStay) {
