@@ -5,7 +5,11 @@
 #include "core/archive/archive.hpp"
 #include "core/base/distinct.hpp"
 #include "core/base/stop.hpp"
+#include "core/base/visible.hpp"
 #include "core/export/export.hpp"
+#include "core/study/named_path.hpp"
+#include "core/study/pending_save.hpp"
+#include "core/study/study_places.hpp"
 #include "core/study/validate.hpp"
 
 namespace analogon::cli {
@@ -25,6 +29,33 @@ void tell(const Diagnostics& warnings, std::ostream& err) {
     if (!warnings.empty()) err << format(warnings) << std::endl;
 }
 
+int endsInterrupted(const char* what, std::ostream& err) {
+    err << "interrupted: nothing was " << what << std::endl;
+    return interrupted;
+}
+
+/// Libraries elsewhere that are to come along and are not there.
+Diagnostics missingLibraries(const Study& study) {
+    Diagnostics faults;
+    std::error_code code;
+    for (const NamedPath& named : namedPaths(study))
+        if (named.key == NamedPath::Key::Library && leavesDirectory(named.path) &&
+            !fs::exists(study.directory / named.path, code))
+            faults.push_back(StudyPlaces(study).fault(named.pointer, phrase("there is no library '{}'", named.path),
+                                                      phrase("An archive reads itself alone, so the library must come "
+                                                             "along: put it there, or take it out of study.json.")));
+    return faults;
+}
+
+/// One file of an export. Whoever is stopped leaves what was there.
+Outcome<Exported> exportTo(const Study& study, ExportFormat format, const fs::path& file) {
+    try {
+        return analogon::exportStudy(study, format, file, Progress(stopInForce(), {}), Existing::OwnAlone);
+    } catch (const Stopped&) {
+        return fileError(phrase("interrupted"), file.string());
+    }
+}
+
 }  // namespace
 
 int pack(const Options& options, std::ostream& out, std::ostream& err) {
@@ -39,9 +70,11 @@ int pack(const Options& options, std::ostream& out, std::ostream& err) {
     std::error_code code;
     if (fs::is_directory(target, code)) target /= opened->study.name + archiveEnding;
     if (target.extension() != archiveEnding) target += archiveEnding;
-    if (const Outcome<Done> isFree = checkArchivePlace(target); !isFree) return fails(isFree.diagnostics(), err);
-    if (const Outcome<Done> saved = saveStudy(opened->study, target, opened->history); !saved)
-        return fails(saved.diagnostics(), err);
+    if (const Diagnostics faults = missingLibraries(opened->study); !faults.empty()) return fails(faults, err);
+    const Outcome<Done> packed = packStudy(*opened, target, Progress(stopInForce(), {}));
+    if (!packed && isStopped()) return endsInterrupted("packed", err);
+    if (!packed) return fails(packed.diagnostics(), err);
+    tell(packed.diagnostics(), err);
     out << "packed: " << target.string() << std::endl;
     return done;
 }
@@ -51,10 +84,7 @@ int unpack(const Options& options, std::ostream& out, std::ostream& err) {
         return fails({fileError("there is no such file", options.input.string())}, err);
     const fs::path target = options.out.empty() ? options.input.stem() : options.out;
     const Outcome<Done> unpacked = unpackArchive(options.input, target, Progress(stopInForce(), {}));
-    if (!unpacked && isStopped()) {
-        err << "interrupted: nothing was unpacked" << std::endl;
-        return interrupted;
-    }
+    if (!unpacked && isStopped()) return endsInterrupted("unpacked", err);
     if (!unpacked) return fails(unpacked.diagnostics(), err);
     tell(unpacked.diagnostics(), err);
     out << "unpacked: " << target.string() << std::endl;
@@ -78,9 +108,11 @@ int exportStudy(const Options& options, std::ostream& out, std::ostream& err) {
                                  {ExportFormat::Fmu, options.fmuFile, "FMU"},
                                  {ExportFormat::Csv, options.csvFile, "traces"}}) {
         if (wanted.file.empty()) continue;
-        const Outcome<Exported> exported =
-            analogon::exportStudy(opened->study, wanted.format, wanted.file, Progress(stopInForce(), {}));
-        if (isStopped()) return interrupted;  // a compiler that was started has ended with us
+        const Outcome<Exported> exported = exportTo(opened->study, wanted.format, wanted.file);
+        if (isStopped() && !exported) {
+            err << "interrupted: " << visibleName(wanted.file.string()) << " was not written" << std::endl;
+            return interrupted;
+        }
         const Diagnostics more = notYetTold(namedAs(exported.diagnostics(), *opened), told);
         if (!exported) return fails(more, err);
         tell(more, err);

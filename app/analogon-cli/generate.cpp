@@ -41,14 +41,14 @@ int generate(const Options& options, std::ostream& out, std::ostream& err) {
     if (!library) return fails(library.diagnostics());
     const Outcome<GeneratedStudy> generated = generateStudy(*library, *request);
     if (!generated) return fails(generated.diagnostics());
-    if (const Outcome<Done> written = saveStudy(generated->study, options.out); !written)
-        return fails(written.diagnostics());
+    const Outcome<Done> written = saveStudy(generated->study, options.out);
+    if (!written) return fails(written.diagnostics());
     const std::string directory = options.out.string();
     Study study = generated->study;
     for (const std::filesystem::path& p : options.libraries) study.libraryPaths.push_back(absolute(p).string());
     const Outcome<ValidStudy> valid = validated(study, Purpose::Discover);
     Diagnostics said = request.diagnostics();
-    for (const Diagnostics& more : {generated.diagnostics(), valid.diagnostics()})
+    for (const Diagnostics& more : {written.diagnostics(), generated.diagnostics(), valid.diagnostics()})
         said.insert(said.end(), more.begin(), more.end());
     if (said = distinct(std::move(said)); !said.empty()) err << format(said) << std::endl;
     out << "study: " << directory << "\n\nassumed\n";

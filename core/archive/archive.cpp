@@ -1,20 +1,22 @@
 #include "core/archive/archive.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <quazip/quazip.h>
 #include <quazip/quazipfile.h>
 #include <quazip/quazipnewinfo.h>
 #include <unistd.h>
 
 #include <QBuffer>
+#include <QCryptographicHash>
 #include <QFile>
+#include <QSysInfo>
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
 
 #include "core/archive/archive_limits.hpp"
 #include "core/archive/zip_directory.hpp"
+#include "core/archive/zip_look.hpp"
 #include "core/base/file_fault.hpp"
 #include "core/base/file_step.hpp"
 #include "core/base/owned_directory.hpp"
@@ -23,6 +25,7 @@
 #include "core/base/visible.hpp"
 #include "core/base/whole_file.hpp"
 #include "core/study/json_places.hpp"
+#include "core/study/named_path.hpp"
 #include "core/study/pending_save.hpp"
 
 namespace analogon {
@@ -33,18 +36,9 @@ namespace fs = std::filesystem;
 
 constexpr qint64 chunk = 1 << 20;  // [byte]
 
-/// Opened by its bytes: a name that is no UTF-8 is no QString.
-bool openFile(QFile& file, const fs::path& path, int flags, QIODevice::OpenMode mode) {
-    const int handle = open(path.c_str(), flags | O_CLOEXEC, 0666);
-    return handle >= 0 && file.open(handle, mode, QFileDevice::AutoCloseHandle);
-}
-
-bool openForReading(QFile& file, const fs::path& path) {
-    return openFile(file, path, O_RDONLY | O_NONBLOCK, QIODevice::ReadOnly);
-}
-
 bool openNew(QFile& file, const fs::path& path) {
-    return openFile(file, path, O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW, QIODevice::ReadWrite);
+    const int handle = open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    return handle >= 0 && file.open(handle, QIODevice::ReadWrite, QFileDevice::AutoCloseHandle);
 }
 
 std::error_code lastFault() { return {errno, std::generic_category()}; }
@@ -54,6 +48,18 @@ Diagnostic damaged(const fs::path& archive, const std::string& entry, const char
                      phrase("Get the file again from where it came from."));
 }
 
+/// Told of the entry and of where there must be room, not of the directory of ours that it is unpacked into.
+struct Unpacking {
+    fs::path archive, directory, place;  // of the user's, where the directory lies
+
+    Diagnostic fails(const ZipEntry& entry, const Text& why) const {
+        return fileError(phrase("the entry \"{}\" cannot be unpacked: {}", visibleName(entry.name), why),
+                         archive.string(), 0, 0,
+                         phrase("Check that {} may be written and has room.", visibleName(place.string())));
+    }
+    Diagnostic fails(const ZipEntry& entry, const std::error_code& code) const { return fails(entry, code.message()); }
+};
+
 /// Why a file is not written. One that took a part only has no fault of the system: the text of any file then.
 Text reasonOf(const QFile& file) {
     const QString reason = file.errorString();
@@ -61,8 +67,8 @@ Text reasonOf(const QFile& file) {
 }
 
 /// Unpacks one entry; never more than the archive said it holds.
-Outcome<Done> unpackEntry(QuaZip& zip, const fs::path& archive, const ZipEntry& entry, const fs::path& target,
-                          const Progress& progress) {
+Outcome<Done> unpackEntry(QuaZip& zip, const Unpacking& unpacking, const ZipEntry& entry, const Progress& progress) {
+    const fs::path &archive = unpacking.archive, target = unpacking.directory / entry.name;
     if (!zip.setCurrentFile(QString::fromStdString(entry.name), QuaZip::csSensitive))
         return damaged(archive, entry.name, "cannot be found");
     QuaZipFile from(&zip);
@@ -70,8 +76,8 @@ Outcome<Done> unpackEntry(QuaZip& zip, const fs::path& archive, const ZipEntry& 
     std::error_code code;
     fs::create_directories(target.parent_path(), code);
     QFile to;
-    if (code) return cannotWrite(target, code);
-    if (!openNew(to, target)) return cannotWrite(target, lastFault());
+    if (code) return unpacking.fails(entry, code);
+    if (!openNew(to, target)) return unpacking.fails(entry, lastFault());
     std::uint64_t left = entry.size;
     QByteArray bytes(chunk, Qt::Uninitialized);
     for (;;) {
@@ -82,17 +88,19 @@ Outcome<Done> unpackEntry(QuaZip& zip, const fs::path& archive, const ZipEntry& 
         if (static_cast<std::uint64_t>(count) > left)
             return damaged(archive, entry.name, "is larger than the archive says");
         left -= static_cast<std::uint64_t>(count);
-        if (to.write(bytes.constData(), count) != count) return cannotWrite(target, reasonOf(to));
+        if (to.write(bytes.constData(), count) != count) return unpacking.fails(entry, reasonOf(to));
     }
     if (left > 0) return damaged(archive, entry.name, "is shorter than the archive says");
     from.close();  // compares the checksum
     if (from.getZipError() != UNZ_OK) return damaged(archive, entry.name, "is damaged: its checksum does not fit");
     to.close();
-    return to.error() == QFile::NoError ? Outcome<Done>(Done{}) : Outcome<Done>(cannotWrite(target, reasonOf(to)));
+    if (to.error() != QFile::NoError) return unpacking.fails(entry, reasonOf(to));
+    return Done{};
 }
 
 /// All entries below a directory; returns the warnings.
-Outcome<Done> unpackInto(const fs::path& archive, const fs::path& directory, const Progress& progress = {}) {
+Outcome<Done> unpackInto(const Unpacking& unpacking, const Progress& progress = {}) {
+    const auto& [archive, directory, place] = unpacking;
     const Outcome<std::vector<ZipEntry>> entries = readZipDirectory(archive);
     if (!entries) return entries.diagnostics();
     if (Outcome<Done> isBounded = checkLimits(archive, *entries); !isBounded) return isBounded;
@@ -102,7 +110,7 @@ Outcome<Done> unpackInto(const fs::path& archive, const fs::path& directory, con
         return fileError(phrase("this is no zip archive"), archive.string());
     Diagnostics warnings = entries.diagnostics();
     for (const ZipEntry& entry : *entries) {
-        Outcome<Done> done = unpackEntry(zip, archive, entry, directory / entry.name, progress);
+        Outcome<Done> done = unpackEntry(zip, unpacking, entry, progress);
         if (done) continue;
         if (progress.stopRequested() || !entry.name.starts_with(historyFolder + std::string("/"))) return done;
         std::error_code code;
@@ -165,7 +173,20 @@ Diagnostics renamed(Diagnostics diagnostics, const std::string& from, const std:
     return diagnostics;
 }
 
-/// An archive reads itself alone: a measurement from elsewhere would be a file of whoever opens it.
+Diagnostic isNotInside(const NamedPath& named, const Span& place) {
+    switch (named.key) {
+        case NamedPath::Key::Measurement:
+            return error(phrase("experiment '{}': the file '{}' is not in the archive", named.experiment, named.path),
+                         place, phrase("An archive reads itself alone: put the measurement into it."));
+        case NamedPath::Key::Library:
+            break;
+    }
+    return error(phrase("the library '{}' is not in the archive", named.path), place,
+                 phrase("An archive reads itself alone: pack the directory of the study, which puts the library into "
+                        "it."));
+}
+
+/// An archive reads itself alone: what it names elsewhere would be a file of whoever opens it.
 Outcome<Done> checkReach(const fs::path& directory, const fs::path& archive) {
     const fs::path place = directory / "study.json";
     Outcome<std::string> text = readRegularFile(place);
@@ -174,21 +195,27 @@ Outcome<Done> checkReach(const fs::path& directory, const fs::path& archive) {
     const Outcome<Study> study = parseStudyJson(json);
     if (!study) return Done{};
     Diagnostics faults;
-    for (std::size_t i = 0; i < study->experiments.size(); ++i) {
-        const StudyExperiment& e = study->experiments[i];
-        if (!leavesDirectory(e.file)) continue;
-        faults.push_back(error(phrase("experiment '{}': the file '{}' is not in the archive", e.name, e.file),
-                               JsonPlaces(json).value(fmt::format("/experiments/{}/file", i)),
-                               phrase("An archive reads itself alone: put the measurement into it.")));
-    }
+    const JsonPlaces places(json);
+    for (const NamedPath& named : namedPaths(*study))
+        if (!staysWithin(directory, named.path)) faults.push_back(isNotInside(named, places.value(named.pointer)));
     return faults.empty() ? Outcome<Done>(Done{}) : Outcome<Done>(faults);
+}
+
+/// Tells by what an archive was packed from what: the machine and the place of the study, which nobody can read from
+/// it.
+std::string packComment(const OpenedStudy& opened) {
+    std::error_code code;
+    const fs::path place = opened.files ? opened.origin : fs::absolute(opened.study.directory, code);
+    const std::string path = fs::weakly_canonical(place, code).string();
+    const QByteArray origin = QSysInfo::machineUniqueId() + '\0' + QByteArray::fromStdString(path);
+    return "analogon-pack-1 " + QCryptographicHash::hash(origin, QCryptographicHash::Sha256).toHex().toStdString();
 }
 
 Outcome<OpenedStudy> openArchive(const fs::path& archive) {
     Outcome<std::shared_ptr<const TemporaryDirectory>> files = TemporaryDirectory::make();
     if (!files) return files.diagnostics();
     const fs::path directory = (*files)->path();
-    const Outcome<Done> unpacked = unpackInto(archive, directory);
+    const Outcome<Done> unpacked = unpackInto({archive, directory, (*files)->place()});
     if (!unpacked) return unpacked.diagnostics();
     if (const Outcome<Done> isWithin = checkReach(directory, archive); !isWithin) return isWithin.diagnostics();
     Outcome<Study> study = readStudy(directory);
@@ -220,7 +247,7 @@ std::vector<std::string> filesBelow(const fs::path& directory) {
     return names;
 }
 
-bool putEntry(QuaZip& zip, const std::string& name, QIODevice& from, bool isStored) {
+bool putEntry(QuaZip& zip, const std::string& name, QIODevice& from, bool isStored, const Progress& progress) {
     QuaZipNewInfo info(QString::fromStdString(name));
     info.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup | QFile::ReadOther);
     QuaZipFile to(&zip);
@@ -229,13 +256,20 @@ bool putEntry(QuaZip& zip, const std::string& name, QIODevice& from, bool isStor
     if (!isOpen) return false;
     QByteArray bytes;
     while (!(bytes = from.read(chunk)).isEmpty())
-        if (to.write(bytes) != bytes.size()) return false;
+        if (progress.stopRequested() || to.write(bytes) != bytes.size()) return false;
     to.close();
     return to.getZipError() == ZIP_OK;
 }
 
-/// The files of a directory as a zip file, on the disk when this returns; the type (null: none) stands first.
-Outcome<Done> writeZip(const fs::path& directory, const fs::path& target, const fs::path& shown, const char* mimetype) {
+/// What a zip file is told of itself.
+struct ZipHead {
+    const char* mimetype{};  // stands first; null: none
+    std::string comment{};
+};
+
+/// The files of a directory as a zip file, on the disk when this returns.
+Outcome<Done> writeZip(const fs::path& directory, const fs::path& target, const fs::path& shown, const ZipHead& head,
+                       const Progress& progress) {
     QFile file;
     if (!openNew(file, target)) return cannotWrite(shown, lastFault());
     QuaZip zip(&file);
@@ -243,35 +277,40 @@ Outcome<Done> writeZip(const fs::path& directory, const fs::path& target, const 
     zip.setUtf8Enabled(true);
     zip.setDataDescriptorWritingEnabled(false);  // sizes stand before the data, so the type is at a fixed place
     bool isWritten = zip.open(QuaZip::mdCreate);
-    if (isWritten && mimetype) {
-        QByteArray type(mimetype);
+    if (!head.comment.empty()) zip.setComment(QString::fromStdString(head.comment));
+    if (isWritten && head.mimetype) {
+        QByteArray type(head.mimetype);
         QBuffer buffer(&type);
-        isWritten = buffer.open(QIODevice::ReadOnly) && putEntry(zip, "mimetype", buffer, true);
+        isWritten = buffer.open(QIODevice::ReadOnly) && putEntry(zip, "mimetype", buffer, true, progress);
     }
     for (const std::string& name : filesBelow(directory)) {
         if (!isWritten) break;
         QFile from;
         isWritten = openForReading(from, directory / name) &&
-                    putEntry(zip, name, from, name.ends_with(traceEnding)) &&  // digits of doubles: nothing to compress
-                    from.error() == QFile::NoError;
+                    // digits of doubles: nothing to compress
+                    putEntry(zip, name, from, name.ends_with(traceEnding), progress) && from.error() == QFile::NoError;
     }
     zip.close();
+    if (progress.stopRequested()) return fileError(phrase("interrupted"), shown.string());
     isWritten = isWritten && zip.getZipError() == ZIP_OK && file.flush() && fsync(file.handle()) == 0;
     return isWritten ? Outcome<Done>(Done{}) : Outcome<Done>(cannotWrite(shown, reasonOf(file)));
 }
 
-Outcome<Done> zipWhole(const fs::path& directory, const fs::path& path, const char* mimetype) {
-    return writeWhole(path, [&](const fs::path& beside) { return writeZip(directory, beside, path, mimetype); });
+Outcome<Done> zipWhole(const fs::path& directory, const fs::path& path, const ZipHead& head, const Progress& progress) {
+    return writeWhole(path, [&](const fs::path& beside) { return writeZip(directory, beside, path, head, progress); });
 }
 
-Outcome<Done> saveArchive(const Study& study, const fs::path& path, const std::vector<PastRun>& history) {
+Outcome<Done> saveArchive(const Study& study, const fs::path& path, const std::vector<PastRun>& history,
+                          const std::string& comment = {}, const Progress& progress = {}) {
     Outcome<std::shared_ptr<const TemporaryDirectory>> files = TemporaryDirectory::make();
     if (!files) return files.diagnostics();
     const fs::path directory = (*files)->path() / "study";
-    if (Outcome<Done> done = writeStudy(study, directory); !done) return done;
+    const Outcome<Done> written = writeStudy(study, directory, OutsideLibraries::Included);
+    if (!written) return written;
     if (!history.empty())
         if (Outcome<Done> done = writeHistory(history, directory / historyFolder); !done) return done;
-    return zipWhole(directory, path, archiveType);
+    if (Outcome<Done> zipped = zipWhole(directory, path, {archiveType, comment}, progress); !zipped) return zipped;
+    return written;
 }
 
 }  // namespace
@@ -299,12 +338,14 @@ Outcome<OpenedStudy> openStudy(const fs::path& path) {
 
 Outcome<Done> saveStudy(const Study& study, const fs::path& path, const std::vector<PastRun>& history) {
     if (path.extension() == archiveEnding) return saveArchive(study, path, history);
-    if (Outcome<Done> done = writeStudy(study, path); !done) return done;
-    return replaceHistory(history, path);
+    const Outcome<Done> written = writeStudy(study, path);
+    if (!written) return written;
+    if (Outcome<Done> done = replaceHistory(history, path); !done) return done;
+    return written;
 }
 
-Outcome<Done> zipDirectory(const fs::path& directory, const fs::path& file) {
-    return zipWhole(directory, file, nullptr);
+Outcome<Done> zipDirectory(const fs::path& directory, const fs::path& file, const Progress& progress) {
+    return zipWhole(directory, file, {}, progress);
 }
 
 Outcome<Done> checkNewPlace(const fs::path& path) {
@@ -316,17 +357,21 @@ Outcome<Done> checkNewPlace(const fs::path& path) {
                      path.string(), 0, 0, isFile ? phrase("Give another name.") : phrase("Name a new directory."));
 }
 
-Outcome<Done> checkArchivePlace(const fs::path& path) {
+Outcome<Done> checkPackPlace(const OpenedStudy& opened, const fs::path& archive) {
     std::error_code code;
-    if (!fs::exists(fs::symlink_status(path, code))) return Done{};
-    std::string begin;
-    if (checkRegularFile(path)) {
-        std::ifstream stream(path, std::ios::binary);
-        begin.resize(38 + std::string(archiveType).size());
-        stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-    }
-    if (begin.starts_with("PK") && begin.ends_with(archiveType)) return Done{};
-    return fileError(phrase("this exists already and is no study"), path.string(), 0, 0, phrase("Give another name."));
+    if (!fs::exists(fs::symlink_status(archive, code))) return Done{};
+    if (Outcome<Done> isFile = checkRegularFile(archive); !isFile) return isFile;
+    if (fs::file_size(archive, code) == 0 && !code) return Done{};
+    if (zipComment(archive) == packComment(opened)) return Done{};
+    const bool isStudy = beginningOfEntry(archive, "mimetype", 100) == archiveType;
+    return fileError(isStudy ? phrase("this exists already and is another study, or was saved since it was packed")
+                             : phrase("this exists already and is no study"),
+                     archive.string(), 0, 0, phrase("Give another name, or remove it first."));
+}
+
+Outcome<Done> packStudy(const OpenedStudy& opened, const fs::path& archive, const Progress& progress) {
+    if (Outcome<Done> isFree = checkPackPlace(opened, archive); !isFree) return isFree;
+    return saveArchive(opened.study, archive, opened.history, packComment(opened), progress);
 }
 
 Outcome<Done> unpackArchive(const fs::path& archive, const fs::path& directory, const Progress& progress) {
@@ -341,8 +386,8 @@ Outcome<Done> unpackArchive(const fs::path& archive, const fs::path& directory, 
     const fs::path beside = own->path() / "new";
     code.clear();
     if (!fs::create_directory(beside, code)) return cannotWrite(target, code);
-    Outcome<Done> done = unpackInto(archive, beside, progress);
-    if (!done) return renamed(done.diagnostics(), beside.string(), target.string());
+    Outcome<Done> done = unpackInto({archive, beside, place}, progress);
+    if (!done) return done;
     fs::create_directories(target.parent_path(), code);
     if (!code) fs::rename(beside, target, code);
     if (code) return cannotWrite(target, code);

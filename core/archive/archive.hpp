@@ -32,23 +32,29 @@ bool isArchive(const std::filesystem::path& path);
 
 /// Reads a study directory, its study.json or an archive. Messages about an archive name its entries as
 /// "lambda.analogon/model.mo". Faults: see readZipDirectory and readStudy; an entry that is damaged or larger than it
-/// says, one of ArchiveLimits, a measurement outside of the archive. A history that is damaged is lost, with a warning;
-/// the study is not.
+/// says, one of ArchiveLimits, a measurement or a library outside of the archive. A history that is damaged is lost,
+/// with a warning; the study is not.
 Outcome<OpenedStudy> openStudy(const std::filesystem::path& path);
 
 /// Writes a study and its history into an archive (ending .analogon) or a directory. Whatever happens in between, the
-/// archive is the old one or the new one, whole; so is the study of a directory, and its history follows.
+/// archive is the old one or the new one, whole; so is the study of a directory, and its history follows. Notes: see
+/// writeStudy.
 Outcome<Done> saveStudy(const Study& study, const std::filesystem::path& path,
                         const std::vector<PastRun>& history = {});
 
+/// Writes an opened study into an archive that is new, or was packed from the same study before and not saved since:
+/// its comment tells. Anything else that is there stays. Atomic as saveStudy; all or nothing also where it is stopped.
+Outcome<Done> packStudy(const OpenedStudy& opened, const std::filesystem::path& archive, const Progress& progress = {});
+
 /// The files below a directory as a plain zip file, for formats of other tools. Atomic as saveStudy.
-Outcome<Done> zipDirectory(const std::filesystem::path& directory, const std::filesystem::path& file);
+Outcome<Done> zipDirectory(const std::filesystem::path& directory, const std::filesystem::path& file,
+                           const Progress& progress = {});
 
 /// Whether something new can be written there: nothing has that name, or it is an empty directory.
 Outcome<Done> checkNewPlace(const std::filesystem::path& path);
 
-/// Whether an archive can be written there: nothing has that name, or it is a study that was packed before.
-Outcome<Done> checkArchivePlace(const std::filesystem::path& path);
+/// Whether packStudy would write there.
+Outcome<Done> checkPackPlace(const OpenedStudy& opened, const std::filesystem::path& archive);
 
 /// The files of an archive, byte for byte, in a directory that does not exist yet or is empty. All or nothing, also
 /// where it is stopped.

@@ -16,6 +16,8 @@ public:
     TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
+    /// What it lies below: the system's place for temporary files.
+    std::filesystem::path place() const { return around_.path().parent_path(); }
 
 private:
     TemporaryDirectory(OwnedDirectory around, std::filesystem::path path)

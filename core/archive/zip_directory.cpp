@@ -147,7 +147,18 @@ private:
             entries_.push_back(std::move(entry));
             at += centralSize + nameSize + extra + comment;
         }
-        return at == text.size() ? Text() : phrase("the list of its entries has data behind its end");
+        if (at != text.size()) return phrase("the list of its entries has data behind its end");
+        return belowFiles(seen);
+    }
+
+    /// What a file lies below must be a directory.
+    static Text belowFiles(const std::set<std::string>& names) {
+        for (const std::string& name : names)
+            for (std::size_t end = name.find('/'); end != std::string::npos; end = name.find('/', end + 1))
+                if (const std::string around = name.substr(0, end); names.contains(around))
+                    return phrase("the entry \"{}\" lies below the entry \"{}\", which is a file", visibleName(name),
+                                  visibleName(around));
+        return {};
     }
 
     /// Local headers must say the same, and no two entries may share bytes.

@@ -2,6 +2,7 @@
 
 #include "core/base/distinct.hpp"
 #include "core/base/whole_file.hpp"
+#include "core/export/earlier_export.hpp"
 #include "core/export/fmu.hpp"
 #include "core/export/modelica.hpp"
 #include "core/report/report.hpp"
@@ -36,11 +37,14 @@ Outcome<Exported> exported(const Study& study, ExportFormat format, const fs::pa
     switch (format) {
         case ExportFormat::Modelica: {
             const Outcome<std::string> text = modelicaText(study);
-            return text ? written(file, *text) : text.diagnostics();
+            return text ? written(file, sealed(*text)) : text.diagnostics();
         }
         case ExportFormat::Csv: {
             const Outcome<RunResult> result = runSimulate(study, {}, progress);
-            return result ? written(file, tracesCsv(result->finding)) : result.diagnostics();
+            if (!result) return result.diagnostics();
+            const std::string text = tracesCsv(result->finding);
+            if (progress.stopRequested()) return fileError(phrase("interrupted"), file.string());  // they end early
+            return written(file, text);
         }
         case ExportFormat::Fmu:
             break;
@@ -54,8 +58,11 @@ Outcome<Exported> exported(const Study& study, ExportFormat format, const fs::pa
 
 }  // namespace
 
-Outcome<Exported> exportStudy(const Study& study, ExportFormat format, const fs::path& file, const Progress& progress) {
+Outcome<Exported> exportStudy(const Study& study, ExportFormat format, const fs::path& file, const Progress& progress,
+                              Existing existing) {
     if (Outcome<Done> isFree = checkTarget(study, file); !isFree) return isFree.diagnostics();
+    if (existing == Existing::OwnAlone)
+        if (Outcome<Done> isOwn = checkExportPlace(format, file); !isOwn) return isOwn.diagnostics();
     Diagnostics said;
     if (!study.experiments.empty()) {  // a model alone may be exported, too
         const Outcome<ValidStudy> valid = validated(study, Purpose::Simulate);

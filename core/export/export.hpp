@@ -13,9 +13,13 @@ struct Exported {
     bool hasModelExchange{};  // of an FMU, beside Co-Simulation
 };
 
+/// What lies at the place of the new file: anything, which whoever names the file has agreed to, or an earlier export
+/// of the same kind alone, told by what it holds.
+enum class Existing { Replaced, OwnAlone };
+
 /// Writes a study's model as it stands into one file for other tools: as an FMU, as Modelica text that stands alone, or
 /// as its simulated traces beside the measured ones. The file is always the old one or the whole new one.
 Outcome<Exported> exportStudy(const Study& study, ExportFormat format, const std::filesystem::path& file,
-                              const Progress& progress = {});
+                              const Progress& progress = {}, Existing existing = Existing::Replaced);
 
 }  // namespace analogon

@@ -279,6 +279,8 @@ Diagnostic sourcesOnly(const Text& why) {
     return note;
 }
 
+constexpr const char* messagesName = "messages";
+
 /// How a program ended that was run.
 struct Ended {
     enum class How { Exited, NotRun, TookTooLong, Stopped };
@@ -286,14 +288,30 @@ struct Ended {
     int status{};
 };
 
-/// Runs a program found on PATH with its messages in a file. What has not ended in time, or when it is to stop, is
-/// ended with all that it has started.
-Ended runProgram(std::vector<std::string> arguments, const fs::path& messages, std::chrono::seconds limit,
+/// The environment of this program with another place for temporary files.
+std::vector<std::string> environmentWith(const fs::path& temporary) {
+    std::vector<std::string> variables{"TMPDIR=" + temporary.string()};
+    for (char** each = environ; *each; ++each)
+        if (!std::string_view(*each).starts_with("TMPDIR=")) variables.emplace_back(*each);
+    return variables;
+}
+
+std::vector<char*> pointersTo(std::vector<std::string>& texts) {
+    std::vector<char*> pointers;
+    for (std::string& text : texts) pointers.push_back(text.data());
+    pointers.push_back(nullptr);
+    return pointers;
+}
+
+/// Runs a program found on PATH within a directory of ours: its messages in a file there, its temporary files, too,
+/// since one that is ended leaves them. What has not ended in time, or when it is to stop, is ended with all that it
+/// has started.
+Ended runProgram(std::vector<std::string> arguments, const fs::path& within, std::chrono::seconds limit,
                  const Progress& progress) {
     using How = Ended::How;
-    std::vector<char*> pointers;
-    for (std::string& a : arguments) pointers.push_back(a.data());
-    pointers.push_back(nullptr);
+    const fs::path messages = within / messagesName;
+    std::vector<std::string> variables = environmentWith(within);
+    std::vector<char*> pointers = pointersTo(arguments), environment = pointersTo(variables);
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_addopen(&files, STDERR_FILENO, messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
@@ -303,7 +321,7 @@ Ended runProgram(std::vector<std::string> arguments, const fs::path& messages, s
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
     posix_spawnattr_setpgroup(&attributes, 0);  // of its own, with what it starts
     pid_t process{};
-    const int failed = posix_spawnp(&process, pointers[0], &files, &attributes, pointers.data(), environ);
+    const int failed = posix_spawnp(&process, pointers[0], &files, &attributes, pointers.data(), environment.data());
     posix_spawn_file_actions_destroy(&files);
     posix_spawnattr_destroy(&attributes);
     if (failed) return {How::NotRun, 0};
@@ -324,7 +342,7 @@ Ended runProgram(std::vector<std::string> arguments, const fs::path& messages, s
 }
 
 /// binaries/linux64; what comes back is why there is none.
-std::optional<Diagnostic> addBinary(const Fmu& fmu, const fs::path& directory, const fs::path& messages,
+std::optional<Diagnostic> addBinary(const Fmu& fmu, const fs::path& directory, const fs::path& within,
                                     std::chrono::seconds limit, const Progress& progress) {
 #if defined(__linux__) && defined(__x86_64__)
     const fs::path binaries = directory / "binaries" / "linux64";
@@ -335,7 +353,7 @@ std::optional<Diagnostic> addBinary(const Fmu& fmu, const fs::path& directory, c
         runProgram({"cc", "-std=c99", "-O2", "-shared", "-fPIC", "-fvisibility=hidden", "-ffp-contract=off",
                     "-DFMI2_OVERRIDE_FUNCTION_PREFIX", "-o", (binaries / (fmu.modelIdentifier + ".so")).string(),
                     (directory / "sources" / "fmu.c").string(), "-lm"},
-                   messages, limit, progress);
+                   within, limit, progress);
     const bool hasExited = compiler.how == Ended::How::Exited;
     if (hasExited && compiler.status == 0) return std::nullopt;
     fs::remove_all(directory / "binaries", code);
@@ -343,8 +361,7 @@ std::optional<Diagnostic> addBinary(const Fmu& fmu, const fs::path& directory, c
         return sourcesOnly(phrase("no C compiler (cc) is on PATH"));
     if (compiler.how == Ended::How::TookTooLong)
         return sourcesOnly(phrase("the C compiler (cc) was still busy after {} s and was ended", limit.count()));
-    if (compiler.how == Ended::How::Stopped) return sourcesOnly(phrase("the C compiler (cc) was interrupted"));
-    std::ifstream stream(messages);
+    std::ifstream stream(within / messagesName);
     std::string line;
     std::getline(stream, line);
     return sourcesOnly(line.empty() ? phrase("the C compiler (cc) failed")
@@ -352,7 +369,7 @@ std::optional<Diagnostic> addBinary(const Fmu& fmu, const fs::path& directory, c
 #else
     (void)fmu;
     (void)directory;
-    (void)messages;
+    (void)within;
     (void)limit;
     (void)progress;
     return sourcesOnly(phrase("on this platform none is made"));
@@ -383,11 +400,13 @@ Outcome<Done> writeFmu(const Fmu& fmu, const fs::path& file, std::chrono::second
     if (!place) return place.diagnostics();
     const fs::path directory = (*place)->path() / "fmu";
     if (Outcome<Done> written = writeFiles(fmu, directory); !written) return written;
-    if (!hasRoomForCompiler(fmu, (*place)->path()))
-        return cannotWrite((*place)->path(), phrase("the disk may be full"));
-    const std::optional<Diagnostic> note =
-        addBinary(fmu, directory, (*place)->path() / "messages", compilerLimit, progress);
-    if (Outcome<Done> zipped = zipDirectory(directory, file); !zipped) return zipped;
+    const fs::path within = (*place)->path() / "compiler";
+    std::error_code code;
+    if (!fs::create_directory(within, code)) return cannotWrite(within, code);
+    if (!hasRoomForCompiler(fmu, within)) return cannotWrite(within, phrase("the disk may be full"));
+    const std::optional<Diagnostic> note = addBinary(fmu, directory, within, compilerLimit, progress);
+    if (progress.stopRequested()) return fileError(phrase("interrupted"), file.string());
+    if (Outcome<Done> zipped = zipDirectory(directory, file, progress); !zipped) return zipped;
     return note ? Outcome<Done>(Done{}, {*note}) : Outcome<Done>(Done{});
 }
 

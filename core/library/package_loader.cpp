@@ -17,7 +17,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint64_t largestText = 64u << 20;  // [byte] of a file
-constexpr int deepestPackage = 32;                // links on the disk may run in circles
 
 std::string qualified(const std::string& scope, const std::string& name) {
     return scope.empty() ? name : fmt::format("{}.{}", scope, name);

@@ -8,6 +8,8 @@
 
 namespace analogon {
 
+constexpr int deepestPackage = 32;  // links on the disk may run in circles
+
 /// Reads packages from disk into a list of classes (Modelica 3.6, section 13.4). Private to the library.
 class PackageLoader {
 public:

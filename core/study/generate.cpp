@@ -8,6 +8,7 @@
 
 #include "core/base/median.hpp"
 #include "core/base/unit.hpp"
+#include "core/measure/encoding.hpp"
 #include "core/study/column_guess.hpp"
 #include "core/study/composition.hpp"
 #include "core/study/recording_split.hpp"
@@ -506,7 +507,8 @@ private:
         for (std::size_t i = 0; i < count; ++i) {
             const Table& table = *request_.recordings[i];
             StudyExperiment experiment;
-            experiment.name = names.freeName(std::filesystem::path(table.file).stem().string());
+            const std::string stem = std::filesystem::path(table.file).stem().string();
+            experiment.name = names.freeName(isUtf8(stem) ? stem : latin1ToUtf8(stem));
             experiment.role = i > 0 && i + 1 == count ? Role::Validate : Role::Fit;
             std::error_code code;
             experiment.file = std::filesystem::exists(table.file, code)

@@ -65,9 +65,14 @@ struct Study {
 /// line and column or row. Tables are read here; units are checked in estimationTask.
 Outcome<Study> readStudy(const std::filesystem::path& path);
 
-/// Writes study.json, the models and the measurements into a directory (created when missing). All or
-/// nothing: written beside first, then moved.
-Outcome<Done> writeStudy(const Study& study, const std::filesystem::path& directory);
+/// A library that lies outside of a study that is written elsewhere is named by its whole path there, or, for an
+/// archive, which reads itself alone, included.
+enum class OutsideLibraries { Named, Included };
+
+/// Writes study.json, the models and the measurements into a directory (created when missing), and the libraries that
+/// lie within the study. All or nothing: written beside first, then moved.
+Outcome<Done> writeStudy(const Study& study, const std::filesystem::path& directory,
+                         OutsideLibraries outside = OutsideLibraries::Named);
 
 /// Whether the offset of the clock of an output's own logger is to be found by the fit.
 bool asksForClock(const std::vector<StudyExperiment>& experiments, const std::string& output);

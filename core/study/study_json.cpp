@@ -57,6 +57,7 @@ public:
             faults_.push_back(error(phrase("{} is given twice", shortened(twice.text(), limits::quotedBytes)), twice,
                                     phrase("Keep one of them.")));
         if (!readFormat(root)) return faults_;
+        refuseNul(root);
         study_.className = requiredText(root, "class");
         readExperiments(root);
         readParameters(root);
@@ -77,6 +78,23 @@ private:
 
     void fault(const Node& node, Text message, Text hint = {}) {
         faults_.push_back(error(std::move(message), places_.value(node.pointer), std::move(hint)));
+    }
+
+    /// A NUL ends a text for some of those who are given it: "a.csv\0.csv" would be one file to us and another to them.
+    void refuseNul(const Node& node) {
+        const auto holdsNul = [](const std::string& text) { return text.find('\0') != std::string::npos; };
+        const auto refuse = [&](const Span& place) {
+            faults_.push_back(error(phrase("{}: a text holds the character U+0000", path(node)), place,
+                                    phrase("Take it out: no name and no path holds it.")));
+        };
+        if (node.value->is_string() && holdsNul(node.value->get_ref<const std::string&>()))
+            refuse(places_.value(node.pointer));
+        for (std::size_t i = 0; node.value->is_array() && i < node.value->size(); ++i) refuseNul(node.element(i));
+        if (!node.value->is_object()) return;
+        for (const auto& [name, value] : node.value->items()) {
+            if (holdsNul(name)) refuse(places_.name(node.pointer + '/' + JsonPlaces::escape(name)));
+            refuseNul(node.member(name));
+        }
     }
 
     /// "experiments/0/file" as the reader of the file would say it.

@@ -9,7 +9,10 @@
 #include "core/base/file_fault.hpp"
 #include "core/base/file_step.hpp"
 #include "core/base/owned_directory.hpp"
+#include "core/library/package_files.hpp"
+#include "core/measure/encoding.hpp"
 #include "core/study/pending_save.hpp"
+#include "core/study/run_history.hpp"
 #include "core/study/study.hpp"
 
 namespace analogon {
@@ -30,12 +33,15 @@ bool holdTheSame(const fs::path& a, const fs::path& b) {
 /// Writes the files of a study into a directory of its own, then moves them to their place.
 class StudyWriter {
 public:
-    StudyWriter(const Study& study, const fs::path& target) : study_(study), target_(target) {}
+    StudyWriter(const Study& study, const fs::path& target, OutsideLibraries outside)
+        : study_(study), target_(target), outside_(outside) {}
 
+    /// Notes: what was given another name.
     Outcome<Done> write() {
         if (Outcome<Done> made = prepare(); !made) return made;
         if (Outcome<Done> filled = fill(); !filled) return filled;
-        return move();
+        if (Outcome<Done> moved = move(); !moved) return moved;
+        return {Done{}, std::move(notes_)};
     }
 
 private:
@@ -89,6 +95,8 @@ private:
 
     Outcome<Done> fill() {
         Study placed = study_;
+        taken_ = {"study.json", historyFolder, "mimetype"};  // the first entry of an archive
+        for (const auto& [name, text] : study_.models) taken_.insert(name);
         for (StudyExperiment& experiment : placed.experiments) {
             const std::string from = experiment.file;
             experiment.file = placeOfMeasurement(from);
@@ -96,24 +104,39 @@ private:
         }
         for (const auto& [name, text] : study_.models)
             if (Outcome<Done> done = put(name, text); !done) return done;
+        if (Outcome<Done> done = putLibraries(placed); !done) return done;
         return put("study.json", studyJson(placed));
     }
 
+    /// A name that study.json can hold, and that no model has.
+    static fs::path nameableName(const fs::path& file) {
+        const std::string own = file.filename().string();
+        const std::string name = isUtf8(own) ? own : latin1ToUtf8(own);
+        return name.ends_with(".mo") ? name + ".csv" : name;
+    }
+
     /// Where a measurement lies in the written study; those from elsewhere come to lie beside study.json, at the place
-    /// of no other file.
+    /// of no other file, and so do those whose names study.json cannot hold.
     std::string placeOfMeasurement(const std::string& file) {
         if (const auto known = places_.find(file); known != places_.end()) return known->second;
-        const fs::path path(file);
-        const bool isFromElsewhere = leavesDirectory(path);
-        std::string place = isFromElsewhere ? path.filename().string() : path.lexically_normal().generic_string();
+        const bool isMoved = leavesDirectory(file) || !isUtf8(file);
+        const fs::path path = isMoved ? nameableName(file) : fs::path(file).lexically_normal();
+        std::string place = path.generic_string();
         const auto isOfAnother = [&] {
             std::error_code code;
-            return isFromElsewhere && fs::exists(fs::symlink_status(target_ / place, code)) &&
-                   !holdTheSame(study_.directory / path, target_ / place);
+            return isMoved && fs::exists(fs::symlink_status(target_ / place, code)) &&
+                   !holdTheSame(study_.directory / file, target_ / place);
         };
         for (int i = 2; taken_.contains(place) || isOfAnother(); ++i)
             place = fmt::format("{}_{}{}", path.stem().string(), i, path.extension().string());
         taken_.insert(place);
+        if (isMoved && path != fs::path(file).filename()) {
+            Diagnostic note = fileError(
+                phrase("the measurement is called \"{}\" in the study, which cannot name it as it is called", place),
+                file);
+            note.severity = Severity::Note;
+            notes_.push_back(std::move(note));
+        }
         return places_[file] = place;
     }
 
@@ -128,19 +151,63 @@ private:
         const fs::path source = PendingSave::in(study_.directory).place(from);
         if ((!study_.directory.empty() || source.is_absolute()) && fs::exists(source, code)) {
             if (fs::equivalent(source, target_ / place, code)) return Done{};  // it is there already
-            if (Outcome<Done> room = makeRoom(place); !room) return room;
-            code = copyToNew(source, temporary_ / place);
-            if (code) return cannotWrite(target_ / place, code);
-            // A measurement kept read-only at its origin shall not make the copy so.
-            fs::permissions(temporary_ / place, fs::perms::owner_write, fs::perm_options::add, code);
-            syncToDisk(temporary_ / place);
-            written_.insert(place);
-            return Done{};
+            return copy(source, place);
         }
         const auto table = study_.tables.find(from);
         if (table == study_.tables.end() || !table->second)
             return fileError(phrase("the measurement is neither on disk nor in the study"), source.string());
         return put(place, writeCsv(*table->second));
+    }
+
+    Outcome<Done> copy(const fs::path& source, const std::string& place) {
+        if (written_.contains(place)) return Done{};
+        if (Outcome<Done> room = makeRoom(place); !room) return room;
+        std::error_code code = copyToNew(source, temporary_ / place);
+        if (code) return cannotWrite(target_ / place, code);
+        // A measurement kept read-only at its origin shall not make the copy so.
+        fs::permissions(temporary_ / place, fs::perms::owner_write, fs::perm_options::add, code);
+        syncToDisk(temporary_ / place);
+        written_.insert(place);
+        return Done{};
+    }
+
+    /// Whether a place is that of another file, or lies below one, or around one.
+    bool isTaken(const std::string& place) const {
+        return std::any_of(taken_.begin(), taken_.end(), [&](const std::string& other) {
+            return other == place || other.starts_with(place + '/') || place.starts_with(other + '/');
+        });
+    }
+
+    /// Libraries of a study that is written elsewhere: what is relative to the one directory is not to the other.
+    Outcome<Done> putLibraries(Study& placed) {
+        std::error_code code;
+        if (isThere_ && fs::equivalent(target_, study_.directory, code)) return Done{};
+        for (std::string& path : placed.libraryPaths) {
+            const fs::path from = fs::weakly_canonical(study_.directory / path, code);
+            const bool isOutside = leavesDirectory(path);
+            if (isOutside && outside_ == OutsideLibraries::Named && isUtf8(from.string())) {
+                path = from.string();
+                continue;
+            }
+            std::string place = fs::path(path).lexically_normal().generic_string();
+            if (isOutside) place = freePlaceOf(from);
+            for (const fs::path& file : packageFiles(from)) {
+                const fs::path name = file == from ? fs::path(place) : place / file.lexically_relative(from);
+                if (Outcome<Done> done = copy(file, name.lexically_normal().generic_string()); !done) return done;
+            }
+            path = place;
+        }
+        return Done{};
+    }
+
+    /// "library/Workshop": a package may be kept under any name.
+    std::string freePlaceOf(const fs::path& library) {
+        const std::string given = library.filename().string();
+        const fs::path name(isUtf8(given) ? given : latin1ToUtf8(given));
+        std::string place = (libraryFolder / name).generic_string();
+        for (int i = 2; isTaken(place); ++i) place = fmt::format("{}_{}/{}", libraryFolder.string(), i, name.string());
+        taken_.insert(place);
+        return place;
     }
 
     /// Blocks of another study that lay here before would become part of this one.
@@ -169,19 +236,23 @@ private:
         return code ? Outcome<Done>(cannotWrite(target_, code)) : Outcome<Done>(Done{});
     }
 
+    inline static const fs::path libraryFolder = "library";
+
     const Study& study_;
     fs::path target_, temporary_;
+    OutsideLibraries outside_;
     bool isThere_{};
     DirectoryLock lock_;
     std::optional<OwnedDirectory> own_;
     std::map<std::string, std::string> places_;
     std::set<std::string> taken_, written_;
+    Diagnostics notes_;
 };
 
 }  // namespace
 
-Outcome<Done> writeStudy(const Study& study, const std::filesystem::path& directory) {
-    return StudyWriter(study, directory).write();
+Outcome<Done> writeStudy(const Study& study, const std::filesystem::path& directory, OutsideLibraries outside) {
+    return StudyWriter(study, directory, outside).write();
 }
 
 }  // namespace analogon

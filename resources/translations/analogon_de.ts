@@ -4518,8 +4518,68 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Ein Archiv liest nur sich selbst: die Messung hineinlegen.</translation>
     </message>
     <message>
+        <source>the library '{}' is not in the archive</source>
+        <translation>die Bibliothek „{}“ liegt nicht im Archiv</translation>
+    </message>
+    <message>
+        <source>An archive reads itself alone: pack the directory of the study, which puts the library into it.</source>
+        <translation>Ein Archiv liest nur sich selbst: das Verzeichnis der Studie packen, das legt die Bibliothek hinein.</translation>
+    </message>
+    <message>
+        <source>the entry "{}" cannot be unpacked: {}</source>
+        <translation>der Eintrag „{}“ lässt sich nicht entpacken: {}</translation>
+    </message>
+    <message>
+        <source>Check that {} may be written and has room.</source>
+        <translation>Prüfen, ob {} beschreibbar ist und Platz hat.</translation>
+    </message>
+    <message>
+        <source>the entry "{}" lies below the entry "{}", which is a file</source>
+        <translation>der Eintrag „{}“ liegt unter dem Eintrag „{}“, der eine Datei ist</translation>
+    </message>
+    <message>
+        <source>the measurement is called "{}" in the study, which cannot name it as it is called</source>
+        <translation>die Messung heißt in der Studie „{}“; ihren eigenen Namen kann eine Studie nicht nennen</translation>
+    </message>
+    <message>
+        <source>{}: a text holds the character U+0000</source>
+        <translation>{}: ein Text enthält das Zeichen U+0000</translation>
+    </message>
+    <message>
+        <source>Take it out: no name and no path holds it.</source>
+        <translation>Es herausnehmen: kein Name und kein Pfad enthält es.</translation>
+    </message>
+    <message>
         <source>this exists already and is no study</source>
         <translation>dies existiert schon und ist keine Studie</translation>
+    </message>
+    <message>
+        <source>this exists already and is another study, or was saved since it was packed</source>
+        <translation>dies existiert schon und ist eine andere Studie, oder es wurde seit dem Packen gespeichert</translation>
+    </message>
+    <message>
+        <source>Give another name, or remove it first.</source>
+        <translation>Einen anderen Namen angeben oder es vorher entfernen.</translation>
+    </message>
+    <message>
+        <source>this exists already and is no FMU that was exported before</source>
+        <translation>dies existiert schon und ist keine früher exportierte FMU</translation>
+    </message>
+    <message>
+        <source>this exists already and holds no traces that were exported before</source>
+        <translation>dies existiert schon und enthält keine früher exportierten Verläufe</translation>
+    </message>
+    <message>
+        <source>this exists already and is no model text that was exported before, or it was changed since</source>
+        <translation>dies existiert schon und ist kein früher exportierter Modelltext, oder es wurde seitdem geändert</translation>
+    </message>
+    <message>
+        <source>there is no library '{}'</source>
+        <translation>es gibt keine Bibliothek „{}“</translation>
+    </message>
+    <message>
+        <source>An archive reads itself alone, so the library must come along: put it there, or take it out of study.json.</source>
+        <translation>Ein Archiv liest nur sich selbst, also muss die Bibliothek mit: sie dorthin legen oder aus study.json nehmen.</translation>
     </message>
     <message>
         <source>A study archive holds study.json, a model (.mo) and its measurements at its top.</source>
@@ -9328,10 +9388,6 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>the C compiler (cc) was still busy after {} s and was ended</source>
         <translation>der C-Compiler (cc) war nach {} s noch beschäftigt und wurde beendet</translation>
-    </message>
-    <message>
-        <source>the C compiler (cc) was interrupted</source>
-        <translation>der C-Compiler (cc) wurde unterbrochen</translation>
     </message>
     <message>
         <source>the C compiler (cc) failed: {}</source>

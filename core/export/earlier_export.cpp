@@ -1,0 +1,78 @@
+#include "core/export/earlier_export.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/uuid/name_generator_sha1.hpp>
+#include <boost/uuid/uuid_io.hpp>
+#include <fstream>
+#include <string_view>
+
+#include "core/archive/zip_look.hpp"
+#include "core/base/regular_file.hpp"
+
+namespace analogon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view sealBegin = "// Exported by Analogon (";
+constexpr std::uint64_t largestText = 256u << 20;  // [byte]
+
+std::string sealOf(std::string_view text) {
+    const boost::uuids::uuid sum = boost::uuids::name_generator_sha1(boost::uuids::ns::oid())(text.data(), text.size());
+    return fmt::format("{}{}), and again to this place as long as nobody changes it.\n", sealBegin, to_string(sum));
+}
+
+bool beginsWith(const fs::path& file, std::string_view words) {
+    std::string begin(words.size(), '\0');
+    std::ifstream(file, std::ios::binary).read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    return begin == words;
+}
+
+bool isEarlier(ExportFormat format, const fs::path& file) {
+    switch (format) {
+        case ExportFormat::Fmu:
+            return beginningOfEntry(file, "modelDescription.xml", 4096).find(" generationTool=\"Analogon\"") !=
+                   std::string::npos;
+        case ExportFormat::Csv:
+            return beginsWith(file, "experiment,time [s]");
+        case ExportFormat::Modelica:
+            break;
+    }
+    const Outcome<std::string> text = readRegularFile(file, largestText);
+    return text && isSealed(*text);
+}
+
+Text fault(ExportFormat format) {
+    switch (format) {
+        case ExportFormat::Fmu:
+            return phrase("this exists already and is no FMU that was exported before");
+        case ExportFormat::Csv:
+            return phrase("this exists already and holds no traces that were exported before");
+        case ExportFormat::Modelica:
+            break;
+    }
+    return phrase("this exists already and is no model text that was exported before, or it was changed since");
+}
+
+}  // namespace
+
+std::string sealed(const std::string& text) { return sealOf(text) + text; }
+
+bool isSealed(const std::string& text) {
+    const std::size_t end = text.find('\n');
+    if (!text.starts_with(sealBegin) || end == std::string::npos) return false;
+    const std::string_view whole = text, rest = whole.substr(end + 1);
+    return whole.substr(0, end + 1) == sealOf(rest);
+}
+
+Outcome<Done> checkExportPlace(ExportFormat format, const fs::path& file) {
+    std::error_code code;
+    if (!fs::exists(file, code)) return Done{};
+    if (Outcome<Done> isFile = checkRegularFile(file); !isFile) return isFile;
+    if (fs::file_size(file, code) == 0 || isEarlier(format, file)) return Done{};
+    return fileError(fault(format), file.string(), 0, 0, phrase("Give another name, or remove it first."));
+}
+
+}  // namespace analogon
