@@ -138,15 +138,33 @@ int endsWithoutResult() {
     return interrupted;
 }
 
+/// The results as files. Once that is interrupted, it begins anew, without what takes long. Returns whether it was.
+bool write(const RunResult& result, const Options& options, ResultsPlace& place, std::stop_token stop,
+           Outcome<Done>& written) {
+    if (!stop.stop_requested()) try {
+            const StopScope scope(std::move(stop));
+            written = place.write(result, name(options.command));
+            return false;
+        } catch (const Stopped&) {
+        }
+    written = place.write(result, name(options.command), Traces::Short);
+    return true;
+}
+
 /// The table, whatever becomes of the files; and they.
-int tell(const RunResult& result, const Options& options, ResultsPlace& place, bool wasRaised) {
+int tell(const RunResult& result, const Options& options, ResultsPlace& place, const std::stop_token& stop) {
     std::cout << visible(summaryText(result.finding)) << std::endl;
-    const Outcome<Done> written = place.write(result, name(options.command));
+    Outcome<Done> written = Done{};
+    const bool isInterrupted = write(result, options, place, stop, written);
     if (!written) return fails(written.diagnostics());
     if (!written.diagnostics().empty()) std::cerr << format(written.diagnostics()) << std::endl;
     std::cout << "report: " << visible((options.out / "report.html").string()) << std::endl;
-    if (wasRaised && result.finding.interrupted) {
-        std::cerr << "interrupted; the best result so far was written" << std::endl;
+    if (isInterrupted) {
+        std::cerr << (result.finding.interrupted ? "interrupted; the best result so far was written"
+                      : leavesTracesOut(result.finding, Traces::Short)
+                          ? "interrupted when the work was done; the results were written but for the traces"
+                          : "interrupted when the work was done; the results were written")
+                  << std::endl;
         return interrupted;
     }
     if (result.finding.interrupted)
@@ -173,7 +191,7 @@ int runStudy(const Options& options, Interrupt& interrupt) {
     const Interrupt::LastWords lastWords(interrupt, [&] {
         view.clear();
         if (const std::optional<RunResult> result = found.take())
-            tell(*result, options, *place, true);
+            tell(*result, options, *place, interrupt.token());
         else
             endsWithoutResult();
         const ResultsPlace left(std::move(*place));  // goes where nothing was written, when this ends
@@ -196,7 +214,7 @@ int runStudy(const Options& options, Interrupt& interrupt) {
         !more.empty())
         std::cerr << format(more) << std::endl;
     for (const Text& remark : result->finding.final.remarks) view.note(remark);
-    const int status = tell(*result, options, *place, interrupt.wasRaised());
+    const int status = tell(*result, options, *place, interrupt.token());
     return traced || status != done ? status : static_cast<int>(inputAtFault);
 }
 
@@ -222,9 +240,30 @@ int execute(const Options& options, Interrupt& interrupt) {
     }
 }
 
+/// The names of a list, separated by commas, each as it stands.
+std::vector<std::string> namesIn(const std::string& list, const std::string& option) {
+    std::vector<std::string> names;
+    for (std::size_t at = 0, end = 0; end != std::string::npos; at = end + 1) {
+        end = list.find(',', at);
+        names.push_back(list.substr(at, end == std::string::npos ? end : end - at));
+    }
+    for (const std::string& name : names)
+        if (name.find_first_not_of(" \t") == std::string::npos)
+            throw CLI::ValidationError(fmt::format(
+                "{}: a name is missing in \"{}\"; give names separated by single commas", option, visibleName(list)));
+    if (list.starts_with("--"))
+        throw CLI::ValidationError(
+            fmt::format("{}: names are expected, and \"{}\" is another option", option, visibleName(list)));
+    return names;
+}
+
 /// Names after one option, separated by commas: what follows them is no further one, and the option may be repeated.
 CLI::Option* addNames(CLI::App& app, const char* option, std::vector<std::string>& names, const char* text) {
-    return app.add_option(option, names, text)->delimiter(',')->allow_extra_args(false);
+    const auto add = [&names, option](const std::vector<std::string>& lists) {
+        for (const std::string& list : lists)
+            for (std::string& name : namesIn(list, option)) names.push_back(std::move(name));
+    };
+    return app.add_option_function<std::vector<std::string>>(option, add, text)->allow_extra_args(false);
 }
 
 void addCommon(CLI::App& app, Options& options) {

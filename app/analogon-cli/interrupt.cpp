@@ -55,10 +55,11 @@ void install(void (*handler)(int)) {
 
 }  // namespace
 
+void Interrupt::listen() { install(onSignal); }
+
 Interrupt::Interrupt() {
-    raised = 0;
     isHeld = 0;
-    install(onSignal);
+    listen();
     watcher_ = std::jthread([this](const std::stop_token& end) { watch(end); });
 }
 

@@ -16,6 +16,10 @@ namespace analogon::cli {
 /// change nothing, since the program is about to end.
 class Interrupt {
 public:
+    /// Counts signals from here on; where there was one, the Interrupt that is made later begins as one that was
+    /// raised. The first thing that a program does: until then a signal ends it without a word.
+    static void listen();
+
     Interrupt();
     ~Interrupt();
     Interrupt(const Interrupt&) = delete;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/number_text.hpp"
+#include "core/base/stop.hpp"
 #include "core/base/unit.hpp"
 #include "core/measure/table.hpp"
 #include "core/report/report.hpp"
@@ -186,6 +187,7 @@ std::string tracesCsv(const Finding& finding) {
         const ExperimentState* const after = both ? find(finding.final, experiment.name) : nullptr;
         const std::string label = csvCell(experiment.name);
         for (std::size_t row = 0; row < experiment.time.size(); ++row) {
+            if (row % 4096 == 0) stopPoint();
             fmt::format_to(std::back_inserter(text), "{},{:.9g}", label, experiment.time[row]);
             for (const auto& [name, unit] : outputs) {
                 const OutputState* const output = find(&experiment, name);

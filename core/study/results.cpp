@@ -12,6 +12,7 @@
 #include "core/base/file_fault.hpp"
 #include "core/base/file_step.hpp"
 #include "core/base/owned_directory.hpp"
+#include "core/base/stop.hpp"
 #include "core/report/report.hpp"
 #include "core/study/results_record.hpp"
 
@@ -42,16 +43,20 @@ Outcome<Done> putFile(const fs::path& file, const fs::path& shown, const std::st
 }
 
 /// All results in a directory of our own.
-Outcome<Done> fill(const fs::path& fresh, const fs::path& shown, const RunResult& result, const std::string& command) {
+Outcome<Done> fill(const fs::path& fresh, const fs::path& shown, const RunResult& result, const std::string& command,
+                   Traces kept) {
     const ReportContext context{result.completed.name, command, version};
     const std::pair<const char*, std::string> files[] = {
         {"report.json", reportJson(result.finding, context)},
         {"report.html", reportHtml(result.finding, context)},
-        {"traces.csv", leavesTracesOut(result.finding) ? std::string() : tracesCsv(result.finding)},
+        {"traces.csv", leavesTracesOut(result.finding, kept) ? std::string() : tracesCsv(result.finding)},
         {"proposed.mo", proposedBlocks(result.finding)}};
-    for (const auto& [name, content] : files)
+    for (const auto& [name, content] : files) {
+        stopPoint();
         if (!content.empty())
             if (Outcome<Done> done = putFile(fresh / name, shown / name, content); !done) return done;
+    }
+    stopPoint();
     if (Outcome<Done> done = writeStudy(result.completed, fresh / "study"); !done) return done;
     if (result.proposed)
         if (Outcome<Done> done = writeStudy(*result.proposed, fresh / "study-proposed"); !done) return done;
@@ -252,7 +257,7 @@ ResultsPlace::~ResultsPlace() {
     for (auto made = made_.rbegin(); made != made_.rend(); ++made) rmdir(made->c_str());  // fails unless it is empty
 }
 
-Outcome<Done> ResultsPlace::write(const RunResult& result, const std::string& command) {
+Outcome<Done> ResultsPlace::write(const RunResult& result, const std::string& command, Traces traces) {
     const bool isWhole = canBeExchanged(directory_);
     Outcome<OwnedDirectory> own =
         OwnedDirectory::make(isWhole ? directory_.parent_path() : directory_, isWhole ? besideOf(directory_) : inside);
@@ -261,7 +266,7 @@ Outcome<Done> ResultsPlace::write(const RunResult& result, const std::string& co
     const fs::path fresh = own->path() / "new";
     std::error_code code;
     if (!fs::create_directory(fresh, code)) return cannotWrite(directory_, code);
-    if (Outcome<Done> filled = fill(fresh, directory_, result, command); !filled) return filled;
+    if (Outcome<Done> filled = fill(fresh, directory_, result, command, traces); !filled) return filled;
     struct stat status {};
     if (stat(directory_.c_str(), &status) == 0) chmod(fresh.c_str(), status.st_mode & 07777);
     syncToDisk(fresh);

@@ -24,8 +24,9 @@ public:
     ResultsPlace(ResultsPlace&&) = default;
     ResultsPlace& operator=(ResultsPlace&&) = delete;
 
-    /// Notes: what was kept under another name.
-    Outcome<Done> write(const RunResult& result, const std::string& command);
+    /// Notes: what was kept under another name. Throws Stopped (core/base/stop) where that was asked for before the
+    /// results were at their place; nothing has changed there then, and they can be written anew.
+    Outcome<Done> write(const RunResult& result, const std::string& command, Traces traces = Traces::All);
 
 private:
     explicit ResultsPlace(std::filesystem::path directory) : directory_(std::move(directory)) {}

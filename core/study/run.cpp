@@ -147,11 +147,11 @@ auto unlessStopped(const Progress& progress, const Work& work) -> decltype(work(
 
 }  // namespace
 
-bool leavesTracesOut(const Finding& finding) {
+bool leavesTracesOut(const Finding& finding, Traces traces) {
     constexpr std::size_t most = 100'000;  // samples of outputs
     std::size_t count = 0;
     for (const ExperimentState& e : finding.baseline.experiments) count += e.time.size() * e.outputs.size();
-    return finding.interrupted && count > most;
+    return (finding.interrupted || traces == Traces::Short) && count > most;
 }
 
 std::string proposedBlocks(const Finding& finding) {

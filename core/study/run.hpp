@@ -24,8 +24,10 @@ struct RunOptions {
     std::function<void(RunResult)> keep{};
 };
 
-/// What nobody waits for who has interrupted a run: traces that take longer to write than all else together.
-bool leavesTracesOut(const Finding& finding);
+/// Whether all traces are written, or no long ones: they take longer to write than all else together, and nobody who
+/// has interrupted a run waits for them.
+enum class Traces { All, Short };
+bool leavesTracesOut(const Finding& finding, Traces traces = Traces::All);
 
 /// What a run works on. Once its scope is asked to stop (core/base/stop) it ends with "cancelled".
 Outcome<EstimationTask> taskOf(const Study& study, const RunOptions& options);
