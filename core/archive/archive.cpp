@@ -81,7 +81,8 @@ Outcome<Done> unpackEntry(QuaZip& zip, const Unpacking& unpacking, const ZipEntr
     std::uint64_t left = entry.size;
     QByteArray bytes(chunk, Qt::Uninitialized);
     for (;;) {
-        if (progress.stopRequested() || isStopped()) return fileError(phrase("interrupted"), archive.string());
+        if (progress.stopRequested()) return fileError(phrase("interrupted"), archive.string());
+        stopPoint();
         const qint64 count = from.read(bytes.data(), chunk);
         if (count < 0) return damaged(archive, entry.name, "is damaged: its compressed data cannot be read");
         if (count == 0) break;

@@ -34,6 +34,7 @@ bool isArchive(const std::filesystem::path& path);
 /// "lambda.analogon/model.mo". Faults: see readZipDirectory and readStudy; an entry that is damaged or larger than it
 /// says, one of ArchiveLimits, a measurement or a library outside of the archive. A history that is damaged is lost,
 /// with a warning; the study is not.
+/// Throws Stopped (core/base/stop) where that was asked for meanwhile.
 Outcome<OpenedStudy> openStudy(const std::filesystem::path& path);
 
 /// Writes a study and its history into an archive (ending .analogon) or a directory. Whatever happens in between, the

@@ -12,7 +12,6 @@
 #include "core/library/package_files.hpp"
 #include "core/measure/encoding.hpp"
 #include "core/study/pending_save.hpp"
-#include "core/study/run_history.hpp"
 #include "core/study/study.hpp"
 
 namespace analogon {
@@ -95,8 +94,6 @@ private:
 
     Outcome<Done> fill() {
         Study placed = study_;
-        taken_ = {"study.json", historyFolder, "mimetype"};  // the first entry of an archive
-        for (const auto& [name, text] : study_.models) taken_.insert(name);
         for (StudyExperiment& experiment : placed.experiments) {
             const std::string from = experiment.file;
             experiment.file = placeOfMeasurement(from);
@@ -108,11 +105,10 @@ private:
         return put("study.json", studyJson(placed));
     }
 
-    /// A name that study.json can hold, and that no model has.
+    /// A name that study.json can hold.
     static fs::path nameableName(const fs::path& file) {
         const std::string own = file.filename().string();
-        const std::string name = isUtf8(own) ? own : latin1ToUtf8(own);
-        return name.ends_with(".mo") ? name + ".csv" : name;
+        return isUtf8(own) ? own : latin1ToUtf8(own);
     }
 
     /// Where a measurement lies in the written study; those from elsewhere come to lie beside study.json, at the place

@@ -358,6 +358,25 @@ TEST_F(CommandLine, EndsNamesAtTheirCommasAndFindsTheStudyWhereverItStands) {
     EXPECT_EQ(checked.status, done) << checked.err;
 }
 
+TEST_F(CommandLine, RefusesListsThatLackAName) {
+    const std::string directory = study(lag).string();
+    const std::vector<std::vector<std::string>> commands{{"discover", directory, "--kinds"},
+                                                         {"fit", directory, "--profile"},
+                                                         {"generate", "--data", directory + "/step.csv", "--domains"}};
+    for (const std::vector<std::string>& command : commands)
+        for (const char* list : {",", "", "a,", ",a", "a,,b", " ", "a, ,b"}) {
+            std::vector<std::string> arguments = command;
+            arguments.insert(arguments.end(), {list, "--out", (scratch / "out").string()});
+            const Result result = run(arguments);
+            EXPECT_EQ(result.status, inputAtFault) << command.front() << " \"" << list << "\"";
+            EXPECT_THAT(result.err, HasSubstr(command.back() + ": a name is missing in \"" + list + "\""));
+            EXPECT_FALSE(fs::exists(scratch / "out"));
+        }
+    const Result swallowing = run({"discover", directory, "--kinds", "--out", (scratch / "out").string()});
+    EXPECT_EQ(swallowing.status, inputAtFault);
+    EXPECT_THAT(swallowing.err, HasSubstr("--kinds: names are expected, and \"--out\" is another option"));
+}
+
 TEST_F(CommandLine, NamesAKindOfEffectThatIsNone) {
     const fs::path out = scratch / "out";
     const Result result = run({"discover", study(lag).string(), "--kinds", "frction.coulomb", "--out", out.string()});

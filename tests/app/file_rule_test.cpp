@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "app/analogon-cli/command_line.hpp"
+#include "core/base/visible.hpp"
 #include "tests/app/command_process.hpp"
 #include "tests/tree.hpp"
 
@@ -232,6 +233,85 @@ TEST_F(FileRule, WhatIsWrittenTakesThePlaceOfNothingElse) {
         EXPECT_THAT(exported.err, HasSubstr("this is a file of the study itself")) << option;
     }
     EXPECT_EQ(treeOf(directory), before);
+}
+
+/// A new file of each kind takes the place of an earlier one of its own kind, or of an empty file.
+TEST_F(FileRule, ExportsTakeThePlaceOfEarlierOnesAlone) {
+    const std::string directory = study(lag).string();
+    const std::vector<std::pair<std::string, std::string>> kinds{
+        {"--fmu", "a.fmu"}, {"--modelica", "a.mo"}, {"--csv", "a.csv"}};
+    put(scratch / "notes", "mine");
+    put(scratch / "data", "time,experiment\n");
+    fs::create_directories(scratch / "directory");
+    for (const auto& [option, name] : kinds) {
+        const std::string file = (scratch / name).string();
+        put(file, "");
+        for (int time = 0; time < 3; ++time) {
+            const Result again = run({"export", directory, option, file});
+            EXPECT_EQ(again.status, done) << option << again.err;
+        }
+    }
+    const auto before = treeOf(scratch);
+    for (const auto& [option, name] : kinds)
+        for (const std::string other : {"notes", "data", "a.fmu", "a.mo", "a.csv", "directory"}) {
+            if (other == name) continue;
+            const Result refused = run({"export", directory, option, (scratch / other).string()});
+            EXPECT_EQ(refused.status, inputAtFault) << option << " " << other;
+            EXPECT_THAT(refused.err, HasSubstr(other == "directory" ? "this is a directory" : "this exists already"));
+            EXPECT_TRUE(refused.out.empty());
+        }
+    auto after = treeOf(scratch);
+    for (const char* stream : {"stdout.txt", "stderr.txt"}) after[stream] = before.at(stream);
+    EXPECT_EQ(after, before);
+    std::ofstream(scratch / "a.mo", std::ios::app) << "// and mine\n";
+    const Result changed = run({"export", directory, "--modelica", (scratch / "a.mo").string()});
+    EXPECT_EQ(changed.status, inputAtFault);
+    EXPECT_THAT(changed.err, HasSubstr("or it was changed since"));
+    const Result twice =
+        run({"export", directory, "--fmu", (scratch / "b").string(), "--csv", (scratch / "b").string()});
+    EXPECT_EQ(twice.status, inputAtFault) << "one is not written over the other";
+}
+
+TEST_F(FileRule, PacksTakeThePlaceOfTheirOwnStudyAlone) {
+    const fs::path first = study(lag), second = scratch / "second", file = scratch / "a.analogon";
+    fs::copy(first, second, fs::copy_options::recursive);
+    for (const fs::path& from : {first, first, first / "study.json"})
+        EXPECT_EQ(run({"pack", from.string(), file.string()}).status, done);
+    const std::string before = contentOf(file);
+    const Result other = run({"pack", second.string(), file.string()});
+    EXPECT_EQ(other.status, inputAtFault);
+    EXPECT_THAT(other.err, HasSubstr("this exists already and is another study"));
+    EXPECT_EQ(contentOf(file), before);
+    put(second / "study.json", [&] {
+        std::string text = contentOf(second / "study.json");
+        return text.replace(text.rfind('}'), 1, ", \"library\": [\"../nowhere\"]}");
+    }());
+    const Result missing = run({"pack", second.string(), (scratch / "b.analogon").string()});
+    EXPECT_EQ(missing.status, inputAtFault);
+    EXPECT_THAT(missing.err, HasSubstr("there is no library '../nowhere'"));
+    EXPECT_FALSE(fs::exists(scratch / "b.analogon"));
+}
+
+/// What is generated can be opened, whatever the recording is called.
+TEST_F(FileRule, AStudyIsGeneratedFromAFileOfAnyName) {
+    std::string data = "t [s],U [V],I [A],T [degC]\n";
+    for (int i = 0; i < 300; ++i)
+        data +=
+            fmt::format("{},{},{:.4f},{:.3f}\n", 0.1 * i, 6 + i / 100 % 2, 1.2 + 0.1 * (i / 100 % 2), 20 + 0.05 * i);
+    int count = 0;
+    for (const std::string& name : {std::string("pr\xfc"
+                                                "f.csv"),
+                                    std::string("\xff\xfe.csv"), std::string("a\nb.csv")}) {
+        put(scratch / "data" / name, data);
+        const std::string out = (scratch / fmt::format("out-{}", count++)).string();
+        for (const std::string& target : {out, out + ".analogon"}) {
+            const Result made = run({"generate", "--domains", "electric-thermal,thermal-fluid", "--data",
+                                     (scratch / "data" / name).string(), "--out", target});
+            EXPECT_EQ(made.status, done) << visible(name) << made.err;
+            const Result checked = run({"check", target});
+            EXPECT_EQ(checked.status, done) << visible(name) << checked.err;
+        }
+    }
 }
 
 TEST_F(FileRule, PathsNeedNotBeUtf8) {

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <optional>
 
 #include "ui/style/style.hpp"
 
@@ -10,9 +11,13 @@
 int main(int argc, char** argv) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     testing::InitGoogleTest(&argc, argv);
-    const QTemporaryDir settings;  // the user's own settings stay out of the tests, and the tests out of them
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
-    qputenv("XDG_DATA_HOME", settings.path().toUtf8());  // nor does one offer what another has left
+    // The user's own settings stay out of the tests, and the tests out of them; nor does one offer what another has
+    // left. A process that a test starts has the directory of that test.
+    QString home = qEnvironmentVariable("ANALOGON_TEST_HOME");
+    std::optional<QTemporaryDir> own;
+    if (home.isEmpty()) home = own.emplace().path();
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, home);
+    qputenv("XDG_DATA_HOME", home.toUtf8());
     QApplication application(argc, argv);
     QCoreApplication::setOrganizationName("Analogon");
     QCoreApplication::setApplicationName("AnalogonTest");

@@ -2,6 +2,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "core/measure/encoding.hpp"
 #include "study_fixture.hpp"
 #include "tests/kills.hpp"
 #include "tests/tree.hpp"
@@ -9,6 +10,11 @@
 using namespace analogon;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
+
+static std::string contentOf(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
 
 using StudyFiles = analogon::testing::StudyTest;
 
@@ -248,6 +254,40 @@ TEST_F(StudyFiles, TakeThePlaceOfNoOtherMeasurement) {
         EXPECT_EQ(get(directory_ / "train.csv"), before) << "a file of the user beside the study";
         EXPECT_EQ(read().experiments[0].file, "train_2.csv");
         EXPECT_FALSE(fs::exists(directory_ / "train_3.csv"));
+    }
+}
+
+/// Also where its own name is none that a study can hold.
+TEST_F(StudyFiles, NameEveryMeasurementSoThatItIsFoundAgain) {
+    putHeater();
+    const Study sound = read();
+    const fs::path elsewhere = directory_ / "elsewhere";
+    fs::create_directories(elsewhere);
+    const std::string content = contentOf(directory_ / "train.csv");
+    for (const auto& [name, kept] :
+         std::vector<std::pair<std::string, std::string>>{{"pr\xfc"
+                                                           "fung.csv",
+                                                           "pr\u00fcfung.csv"},
+                                                          {"pr\u00fcfung.csv", "pr\u00fcfung.csv"},
+                                                          {"\xff\xfe.txt", "\u00ff\u00fe.txt"}}) {
+        SCOPED_TRACE(kept);
+        std::ofstream(elsewhere / name, std::ios::binary) << content;
+        Study study = sound;
+        study.experiments.front().file = (elsewhere / name).string();
+        study.tables[study.experiments.front().file] = sound.tables.at("train.csv");
+        const Outcome<Done> written = writeStudy(study, directory_ / "out");
+        ASSERT_TRUE(written) << format(written.diagnostics());
+        const bool isTold = !written.diagnostics().empty();
+        EXPECT_EQ(isTold, !isUtf8(name)) << format(written.diagnostics());
+        if (isTold) {
+            EXPECT_THAT(format(written.diagnostics()), HasSubstr("is called \"" + kept + "\" in the study"));
+        }
+        const Outcome<Study> again = readStudy(directory_ / "out");
+        ASSERT_TRUE(again) << format(again.diagnostics());
+        EXPECT_EQ(again->experiments.front().file, kept);
+        EXPECT_EQ(contentOf(directory_ / "out" / kept), content);
+        EXPECT_EQ(again->models, sound.models);
+        fs::remove_all(directory_ / "out");
     }
 }
 

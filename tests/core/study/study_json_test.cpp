@@ -265,6 +265,34 @@ TEST(JsonPlaces, FindsValuesAndNames) {
     EXPECT_FALSE(places.name("/a/0").valid());
 }
 
+/// Programs in C take it for the end of a text: a name that holds one is two names.
+TEST(StudyJson, RefusesANulInEveryTextAndName) {
+    const std::string sound = R"({"format": "analogon-study-1", "class": "M!", "library": ["lib!.mo"],
+  "experiments": [{"name": "a!", "role": "fit", "file": "a.csv!", "time": "t!", "initial": {"b.x!": "T!"},
+    "inputs": {"u!": {"column": "U!", "unit": "V"}}, "outputs": {"y!": "Y!"}, "rig": {"own!": "kept!"}}],
+  "parameters": {"b.R!": {"fit": true}}})";
+    const auto with = [&](std::size_t which) {
+        std::string text;
+        std::size_t count = 0;
+        for (const char c : sound) c != '!' ? text += c : count++ == which ? text += "\\u0000.x" : text;
+        return text;
+    };
+    const auto places = static_cast<std::size_t>(std::count(sound.begin(), sound.end(), '!'));
+    ASSERT_TRUE(parse(with(places))) << "without one it is read";
+    ASSERT_GE(places, 14u);
+    for (std::size_t i = 0; i < places; ++i) {
+        const Outcome<Study> study = parse(with(i));
+        ASSERT_FALSE(study) << with(i);
+        ASSERT_EQ(study.diagnostics().size(), 1u) << format(study.diagnostics());
+        const Diagnostic& fault = study.diagnostics().front();
+        EXPECT_THAT(fault.message.english(), HasSubstr("a text holds the character U+0000"));
+        EXPECT_GT(fault.place.line, 0);
+        EXPECT_THAT(fault.place.lineText.substr(static_cast<std::size_t>(fault.place.column - 1),
+                                                static_cast<std::size_t>(fault.place.length)),
+                    HasSubstr("\\u0000"));
+    }
+}
+
 TEST(StudyJson, RefusesDeepNestingBeforeParsing) {
     for (const std::size_t depth : {20'000u, 1'000'000u}) {
         const Diagnostic fault = faultOf(std::string(depth, '['));
