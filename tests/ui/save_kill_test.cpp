@@ -78,6 +78,7 @@ protected:
         ASSERT_TRUE(own.isValid());
         root = own.path().toStdString();
         for (const char* name : {"home", "tmp", "place/killed"}) fs::create_directories(root / name);
+        fs::permissions(root / "home", fs::perms::owner_all);  // else Qt makes another directory for the run time
         const fs::path directory = root / "place" / "killed";
         std::ofstream(directory / "model.mo") << modelOf(1);
         std::ofstream(directory / "study.json") << R"({"format": "analogon-study-1", "class": "Lag",
