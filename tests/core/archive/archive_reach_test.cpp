@@ -205,7 +205,7 @@ TEST_F(ArchiveReach, IsToldWithoutTheDirectoryItIsUnpackedInto) {
         std::string shown = format(faults);
         ASSERT_EQ(faults.size(), 1u) << shown;
         EXPECT_THAT(shown, StartsWith((root / "a.analogon").string() +
-                                      ": error: the entry \"data/run.csv\" cannot be unpacked: File too large"));
+                                      ": error: the entry \"data/run.csv\" cannot be unpacked: the disk may be full"));
         EXPECT_THAT(shown, Not(HasSubstr("analogon-writing-")));
         for (std::size_t at = 0; (at = shown.find(root.string())) != std::string::npos;)
             shown.erase(at, root.string().size());
