@@ -52,6 +52,11 @@ const char* name(ChannelKind kind) {
 /// By group and channel; empty where values were not asked for.
 using Summaries = std::vector<std::vector<ValueSummary>>;
 
+/// What it says and what to do about it.
+Text noteOf(const Diagnostic& remark) {
+    return remark.hint.empty() ? remark.message : phrase("{} ({})", remark.message, remark.hint);
+}
+
 /// As many channels of a group in one pass as fit into memory.
 Outcome<Summaries> summarise(MeasurementFile& recording, const Progress& progress) {
     Summaries summaries;
@@ -181,7 +186,7 @@ int channels(const Options& options, std::ostream& out, std::ostream& err) {
         return inputAtFault;
     }
     MeasurementFile& recording = *opened;
-    for (const Diagnostic& remark : opened.diagnostics()) recording.notes.push_back(remark.message);
+    for (const Diagnostic& remark : opened.diagnostics()) recording.notes.push_back(noteOf(remark));
     Summaries summaries;
     if (options.withValues) {
         Outcome<Summaries> read = summarise(recording, Progress(stopInForce(), {}));

@@ -1,5 +1,8 @@
 #include "core/measure/column_header.hpp"
 
+#include <algorithm>
+#include <optional>
+
 #include "core/base/unit.hpp"
 #include "core/measure/csv_dialect.hpp"
 
@@ -18,6 +21,19 @@ bool isUnit(std::string_view text) { return !isNumeric(text) && isKnownUnit(trim
 
 ColumnHeader make(std::string_view name, std::string_view unit) {
     return {std::string(trimmed(name)), std::string(trimmed(unit))};
+}
+
+/// "Temp, °C" and "Temp, °C (heater)", where the letter alone is a unit of the bench.
+std::optional<ColumnHeader> behindComma(std::string_view text) {
+    const std::size_t comma = text.find(", ");
+    if (comma == std::string_view::npos || comma == 0) return std::nullopt;
+    const std::string_view behind = text.substr(comma + 2);
+    const std::size_t bracket = std::min(behind.find(" ("), behind.size());
+    const std::string_view unit = trimmed(behind.substr(0, bracket));
+    const bool isLetter = unit.size() == 1;
+    if (isLetter && std::string_view("sVAWKNmJC%").find(unit.front()) == std::string_view::npos) return std::nullopt;
+    if (unit.empty() || unit.find(',') != std::string_view::npos || !isUnit(unit)) return std::nullopt;
+    return make(std::string(text.substr(0, comma)) + std::string(behind.substr(bracket)), unit);
 }
 
 }  // namespace
@@ -48,7 +64,7 @@ ColumnHeader readColumnHeader(std::string_view text) {
     // "T/degC", but not a name that is itself a unit, as "m/s".
     if (const std::size_t slash = text.find('/'); slash != std::string_view::npos && slash > 0 && !isKnownUnit(text))
         if (isUnit(text.substr(slash + 1))) return make(text.substr(0, slash), text.substr(slash + 1));
-    return make(text, {});
+    return behindComma(text).value_or(make(text, {}));
 }
 
 std::string readUnitCell(std::string_view text) {

@@ -21,20 +21,35 @@ struct CsvRow {
 
 CsvRow splitCsvRow(std::string_view line, char separator);
 
-/// The separator under which the lines have the same number of cells; tab, ; and | are tried before the comma,
-/// which may be a decimal mark. A blank when only blanks separate numbers.
-char detectSeparator(const std::vector<std::string_view>& lines);
-
 struct CellValue {
-    enum class Kind { Number, Infinite, Missing, Text };
+    /// Beyond: the instrument says that the quantity was out of its range.
+    enum class Kind { Number, Infinite, Missing, Beyond, Text };
     Kind kind{Kind::Text};
     double value{};
 };
 
-/// A cell as a number with this decimal mark. Empty cells and the usual spellings of "not a number" are Missing.
-CellValue readCell(std::string_view text, char decimal);
+/// A cell as a number with this decimal mark, and with this mark between thousands (0: none). Empty cells and the usual
+/// spellings of "not a number" are Missing.
+CellValue readCell(std::string_view text, char decimal, char thousands = 0);
 
 /// Neither decimal mark is meant: the cell is numeric under either.
 bool isNumeric(std::string_view text);
+
+/// Without blanks around it, those that break no line included.
+std::string_view withoutBlanks(std::string_view text);
+
+/// A to Z in small letters.
+std::string inLowerCase(std::string_view text);
+
+/// How the digits of a number are parted. Open: one mark with three digits behind it, which may stand for decimals or
+/// between thousands ("1.234").
+struct NumberShape {
+    enum class Mark { None, Point, Comma, OpenPoint, OpenComma };
+    bool isNumber{};
+    Mark decimal{Mark::None};
+    char thousands{};      // the mark that stands between thousands; 0: none
+    bool isLongWithout{};  // four digits or more in front of the decimals and no mark between them
+};
+NumberShape shapeOf(std::string_view text);
 
 }  // namespace analogon

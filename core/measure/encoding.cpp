@@ -1,5 +1,6 @@
 #include "core/measure/encoding.hpp"
 
+#include <array>
 #include <cstdint>
 
 namespace analogon {
@@ -52,12 +53,53 @@ std::string utf16ToUtf8(std::string_view bytes, bool bigEndian) {
     return out;
 }
 
+enum class Wide { No, LittleEndian, BigEndian };
+
+/// UTF-16 by its mark; without one by its zeros: every other byte of plain letters is one.
+Wide wideOf(std::string_view bytes) {
+    if (bytes.substr(0, 2) == "\xFF\xFE") return Wide::LittleEndian;
+    if (bytes.substr(0, 2) == "\xFE\xFF") return Wide::BigEndian;
+    const std::string_view head = bytes.substr(0, 256);
+    if (head.size() < 8) return Wide::No;
+    std::array<std::size_t, 2> zeros{};
+    for (std::size_t i = 0; i < head.size(); ++i) zeros[i % 2] += head[i] == '\0';
+    const std::size_t many = head.size() * 2 / 5;
+    if (zeros[0] == 0 && zeros[1] >= many) return Wide::LittleEndian;
+    if (zeros[1] == 0 && zeros[0] >= many) return Wide::BigEndian;
+    return Wide::No;
+}
+
+/// Of the bytes 0x80 to 0x9F of Windows-1252.
+constexpr std::array<std::uint16_t, 32> windowsLetters{0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
+                                                       0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0x8D,   0x017D, 0x8F,
+                                                       0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
+                                                       0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D,   0x017E, 0x0178};
+
 }  // namespace
+
+bool isWideText(std::string_view bytes) { return wideOf(bytes) != Wide::No; }
+
+std::optional<std::string> decodeText(std::string_view bytes, std::string_view encoding) {
+    std::string name;
+    for (const char c : encoding)
+        if (c != '-' && c != '_' && c != ' ')
+            name.push_back(c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c);
+    const std::string_view unmarked = wideOf(bytes.substr(0, 2)) == Wide::No ? bytes : bytes.substr(2);
+    if (name == "utf16le") return utf16ToUtf8(bytes.starts_with("\xFF\xFE") ? unmarked : bytes, false);
+    if (name == "utf16be") return utf16ToUtf8(bytes.starts_with("\xFE\xFF") ? unmarked : bytes, true);
+    if (name == "utf16") return decodeText(bytes);
+    if (name == "utf8") return std::string(bytes.starts_with("\xEF\xBB\xBF") ? bytes.substr(3) : bytes);
+    if (name == "windows1252" || name == "cp1252" || name == "latin1" || name == "iso88591" || name == "ascii")
+        return latin1ToUtf8(bytes);
+    return std::nullopt;
+}
 
 std::string decodeText(std::string_view bytes) {
     if (bytes.substr(0, 3) == "\xEF\xBB\xBF") return std::string(bytes.substr(3));
-    if (bytes.substr(0, 2) == "\xFF\xFE") return utf16ToUtf8(bytes.substr(2), false);
-    if (bytes.substr(0, 2) == "\xFE\xFF") return utf16ToUtf8(bytes.substr(2), true);
+    if (const Wide wide = wideOf(bytes); wide != Wide::No) {
+        const bool isMarked = wideOf(bytes.substr(0, 2)) != Wide::No;
+        return utf16ToUtf8(bytes.substr(isMarked ? 2 : 0), wide == Wide::BigEndian);
+    }
     return std::string(bytes);
 }
 
@@ -85,7 +127,10 @@ bool isUtf8(std::string_view text) {
 std::string latin1ToUtf8(std::string_view text) {
     std::string out;
     out.reserve(text.size() + 4);
-    for (const char c : text) appendUtf8(out, static_cast<unsigned char>(c));
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        appendUtf8(out, byte >= 0x80 && byte < 0xA0 ? windowsLetters[byte - 0x80] : byte);
+    }
     return out;
 }
 

@@ -1,17 +1,25 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace analogon {
 
-/// UTF-8 of a text file's bytes: byte-order marks (UTF-8, UTF-16) are taken off and UTF-16 is converted. Anything
-/// else stays as it is; see latin1ToUtf8 for single lines.
+/// UTF-8 of a text file's bytes: byte-order marks (UTF-8, UTF-16) are taken off and UTF-16 is converted, also where it
+/// has no mark. Anything else stays as it is; see latin1ToUtf8 for single lines.
 std::string decodeText(std::string_view bytes);
+
+/// Whether decodeText would change the bytes behind a mark of UTF-8.
+bool isWideText(std::string_view bytes);
+
+/// By the name of an encoding ("utf-16le", "windows-1252" …); none: it is not known here.
+std::optional<std::string> decodeText(std::string_view bytes, std::string_view encoding);
 
 bool isUtf8(std::string_view text);
 
-/// Every byte is a character of ISO 8859-1 (older measuring programs write the degree sign so).
+/// Every byte is a character of Windows-1252, which is ISO 8859-1 with marks and letters in place of control characters
+/// (older measuring programs write the degree sign so).
 std::string latin1ToUtf8(std::string_view text);
 
 }  // namespace analogon

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace analogon {
@@ -44,12 +45,14 @@ Outcome<Table> readTable(const std::filesystem::path& file) {
     std::string ending = file.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    if (ending == ".csv" || ending == ".txt" || ending == ".dat" || ending == ".asc") return readCsv(file);
     if (ending == ".tsv" || ending == ".tab") {
         CsvOptions options;
         options.separator = '\t';
         return readCsv(file, options);
     }
+    // recorders end the names of their texts in many ways; those of the binary formats are known
+    constexpr std::array<std::string_view, 7> binary{".mf4", ".mdf", ".mat", ".tdms", ".xlsx", ".xls", ".zip"};
+    if (std::find(binary.begin(), binary.end(), ending) == binary.end()) return readCsv(file);
     return fileError(phrase("files ending in '{}' cannot be read", ending), file.string(), 0, 0,
                      phrase("Measurements are read from .csv, .txt, .tsv and .dat files: export the recording as "
                             "comma-separated values."));

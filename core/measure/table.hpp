@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/outcome.hpp"
+#include "core/measure/read_options.hpp"
 
 namespace analogon {
 
@@ -41,21 +42,18 @@ struct Table {
     Table slice(std::size_t first, std::size_t last) const;
 };
 
-/// How a CSV file is written; everything not given is found out from the file.
-struct CsvOptions {
-    std::optional<char> separator;  // , ; tab space |
-    std::optional<char> decimal;    // . or ,
-    std::optional<bool> hasUnitsRow;
-};
+/// How a text is written; everything not told is found out from the file.
+using CsvOptions = ReadOptions;
 
-/// Reads comma-separated values: header with units in brackets (`T [degC]`, `T (degC)`, `T in degC`) or a units
-/// row, separators , ; tab, decimal comma, # comments, byte-order mark, quoted cells, CR, LF or CRLF. Non-numeric
-/// cells and ragged rows are faults with row and column. Empty cells and NaN are read as NaN (a channel that is
-/// mapped decides whether that is a fault).
+/// Reads a table that is written as text, by its structure: lines in front of it, up to four rows of header, units in
+/// brackets (`T [degC]`, `T (degC)`, `T in degC`), in a row or in the cells, any usual separator, decimal mark,
+/// encoding and way to write the time. What can be read in two ways that differ, faulty cells and ragged rows are
+/// faults with row and column. Empty cells and NaN are read as NaN (a channel that is mapped decides whether that is a
+/// fault); columns of words are left aside; several rasters are put on the stamps of all.
 Outcome<Table> readCsv(const std::filesystem::path& file, const CsvOptions& options = {});
 Outcome<Table> readCsvText(std::string_view text, const std::string& name, const CsvOptions& options = {});
 
-/// By file ending (csv, txt, tsv, dat).
+/// A text of any ending; a tab parts the columns of .tsv and .tab.
 Outcome<Table> readTable(const std::filesystem::path& file);
 
 /// Comma-separated text of a table, headers as `name [unit]`; reads back as the same values.

@@ -5322,6 +5322,358 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>„{}“ in Spalte „{}“ ist keine Zahl</translation>
     </message>
     <message>
+        <source>'{}' may be {:.10g} or {:.10g}: nothing in the file tells whether its mark stands for decimals or between thousands</source>
+        <translation>„{}“ kann {:.10g} oder {:.10g} sein: Nichts in der Datei sagt, ob das Zeichen Dezimalzeichen ist oder Tausender trennt</translation>
+    </message>
+    <message>
+        <source>Say it in the study: "read": {{"decimal": "{}"}} for {:.10g}, "read": {{"thousands": "{}"}} for {:.10g}.</source>
+        <translation>Sagen Sie es in der Studie: "read": {{"decimal": "{}"}} für {:.10g}, "read": {{"thousands": "{}"}} für {:.10g}.</translation>
+    </message>
+    <message>
+        <source>the lines {} to {} are a table of the same shape as the one below: there are two recordings in this file</source>
+        <translation>die Zeilen {} bis {} sind eine Tabelle von derselben Form wie die darunter: In dieser Datei sind zwei Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Split the file; or leave the first one out in the study: "read": {{"skip": {}}}.</source>
+        <translation>Teilen Sie die Datei, oder lassen Sie die erste in der Studie aus: "read": {{"skip": {}}}.</translation>
+    </message>
+    <message>
+        <source>The header stands here again: split the file in front of this line, it holds two recordings.</source>
+        <translation>Der Kopf steht hier noch einmal: Teilen Sie die Datei vor dieser Zeile, sie enthält zwei Aufzeichnungen.</translation>
+    </message>
+    <message>
+        <source>A unit stands in the cell: write it in the header and numbers in the cells.</source>
+        <translation>In der Zelle steht eine Einheit: Schreiben Sie sie in den Kopf und Zahlen in die Zellen.</translation>
+    </message>
+    <message>
+        <source>the numbers in column '{}' are taken for {} since 1970: no unit is given</source>
+        <translation>die Zahlen in Spalte „{}“ werden als {} seit 1970 gelesen: Es ist keine Einheit angegeben</translation>
+    </message>
+    <message>
+        <source>the time in column '{}' begins at {:.9g} and has no unit: it is taken for seconds, and may be days</source>
+        <translation>die Zeit in Spalte „{}“ beginnt bei {:.9g} und hat keine Einheit: Sie wird in Sekunden gelesen, und es könnten Tage sein</translation>
+    </message>
+    <message>
+        <source>Give its unit in the header.</source>
+        <translation>Geben Sie ihre Einheit im Kopf an.</translation>
+    </message>
+    <message>
+        <source>the words '{}' and '{}' in column '{}' are read as 0 and 1</source>
+        <translation>die Wörter „{}“ und „{}“ in Spalte „{}“ werden als 0 und 1 gelesen</translation>
+    </message>
+    <message>
+        <source>column '{}' tells units for '{}' that cannot be converted into each other: {}</source>
+        <translation>Spalte „{}“ nennt für „{}“ Einheiten, die sich nicht ineinander umrechnen lassen: {}</translation>
+    </message>
+    <message>
+        <source>Export one quantity a column.</source>
+        <translation>Exportieren Sie eine Größe je Spalte.</translation>
+    </message>
+    <message>
+        <source>the unit of column '{}' changes from row to row ({}): all its numbers are in {} now</source>
+        <translation>die Einheit von Spalte „{}“ wechselt von Zeile zu Zeile ({}): Alle Zahlen sind nun in {}</translation>
+    </message>
+    <message>
+        <source>"decimal" and "thousands" are the same mark</source>
+        <translation>"decimal" und "thousands" sind dasselbe Zeichen</translation>
+    </message>
+    <message>
+        <source>no rows of numbers are found in this text</source>
+        <translation>in diesem Text sind keine Zeilen mit Zahlen zu finden</translation>
+    </message>
+    <message>
+        <source>Is it a measurement? If it is, tell the study how it is written: "read": {{"separator": …, "decimal": …, "skip": lines before the header}}.</source>
+        <translation>Ist es eine Messung? Dann sagen Sie in der Studie, wie sie geschrieben ist: "read": {{"separator": …, "decimal": …, "skip": Zeilen vor dem Kopf}}.</translation>
+    </message>
+    <message>
+        <source>the unit 'C' of column '{}' is taken for degC, not for coulomb</source>
+        <translation>die Einheit „C“ von Spalte „{}“ wird als degC gelesen, nicht als Coulomb</translation>
+    </message>
+    <message>
+        <source>Where it is a charge, give the unit in the study as {{"column": …, "unit": "A.s"}}.</source>
+        <translation>Ist es eine Ladung, geben Sie die Einheit in der Studie an: {{"column": …, "unit": "A.s"}}.</translation>
+    </message>
+    <message>
+        <source>tabs</source>
+        <translation>Tabulatoren</translation>
+    </message>
+    <message>
+        <source>blanks</source>
+        <translation>Leerzeichen</translation>
+    </message>
+    <message>
+        <source>names in line {}</source>
+        <translation>Namen in Zeile {}</translation>
+    </message>
+    <message>
+        <source>no header</source>
+        <translation>kein Kopf</translation>
+    </message>
+    <message>
+        <source>, units in line {}</source>
+        <translation>, Einheiten in Zeile {}</translation>
+    </message>
+    <message>
+        <source>, data from line {}</source>
+        <translation>, Daten ab Zeile {}</translation>
+    </message>
+    <message>
+        <source>, {} between the columns</source>
+        <translation>, {} zwischen den Spalten</translation>
+    </message>
+    <message>
+        <source>, decimal mark '{}'</source>
+        <translation>, Dezimalzeichen „{}“</translation>
+    </message>
+    <message>
+        <source>, '{}' between thousands</source>
+        <translation>, „{}“ zwischen Tausendern</translation>
+    </message>
+    <message>
+        <source>this is neither a number of a table nor the head of one</source>
+        <translation>das ist weder eine Zahl einer Tabelle noch der Kopf einer Tabelle</translation>
+    </message>
+    <message>
+        <source>this table file declares no table</source>
+        <translation>diese Tabellendatei erklärt keine Tabelle</translation>
+    </message>
+    <message>
+        <source>A table is written as "double name(rows,columns)" and its numbers below.</source>
+        <translation>Eine Tabelle schreibt man als "double name(Zeilen,Spalten)" und darunter ihre Zahlen.</translation>
+    </message>
+    <message>
+        <source>table '{}' ends after {} of {} numbers</source>
+        <translation>Tabelle „{}“ endet nach {} von {} Zahlen</translation>
+    </message>
+    <message>
+        <source>table '{}' has more than {} numbers</source>
+        <translation>Tabelle „{}“ hat mehr als {} Zahlen</translation>
+    </message>
+    <message>
+        <source>{} switch between 0 and 1 and the rows come at uneven times: they seem to be written when something changes</source>
+        <translation>{} schalten zwischen 0 und 1, und die Zeilen folgen ungleichmäßig: Sie scheinen geschrieben zu werden, wenn sich etwas ändert</translation>
+    </message>
+    <message>
+        <source>As inputs they are held from row to row with "interpolation": "hold".</source>
+        <translation>Als Eingänge werden sie mit "interpolation": "hold" von Zeile zu Zeile gehalten.</translation>
+    </message>
+    <message>
+        <source>{} columns of time: each channel belongs to the one on its left</source>
+        <translation>{} Zeitspalten: Jeder Kanal gehört zu der links von ihm</translation>
+    </message>
+    <message>
+        <source>the stamps in column '{}' have too few digits: about {} rows share each; they are laid on an even raster of {:.6g} {}</source>
+        <translation>die Zeitstempel in Spalte „{}“ haben zu wenige Stellen: Je etwa {} Zeilen haben denselben; sie werden auf ein gleichmäßiges Raster von {:.6g} {} gelegt</translation>
+    </message>
+    <message>
+        <source>Export the time with more digits, or tell the time between two rows: "read": {{"time_format": "0.001 s"}}.</source>
+        <translation>Exportieren Sie die Zeit mit mehr Stellen, oder nennen Sie die Zeit zwischen zwei Zeilen: "read": {{"time_format": "0.001 s"}}.</translation>
+    </message>
+    <message>
+        <source>the time in column '{}' repeats in {} rows and goes on evenly around them: these rows are spread over their gap (lines {})</source>
+        <translation>die Zeit in Spalte „{}“ wiederholt sich in {} Zeilen und läuft um sie herum gleichmäßig: Diese Zeilen werden über ihre Lücke verteilt (Zeilen {})</translation>
+    </message>
+    <message>
+        <source>'{}' in column '{}' is no date or clock</source>
+        <translation>„{}“ in Spalte „{}“ ist weder Datum noch Uhrzeit</translation>
+    </message>
+    <message>
+        <source>Say how they are written in the study: "read": {{"time_format": "%d.%m.%Y %H:%M:%S"}}.</source>
+        <translation>Sagen Sie in der Studie, wie sie geschrieben sind: "read": {{"time_format": "%d.%m.%Y %H:%M:%S"}}.</translation>
+    </message>
+    <message>
+        <source>'{}' in column '{}' is no number with a unit, as the cells above it</source>
+        <translation>„{}“ in Spalte „{}“ ist keine Zahl mit Einheit wie die Zellen darüber</translation>
+    </message>
+    <message>
+        <source>Write the unit in the header and numbers in the cells.</source>
+        <translation>Schreiben Sie die Einheit in den Kopf und Zahlen in die Zellen.</translation>
+    </message>
+    <message>
+        <source>the cells of column '{}' are in '{}' and in '{}'</source>
+        <translation>die Zellen von Spalte „{}“ sind in „{}“ und in „{}“</translation>
+    </message>
+    <message>
+        <source>Export the column in one unit.</source>
+        <translation>Exportieren Sie die Spalte in einer Einheit.</translation>
+    </message>
+    <message>
+        <source> A name with a comma needs quotation marks.</source>
+        <translation> Ein Name mit Komma braucht Anführungszeichen.</translation>
+    </message>
+    <message>
+        <source>There are exactly twice as many: the commas seem to be decimal marks as well. Export with decimal points, or with ; or a tab between the columns.</source>
+        <translation>Es sind genau doppelt so viele: Die Kommas scheinen auch Dezimalzeichen zu sein. Exportieren Sie mit Dezimalpunkten, oder mit ; oder Tabulator zwischen den Spalten.</translation>
+    </message>
+    <message>
+        <source>column '{}' was beyond the range of its instrument in line {}</source>
+        <translation>Spalte „{}“ lag in Zeile {} außerhalb des Messbereichs</translation>
+    </message>
+    <message>
+        <source>column '{}' was beyond the range of its instrument in {} rows, first in lines {}</source>
+        <translation>Spalte „{}“ lag in {} Zeilen außerhalb des Messbereichs, zuerst in Zeile {}</translation>
+    </message>
+    <message>
+        <source>These cells are taken for not measured.</source>
+        <translation>Diese Zellen gelten als nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>'{}' is read as a mark between thousands</source>
+        <translation>„{}“ wird als Zeichen zwischen Tausendern gelesen</translation>
+    </message>
+    <message>
+        <source>the time is that of columns '{}' and '{}' together</source>
+        <translation>die Zeit ist die der Spalten „{}“ und „{}“ zusammen</translation>
+    </message>
+    <message>
+        <source>the milliseconds in column '{}' belong to the time in '{}'</source>
+        <translation>die Millisekunden in Spalte „{}“ gehören zur Zeit in „{}“</translation>
+    </message>
+    <message>
+        <source>the time zone '{}' is not known</source>
+        <translation>die Zeitzone „{}“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Write "time_zone" as "Europe/Berlin", "UTC" or "+02:00".</source>
+        <translation>Schreiben Sie "time_zone" als "Europe/Berlin", "UTC" oder "+02:00".</translation>
+    </message>
+    <message>
+        <source>have a date and some have none</source>
+        <translation>haben ein Datum und manche keines</translation>
+    </message>
+    <message>
+        <source>have a time zone and some have none</source>
+        <translation>haben eine Zeitzone und manche keine</translation>
+    </message>
+    <message>
+        <source>some stamps in column '{}' {}</source>
+        <translation>manche Zeitstempel in Spalte „{}“ {}</translation>
+    </message>
+    <message>
+        <source>Tell how they are written in the study: "read": {{"time_format": …, "time_zone": …}}.</source>
+        <translation>Sagen Sie in der Studie, wie sie geschrieben sind: "read": {{"time_format": …, "time_zone": …}}.</translation>
+    </message>
+    <message>
+        <source>have day and month in another order than others</source>
+        <translation>haben Tag und Monat in anderer Reihenfolge als andere</translation>
+    </message>
+    <message>
+        <source>the date {:02}/{:02}/{:02} in column '{}' may have the day or the month in front, and the stamps differ</source>
+        <translation>im Datum {:02}/{:02}/{:02} in Spalte „{}“ kann der Tag oder der Monat vorn stehen, und die Zeiten unterscheiden sich</translation>
+    </message>
+    <message>
+        <source>Say it in the study: "read": {{"time_format": "%d/%m/%Y %H:%M:%S"}} or "%m/%d/%Y %H:%M:%S".</source>
+        <translation>Sagen Sie es in der Studie: "read": {{"time_format": "%d/%m/%Y %H:%M:%S"}} oder "%m/%d/%Y %H:%M:%S".</translation>
+    </message>
+    <message>
+        <source>the clock in column '{}' goes back by an hour here</source>
+        <translation>die Uhr in Spalte „{}“ geht hier um eine Stunde zurück</translation>
+    </message>
+    <message>
+        <source>the clock in column '{}' leaves out the hour from 2 to 3 here: a pause, or summer time</source>
+        <translation>die Uhr in Spalte „{}“ lässt hier die Stunde von 2 bis 3 aus: eine Pause oder Sommerzeit</translation>
+    </message>
+    <message>
+        <source>If it is summer time, tell the zone of the clock in the study: "read": {{"time_zone": "Europe/Berlin"}}; if it is not, "time_zone": "UTC".</source>
+        <translation>Ist es die Sommerzeit, nennen Sie in der Studie die Zone der Uhr: "read": {{"time_zone": "Europe/Berlin"}}; sonst "time_zone": "UTC".</translation>
+    </message>
+    <message>
+        <source>the clock in column '{}' passes midnight in line {}: a day is added there</source>
+        <translation>die Uhr in Spalte „{}“ geht in Zeile {} über Mitternacht: Dort kommt ein Tag hinzu</translation>
+    </message>
+    <message>
+        <source>'{}' in column '{}' may be hours and minutes or minutes and seconds</source>
+        <translation>„{}“ in Spalte „{}“ können Stunden und Minuten oder Minuten und Sekunden sein</translation>
+    </message>
+    <message>
+        <source>Say it in the study: "read": {{"time_format": "%H:%M"}} or "%M:%S".</source>
+        <translation>Sagen Sie es in der Studie: "read": {{"time_format": "%H:%M"}} oder "%M:%S".</translation>
+    </message>
+    <message>
+        <source>no column is a time of the form '{}'</source>
+        <translation>keine Spalte ist eine Zeit der Form „{}“</translation>
+    </message>
+    <message>
+        <source>"time_format" is written as "%d.%m.%Y %H:%M:%S", or as the time between two rows: "0.001 s".</source>
+        <translation>"time_format" schreibt man als "%d.%m.%Y %H:%M:%S" oder als Zeit zwischen zwei Zeilen: "0.001 s".</translation>
+    </message>
+    <message>
+        <source>"{}" of "read" is not known here</source>
+        <translation>"{}" von "read" ist hier nicht bekannt</translation>
+    </message>
+    <message>
+        <source>It is , ; | a tab or a blank.</source>
+        <translation>Es ist , ; | ein Tabulator oder ein Leerzeichen.</translation>
+    </message>
+    <message>
+        <source>It is . or ,</source>
+        <translation>Es ist . oder ,</translation>
+    </message>
+    <message>
+        <source>It is . , ' or a blank.</source>
+        <translation>Es ist . , ' oder ein Leerzeichen.</translation>
+    </message>
+    <message>
+        <source>It is utf-8, utf-16le, utf-16be, windows-1252 or iso-8859-1.</source>
+        <translation>Es ist utf-8, utf-16le, utf-16be, windows-1252 oder iso-8859-1.</translation>
+    </message>
+    <message>
+        <source>a table of the Modelica Standard Library: its columns have no names and are called by their numbers, the first is the time in seconds</source>
+        <translation>eine Tabelle der Modelica-Standardbibliothek: Ihre Spalten haben keine Namen und heißen nach ihren Nummern, die erste ist die Zeit in Sekunden</translation>
+    </message>
+    <message>
+        <source>, letters of Windows-1252</source>
+        <translation>, Buchstaben von Windows-1252</translation>
+    </message>
+    <message>
+        <source>no unit is given for {}</source>
+        <translation>ohne Einheit: {}</translation>
+    </message>
+    <message>
+        <source>no unit is given for {} columns, first {}</source>
+        <translation>{} Spalten ohne Einheit, zuerst {}</translation>
+    </message>
+    <message>
+        <source>this file holds several tables: {}</source>
+        <translation>diese Datei enthält mehrere Tabellen: {}</translation>
+    </message>
+    <message>
+        <source>Name the one that is meant with "group" beside the column, or keep one table in the file.</source>
+        <translation>Nennen Sie die gemeinte mit "group" bei der Spalte, oder lassen Sie eine Tabelle in der Datei.</translation>
+    </message>
+    <message>
+        <source>the lines in front of the table tell {:.6g} s between two rows, the column '{}' has {:.6g} s</source>
+        <translation>die Zeilen vor der Tabelle nennen {:.6g} s zwischen zwei Zeilen, die Spalte „{}“ hat {:.6g} s</translation>
+    </message>
+    <message>
+        <source>no column is a time; '{}' counts the rows</source>
+        <translation>keine Spalte ist eine Zeit; „{}“ zählt die Zeilen</translation>
+    </message>
+    <message>
+        <source>; the channels have several sample intervals</source>
+        <translation>; die Kanäle haben verschiedene Abtastabstände</translation>
+    </message>
+    <message>
+        <source>Tell the time between two rows in the study: "read": {{"time_format": "0.001 s"}}, or as a rate: "1 kHz".</source>
+        <translation>Nennen Sie in der Studie die Zeit zwischen zwei Zeilen: "read": {{"time_format": "0.001 s"}}, oder als Rate: "1 kHz".</translation>
+    </message>
+    <message>
+        <source>the time is made of {:.6g} s from one row to the next, as it was told</source>
+        <translation>die Zeit entsteht aus {:.6g} s von Zeile zu Zeile, wie angegeben</translation>
+    </message>
+    <message>
+        <source>the time is made of {:.6g} s from one row to the next and a start at {:.6g} s, as the lines in front of the table tell</source>
+        <translation>die Zeit entsteht aus {:.6g} s von Zeile zu Zeile und dem Beginn bei {:.6g} s, wie die Zeilen vor der Tabelle sagen</translation>
+    </message>
+    <message>
+        <source>the recording pauses for {:.6g} {} before line {}; its usual step is {:.6g} {} ({} such pauses in all)</source>
+        <translation>die Aufzeichnung pausiert {:.6g} {} vor Zeile {}; ihr üblicher Schritt ist {:.6g} {} ({} solche Pausen insgesamt)</translation>
+    </message>
+    <message>
+        <source>{} ({})</source>
+        <translation>{} ({})</translation>
+    </message>
+    <message>
         <source>this cannot be read: {}</source>
         <translation>dies lässt sich nicht lesen: {}</translation>
     </message>

@@ -9,7 +9,7 @@
 
 #include "core/measure/mat/mat_check.hpp"
 #include "core/measure/mat/mat_values.hpp"
-#include "core/measure/table_recording.hpp"
+#include "core/measure/time_name.hpp"
 
 namespace analogon {
 

@@ -7,7 +7,7 @@
 
 #include "core/base/unit.hpp"
 #include "core/measure/column_header.hpp"
-#include "core/measure/table_recording.hpp"
+#include "core/measure/time_name.hpp"
 #include "core/measure/xlsx/cell_value.hpp"
 
 namespace analogon::xlsx {

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace analogon {
+
+/// How a text file is written, as it was told ("read" of an experiment); everything not told is found out from the
+/// file. The names are those of the keys in the study.
+struct ReadOptions {
+    std::optional<char> separator;      // , ; | tab, or a blank
+    std::optional<char> decimal;        // . or ,
+    std::optional<char> thousands;      // . , ' or a blank
+    std::optional<std::size_t> skip;    // lines before the header that are not looked at
+    std::optional<std::size_t> header;  // rows of the header behind them, units included; 0: none
+    std::optional<bool> hasUnitsRow;    // "units"
+    std::string timeFormat;  // "%d.%m.%Y %H:%M:%S" or "dd.MM.yyyy HH:mm:ss"; or how the rows follow: "0.001 s", "1 kHz"
+    std::string timeZone;    // of stamps that have none: "Europe/Berlin", "+02:00", "UTC"
+    std::string encoding;    // "utf-8", "utf-16le", "utf-16be", "windows-1252", "iso-8859-1"
+
+    friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
+};
+
+}  // namespace analogon

@@ -1,0 +1,240 @@
+#include "core/measure/text/header_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/base/unit.hpp"
+#include "core/measure/column_header.hpp"
+#include "core/measure/text/preamble.hpp"
+#include "core/measure/time_name.hpp"
+
+namespace analogon {
+
+namespace {
+
+constexpr std::size_t mostRows = 4;
+
+bool isBracketed(std::string_view text) {
+    return text.size() >= 2 &&
+           ((text.front() == '[' && text.back() == ']') || (text.front() == '(' && text.back() == ')'));
+}
+
+/// No measured value, and units: all in brackets, or half of what stands there, or a time in front. "1" and "-" stand
+/// for no dimension.
+bool isUnitsRow(const SampleRow& row) {
+    std::size_t told = 0, known = 0, bracketed = 0;
+    bool isTimeFirst = false;
+    for (const CsvCell& cell : row.cells) {
+        if (cell.text.empty()) continue;
+        const std::string unit = readUnitCell(cell.text);
+        const bool isBare = unit.empty() || unit == "1" || unit == "-";
+        if (!isBare && kindOf(unit) != CellKind::Words) return false;
+        ++told;
+        bracketed += isBracketed(cell.text);
+        const bool isKnown = !isBare && isKnownUnit(unit);
+        known += isKnown;
+        isTimeFirst = isTimeFirst || (told == 1 && isKnown && areConvertible(unit, "s"));
+    }
+    if (told > 0 && bracketed == told) return true;
+    return known > 0 && (isTimeFirst || 2 * known >= told);
+}
+
+std::size_t distinctCells(const SampleRow& row) {
+    std::set<std::string_view> distinct;
+    for (const CsvCell& cell : row.cells)
+        if (!cell.text.empty()) distinct.insert(cell.text);
+    return distinct.size();
+}
+
+bool namesATime(const SampleRow& row) {
+    return std::any_of(row.cells.begin(), row.cells.end(),
+                       [](const CsvCell& cell) { return namesTime(readColumnHeader(cell.text).name); });
+}
+
+std::size_t widest(const SampledRows& sample) {
+    std::size_t most = 0;
+    for (std::size_t r = sample.begin; r < sample.end; ++r) most = std::max(most, sample.rows[r].filled);
+    return most;
+}
+
+bool holdsValues(const SampleRow& row) { return std::any_of(row.kinds.begin(), row.kinds.end(), isValue); }
+
+void refill(SampleRow& row) {
+    row.filled = 0;
+    for (std::size_t i = 0; i < row.cells.size(); ++i)
+        if (!row.cells[i].text.empty()) row.filled = i + 1;
+}
+
+void empty(SampleRow& row, std::size_t cell) {
+    row.cells[cell].text.clear();
+    row.kinds[cell] = CellKind::Blank;
+}
+
+/// Takes the facts out that stand beside the table: a key over its value, or both in one cell.
+void takeFacts(std::vector<SampleRow>& rows, std::size_t width, HeaderRows& header) {
+    for (std::size_t r = 0; r < rows.size(); ++r)
+        for (std::size_t i = width; i < rows[r].cells.size(); ++i) {
+            const CsvCell cell = rows[r].cells[i];
+            if (cell.text.empty()) continue;
+            if (const auto pair = keyAndValue(cell.text); pair && isFactKey(pair->first)) {
+                header.facts.push_back({{std::string(pair->first), cell.position, false},
+                                        {std::string(pair->second), cell.position, false}});
+                empty(rows[r], i);
+            } else if (r + 1 < rows.size() && i < rows[r + 1].cells.size() && isFactKey(cell.text) &&
+                       rows[r + 1].kinds[i] == CellKind::Number) {
+                header.facts.push_back({cell, rows[r + 1].cells[i]});
+                empty(rows[r], i);
+                empty(rows[r + 1], i);
+            }
+        }
+    for (SampleRow& row : rows) refill(row);
+}
+
+/// Of rows of words the one with the names: as many different ones as there are, a time among them, the upper one.
+std::size_t rowOfNames(const std::vector<SampleRow>& rows) {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const auto rank = [&](std::size_t r) { return std::pair(distinctCells(rows[r]), namesATime(rows[r])); };
+        if (rank(i) > rank(best)) best = i;
+    }
+    return best;
+}
+
+/// A word and numbers: names only where the numbers count channels ("x-axis,1,2"), else a key and its values.
+bool isKeyWithNumbers(const SampleRow& row) {
+    if (row.filled < 2 || row.kinds[0] != CellKind::Words) return false;
+    std::set<double> channels;
+    for (std::size_t i = 1; i < row.filled; ++i) {
+        if (row.kinds[i] != CellKind::Number) return false;
+        const double value = readCell(row.cells[i].text, '.').value;
+        if (!(value >= 0 && value <= 256 && value == std::floor(value)) || !channels.insert(value).second) return true;
+    }
+    return false;
+}
+
+/// Where blanks part the columns, a unit in brackets belongs to the name in front of it, and names of several words
+/// are parted by more than one blank.
+SampleRow rejoined(const SampleRow& row, std::size_t width) {
+    SampleRow joined = row;
+    joined.cells.clear();
+    for (const CsvCell& cell : row.cells) {
+        if (isBracketed(cell.text) && !joined.cells.empty())
+            joined.cells.back().text += ' ' + cell.text;
+        else
+            joined.cells.push_back(cell);
+    }
+    if (joined.cells.size() != width) {
+        joined.cells.clear();
+        std::string_view rest = row.line.text;
+        while (!rest.empty()) {
+            const std::size_t begin = std::min(rest.find_first_not_of(" \t"), rest.size());
+            rest.remove_prefix(begin);
+            const std::size_t end = std::min({rest.find("  "), rest.find('\t'), rest.size()});
+            const auto position = static_cast<int>(rest.data() - row.line.text.data()) + 1;
+            if (end > 0) joined.cells.push_back({std::string(withoutBlanks(rest.substr(0, end))), position, false});
+            rest.remove_prefix(end);
+        }
+    }
+    if (joined.cells.size() != width) return row;
+    joined.kinds.assign(width, CellKind::Words);
+    joined.filled = width;
+    return joined;
+}
+
+/// Units alone: their names were left out ("second,Volt").
+bool isUnitsAlone(const SampleRow& row) {
+    const std::string first = row.cells.empty() ? std::string() : readUnitCell(row.cells[0].text);
+    if (first.size() < 2 || !areConvertible(first, "s") || areConvertible(first, "Hz")) return false;
+    return row.filled > 1 && std::all_of(row.cells.begin(), row.cells.end(), [](const CsvCell& cell) {
+               return cell.text.empty() || isKnownUnit(readUnitCell(cell.text));
+           });
+}
+
+/// The rows above the data that may be header, from top to bottom.
+std::vector<SampleRow> rowsAbove(const SampledRows& sample, HeaderRows& header) {
+    const std::size_t width = widest(sample);
+    std::vector<SampleRow> rows;
+    bool hasNames = false;
+    header.first = sample.begin;
+    for (std::size_t i = sample.begin; i-- > 0 && rows.size() < mostRows;) {
+        const SampleRow& row = sample.rows[i];
+        if (row.filled == 0) {
+            if (!rows.empty()) break;
+            continue;
+        }
+        if (isKeyOfPreamble(row) || (rows.empty() && isKeyWithNumbers(row))) {
+            header.keys.push_back(row);
+            continue;
+        }
+        if (rows.empty()) {
+            if (row.filled == 1 && width > 1) break;  // a title
+        } else {
+            const bool isApart = sample.rows[i].line.number + 1 < rows.back().line.number;
+            const bool fits = row.filled > 1 && row.filled <= std::max(rows.back().cells.size(), width) + 2 &&
+                              row.filled + 1 >= width;
+            const bool mayHoldValues = !hasNames && !isKeyWithNumbers(row);  // numbers of channels over their units
+            if (!fits || (holdsValues(row) && !mayHoldValues) || (isApart && hasNames)) break;
+        }
+        hasNames = hasNames || !isUnitsRow(row);
+        const bool isOfBlanks = sample.separator == ' ' && row.filled != width;
+        rows.push_back(isOfBlanks ? rejoined(row, width) : row);
+        header.first = i;
+    }
+    std::reverse(rows.begin(), rows.end());
+    return rows;
+}
+
+/// Some programs write the header as the last comments: "# t, u".
+std::vector<SampleRow> commentedRows(const SampledRows& sample) {
+    const std::size_t width = widest(sample);
+    if (sample.begin >= sample.rows.size()) return {};
+    const int data = sample.rows[sample.begin].line.number;
+    std::vector<SampleRow> rows;
+    for (std::size_t i = sample.comments.size(); i-- > 0 && rows.size() < mostRows;) {
+        const TextLine& comment = sample.comments[i];
+        if (comment.number > data) continue;
+        if (comment.number + static_cast<int>(rows.size()) + 3 < data) break;
+        const std::size_t first = std::min(comment.text.find_first_not_of(" \t#%/;"), comment.text.size());
+        SampleRow row = sampleRowOf({comment.text.substr(first), comment.number}, sample.separator);
+        if (row.filled != width || holdsValues(row)) break;
+        rows.push_back(std::move(row));
+    }
+    std::reverse(rows.begin(), rows.end());
+    return rows;
+}
+
+}  // namespace
+
+HeaderRows findHeader(const SampledRows& sample, const ReadOptions& options) {
+    HeaderRows header;
+    std::vector<SampleRow> rows;
+    if (options.header) {
+        header.first = 0;
+        rows.assign(sample.rows.begin(), sample.rows.begin() + static_cast<std::ptrdiff_t>(sample.begin));
+    } else {
+        rows = rowsAbove(sample, header);
+        if (rows.empty()) rows = commentedRows(sample);
+    }
+    takeFacts(rows, widest(sample), header);
+    std::erase_if(rows, [](const SampleRow& row) { return row.filled == 0; });
+    if (rows.empty()) return header;
+    if (rows.size() == 1 && !options.header && !options.hasUnitsRow && isUnitsAlone(rows[0])) {
+        header.units = rows[0];
+        return header;
+    }
+    const bool mayHaveUnits = options.hasUnitsRow.value_or(rows.size() > 1) && rows.size() > 1;
+    for (std::size_t i = rows.size(); mayHaveUnits && i-- > 0;) {
+        if (!isUnitsRow(rows[i]) && !(options.hasUnitsRow && i + 1 == rows.size())) continue;
+        header.units = rows[i];
+        rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(i));
+        break;
+    }
+    const std::size_t names = options.header ? 0 : rowOfNames(rows);
+    header.names = rows[names];
+    rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(names));
+    header.descriptions = std::move(rows);
+    return header;
+}
+
+}  // namespace analogon

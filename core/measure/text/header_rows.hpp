@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/measure/read_options.hpp"
+#include "core/measure/text/dialect.hpp"
+
+namespace analogon {
+
+/// The rows between the preamble and the data, told apart.
+struct HeaderRows {
+    std::optional<SampleRow> names, units;
+    std::vector<SampleRow> descriptions;
+    std::vector<SampleRow> keys;                     // rows of a key and its values that stand among them
+    std::vector<std::pair<CsvCell, CsvCell>> facts;  // names and values beside the table ("Increment" over 5e-4)
+    std::size_t first{};                             // of the rows of the sample, the first that belongs to the header
+};
+
+HeaderRows findHeader(const SampledRows& sample, const ReadOptions& options);
+
+}  // namespace analogon

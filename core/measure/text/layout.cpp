@@ -1,0 +1,319 @@
+#include "core/measure/text/layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_map>
+
+#include "core/base/file_fault.hpp"
+#include "core/base/limits.hpp"
+#include "core/base/unit.hpp"
+#include "core/base/visible.hpp"
+#include "core/measure/column_header.hpp"
+#include "core/measure/text/header_rows.hpp"
+#include "core/measure/text/time_format.hpp"
+#include "core/measure/time_name.hpp"
+
+namespace analogon {
+
+namespace {
+
+std::string cited(std::string_view text) { return shortened(std::string(text), limits::quotedBytes); }
+
+class LayoutFinder {
+public:
+    LayoutFinder(std::string_view text, const std::string& file, const ReadOptions& options)
+        : text_(text), file_(file), options_(options) {}
+
+    Outcome<Layout> find() {
+        if (Diagnostics faults = sample(); !faults.empty()) return faults;
+        header_ = findHeader(rows_, options_);
+        if (Diagnostics faults = checkHeader(); !faults.empty()) return faults;
+        layout_.separator = rows_.separator;
+        const Outcome<NumberMarks> marks = numberMarks(rows_, options_, file_);
+        if (!marks) return marks.diagnostics();
+        layout_.marks = *marks;
+        nameColumns();
+        readPreamble();
+        tellKinds();
+        addUnits();
+        addDescriptions();
+        findData();
+        return std::move(layout_);
+    }
+
+private:
+    Diagnostics sample() {
+        constexpr std::size_t few = 300, many = 20'000, enough = 20;
+        TextHead head = headOf(text_, options_, few);
+        if (head.lines.empty())
+            return {fileError(phrase("the file is empty"), file_, 0, 0,
+                              phrase("Check that the recording was exported with its values."))};
+        rows_ = sampledRows(head);
+        const bool isShort = rows_.end - rows_.begin < enough && rows_.end < rows_.rows.size();
+        if (!head.isWhole && (rows_.score <= 0 || isShort)) rows_ = sampledRows(headOf(text_, options_, many));
+        if (rows_.otherBegin > 0 && !options_.header)
+            return {
+                fileError(phrase("the lines {} to {} are a table of the same shape as the one below: there are two "
+                                 "recordings in this file",
+                                 rows_.otherBegin, rows_.otherEnd),
+                          file_, rows_.otherBegin, 0,
+                          phrase("Split the file; or leave the first one out in the study: \"read\": {{\"skip\": {}}}.",
+                                 rows_.otherEnd))};
+        if (options_.header) {
+            rows_.begin = std::min(*options_.header, rows_.rows.size());
+            rows_.end = rows_.rows.size();
+        } else if (rows_.score <= 0) {
+            if (rows_.rows.size() > 1 && rows_.rows[0].cells.size() != rows_.rows[1].cells.size()) return {noNumbers()};
+            rows_.begin = std::min<std::size_t>(1, rows_.rows.size());
+            rows_.end = rows_.rows.size();
+        }
+        return {};
+    }
+
+    Diagnostic noNumbers() const {
+        return fileError(phrase("no rows of numbers are found in this text"), file_, 0, 0,
+                         phrase("Is it a measurement? If it is, tell the study how it is written: \"read\": "
+                                "{{\"separator\": …, \"decimal\": …, \"skip\": lines before the header}}."));
+    }
+
+    Diagnostics checkHeader() const {
+        if (!header_.names) return {};
+        const SampleRow& names = *header_.names;
+        if (names.openQuote)
+            return {fileError(phrase("a quotation mark is opened and not closed on its line"), file_, names.line.number,
+                              names.openQuote, phrase("Close it, or double it where the mark itself is meant."))};
+        if (names.cells.size() > limits::columns)
+            return {fileError(phrase("the header has {} columns, more than {}", names.cells.size(), limits::columns),
+                              file_, names.line.number, 0,
+                              phrase("Export fewer channels, or check the mark between the columns."))};
+        for (const CsvCell& cell : names.cells)
+            if (cell.text.size() > limits::columnName)
+                return {fileError(phrase("a column has a name of {} bytes, more than {}: '{}'", cell.text.size(),
+                                         limits::columnName, cited(cell.text)),
+                                  file_, names.line.number, cell.position,
+                                  phrase("Check the mark between the columns."))};
+        return {};
+    }
+
+    std::size_t width() const {
+        std::size_t most = 0;
+        for (std::size_t r = rows_.begin; r < rows_.end; ++r) most = std::max(most, rows_.rows[r].filled);
+        return std::max<std::size_t>(most, 1);
+    }
+
+    void nameColumns() {
+        if (!header_.names) {
+            for (std::size_t i = 0; i < width(); ++i) layout_.columns.push_back({fmt::format("c{}", i + 1)});
+            return;
+        }
+        const SampleRow& names = *header_.names;
+        layout_.headerLine = names.line.number;
+        const std::size_t count = std::max(names.filled, std::min(width(), names.cells.size()));
+        for (std::size_t i = 0; i < count; ++i) {
+            const CsvCell& cell = names.cells[i];
+            ColumnHeader header = readColumnHeader(cell.text);
+            if (header.name.empty()) header.name = fmt::format("c{}", i + 1);
+            layout_.columns.push_back({std::move(header.name),
+                                       std::move(header.unit),
+                                       {},
+                                       cell.text,
+                                       names.line.number,
+                                       cell.position,
+                                       CellKind::Blank});
+        }
+        makeNamesDiffer();
+    }
+
+    void makeNamesDiffer() {
+        constexpr std::size_t shownRenamed = 5;
+        std::size_t renamed = 0;
+        std::unordered_map<std::string, int> taken;
+        for (LayoutColumn& column : layout_.columns) {
+            const std::string wanted = column.name;
+            for (int count = ++taken[wanted]; count > 1; ++count) {
+                column.name = fmt::format("{}_{}", wanted, count);
+                if (!taken.contains(column.name)) break;
+            }
+            if (column.name == wanted) continue;
+            ++taken[column.name];
+            if (++renamed <= shownRenamed)
+                warn(phrase("there are several columns named '{}'", cited(wanted)), column.position,
+                     phrase("This one is called '{}' here.", cited(column.name)));
+        }
+        if (renamed > shownRenamed)
+            warn(phrase("{} further columns have the name of another one", renamed - shownRenamed), 0,
+                 phrase("They are called by that name and a number behind it."));
+    }
+
+    void warn(Text message, int position, Text hint) {
+        layout_.warnings.push_back(
+            asWarning(fileError(std::move(message), file_, layout_.headerLine, position, std::move(hint))));
+    }
+
+    void readPreamble() {
+        PreambleReader reader(layout_.columns.size(), layout_.marks.decimal.value_or('.'));
+        for (std::size_t i = 0; i < header_.first && i < rows_.rows.size(); ++i) {
+            reader.add(rows_.rows[i]);
+            ++layout_.preambleLines;
+        }
+        // those above the header are among the lines in front of it
+        const bool hasHeader = header_.first < rows_.rows.size();
+        for (const SampleRow& row : header_.keys)
+            if (hasHeader && row.line.number > rows_.rows[header_.first].line.number) reader.add(row);
+        const int data = rows_.begin < rows_.rows.size() ? rows_.rows[rows_.begin].line.number : 0;
+        for (const TextLine& comment : rows_.comments)
+            if (comment.number < data) reader.addComment(comment.text, comment.number);
+        for (const auto& [key, value] : header_.facts) reader.addPair(key.text, value.text, layout_.headerLine);
+        layout_.facts = reader.facts();
+        if (!header_.names) takeNamesOfPreamble();
+    }
+
+    /// Where nothing stands above the data, a line of names in the preamble is the header.
+    void takeNamesOfPreamble() {
+        const std::vector<std::string>& names = layout_.facts.comments;
+        for (std::size_t i = 0; i < std::min(names.size(), layout_.columns.size()); ++i)
+            if (!names[i].empty()) layout_.columns[i].name = names[i];
+        makeNamesDiffer();
+    }
+
+    void addUnits() {
+        const auto& facts = layout_.facts;
+        if (header_.units) layout_.unitsLine = header_.units->line.number;
+        for (std::size_t i = 0; i < layout_.columns.size(); ++i) {
+            LayoutColumn& column = layout_.columns[i];
+            if (header_.units && i < header_.units->cells.size()) addUnitCell(header_.units->cells[i].text, column, i);
+            if (column.unit.empty() && i < facts.units.size()) column.unit = readUnitCell(facts.units[i]);
+        }
+        if (!layout_.columns.empty() && layout_.columns[0].unit.empty() && !facts.timeUnit.empty() && !countsRows(0))
+            layout_.columns[0].unit = facts.timeUnit;
+        for (LayoutColumn& column : layout_.columns) takeForCelsius(column);
+    }
+
+    /// Words in a row of units over a column that counts its rows ("Sequence") are no unit.
+    void addUnitCell(std::string_view text, LayoutColumn& column, std::size_t index) const {
+        const std::string unit = readUnitCell(text);
+        if (unit.empty()) return;
+        const bool holdsNumbers = column.kind == CellKind::Number || column.kind == CellKind::Quantity;
+        if (!isKnownUnit(unit) && (countsRows(index) || !holdsNumbers))
+            column.comment = unit;
+        else
+            column.unit = unit;
+    }
+
+    bool countsRows(std::size_t column) const {
+        double last = 0;
+        for (std::size_t r = rows_.begin; r < rows_.end; ++r) {
+            const auto& cells = rows_.rows[r].cells;
+            const CellValue value = column < cells.size() ? readCell(cells[column].text, '.') : CellValue{};
+            if (value.kind != CellValue::Kind::Number) return false;
+            if (r > rows_.begin && value.value != last + 1) return false;
+            last = value.value;
+        }
+        return rows_.end > rows_.begin + 1 && (last == std::floor(last));
+    }
+
+    /// A bench measures temperatures, not charges, unless it says so.
+    void takeForCelsius(LayoutColumn& column) {
+        if (column.unit != "C") return;
+        const std::string name = inLowerCase(column.name);
+        for (const char* charge : {"charge", "ladung", "coulomb", "q"})
+            if (name == charge ||
+                (name.size() > 3 && name.find(charge) != std::string::npos && std::string_view(charge).size() > 1))
+                return;
+        column.unit = "degC";
+        warn(phrase("the unit 'C' of column '{}' is taken for degC, not for coulomb", cited(column.name)),
+             column.position,
+             phrase("Where it is a charge, give the unit in the study as {{\"column\": …, \"unit\": \"A.s\"}}."));
+    }
+
+    void addDescriptions() {
+        const auto add = [&](std::size_t i, const std::string& text) {
+            LayoutColumn& column = layout_.columns[i];
+            if (text.empty() || text == column.name || text == column.header) return;
+            if (kindOf(text) == CellKind::Number) return;
+            if (column.comment.find(text) == std::string::npos)
+                column.comment += (column.comment.empty() ? "" : "; ") + text;
+        };
+        for (const SampleRow& row : header_.descriptions)
+            for (std::size_t i = 0; i < std::min(row.cells.size(), layout_.columns.size()); ++i)
+                add(i, row.cells[i].text);
+        const auto& comments = layout_.facts.comments;
+        for (std::size_t i = 0; i < std::min(comments.size(), layout_.columns.size()); ++i) add(i, comments[i]);
+    }
+
+    /// What most cells of a column are. A column of numbers with a word in it stays one of numbers: the word is a
+    /// fault.
+    void tellKinds() {
+        for (std::size_t i = 0; i < layout_.columns.size(); ++i) {
+            std::array<std::size_t, 5> counts{};
+            for (std::size_t r = rows_.begin; r < rows_.end; ++r)
+                if (i < rows_.rows[r].kinds.size()) ++counts[static_cast<std::size_t>(rows_.rows[r].kinds[i])];
+            counts[static_cast<std::size_t>(CellKind::Blank)] = 0;
+            const auto most = std::max_element(counts.begin(), counts.end());
+            if (*most > 0) layout_.columns[i].kind = static_cast<CellKind>(most - counts.begin());
+            const auto numbers = counts[static_cast<std::size_t>(CellKind::Number)];
+            if (layout_.columns[i].kind == CellKind::Words && numbers > 0 && 3 * numbers >= *most)
+                layout_.columns[i].kind = CellKind::Number;
+            if (!options_.timeFormat.empty() && isOfFormat(i)) layout_.columns[i].kind = CellKind::Stamp;
+        }
+        std::size_t times = 0;
+        for (const LayoutColumn& column : layout_.columns) times += namesTime(column.name);
+        layout_.arePadded = times > 1 && layout_.columns.size() > 2;
+    }
+
+    bool isOfFormat(std::size_t column) const {
+        if (rows_.begin >= rows_.end) return false;
+        const auto& cells = rows_.rows[rows_.begin].cells;
+        return column < cells.size() && isOfTimeFormat(cells[column].text, options_.timeFormat);
+    }
+
+    void findData() {
+        if (rows_.begin >= rows_.rows.size()) {
+            layout_.offset = text_.size();
+            return;
+        }
+        const TextLine& line = rows_.rows[rows_.begin].line;
+        layout_.offset = static_cast<std::size_t>(line.text.data() - text_.data());
+        layout_.linesBefore = line.number - 1;
+        if (!header_.names && rows_.score > 0 && !options_.header) {
+            const LayoutColumn& first = layout_.columns.front();
+            layout_.warnings.push_back(asWarning(
+                fileError(phrase("the file has no header"), file_, line.number, 0,
+                          phrase("Its columns are called {} to {}.", first.name, layout_.columns.back().name))));
+        }
+    }
+
+    std::string_view text_;
+    const std::string& file_;
+    const ReadOptions& options_;
+    SampledRows rows_;
+    HeaderRows header_;
+    Layout layout_;
+};
+
+Text nameOfMark(char mark) {
+    if (mark == '\t') return phrase("tabs");
+    if (mark == ' ') return phrase("blanks");
+    return fmt::format("'{}'", mark);
+}
+
+}  // namespace
+
+Outcome<Layout> findLayout(std::string_view text, const std::string& file, const ReadOptions& options) {
+    return LayoutFinder(text, file, options).find();
+}
+
+Text described(const Layout& layout) {
+    Text told = layout.headerLine > 0 ? phrase("names in line {}", layout.headerLine) : phrase("no header");
+    if (layout.unitsLine > 0) told += phrase(", units in line {}", layout.unitsLine);
+    told += phrase(", data from line {}", layout.linesBefore + 1);
+    if (layout.columns.size() > 1) told += phrase(", {} between the columns", nameOfMark(layout.separator));
+    if (layout.marks.decimal) told += phrase(", decimal mark '{}'", std::string(1, *layout.marks.decimal));
+    if (layout.marks.thousands != 0) told += phrase(", '{}' between thousands", std::string(1, layout.marks.thousands));
+    return told;
+}
+
+}  // namespace analogon

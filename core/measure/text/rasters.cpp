@@ -1,0 +1,200 @@
+#include "core/measure/text/rasters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/limits.hpp"
+#include "core/base/unit.hpp"
+#include "core/base/visible.hpp"
+#include "core/measure/join.hpp"
+#include "core/measure/text/column_meaning.hpp"
+#include "core/measure/text/remark.hpp"
+#include "core/measure/text/time_column.hpp"
+#include "core/measure/time_name.hpp"
+
+namespace analogon {
+
+namespace {
+
+bool rises(const std::vector<double>& values) {
+    double first = NAN, last = -INFINITY;
+    for (const double value : values) {
+        if (std::isnan(value)) continue;
+        if (value < last) return false;
+        if (std::isnan(first)) first = value;
+        last = value;
+    }
+    return last > first;
+}
+
+/// The same rows, and everywhere the same distance.
+bool isSameRaster(const Column& a, const Column& b) {
+    double shift = NAN;
+    for (std::size_t i = 0; i < a.values.size(); ++i) {
+        if (std::isnan(a.values[i]) != std::isnan(b.values[i])) return false;
+        if (std::isnan(a.values[i])) continue;
+        const double difference = b.values[i] - a.values[i];
+        if (std::isnan(shift)) shift = difference;
+        if (std::abs(difference - shift) > 1e-9 * (std::abs(a.values[i]) + std::abs(b.values[i]))) return false;
+    }
+    return true;
+}
+
+bool isTime(const RawTable& raw, std::size_t index) {
+    const Column& column = raw.table.columns[index];
+    if (raw.kinds[index] == CellKind::Words || !namesTime(column.name)) return false;
+    const bool mayBe = column.unit.empty() || areConvertible(column.unit, "s");
+    return mayBe && rises(column.values);
+}
+
+/// Where each raster begins: columns of time that have channels on their right and other stamps than the first.
+std::vector<std::size_t> timesOf(const RawTable& raw, std::size_t first) {
+    std::vector<std::size_t> times{first};
+    for (std::size_t i = first + 1; i + 1 < raw.kinds.size(); ++i)
+        if (i > times.back() + 1 && isTime(raw, i) &&
+            !isSameRaster(raw.table.columns[times.back()], raw.table.columns[i]))
+            times.push_back(i);
+    return times;
+}
+
+template <class Value>
+std::vector<Value> kept(const std::vector<Value>& values, const std::vector<std::size_t>& rows) {
+    std::vector<Value> out;
+    if (values.empty()) return out;
+    out.reserve(rows.size());
+    for (const std::size_t row : rows) out.push_back(values[row]);
+    return out;
+}
+
+/// The columns [begin, end) in the rows in which their time has a stamp.
+TextGroup cutGroup(const RawTable& raw, const std::vector<std::vector<StatusText>>& statuses, std::size_t begin,
+                   std::size_t end, std::size_t time) {
+    TextGroup group;
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 0; i < raw.table.lines.size(); ++i)
+        if (!std::isnan(raw.table.columns[time].values[i])) rows.push_back(i);
+    group.table.file = raw.table.file;
+    group.table.lines = kept(raw.table.lines, rows);
+    for (std::size_t i = begin; i < end; ++i) {
+        const Column& from = raw.table.columns[i];
+        Column column{from.name, from.unit, kept(from.values, rows), {}, from.header, from.line, from.position};
+        for (std::size_t row = 0; row < column.values.size(); ++row)
+            if (!std::isfinite(column.values[row])) column.blanks.push_back({static_cast<std::uint32_t>(row), 0});
+        group.table.columns.push_back(std::move(column));
+        group.kinds.push_back(raw.kinds[i]);
+        group.words.push_back(kept(raw.words[i], rows));
+        group.statuses.push_back(statuses[i]);
+    }
+    group.time = time - begin;
+    return group;
+}
+
+TextGroup wholeGroup(RawTable raw, std::vector<std::vector<StatusText>> statuses, std::optional<std::size_t> time) {
+    TextGroup group;
+    group.table = std::move(raw.table);
+    group.kinds = std::move(raw.kinds);
+    group.words = std::move(raw.words);
+    group.statuses = std::move(statuses);
+    group.time = time;
+    return group;
+}
+
+/// Rows that are written only when something switches must not be joined by straight lines.
+void tellSwitches(const TextGroup& group, Diagnostics& told) {
+    const std::vector<double>& stamps = group.table.columns[*group.time].values;
+    double least = INFINITY, most = 0;
+    for (std::size_t i = 1; i < stamps.size(); ++i) {
+        const double step = stamps[i] - stamps[i - 1];
+        if (step > 0) least = std::min(least, step);
+        most = std::max(most, step);
+    }
+    if (!(most > 3 * least)) return;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < group.kinds.size(); ++i)
+        if (i != *group.time && isSwitch(group.table.columns[i])) names.push_back(group.table.columns[i].name);
+    if (names.empty() || names.size() > 20) return;
+    told.push_back(doubt(
+        phrase("{} switch between 0 and 1 and the rows come at uneven times: they seem to be written when "
+               "something changes",
+               listed(names)),
+        group.table.file, 0, phrase("As inputs they are held from row to row with \"interpolation\": \"hold\".")));
+}
+
+}  // namespace
+
+std::vector<TextGroup> groupsOf(RawTable raw, const std::map<std::string, std::string>& comments, Diagnostics& told) {
+    std::vector<std::vector<StatusText>> statuses = readSwitches(raw);
+    for (std::size_t i = 0; i < statuses.size(); ++i)
+        if (!statuses[i].empty())
+            told.push_back(
+                doubt(phrase("the words '{}' and '{}' in column '{}' are read as 0 and 1", statuses[i][0].text,
+                             statuses[i][1].text, shortened(raw.table.columns[i].name, limits::quotedBytes)),
+                      raw.table.file));
+    const std::optional<std::size_t> time = timeColumn(raw.table, raw.kinds);
+    std::vector<TextGroup> groups;
+    const std::vector<std::size_t> times = time ? timesOf(raw, *time) : std::vector<std::size_t>{};
+    if (times.size() < 2) {
+        groups.push_back(wholeGroup(std::move(raw), std::move(statuses), time));
+    } else {
+        for (std::size_t k = 0; k < times.size(); ++k)
+            groups.push_back(cutGroup(raw, statuses, k == 0 ? 0 : times[k],
+                                      k + 1 < times.size() ? times[k + 1] : raw.kinds.size(), times[k]));
+        told.push_back(remark(phrase("{} columns of time: each channel belongs to the one on its left", times.size()),
+                              raw.table.file));
+    }
+    for (TextGroup& group : groups) {
+        for (const Column& column : group.table.columns) {
+            const auto comment = comments.find(column.name);
+            group.comments.push_back(comment == comments.end() ? std::string() : comment->second);
+        }
+        if (!group.time) continue;
+        for (Diagnostic& counted : nameCountedUnit(group.table, *group.time)) told.push_back(std::move(counted));
+        for (Diagnostic& mended : mendRepeatedStamps(group.table, *group.time)) told.push_back(std::move(mended));
+        tellSwitches(group, told);
+    }
+    return groups;
+}
+
+Table joined(std::vector<TextGroup> groups) {
+    Table table;
+    table.file = groups.front().table.file;
+    if (groups.size() == 1) {
+        TextGroup& group = groups.front();
+        for (std::size_t i = 0; i < group.kinds.size(); ++i)
+            if (group.kinds[i] != CellKind::Words) table.columns.push_back(std::move(group.table.columns[i]));
+        table.lines = std::move(group.table.lines);
+        return table;
+    }
+    const Column& first = groups.front().table.columns[*groups.front().time];
+    std::vector<std::vector<double>> stamps;
+    std::vector<Trace> traces;
+    for (const TextGroup& group : groups) {
+        const Column& time = group.table.columns[*group.time];
+        std::vector<double> own = time.values;
+        if (const auto convert = convertUnit(time.unit, first.unit); convert && time.unit != first.unit)
+            for (double& stamp : own) stamp = (*convert)(stamp);
+        stamps.push_back(std::move(own));
+    }
+    for (const std::vector<double>& own : stamps) traces.push_back({own, own});
+    const std::vector<double> all = unitedStamps(traces);
+    table.columns.push_back({first.name, first.unit, all, {}, first.header, first.line, first.position});
+    std::map<double, int> lines;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        const TextGroup& group = groups[g];
+        for (std::size_t row = 0; row < stamps[g].size(); ++row) lines.emplace(stamps[g][row], group.table.lines[row]);
+        for (std::size_t i = 0; i < group.kinds.size(); ++i) {
+            if (i == group.time || group.kinds[i] == CellKind::Words) continue;
+            const Column& from = group.table.columns[i];
+            Column column{from.name, from.unit,    measuredAt({stamps[g], from.values}, all), {}, from.header,
+                          from.line, from.position};
+            for (std::size_t row = 0; row < all.size(); ++row)
+                if (std::isnan(column.values[row])) column.blanks.push_back({static_cast<std::uint32_t>(row), 0});
+            table.columns.push_back(std::move(column));
+        }
+    }
+    for (const double stamp : all) table.lines.push_back(lines[stamp]);
+    return table;
+}
+
+}  // namespace analogon

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/measure/text/text_file.hpp"
+
+namespace analogon {
+
+/// The groups of a table: one, or one for each column of time that has stamps of its own; each channel belongs to the
+/// time on its left. What is made of the stamps, and what is odd about them, is added to `told`.
+std::vector<TextGroup> groupsOf(RawTable raw, const std::map<std::string, std::string>& comments, Diagnostics& told);
+
+/// All groups as one table over the stamps of all: at a stamp of another raster a channel was not measured.
+Table joined(std::vector<TextGroup> groups);
+
+}  // namespace analogon

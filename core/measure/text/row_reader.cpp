@@ -1,0 +1,434 @@
+#include "core/measure/text/row_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+
+#include "core/base/file_fault.hpp"
+#include "core/base/limits.hpp"
+#include "core/base/stop.hpp"
+#include "core/base/unit.hpp"
+#include "core/base/visible.hpp"
+#include "core/measure/encoding.hpp"
+#include "core/measure/text/time_format.hpp"
+
+namespace analogon {
+
+namespace {
+
+/// Reads the rows of one text, from the first row of data to its end.
+class RowReader {
+    static constexpr std::size_t shownBehind = 1024;  // bytes of a line behind the place of a fault
+
+public:
+    RowReader(std::string_view text, const std::string& name, const Layout& layout, const ReadOptions& options)
+        : text_(text.substr(layout.offset)),
+          lines_(text_, layout.linesBefore),
+          separator_(layout.separator),
+          decimal_(layout.marks.decimal),
+          thousands_(layout.marks.thousands),
+          layout_(layout),
+          options_(options) {
+        raw_.table.file = name;
+        for (const LayoutColumn& column : layout.columns) {
+            table().columns.push_back({column.name, column.unit, {}, {}, column.header, column.line, column.position});
+            raw_.kinds.push_back(column.kind);
+        }
+        raw_.stamps.resize(table().columns.size());
+        raw_.words.resize(table().columns.size());
+        raw_.beyond.resize(table().columns.size());
+        areNumbers_ = std::all_of(raw_.kinds.begin(), raw_.kinds.end(),
+                                  [](CellKind kind) { return kind == CellKind::Number || kind == CellKind::Blank; });
+        decimalLine_ = layout.linesBefore + 1;
+        if (!options.thousands) raw_.thousands = layout.marks.thousands;
+    }
+
+    Outcome<RawTable> read() {
+        advance();
+        if (!hasMemory()) return faults_;
+        reserve();
+        while (hasLine_ && !isAtEnd_) {
+            if (!isEmptyLine(line_.text) && !isComment(line_.text, separator_) && !readRow()) return faults_;
+            advance();
+        }
+        if (table().lines.empty())
+            return fileError(phrase("the file has a header and no data rows"), table().file, layout_.headerLine, 0,
+                             phrase("Check that the recording was exported with its values."));
+        finish();
+        return {std::move(raw_), std::move(warnings_)};
+    }
+
+private:
+    Table& table() { return raw_.table; }
+    const Table& table() const { return raw_.table; }
+    void advance() { hasLine_ = lines_.next(line_); }
+
+    bool fault(Text message, int line, int position, Text hint, std::string_view lineText = {}) {
+        Diagnostic diagnostic = fileError(std::move(message), table().file, line, position, std::move(hint));
+        // as much of the line as is shown around the place
+        const auto reach = static_cast<std::size_t>(std::max(position, 0)) + shownBehind;
+        diagnostic.place.lineText = std::string(lineText.substr(0, reach));
+        diagnostic.place.length = 1;
+        faults_ = {std::move(diagnostic)};
+        return false;
+    }
+
+    static std::string quoted(std::string_view text) { return shortened(text, limits::quotedBytes); }
+
+    bool openQuote(const CsvRow& row) {
+        return fault(phrase("a quotation mark is opened and not closed on its line"), line_.number, row.openQuote,
+                     phrase("Close it, or double it where the mark itself is meant."), line_.text);
+    }
+
+    /// Whether there is memory for the numbers, by the length of the first row; a number takes two bytes at least.
+    bool hasMemory() {
+        if (!hasLine_) return true;
+        const double left = static_cast<double>(text_.data() + text_.size() - line_.text.data());
+        const double rows = std::max(1.0, left / static_cast<double>(line_.text.size() + 1));
+        const double cells = std::min(rows * static_cast<double>(table().columns.size()), left / 2);
+        const Outcome<Done> enough =
+            limits::checkMemory(phrase("the table of {:.3g} rows and {} columns", rows, table().columns.size()),
+                                8 * cells + static_cast<double>(text_.size()));
+        if (enough) return true;
+        faults_ = enough.diagnostics();
+        faults_.front().place.file = table().file;
+        return false;
+    }
+
+    void reserve() {
+        if (!hasLine_) return;
+        const auto left = static_cast<std::size_t>(text_.data() + text_.size() - line_.text.data());
+        const std::size_t rows = std::min<std::size_t>(left / (line_.text.size() + 1) * 11 / 10 + 16, 1u << 24);
+        if (rows * table().columns.size() > (1u << 28)) return;
+        for (Column& column : table().columns) column.values.reserve(rows);
+        table().lines.reserve(rows);
+    }
+
+    bool readRow() {
+        if (table().lines.size() >= limits::rows)
+            return fault(phrase("the file has more than {} rows", limits::rows), line_.number, 0,
+                         phrase("Split the recording, or record fewer samples a second."));
+        if (table().lines.size() % 65536 == 0) stopPoint();
+        isLeftOut_ = false;
+        if (!readPlainRow() && !readAnyRow()) return false;
+        if (!isLeftOut_ && !isAtEnd_) table().lines.push_back(line_.number);
+        return true;
+    }
+
+    /// The fast way: unquoted finite numbers with a decimal point. False, and nothing kept, for anything else.
+    bool readPlainRow() {
+        if (decimal_ == ',' || separator_ == ' ' || !areNumbers_) return false;
+        const char* at = line_.text.data();
+        const char* const end = at + line_.text.size();
+        const std::size_t count = table().columns.size();
+        numbers_.resize(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            while (at != end && *at == ' ') ++at;
+            const auto [stop, code] = std::from_chars(at, end, numbers_[i]);
+            if (code != std::errc{} || !std::isfinite(numbers_[i])) return false;
+            // the first mark decides what marks mean: by the slow way
+            if (!decimal_ && std::memchr(at, '.', static_cast<std::size_t>(stop - at))) return false;
+            at = stop;
+            while (at != end && *at == ' ') ++at;
+            const bool isLast = i + 1 == count;
+            if (isLast ? at != end : at == end || *at != separator_) return false;
+            ++at;
+        }
+        for (std::size_t i = 0; i < count; ++i) table().columns[i].values.push_back(numbers_[i]);
+        return true;
+    }
+
+    bool readAnyRow() {
+        CsvRow row = splitCsvRow(line_.text, separator_);
+        if (row.openQuote) return openQuote(row);
+        const std::size_t count = table().columns.size();
+        while (row.cells.size() > count && row.cells.back().text.empty()) row.cells.pop_back();
+        if (row.cells.size() < count && layout_.arePadded && !isWordAlone(row))
+            row.cells.resize(count, {"", static_cast<int>(line_.text.size()) + 1, false});
+        if (row.cells.size() != count) {
+            if (isWordAlone(row) && isEndOfText()) return isAtEnd_ = true;
+            return ragged(row);
+        }
+        if (isEmptyRow(row)) return isLeftOut_ = true;
+        for (std::size_t i = 0; i < count; ++i)
+            if (!readCellOf(i, row.cells[i])) return false;
+        return true;
+    }
+
+    static bool isEmptyRow(const CsvRow& row) {
+        return row.cells.size() > 1 &&
+               std::all_of(row.cells.begin(), row.cells.end(), [](const CsvCell& cell) { return cell.text.empty(); });
+    }
+
+    /// "EOF" below a table.
+    bool isWordAlone(const CsvRow& row) const {
+        const auto told =
+            std::count_if(row.cells.begin(), row.cells.end(), [](const CsvCell& c) { return !c.text.empty(); });
+        return table().columns.size() > 1 && told == 1 && kindOf(row.cells.front().text) == CellKind::Words;
+    }
+
+    bool isEndOfText() {
+        constexpr std::size_t most = 20;
+        LineReader ahead = lines_;
+        std::size_t count = 0;
+        for (TextLine line; ahead.next(line);) {
+            if (isEmptyLine(line.text)) continue;
+            if (++count > most || !isWordAlone(splitCsvRow(line.text, separator_))) return false;
+        }
+        return true;
+    }
+
+    bool readCellOf(std::size_t index, const CsvCell& cell) {
+        CellKind& kind = raw_.kinds[index];
+        if (kind == CellKind::Blank && !cell.text.empty()) {
+            const CellKind found = kindOf(cell.text);
+            if (found == CellKind::Words || found == CellKind::Stamp) begin(index, found);
+        }
+        switch (kind) {
+            case CellKind::Stamp:
+                return readStampCell(index, cell);
+            case CellKind::Words:
+                raw_.words[index].push_back(cell.text.empty() ? std::nullopt : std::optional(inUtf8(cell.text)));
+                return true;
+            case CellKind::Quantity:
+                return readQuantityCell(index, cell);
+            default:
+                return readNumberCell(index, cell);
+        }
+    }
+
+    /// A column that was empty so far holds something else than numbers.
+    void begin(std::size_t index, CellKind kind) {
+        Column& column = table().columns[index];
+        if (column.values.size() > column.blanks.size()) return;
+        raw_.kinds[index] = kind;
+        areNumbers_ = false;
+        if (kind == CellKind::Words) raw_.words[index].resize(column.values.size());
+        if (kind == CellKind::Stamp) raw_.stamps[index].resize(column.values.size());
+        column.values.clear();
+        column.blanks.clear();
+    }
+
+    bool readStampCell(std::size_t index, const CsvCell& cell) {
+        std::vector<Stamp>& stamps = raw_.stamps[index];
+        if (kindOf(cell.text) == CellKind::Blank) {
+            stamps.emplace_back();
+            return true;
+        }
+        const std::optional<Stamp> stamp = readStampBy(cell.text, options_.timeFormat);
+        if (!stamp)
+            return fault(phrase("'{}' in column '{}' is no date or clock", quoted(cell.text),
+                                quoted(table().columns[index].name)),
+                         line_.number, cell.position,
+                         phrase("Say how they are written in the study: \"read\": {{\"time_format\": \"%d.%m.%Y "
+                                "%H:%M:%S\"}}."),
+                         line_.text);
+        stamps.push_back(*stamp);
+        return true;
+    }
+
+    bool readQuantityCell(std::size_t index, const CsvCell& cell) {
+        const std::optional<QuantityText> quantity = readQuantity(cell.text);
+        Column& column = table().columns[index];
+        if (!quantity) {
+            if (kindOf(cell.text) == CellKind::Blank) return readNumberCell(index, cell);
+            return fault(phrase("'{}' in column '{}' is no number with a unit, as the cells above it",
+                                quoted(cell.text), quoted(column.name)),
+                         line_.number, cell.position, phrase("Write the unit in the header and numbers in the cells."),
+                         line_.text);
+        }
+        const std::string unit = inUtf8(quantity->unit);
+        if (column.unit.empty()) column.unit = unit;
+        CsvCell number = cell;
+        number.text = std::string(quantity->number);
+        if (!readNumberCell(index, number)) return false;
+        if (unit == column.unit) return true;
+        const Outcome<UnitConversion> convert = convertUnit(unit, column.unit);
+        if (!convert)
+            return fault(phrase("the cells of column '{}' are in '{}' and in '{}'", quoted(column.name),
+                                quoted(column.unit), quoted(unit)),
+                         line_.number, cell.position, phrase("Export the column in one unit."), line_.text);
+        column.values.back() = (*convert)(column.values.back());
+        return true;
+    }
+
+    bool readNumberCell(std::size_t index, const CsvCell& cell) {
+        if (!decimal_ && !decideMark(cell)) return false;
+        CellValue value = readCell(cell.text, decimal_.value_or('.'), thousands_);
+        if (value.kind == CellValue::Kind::Text && thousands_ == 0) value = withThousands(cell);
+        Column& column = table().columns[index];
+        if (value.kind == CellValue::Kind::Text) return notANumber(cell, column.name);
+        if (value.kind != CellValue::Kind::Number)
+            column.blanks.push_back({static_cast<std::uint32_t>(column.values.size()), cell.position});
+        if (value.kind == CellValue::Kind::Beyond) raw_.beyond[index].push_back(line_.number);
+        column.values.push_back(value.value);
+        return true;
+    }
+
+    /// The first number with a mark says what marks mean; where it says nothing it is asked.
+    bool decideMark(const CsvCell& cell) {
+        using Mark = NumberShape::Mark;
+        if (cell.text.find_first_of(".,") == std::string::npos) return true;
+        const NumberShape shape = shapeOf(cell.text);
+        if (!shape.isNumber) return true;
+        const bool isOpen = shape.decimal == Mark::OpenPoint || shape.decimal == Mark::OpenComma;
+        if (isOpen && separator_ != ',') {
+            faults_ = {openMark(cell.text, table().file, line_.number, cell.position)};
+            return false;
+        }
+        if (shape.decimal != Mark::None)
+            setDecimal(shape.decimal == Mark::Point || shape.decimal == Mark::OpenPoint ? '.' : ',');
+        return true;
+    }
+
+    void setDecimal(char mark) {
+        decimal_ = mark;
+        decimalLine_ = line_.number;
+    }
+
+    /// A mark between thousands that comes up only here, and can mean nothing else.
+    CellValue withThousands(const CsvCell& cell) {
+        const NumberShape shape = shapeOf(cell.text);
+        if (!shape.isNumber || shape.thousands == 0 || shape.thousands == decimal_) return {};
+        const CellValue value = readCell(cell.text, decimal_.value_or('.'), shape.thousands);
+        if (value.kind == CellValue::Kind::Number) thousands_ = raw_.thousands = shape.thousands;
+        return value;
+    }
+
+    bool ragged(const CsvRow& row) {
+        const std::size_t expected = table().columns.size();
+        const std::size_t found = row.cells.size();
+        const int position = found > expected ? row.cells[expected].position : static_cast<int>(line_.text.size()) + 1;
+        Text hint = phrase("Every row needs one cell for each column of the header.");
+        if (found < expected && separator_ == ',' && layout_.headerLine > 0)
+            hint += phrase(" A name with a comma needs quotation marks.");
+        if (separator_ == ',' && found == 2 * expected)
+            hint = phrase(
+                "There are exactly twice as many: the commas seem to be decimal marks as well. Export with "
+                "decimal points, or with ; or a tab between the columns.");
+        else if (separator_ == ',' && found > expected)
+            hint += phrase(" If the commas are decimal marks, the columns must be separated by ; or a tab.");
+        return fault(found == 1 ? phrase("this row has one cell, the header has {}", expected)
+                                : phrase("this row has {} cells, the header has {}", found, expected),
+                     line_.number, position, std::move(hint), line_.text);
+    }
+
+    bool notANumber(const CsvCell& cell, const std::string& column) {
+        const char other = decimal_ == ',' ? '.' : ',';
+        if (decimal_ && isNumeric(cell.text) && readCell(cell.text, other).kind != CellValue::Kind::Text)
+            return fault(other == ',' ? phrase("'{}' in column '{}' has a decimal comma, line {} has a decimal point",
+                                               quoted(cell.text), quoted(column), decimalLine_)
+                                      : phrase("'{}' in column '{}' has a decimal point, line {} has a decimal comma",
+                                               quoted(cell.text), quoted(column), decimalLine_),
+                         line_.number, cell.position, phrase("Write the whole file with one decimal mark."),
+                         line_.text);
+        const auto& columns = layout_.columns;
+        const bool isHeader = std::any_of(columns.begin(), columns.end(), [&](const LayoutColumn& named) {
+            return named.header == cell.text && !named.header.empty();
+        });
+        Text hint = phrase("Only numbers can be read; leave the cell of an output empty where it was not measured.");
+        if (isHeader)
+            hint =
+                phrase("The header stands here again: split the file in front of this line, it holds two recordings.");
+        else if (readQuantity(cell.text))
+            hint = phrase("A unit stands in the cell: write it in the header and numbers in the cells.");
+        else if (cell.text.find(',') != std::string::npos && cell.text.find('.') != std::string::npos)
+            hint = phrase("Marks between thousands cannot be read: write 1234.5.");
+        return fault(phrase("'{}' in column '{}' is not a number", shortened(cell.text, 60), quoted(column)),
+                     line_.number, cell.position, std::move(hint), line_.text);
+    }
+
+    std::string inUtf8(std::string_view text) const { return isUtf8(text) ? std::string(text) : latin1ToUtf8(text); }
+
+    /// Instruments write 9.9E37 where a value is beyond their range or there is none (SCPI).
+    void takeOverflowsOut() {
+        constexpr double overflow = 9.9e37, none = 9.91e37;
+        for (std::size_t i = 0; i < table().columns.size(); ++i) {
+            std::vector<double>& values = table().columns[i].values;
+            bool isAny = false;
+            for (const double value : values) isAny = isAny || std::abs(value) == overflow || std::abs(value) == none;
+            if (!isAny) continue;
+            std::vector<BlankCell>& blanks = table().columns[i].blanks;
+            for (std::size_t row = 0; row < values.size(); ++row) {
+                if (std::abs(values[row]) != overflow && std::abs(values[row]) != none) continue;
+                values[row] = std::numeric_limits<double>::quiet_NaN();
+                blanks.push_back({static_cast<std::uint32_t>(row), 0});
+                raw_.beyond[i].push_back(table().lines[row]);
+            }
+            std::sort(blanks.begin(), blanks.end(),
+                      [](const BlankCell& a, const BlankCell& b) { return a.row < b.row; });
+            std::sort(raw_.beyond[i].begin(), raw_.beyond[i].end());
+        }
+    }
+
+    void tellBeyond() {
+        constexpr std::size_t shown = 3;
+        for (std::size_t i = 0; i < table().columns.size(); ++i) {
+            const std::vector<int>& lines = raw_.beyond[i];
+            if (lines.empty()) continue;
+            std::vector<std::string> first;
+            for (std::size_t k = 0; k < std::min(shown, lines.size()); ++k) first.push_back(std::to_string(lines[k]));
+            const std::string name = quoted(table().columns[i].name);
+            Text message =
+                lines.size() <= shown
+                    ? phrase("column '{}' was beyond the range of its instrument in line {}", name, listed(first))
+                    : phrase("column '{}' was beyond the range of its instrument in {} rows, first in lines {}", name,
+                             lines.size(), listed(first));
+            warnings_.push_back(asWarning(fileError(std::move(message), table().file, lines.front(), 0,
+                                                    phrase("These cells are taken for not measured."))));
+        }
+    }
+
+    /// Columns without a name in which nothing stands are what a mark at the end of each row makes.
+    void dropEmptyLastColumns() {
+        while (table().columns.size() > 1) {
+            const Column& last = table().columns.back();
+            const bool isUnnamed = last.name == fmt::format("c{}", table().columns.size()) && last.unit.empty();
+            const bool isEmpty = raw_.kinds.back() != CellKind::Words && raw_.kinds.back() != CellKind::Stamp &&
+                                 last.blanks.size() == last.values.size();
+            if (!isUnnamed || !isEmpty) return;
+            table().columns.pop_back();
+            raw_.kinds.pop_back();
+            raw_.stamps.pop_back();
+            raw_.words.pop_back();
+            raw_.beyond.pop_back();
+        }
+    }
+
+    void finish() {
+        takeOverflowsOut();
+        tellBeyond();
+        dropEmptyLastColumns();
+        if (raw_.thousands != 0)
+            warnings_.push_back(asWarning(fileError(
+                phrase("'{}' is read as a mark between thousands", std::string(1, raw_.thousands)), table().file)));
+    }
+
+    std::string_view text_;
+    LineReader lines_;
+    TextLine line_;
+    bool hasLine_{}, isAtEnd_{}, isLeftOut_{}, areNumbers_{};
+    char separator_{','};
+    std::optional<char> decimal_;
+    char thousands_{};
+    int decimalLine_{};
+    const Layout& layout_;
+    const ReadOptions& options_;
+    RawTable raw_;
+    std::vector<double> numbers_;
+    Diagnostics faults_, warnings_;
+};
+
+}  // namespace
+
+Outcome<RawTable> readRows(std::string_view text, const std::string& name, const Layout& layout,
+                           const ReadOptions& options) {
+    return RowReader(text, name, layout, options).read();
+}
+
+}  // namespace analogon

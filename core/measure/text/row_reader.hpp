@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/measure/read_options.hpp"
+#include "core/measure/table.hpp"
+#include "core/measure/text/layout.hpp"
+#include "core/measure/text/stamp.hpp"
+
+namespace analogon {
+
+/// The rows of a text as they stand. A column of stamps or words has no values in the table.
+struct RawTable {
+    Table table;
+    std::vector<CellKind> kinds;                                 // by column
+    std::vector<std::vector<Stamp>> stamps;                      // without date and clock: an empty cell
+    std::vector<std::vector<std::optional<std::string>>> words;  // empty: an empty cell
+    std::vector<std::vector<int>> beyond;                        // lines in which the instrument was out of its range
+    char thousands{};                                            // a mark between thousands that came up among the rows
+};
+
+/// Faulty cells and rows of another length are faults with line and column. Empty cells and NaN are read as NaN (a
+/// channel that is mapped decides whether that is a fault).
+Outcome<RawTable> readRows(std::string_view text, const std::string& name, const Layout& layout,
+                           const ReadOptions& options);
+
+}  // namespace analogon

@@ -1,0 +1,399 @@
+#include "core/measure/text/stamp_column.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/file_fault.hpp"
+#include "core/base/limits.hpp"
+#include "core/base/median.hpp"
+#include "core/base/visible.hpp"
+#include "core/measure/text/remark.hpp"
+#include "core/measure/text/time_format.hpp"
+#include "core/measure/text/zone_clock.hpp"
+#include "core/measure/time_name.hpp"
+
+namespace analogon {
+
+namespace {
+
+constexpr std::int64_t second = 1'000'000'000, hour = 3600 * second, day = 24 * hour;
+constexpr std::int64_t none = std::numeric_limits<std::int64_t>::min();
+
+std::string cited(const std::string& text) { return shortened(text, limits::quotedBytes); }
+
+bool isTold(const Stamp& stamp) { return stamp.hasDate() || stamp.hasClock; }
+
+/// What all stamps of a column have.
+struct Traits {
+    bool haveDate{true}, haveClock{true}, haveZone{true}, anyDate{}, anyZone{}, haveTwoFields{true}, anyFraction{};
+    std::uint8_t orders{0xFF};
+    std::size_t count{};
+};
+
+Traits traitsOf(const std::vector<Stamp>& stamps) {
+    Traits traits;
+    for (const Stamp& stamp : stamps) {
+        if (!isTold(stamp)) continue;
+        ++traits.count;
+        traits.haveDate = traits.haveDate && stamp.hasDate();
+        traits.haveClock = traits.haveClock && stamp.hasClock;
+        traits.anyDate = traits.anyDate || stamp.hasDate();
+        traits.haveZone = traits.haveZone && stamp.zone != Stamp::noZone;
+        traits.anyZone = traits.anyZone || stamp.zone != Stamp::noZone;
+        traits.haveTwoFields = traits.haveTwoFields && stamp.hasTwoFields;
+        traits.anyFraction = traits.anyFraction || stamp.hasFraction;
+        if (stamp.hasDate()) traits.orders &= stamp.orders;
+    }
+    return traits;
+}
+
+void remove(RawTable& raw, std::size_t column) {
+    const auto at = static_cast<std::ptrdiff_t>(column);
+    raw.table.columns.erase(raw.table.columns.begin() + at);
+    raw.kinds.erase(raw.kinds.begin() + at);
+    raw.stamps.erase(raw.stamps.begin() + at);
+    raw.words.erase(raw.words.begin() + at);
+    raw.beyond.erase(raw.beyond.begin() + at);
+}
+
+bool holdsDates(const RawTable& raw, std::size_t column) {
+    if (column >= raw.kinds.size() || raw.kinds[column] != CellKind::Stamp) return false;
+    const Traits traits = traitsOf(raw.stamps[column]);
+    const auto isMidnight = [](const Stamp& stamp) { return stamp.nanoseconds == 0; };  // as spreadsheets write dates
+    return traits.count > 0 && traits.haveDate &&
+           std::all_of(raw.stamps[column].begin(), raw.stamps[column].end(), isMidnight);
+}
+
+bool holdsClocks(const RawTable& raw, std::size_t column) {
+    if (column >= raw.kinds.size() || raw.kinds[column] != CellKind::Stamp) return false;
+    const Traits traits = traitsOf(raw.stamps[column]);
+    return traits.count > 0 && traits.haveClock && !traits.anyDate;
+}
+
+/// The clock that belongs to a column of dates: beside it, or the only one there is.
+std::optional<std::size_t> clockOf(const RawTable& raw, std::size_t date) {
+    if (holdsClocks(raw, date + 1)) return date + 1;
+    if (date > 0 && holdsClocks(raw, date - 1)) return date - 1;
+    std::optional<std::size_t> only;
+    for (std::size_t i = 0; i < raw.kinds.size(); ++i) {
+        if (!holdsClocks(raw, i)) continue;
+        if (only) return std::nullopt;
+        only = i;
+    }
+    return only;
+}
+
+/// A date in one column and the clock in another one are one stamp, which is called as the clock is.
+void joinDateAndClock(RawTable& raw, Diagnostics& told) {
+    for (std::size_t i = 0; i < raw.kinds.size(); ++i) {
+        const std::optional<std::size_t> clock = holdsDates(raw, i) ? clockOf(raw, i) : std::nullopt;
+        if (!clock) continue;
+        for (std::size_t row = 0; row < raw.stamps[i].size(); ++row) {
+            Stamp& stamp = raw.stamps[*clock][row];
+            if (!isTold(stamp) || !isTold(raw.stamps[i][row])) {
+                stamp = {};
+                continue;
+            }
+            stamp.date = raw.stamps[i][row].date;
+            stamp.orders = raw.stamps[i][row].orders;
+        }
+        told.push_back(remark(phrase("the time is that of columns '{}' and '{}' together",
+                                     cited(raw.table.columns[i].name), cited(raw.table.columns[*clock].name)),
+                              raw.table.file));
+        remove(raw, i);
+        return;
+    }
+}
+
+/// A column of milliseconds beside stamps that have none.
+void addMilliseconds(RawTable& raw, Diagnostics& told) {
+    for (std::size_t i = 0; i + 1 < raw.kinds.size(); ++i) {
+        if (raw.kinds[i] != CellKind::Stamp || raw.kinds[i + 1] != CellKind::Number) continue;
+        const Column& column = raw.table.columns[i + 1];
+        const std::string name = inLowerCase(column.name);
+        const bool isNamed = name == "ms" || name == "msec" || name.starts_with("millisec") ||
+                             name.starts_with("millisek") || (column.unit == "ms" && name.starts_with("c"));
+        if (!isNamed || traitsOf(raw.stamps[i]).anyFraction) continue;
+        const auto isPart = [](double value) { return value >= 0 && value < 1000; };
+        if (!std::all_of(column.values.begin(), column.values.end(), isPart)) continue;
+        for (std::size_t row = 0; row < raw.stamps[i].size(); ++row) {
+            raw.stamps[i][row].nanoseconds += std::llround(column.values[row] * 1e6);
+            raw.stamps[i][row].hasFraction = true;
+        }
+        told.push_back(remark(phrase("the milliseconds in column '{}' belong to the time in '{}'", cited(column.name),
+                                     cited(raw.table.columns[i].name)),
+                              raw.table.file));
+        remove(raw, i + 1);
+        return;
+    }
+}
+
+/// One column of stamps on its way to seconds.
+class StampColumn {
+public:
+    StampColumn(const RawTable& raw, std::size_t index, const ReadOptions& options)
+        : raw_(raw),
+          column_(raw.table.columns[index]),
+          stamps_(raw.stamps[index]),
+          options_(options),
+          traits_(traitsOf(stamps_)) {}
+
+    Diagnostics read() {
+        if (traits_.count == 0) return {};
+        if (!options_.timeZone.empty() && !(zone_ = ZoneClock::named(options_.timeZone)))
+            return {fileError(phrase("the time zone '{}' is not known", cited(options_.timeZone)), raw_.table.file, 0,
+                              0, phrase("Write \"time_zone\" as \"Europe/Berlin\", \"UTC\" or \"+02:00\"."))};
+        if (traits_.anyDate != traits_.haveDate) return {uneven(phrase("have a date and some have none"))};
+        if (traits_.anyZone != traits_.haveZone && options_.timeZone.empty())
+            return {uneven(phrase("have a time zone and some have none"))};
+        return traits_.haveDate ? readDates() : readClocks();
+    }
+
+    const std::vector<std::int64_t>& moments() const { return moments_; }
+    bool isAbsolute() const { return traits_.haveDate && traits_.count > 0; }
+    /// Counts from a start, and not from midnight.
+    bool countsFromStart() const { return countsFromStart_; }
+    std::string start() const {
+        if (!isAbsolute() || isOrderOpen_) return {};
+        const auto first = std::find_if(stamps_.begin(), stamps_.end(), isTold);
+        const Stamp& stamp = *first;
+        return isoText(*dayOf(stamp, order_) * day + stamp.nanoseconds, stamp.zone);
+    }
+    Diagnostics remarks;
+
+private:
+    int lineOf(std::size_t row) const { return raw_.table.lines[row]; }
+
+    Diagnostic uneven(const Text& how) const {
+        return fileError(
+            phrase("some stamps in column '{}' {}", cited(column_.name), how), raw_.table.file, 0, 0,
+            phrase("Tell how they are written in the study: \"read\": {{\"time_format\": …, \"time_zone\": …}}."));
+    }
+
+    std::vector<std::int64_t> momentsBy(DateOrder order) const {
+        std::vector<std::int64_t> moments(stamps_.size(), none);
+        std::int64_t previous = none;
+        for (std::size_t i = 0; i < stamps_.size(); ++i) {
+            if (!isTold(stamps_[i])) continue;
+            const std::optional<std::int64_t> date = dayOf(stamps_[i], order);
+            if (!date) return {};
+            std::int64_t moment = *date * day + stamps_[i].nanoseconds;
+            if (stamps_[i].zone != Stamp::noZone)
+                moment -= stamps_[i].zone * 60 * second;
+            else if (zone_)
+                moment = zone_->momentOf(moment, previous);
+            moments[i] = previous = moment;
+        }
+        return moments;
+    }
+
+    static bool neverFalls(const std::vector<std::int64_t>& moments) {
+        std::int64_t last = none;
+        for (const std::int64_t moment : moments) {
+            if (moment == none) continue;
+            if (moment < last) return false;
+            last = moment;
+        }
+        return true;
+    }
+
+    static bool isSameCourse(const std::vector<std::int64_t>& a, const std::vector<std::int64_t>& b) {
+        std::int64_t shift = none;
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            if (a[i] == none) continue;
+            if (shift == none) shift = a[i] - b[i];
+            if (a[i] - b[i] != shift) return false;
+        }
+        return true;
+    }
+
+    /// Day before month or month before day: what makes the time go back is not meant.
+    Diagnostics readDates() {
+        std::vector<std::pair<DateOrder, std::vector<std::int64_t>>> readings;
+        for (const DateOrder order : {DateOrder::YearMonthDay, DateOrder::DayMonthYear, DateOrder::MonthDayYear}) {
+            if ((traits_.orders >> static_cast<int>(order) & 1) == 0) continue;
+            std::vector<std::int64_t> moments = momentsBy(order);
+            if (!moments.empty()) readings.emplace_back(order, std::move(moments));
+        }
+        if (readings.empty()) return {uneven(phrase("have day and month in another order than others"))};
+        const auto falls = [](const auto& reading) { return !neverFalls(reading.second); };
+        if (!std::all_of(readings.begin(), readings.end(), falls)) std::erase_if(readings, falls);
+        for (std::size_t i = 1; i < readings.size(); ++i)
+            if (!isSameCourse(readings[0].second, readings[i].second)) return {openOrder()};
+        isOrderOpen_ = readings.size() > 1;
+        order_ = readings[0].first;
+        moments_ = std::move(readings[0].second);
+        return zone_ || traits_.haveZone ? Diagnostics{} : checkSummerTime();
+    }
+
+    Diagnostic openOrder() const {
+        const auto first = std::find_if(stamps_.begin(), stamps_.end(), isTold);
+        const auto row = static_cast<std::size_t>(first - stamps_.begin());
+        const auto& d = first->date;
+        return fileError(phrase("the date {:02}/{:02}/{:02} in column '{}' may have the day or the month in front, and "
+                                "the stamps differ",
+                                d[0], d[1], d[2], cited(column_.name)),
+                         raw_.table.file, lineOf(row), 0,
+                         phrase("Say it in the study: \"read\": {{\"time_format\": \"%d/%m/%Y %H:%M:%S\"}} or "
+                                "\"%m/%d/%Y %H:%M:%S\"."));
+    }
+
+    double usualStep() const {
+        std::vector<double> steps;
+        for (std::size_t i = 1; i < moments_.size(); ++i)
+            if (moments_[i] > moments_[i - 1] && moments_[i - 1] != none)
+                steps.push_back(static_cast<double>(moments_[i] - moments_[i - 1]));
+        return steps.empty() ? 0 : median(std::move(steps));
+    }
+
+    /// A clock that goes back by an hour, or leaves one out at two in a Sunday night of March, may be summer time.
+    Diagnostics checkSummerTime() const {
+        const double step = usualStep();
+        if (!(step > 0) || step > 0.4 * static_cast<double>(hour)) return {};
+        for (std::size_t i = 1; i < moments_.size(); ++i) {
+            if (moments_[i] == none || moments_[i - 1] == none) continue;
+            const auto change = static_cast<double>(moments_[i] - moments_[i - 1]);
+            if (std::abs(change + static_cast<double>(hour) - step) < 3 * step && change < 0)
+                return {summerTime(i, true)};
+            if (std::abs(change - static_cast<double>(hour) - step) < 0.5 * step && isSpringNight(i))
+                return {summerTime(i, false)};
+        }
+        return {};
+    }
+
+    bool isSpringNight(std::size_t row) const {
+        const std::int64_t days = moments_[row] >= 0 ? moments_[row] / day : (moments_[row] - day + 1) / day;
+        const std::int64_t before = moments_[row - 1] - days * day, after = moments_[row] - days * day;
+        const bool isSunday = ((days % 7) + 7 + 4) % 7 == 0;  // 1970-01-01 was a Thursday
+        const bool isMarch = isoText(moments_[row]).substr(5, 2) == "03";
+        return isSunday && isMarch && before < 2 * hour && after >= 3 * hour;
+    }
+
+    Diagnostic summerTime(std::size_t row, bool isBack) const {
+        return fileError(
+            isBack ? phrase("the clock in column '{}' goes back by an hour here", cited(column_.name))
+                   : phrase("the clock in column '{}' leaves out the hour from 2 to 3 here: a pause, or summer time",
+                            cited(column_.name)),
+            raw_.table.file, lineOf(row), 0,
+            phrase("If it is summer time, tell the zone of the clock in the study: \"read\": {{\"time_zone\": "
+                   "\"Europe/Berlin\"}}; if it is not, \"time_zone\": \"UTC\"."));
+    }
+
+    /// A clock without a date falls at midnight.
+    Diagnostics readClocks() {
+        if (traits_.haveTwoFields && options_.timeFormat.empty()) {
+            const std::string header = inLowerCase(column_.header + column_.unit);
+            const bool isHours = header.find("hh:mm") != std::string::npos || header.find("h:min") != std::string::npos;
+            const bool isMinutes =
+                header.find("mm:ss") != std::string::npos || header.find("min:s") != std::string::npos;
+            if (isHours == isMinutes) return {openFields()};
+            isInMinutes_ = isMinutes;
+        }
+        moments_.assign(stamps_.size(), none);
+        std::int64_t days = 0, last = none;
+        std::vector<std::string> midnights;
+        for (std::size_t i = 0; i < stamps_.size(); ++i) {
+            if (!isTold(stamps_[i])) continue;
+            std::int64_t moment = stamps_[i].nanoseconds / (isInMinutes_ ? 60 : 1) + days * day;
+            if (last != none && moment < last - day / 2) {
+                days += 1;
+                moment += day;
+                midnights.push_back(std::to_string(lineOf(i)));
+            }
+            moments_[i] = last = moment;
+        }
+        const std::int64_t first =
+            *std::find_if(moments_.begin(), moments_.end(), [](std::int64_t m) { return m != none; });
+        const std::string name = inLowerCase(column_.header);
+        for (const char* word :
+             {"elapsed", "laufzeit", "duration", "dauer", "rel", "runtime", "run time", "test time", "seit"})
+            countsFromStart_ = countsFromStart_ || name.find(word) != std::string::npos;
+        countsFromStart_ = countsFromStart_ || first < 60 * second;
+        constexpr std::size_t shown = 3;
+        const bool areMany = midnights.size() > shown;
+        midnights.resize(std::min(shown, midnights.size()));
+        if (!midnights.empty())
+            remarks.push_back(doubt(phrase("the clock in column '{}' passes midnight in line {}: a day is added there",
+                                           cited(column_.name), listed(midnights) + (areMany ? ", …" : "")),
+                                    raw_.table.file));
+        return {};
+    }
+
+    Diagnostic openFields() const {
+        const auto first = std::find_if(stamps_.begin(), stamps_.end(), isTold);
+        const auto minutes = first->nanoseconds / (60 * second);
+        const std::string text = fmt::format("{}:{:02}", minutes / 60, minutes % 60);
+        return fileError(
+            phrase("'{}' in column '{}' may be hours and minutes or minutes and seconds", text, cited(column_.name)),
+            raw_.table.file, lineOf(static_cast<std::size_t>(first - stamps_.begin())), 0,
+            phrase("Say it in the study: \"read\": {{\"time_format\": \"%H:%M\"}} or \"%M:%S\"."));
+    }
+
+    const RawTable& raw_;
+    const Column& column_;
+    const std::vector<Stamp>& stamps_;
+    const ReadOptions& options_;
+    Traits traits_;
+    std::optional<ZoneClock> zone_;
+    std::vector<std::int64_t> moments_;  // [ns]; of a clock alone since midnight
+    DateOrder order_{DateOrder::YearMonthDay};
+    bool isOrderOpen_{}, countsFromStart_{}, isInMinutes_{};
+};
+
+std::int64_t firstOf(const std::vector<std::int64_t>& moments) {
+    const auto first = std::find_if(moments.begin(), moments.end(), [](std::int64_t m) { return m != none; });
+    return first == moments.end() ? none : *first;
+}
+
+/// Seconds since `zero`, with the places of what is missing.
+void putSeconds(RawTable& raw, std::size_t index, const std::vector<std::int64_t>& moments, std::int64_t zero) {
+    Column& column = raw.table.columns[index];
+    column.values.clear();
+    column.blanks.clear();
+    for (std::size_t row = 0; row < raw.stamps[index].size(); ++row) {
+        const bool isMissing = row >= moments.size() || moments[row] == none;
+        if (isMissing) column.blanks.push_back({static_cast<std::uint32_t>(row), 0});
+        column.values.push_back(isMissing ? std::numeric_limits<double>::quiet_NaN()
+                                          : static_cast<double>(moments[row] - zero) / 1e9);
+    }
+    column.unit = "s";
+    raw.kinds[index] = CellKind::Number;
+    raw.stamps[index].clear();
+}
+
+}  // namespace
+
+Outcome<StampedStart> makeSeconds(RawTable& raw, const ReadOptions& options) {
+    Diagnostics told;
+    joinDateAndClock(raw, told);
+    addMilliseconds(raw, told);
+    StampedStart start;
+    std::int64_t firstDate = none, firstClock = none;
+    std::vector<std::pair<std::size_t, StampColumn>> columns;
+    for (std::size_t i = 0; i < raw.kinds.size(); ++i) {
+        if (raw.kinds[i] != CellKind::Stamp) continue;
+        StampColumn& column = columns.emplace_back(i, StampColumn(raw, i, options)).second;
+        if (Diagnostics faults = column.read(); !faults.empty()) return faults;
+        told.insert(told.end(), column.remarks.begin(), column.remarks.end());
+        if (start.text.empty()) start.text = column.start();
+        const std::int64_t first = firstOf(column.moments());
+        std::int64_t& zero = column.isAbsolute() ? firstDate : firstClock;
+        if (first != none && !column.countsFromStart() && (zero == none || first < zero)) zero = first;
+    }
+    const bool isFormatTold = !options.timeFormat.empty() && !intervalOf(options.timeFormat);
+    if (columns.empty() && isFormatTold)
+        return fileError(phrase("no column is a time of the form '{}'", cited(options.timeFormat)), raw.table.file, 0,
+                         0,
+                         phrase("\"time_format\" is written as \"%d.%m.%Y %H:%M:%S\", or as the time between two rows: "
+                                "\"0.001 s\"."));
+    for (const auto& [index, column] : columns) {
+        const std::int64_t zero = column.countsFromStart() ? 0 : column.isAbsolute() ? firstDate : firstClock;
+        putSeconds(raw, index, column.moments(), zero);
+    }
+    return {std::move(start), std::move(told)};
+}
+
+}  // namespace analogon

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string_view>
+
+namespace analogon {
+
+struct TextLine {
+    std::string_view text;
+    int number{};  // 1-based
+};
+
+/// Takes lines off a text whose lines end with CR, LF or CRLF.
+class LineReader {
+public:
+    explicit LineReader(std::string_view text, int before = 0) : rest_(text), number_(before) {}
+
+    bool next(TextLine& line);
+    /// What was not taken yet.
+    std::string_view rest() const { return rest_; }
+
+private:
+    std::string_view rest_;
+    int number_{};
+};
+
+/// A line that begins with #, % or //; with a semicolon, too, where that is no mark between columns.
+bool isComment(std::string_view line, char separator);
+
+/// Nothing but blanks and quotation marks.
+bool isEmptyLine(std::string_view line);
+
+}  // namespace analogon

@@ -1,0 +1,118 @@
+#include "core/measure/text/text_recording.hpp"
+
+#include <algorithm>
+
+#include "core/base/regular_file.hpp"
+#include "core/measure/table.hpp"
+#include "core/measure/text/column_meaning.hpp"
+#include "core/measure/text/rasters.hpp"
+#include "core/measure/text/text_file.hpp"
+#include "core/measure/text/time_column.hpp"
+
+namespace analogon {
+
+namespace {
+
+class TextValues final : public RecordingReader {
+public:
+    explicit TextValues(std::vector<TextGroup> groups) : groups_(std::move(groups)) {}
+
+    Outcome<std::vector<ChannelValues>> read(std::size_t group, std::span<const std::size_t> channels,
+                                             const Progress&) const override {
+        std::vector<ChannelValues> values;
+        const TextGroup& from = groups_[group];
+        for (const std::size_t channel : channels) {
+            if (from.kinds[channel] == CellKind::Words)
+                values.push_back({{}, from.words[channel]});
+            else
+                values.push_back({from.table.columns[channel].values, {}});
+        }
+        return values;
+    }
+
+private:
+    std::vector<TextGroup> groups_;
+};
+
+RecordedGroup recordedGroup(const TextGroup& group) {
+    RecordedGroup recorded;
+    recorded.name = group.name;
+    recorded.samples = group.table.lines.size();
+    recorded.masterChannel = group.time;
+    recorded.master = group.time ? MasterKind::Time : MasterKind::None;
+    for (std::size_t i = 0; i < group.kinds.size(); ++i) {
+        const Column& column = group.table.columns[i];
+        RecordedChannel channel{column.name, column.unit, group.comments[i], {}, ChannelKind::Number, recorded.samples};
+        if (group.kinds[i] == CellKind::Words) channel.kind = ChannelKind::Text;
+        if (!group.statuses[i].empty()) {
+            channel.kind = ChannelKind::Status;
+            channel.statusTexts = group.statuses[i];
+        }
+        channel.isInteger = channel.kind == ChannelKind::Status;
+        recorded.channels.push_back(std::move(channel));
+    }
+    return recorded;
+}
+
+void tellMissingUnits(const TextGroup& group, std::vector<Text>& notes) {
+    constexpr std::size_t shown = 8;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < group.kinds.size(); ++i)
+        if (group.kinds[i] != CellKind::Words && group.table.columns[i].unit.empty() && group.statuses[i].empty())
+            names.push_back(group.table.columns[i].name);
+    if (names.empty()) return;
+    const std::size_t count = names.size();
+    names.resize(std::min(shown, count));
+    notes.push_back(count <= shown ? phrase("no unit is given for {}", listed(names))
+                                   : phrase("no unit is given for {} columns, first {}", count, listed(names)));
+}
+
+}  // namespace
+
+Outcome<MeasurementFile> openTextOf(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+    Outcome<TextFile> read = readTextFile(bytes, name, options);
+    if (!read) return read.diagnostics();
+    MeasurementFile recording;
+    recording.file = name;
+    recording.format = read->format;
+    recording.start = read->start;
+    recording.notes.push_back(read->found);
+    for (const TextGroup& group : read->groups) {
+        recording.groups.push_back(recordedGroup(group));
+        tellMissingUnits(group, recording.notes);
+        if (group.time)
+            for (const Diagnostic& odd : oddStamps(group.table, *group.time)) recording.notes.push_back(odd.message);
+    }
+    recording.reader = std::make_shared<TextValues>(std::move(read->groups));
+    return {std::move(recording), read.diagnostics()};
+}
+
+Outcome<MeasurementFile> openText(const std::filesystem::path& file, const ReadOptions& options) {
+    const Outcome<std::string> bytes = readRegularFile(file);
+    if (!bytes) return bytes.diagnostics();
+    return openTextOf(*bytes, file.string(), options);
+}
+
+Outcome<Table> readCsvText(std::string_view text, const std::string& name, const ReadOptions& options) {
+    Outcome<TextFile> read = readTextFile(text, name, options);
+    if (!read) return read.diagnostics();
+    Diagnostics told;
+    for (const Diagnostic& diagnostic : read.diagnostics())
+        if (diagnostic.severity == Severity::Warning) told.push_back(diagnostic);
+    if (read->groups.size() > 1 && !read->groups.front().name.empty()) {
+        std::vector<std::string> names;
+        for (const TextGroup& group : read->groups) names.push_back(group.name);
+        return fileError(
+            phrase("this file holds several tables: {}", listed(names)), name, 0, 0,
+            phrase("Name the one that is meant with \"group\" beside the column, or keep one table in the file."));
+    }
+    return {joined(std::move(read->groups)), std::move(told)};
+}
+
+Outcome<Table> readCsv(const std::filesystem::path& file, const ReadOptions& options) {
+    const Outcome<std::string> bytes = readRegularFile(file);
+    if (!bytes) return bytes.diagnostics();
+    return readCsvText(*bytes, file.string(), options);
+}
+
+}  // namespace analogon

@@ -1,0 +1,200 @@
+#include "core/measure/text/time_column.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/limits.hpp"
+#include "core/base/median.hpp"
+#include "core/base/unit.hpp"
+#include "core/base/visible.hpp"
+#include "core/measure/text/remark.hpp"
+#include "core/measure/text/time_format.hpp"
+#include "core/measure/time_name.hpp"
+
+namespace analogon {
+
+namespace {
+
+std::string cited(const std::string& text) { return shortened(text, limits::quotedBytes); }
+
+bool rises(const std::vector<double>& values) {
+    double first = NAN, last = -INFINITY;
+    for (const double value : values) {
+        if (std::isnan(value)) continue;
+        if (value < last) return false;
+        if (std::isnan(first)) first = value;
+        last = value;
+    }
+    return last > first;
+}
+
+bool repeats(const std::vector<double>& values) {
+    for (std::size_t i = 1; i < values.size(); ++i)
+        if (values[i] == values[i - 1]) return true;
+    return false;
+}
+
+/// "Total Time", "Rel. Zeit": the word stands within the name.
+bool holdsTime(const std::string& name) {
+    const std::string key = ' ' + plainKey(name) + ' ';
+    return key.find(" time ") != std::string::npos || key.find(" zeit ") != std::string::npos ||
+           key.find(" x value ") != std::string::npos;
+}
+
+bool countsByOne(const Column& column) {
+    const std::vector<double>& values = column.values;
+    if (values.size() < 2 || values.front() != std::floor(values.front())) return false;
+    for (std::size_t i = 1; i < values.size(); ++i)
+        if (values[i] != values[i - 1] + 1) return false;
+    return true;
+}
+
+/// In seconds: the unit beside it, that of the time axis, or seconds.
+double seconds(const ToldNumber& told, const std::string& timeUnit) {
+    for (const std::string& unit : {told.unit, timeUnit})
+        if (const auto convert = convertUnit(unit, "s"); !unit.empty() && convert && !areConvertible(unit, "Hz"))
+            return (*convert)(told.value);
+    return told.value;
+}
+
+std::optional<double> toldInterval(const PreambleFacts& facts) {
+    if (facts.hasSeveralIntervals) return std::nullopt;
+    if (facts.interval) return seconds(*facts.interval, facts.timeUnit);
+    if (!facts.rate) return std::nullopt;
+    const auto hertz = convertUnit(facts.rate->unit.empty() ? "Hz" : facts.rate->unit, "Hz");
+    return hertz ? std::optional(1 / (*hertz)(facts.rate->value)) : std::nullopt;
+}
+
+void insertTime(RawTable& raw, std::vector<double> values) {
+    std::string name = "time";
+    while (raw.table.find(name)) name += '_';
+    raw.table.columns.insert(raw.table.columns.begin(), Column{name, "s", std::move(values), {}});
+    raw.kinds.insert(raw.kinds.begin(), CellKind::Number);
+    raw.stamps.insert(raw.stamps.begin(), std::vector<Stamp>{});
+    raw.words.insert(raw.words.begin(), std::vector<std::optional<std::string>>{});
+    raw.beyond.insert(raw.beyond.begin(), std::vector<int>{});
+}
+
+}  // namespace
+
+std::optional<std::size_t> timeColumn(const Table& table, const std::vector<CellKind>& kinds) {
+    std::optional<std::size_t> best;
+    int bestRank = 0;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const Column& column = table.columns[i];
+        if (!kinds.empty() && kinds[i] == CellKind::Words) continue;
+        const bool hasUnit =
+            !column.unit.empty() && areConvertible(column.unit, "s") && !areConvertible(column.unit, "Hz");
+        if (!hasUnit && !column.unit.empty()) continue;
+        const int name = namesTime(column.name) ? 4 : holdsTime(column.name) ? 3 : 0;
+        int rank = 2 * (name + (hasUnit ? 2 : 0));
+        if (rank == 0 || !rises(column.values)) continue;
+        if (repeats(column.values)) rank -= 3;
+        if (rank > bestRank) {
+            best = i;
+            bestRank = rank;
+        }
+    }
+    return best;
+}
+
+Diagnostics addCountedTime(RawTable& raw, const PreambleFacts& facts, const ReadOptions& options) {
+    const std::string& file = raw.table.file;
+    const std::optional<double> told = intervalOf(options.timeFormat);
+    const std::optional<double> interval = told ? told : toldInterval(facts);
+    const std::optional<std::size_t> time = timeColumn(raw.table, raw.kinds);
+    if (time && !told) {
+        // what the preamble tells is held against it
+        const Column& column = raw.table.columns[*time];
+        const auto convert = convertUnit(column.unit.empty() ? "s" : column.unit, "s");
+        if (!interval || !convert || column.values.size() < 3 || column.unit.empty()) return {};
+        const double step = convert->factor * (column.values[2] - column.values[0]) / 2;
+        if (!(step > 0) || std::abs(step - *interval) < 0.05 * step) return {};
+        return {
+            doubt(phrase("the lines in front of the table tell {:.6g} s between two rows, the column '{}' has {:.6g} s",
+                         *interval, cited(column.name), step),
+                  file)};
+    }
+    const std::size_t rows = raw.table.lines.size();
+    if (!interval) {
+        Text what = phrase("no column is a time by its unit or its name");
+        for (const Column& column : raw.table.columns)
+            if (countsByOne(column)) {
+                what = phrase("no column is a time; '{}' counts the rows", cited(column.name));
+                break;
+            }
+        if (facts.hasSeveralIntervals) what += phrase("; the channels have several sample intervals");
+        return {remark(
+            what, file, 0,
+            phrase("Tell the time between two rows in the study: \"read\": {{\"time_format\": \"0.001 s\"}}, or as "
+                   "a rate: \"1 kHz\"."))};
+    }
+    const double start = facts.start && !told ? seconds(*facts.start, facts.timeUnit) : 0;
+    std::vector<double> values(rows);
+    const Column& counter = raw.table.columns.front();
+    // rows that were lost count, where the first column counts them
+    const bool isCounted =
+        !told && raw.kinds.front() == CellKind::Number && counter.unit.empty() && rises(counter.values) &&
+        std::all_of(counter.values.begin(), counter.values.end(), [](double v) { return v == std::floor(v); }) &&
+        counter.values.size() > 1 && counter.values[1] == counter.values[0] + 1;
+    for (std::size_t i = 0; i < rows; ++i)
+        values[i] = start + *interval * (isCounted ? counter.values[i] - counter.values[0] : static_cast<double>(i));
+    insertTime(raw, std::move(values));
+    Text made =
+        told ? phrase("the time is made of {:.6g} s from one row to the next, as it was told", *interval)
+             : phrase(
+                   "the time is made of {:.6g} s from one row to the next and a start at {:.6g} s, as the lines in "
+                   "front of the table tell",
+                   *interval, start);
+    return {remark(std::move(made), file)};
+}
+
+Diagnostics nameCountedUnit(Table& table, std::size_t time) {
+    Column& column = table.columns[time];
+    if (!column.unit.empty() || column.values.size() < 2) return {};
+    const double first = column.values.front(),
+                 step = (column.values.back() - first) / static_cast<double>(column.values.size() - 1);
+    constexpr double from = 9e8, to = 3e9;  // 1998 to 2065 [s since 1970]
+    for (const auto& [unit, perSecond] : {std::pair{"ms", 1e3}, {"us", 1e6}, {"ns", 1e9}})
+        if (first > from * perSecond && first < to * perSecond) {
+            column.unit = unit;
+            return {doubt(phrase("the numbers in column '{}' are taken for {} since 1970: no unit is given",
+                                 cited(column.name), unit),
+                          table.file, table.lines.front())};
+        }
+    const bool mayBeDays = (first > 30'000 && first < 70'000) || (first > 700'000 && first < 760'000);
+    if (mayBeDays && step < 0.2 && first != std::floor(first))
+        return {doubt(
+            phrase("the time in column '{}' begins at {:.9g} and has no unit: it is taken for seconds, and may be days",
+                   cited(column.name), first),
+            table.file, table.lines.front(), phrase("Give its unit in the header."))};
+    return {};
+}
+
+Diagnostics oddStamps(const Table& table, std::size_t time) {
+    constexpr double factor = 20;
+    const Column& column = table.columns[time];
+    double least = INFINITY, longest = 0;
+    std::size_t row = 0;
+    for (std::size_t i = 1; i < column.values.size(); ++i) {
+        const double step = column.values[i] - column.values[i - 1];
+        if (step > 0 && step < least) least = step;
+        if (step > longest) {
+            longest = step;
+            row = i;
+        }
+    }
+    if (column.values.size() < 4 || !(longest > factor * least)) return {};
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < column.values.size(); ++i) steps.push_back(column.values[i] - column.values[i - 1]);
+    const double usual = median(steps);
+    if (!(usual > 0) || !(longest > factor * usual)) return {};
+    const auto count = std::count_if(steps.begin(), steps.end(), [&](double step) { return step > factor * usual; });
+    const std::string unit = column.unit.empty() ? "s" : column.unit;
+    return {doubt(
+        phrase("the recording pauses for {:.6g} {} before line {}; its usual step is {:.6g} {} ({} such pauses in all)",
+               longest, unit, table.lines[row], usual, unit, count),
+        table.file, table.lines[row])};
+}
+
+}  // namespace analogon
