@@ -15,6 +15,7 @@
 #include "core/fit/difference_slopes.hpp"
 #include "core/fit/misfit.hpp"
 #include "core/fit/partial_records.hpp"
+#include "core/fit/rounding.hpp"
 #include "core/fit/starts.hpp"
 #include "core/fit/uncertainty.hpp"
 
@@ -405,7 +406,7 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
         if (problem.weightsAreNoise) variance = std::max(variance, 1.0);
         const ReducedMisfit reduced =
             isReduced ? best.reduced : withPriors(reduce(result.optimum.jacobian, result.optimum.residuals), priors);
-        uncertainty = uncertaintyOf(reduced.jacobian, variance, names);
+        uncertainty = uncertaintyOf(beyondRounding(problem, result.values, reduced.jacobian), variance, names);
         result.variance = variance;
     }
     Eigen::VectorXd robustErrors = Eigen::VectorXd::Constant(K, nan);

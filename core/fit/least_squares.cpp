@@ -187,6 +187,9 @@ private:
             minimum.message = phrase("converged");
         } else if (summary.termination_type == ceres::NO_CONVERGENCE) {
             minimum.status = limit(minimum.message);
+        } else if (misfit_.isRounding(misfit_.bestCost())) {
+            minimum.status = FitStatus::Converged;
+            minimum.message = phrase("converged");
         } else {
             minimum.status = FitStatus::Failed;
             minimum.message = misfit_.failure().empty() ? phrase("no step lowers the cost") : misfit_.failure();

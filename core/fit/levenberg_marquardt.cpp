@@ -67,6 +67,7 @@ private:
             return end(FitStatus::Converged,
                        gradient_.isZero(0.0) ? phrase("converged") : phrase("all parameters rest at their bounds"));
         const double cost = here_.cost();
+        if (misfit_.isRounding(cost)) return end(FitStatus::Converged, phrase("converged"));
         const Eigen::VectorXd full = step(1e-12);
         expected_ = predictedFall(full);
         full_ = full;

@@ -6,6 +6,7 @@
 
 #include "core/fit/difference_slopes.hpp"
 #include "core/fit/normal_equations.hpp"
+#include "core/fit/rounding.hpp"
 
 namespace analogon {
 
@@ -46,6 +47,7 @@ Misfit::Misfit(const FitProblem& problem, const FitOptions& options, const Progr
     maySwitch_ = options.loss == RobustLoss::None && options.simulation.engine != Engine::Adaptive && !isLimited() &&
                  maySwitch(problem);
     if (maySwitch_) signal_ = signalOf(problem);
+    if (options.loss == RobustLoss::None) rounding_ = roundingOf(problem);
 }
 
 bool Misfit::isLimited() const { return options_.simulation.evaluationLimit < SimulationOptions().evaluationLimit; }

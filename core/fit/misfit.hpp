@@ -67,6 +67,8 @@ public:
     const Text& failure() const { return failure_; }  // of the last simulation that failed
     double lossScale() const { return lossScale_; }
     double scatter() const { return scatter_; }  // against which priors weigh
+    /// Whether no more than rounding is left at this cost.
+    bool isRounding(double cost) const { return cost <= 0.5 * rounding_ * rounding_; }
     bool isCancelled() const { return progress_.stopRequested(); }
     /// How far a minimiser is, with the best values so far.
     void report(Text detail, double fraction) const;
@@ -113,6 +115,7 @@ private:
     bool maySwitch_{}, takesDifferences_{};
     int doubts_{}, misled_{};  // how often slopes were looked at, and were wrong
     double signal_{};          // the size of the data, in residuals
+    double rounding_{};        // what it leaves of them
     int threads_{1};
     int simulations_{}, failedSimulations_{};
     Text failure_;

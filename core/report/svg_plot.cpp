@@ -13,6 +13,8 @@ namespace analogon {
 
 namespace {
 
+constexpr double nothing = 1e-12;  // of the values: what rounding leaves between them
+
 struct Range {
     double low{std::numeric_limits<double>::infinity()};
     double high{-std::numeric_limits<double>::infinity()};
@@ -30,7 +32,8 @@ struct Range {
     /// Never of size zero, and with a little air.
     Range padded() const {
         if (isEmpty()) return {0, 1};
-        const double air = size() > 0 ? 0.06 * size() : std::max(0.5, 0.1 * std::abs(high));
+        const bool moves = size() > nothing * std::max(std::abs(low), std::abs(high));
+        const double air = moves ? 0.06 * size() : std::max(0.5, 0.1 * std::abs(high));
         return {low - air, high + air};
     }
 };
@@ -135,7 +138,7 @@ std::string clip(const std::string& id, const Panel& panel) {
 
 std::vector<double> ticks(double low, double high, int count) {
     std::vector<double> out;
-    if (!(high > low) || !std::isfinite(high - low)) return out;
+    if (!(high - low > nothing * std::max(std::abs(low), std::abs(high))) || !std::isfinite(high - low)) return out;
     const double raw = (high - low) / std::max(1, count);
     const double power = std::pow(10.0, std::floor(std::log10(raw)));
     double step = 10 * power;

@@ -4718,6 +4718,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>{} scheint in „{}“ ein anderer Wert zu sein (etwa {}) als in den übrigen Aufzeichnungen (etwa {}): War das Bauteil dasselbe, und in demselben Zustand?</translation>
     </message>
     <message>
+        <source>nothing can be judged: no measured output moves in the fitted recordings ({}), and what stands still tells neither parameters nor effects</source>
+        <translation>ein Urteil ist nicht möglich: Kein gemessener Ausgang bewegt sich in den angepassten Aufzeichnungen ({}), und was stillsteht, verrät weder Parameter noch Effekte</translation>
+    </message>
+    <message>
         <source>too few samples to judge: {} samples, {} parameters; structure is told from noise where an output has {} samples and there are as many beyond the parameters</source>
         <translation>zu wenige Messwerte für ein Urteil: {} Messwerte, {} Parameter; Struktur ist von Rauschen zu unterscheiden, wo ein Ausgang {} Messwerte hat und es ebenso viele über die Parameter hinaus gibt</translation>
     </message>

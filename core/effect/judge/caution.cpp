@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/base/median.hpp"
 #include "core/base/range.hpp"
@@ -271,6 +272,39 @@ std::vector<Text> delaysBelowSampling(const EstimationTask& task, const std::vec
                               effect.at, delay / interval, interval, reason));
     }
     return said;
+}
+
+bool anyOutputMoves(const EstimationTask& task) {
+    constexpr double rounding = 1e-12;
+    std::map<std::string, Range> ranges;  // over all recordings: levels that differ tell something, too
+    for (const Recording& r : task.recordings) {
+        if (r.role != Role::Fit) continue;
+        for (Eigen::Index o = 0; o < r.outputs.rows(); ++o)
+            if (!(o < r.weights.size()) || r.weights[o] > 0)
+                ranges[r.outputNames[static_cast<std::size_t>(o)]].take(rangeOf(r.outputs.row(o)));
+    }
+    return std::any_of(ranges.begin(), ranges.end(), [](const auto& named) {
+        const Range& range = named.second;
+        return range.width() > rounding * std::max(std::abs(range.low), std::abs(range.high));
+    });
+}
+
+Text nothingMoves(const EstimationTask& task, const ModelState& state) {
+    if (anyOutputMoves(task)) return {};
+    std::vector<std::string> values;
+    for (const ExperimentState& e : state.experiments)
+        for (const OutputState& o : e.outputs) {
+            if (e.role != Role::Fit) continue;
+            const std::string value =
+                fmt::format("{} = {:.5g}{}", o.name, rangeOf(o.measured).high, behindNumber(o.unit));
+            if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+        }
+    constexpr std::size_t shown = 5;
+    if (values.size() > shown) values.erase(values.begin() + shown, values.end());
+    return phrase(
+        "nothing can be judged: no measured output moves in the fitted recordings ({}), and what stands still tells "
+        "neither parameters nor effects",
+        listed(values));
 }
 
 Text tooFewSamples(const NullModel& null) {

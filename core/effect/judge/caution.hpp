@@ -28,6 +28,12 @@ std::vector<Text> stuckReadings(const EstimationTask& task);
 /// Dead times below one sample interval: how a channel is read between its samples may be all there is to them.
 std::vector<Text> delaysBelowSampling(const EstimationTask& task, const std::vector<AddedEffect>& effects);
 
+/// Whether any output of the fitted recordings takes more than one value, rounding aside.
+bool anyOutputMoves(const EstimationTask& task);
+
+/// Why what a model leaves cannot be judged: no output moves. Empty: one does. `state`: the model against the task.
+Text nothingMoves(const EstimationTask& task, const ModelState& state);
+
 /// Why what a model leaves cannot be judged: hardly more was measured than is fitted. Empty: it can.
 Text tooFewSamples(const NullModel& null);
 

@@ -101,7 +101,7 @@ void locate(const NullModel& null, const PreparedTask& prepared, const ResidualC
 }
 
 /// F test of all regressors together on the residual made white.
-double pWhitened(const ColumnScore& all, double total, int count) {
+double pWhitened(const Explained& all, double total, int count) {
     const double dof = static_cast<double>(all.directions.cols());
     const double f = all.explained / dof / std::max(1e-300, (total - all.explained) / (count - dof));
     return boost::math::cdf(boost::math::complement(boost::math::fisher_f(dof, count - dof), std::max(0.0, f)));
@@ -129,8 +129,7 @@ public:
     /// slow quantities explain of slow noise leaves it faster than it was, and the test is too sure.
     double p(const ResidualChannel& channel, const Eigen::MatrixXd& columns, double unlikely) const {
         const Eigen::MatrixXd rest = (*complement_)(Eigen::MatrixXd(scale_.asDiagonal() * columns));
-        const Eigen::MatrixXd directions =
-            scoreColumns(OrthogonalProjector(Eigen::MatrixXd(rest.rows(), 0)), scaled_, rest, false).directions;
+        const Eigen::MatrixXd directions = explainedBy(scaled_, rest).directions;
         const double dof = static_cast<double>(directions.cols());
         const Ratio own = ratio(channel, directions, scaled_);
         if (dof < 1 || own.effective < 2 * dof + 10) return 1;
@@ -203,11 +202,14 @@ bool isShared(const std::vector<ResidualChannel>& channels, const Eigen::VectorX
 struct Examined {
     const ResidualChannel* channel{};
     ResidualSummary summary;
-    ColumnScore all;       // of what it may move with
-    Eigen::MatrixXd rest;  // the same columns, white, beside the parameters
+    Explained all;         // by what it may move with; nothing where there are too few samples to tell
+    Eigen::MatrixXd rest;  // the columns of that, white, beside the parameters
     double total{};        // sum of squares, white
     double pMoves{1};      // that it moves with so much by chance
+    double standsOff{};    // evidence that it stays off by a good part of the noise
     bool isWhite{}, isNoise{};
+
+    int directions() const { return static_cast<int>(all.directions.cols()); }
 };
 
 /// What a residual is asked with: the model, what may move with it, and the units in which it stands.
@@ -249,7 +251,7 @@ Eigen::MatrixXd columnsThrough(const Examination& of, const ResidualChannel& cha
     return columns;
 }
 
-/// Empty: there is nothing to ask on this channel, or too little to tell.
+/// Empty: there is nothing to ask on this channel.
 std::optional<Examined> examine(const Examination& of, const ResidualChannel& channel) {
     const Eigen::VectorXd& residuals = of.null.fit.optimum.residuals;
     if (quantisationStep(channel.measured) > 0 && isNoise(channel, residuals)) return std::nullopt;
@@ -260,16 +262,20 @@ std::optional<Examined> examine(const Examination& of, const ResidualChannel& ch
     Examined e;
     e.channel = &channel;
     e.rest = of.null.scores().white(of.null.whitener(columns));
-    e.all = scoreColumns(OrthogonalProjector(Eigen::MatrixXd(of.white.size(), 0)), of.white, e.rest, false);
-    const auto dof = static_cast<int>(e.all.directions.cols());
-    if (dof < 1 || count < 2 * dof + 10) return std::nullopt;
+    e.all = explainedBy(of.white, e.rest);
     e.total = of.white.segment(channel.begin, count).squaredNorm();
-    e.pMoves = std::min(pWhitened(e.all, e.total, count), of.patient.p(channel, columns, of.unlikely));
+    if (e.directions() < 1 || count < 2 * e.directions() + 10)
+        e.all = {0, Eigen::MatrixXd(of.white.size(), 0)};
+    else
+        e.pMoves = std::min(pWhitened(e.all, e.total, count), of.patient.p(channel, columns, of.unlikely));
     e.summary = summarise(own);
     e.isWhite = of.isChance(e.summary.whiteProbability);
-    const double beyondChance = e.all.explained - dof * std::log(static_cast<double>(count));
+    const double scatter = std::sqrt((own.array() - own.mean()).square().mean());  // of less than the noise: none
+    if ((e.isWhite || scatter <= 1) && standsOff(own))
+        e.standsOff = std::pow(own.sum(), 2) / count - std::log(static_cast<double>(count));
+    const double beyondChance = e.all.explained - e.directions() * std::log(static_cast<double>(count));
     const bool isLittle = e.isWhite && std::max(beyondChance, -std::log(std::max(e.pMoves, 1e-300))) < leastOfWhite;
-    e.isNoise = (isLittle || of.isChance(e.pMoves)) && (e.isWhite || isStationaryNoise(own));
+    e.isNoise = e.standsOff == 0 && (isLittle || of.isChance(e.pMoves)) && (e.isWhite || isStationaryNoise(own));
     return e;
 }
 
@@ -293,7 +299,7 @@ ColouredNoise noiseOf(const Examination& of, const Examined& e) {
 /// With what the residual of a channel moves, most first.
 std::vector<Correlate> correlates(const Examination& of, const Examined& e) {
     std::vector<Correlate> found;
-    for (std::size_t j = 0; j < of.regressors.size(); ++j) {
+    for (std::size_t j = 0; e.directions() > 0 && j < of.regressors.size(); ++j) {
         const Eigen::VectorXd c = e.rest.col(static_cast<Eigen::Index>(j));
         const double n = c.norm();
         // what hardly moves here (the sign of a temperature) moves with nothing
@@ -310,12 +316,12 @@ std::vector<Correlate> correlates(const Examination& of, const Examined& e) {
 
 Remainder structureOf(const Examination& of, const Examined& e) {
     const double p = std::min(e.pMoves, e.summary.whiteProbability);
-    const double dof = static_cast<double>(e.all.directions.cols());
     const double count = e.channel->end - e.channel->begin;
     Remainder r;
     r.output = outputOf(of, *e.channel);
     r.experiment = experimentOf(of, *e.channel).name;
-    r.evidence = std::max(e.all.explained - dof * std::log(count), -std::log(std::max(p, 1e-300)));
+    r.evidence =
+        std::max({e.all.explained - e.directions() * std::log(count), -std::log(std::max(p, 1e-300)), e.standsOff});
     locate(of.null, of.prepared, *e.channel, r);
     r.movesWith = correlates(of, e);
     return r;

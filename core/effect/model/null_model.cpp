@@ -201,10 +201,6 @@ bool isOfCounts(const Eigen::VectorXd& residual, double step) {
 
 }  // namespace
 
-namespace {
-
-/// Whether a residual, in units of the noise, stands off by a good part of it and by more than chance: what stays the
-/// same throughout has no autocorrelation, and is no noise for that.
 bool standsOff(const Eigen::VectorXd& residual) {
     constexpr double share = 0.5, deviations = 4;
     const auto count = static_cast<double>(residual.size());
@@ -212,8 +208,6 @@ bool standsOff(const Eigen::VectorXd& residual) {
     const double scatter = std::max(1.0, std::sqrt((residual.array() - mean).square().sum() / count));
     return std::abs(mean) > std::max(share, deviations / std::sqrt(count)) * scatter;
 }
-
-}  // namespace
 
 bool isNoise(const ResidualChannel& channel, const Eigen::VectorXd& residuals) {
     const auto isWhite = [](const Eigen::VectorXd& r) {

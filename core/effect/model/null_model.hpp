@@ -96,6 +96,10 @@ std::optional<FitResult> fitBeside(const NullModel& null, const Variant& variant
 /// What a fit leaves, in units of the noise.
 double reducedChi(const FitResult& fit);
 
+/// Whether a residual, in units of the noise, stands off by a good part of it and by more than chance: what stays the
+/// same throughout has no autocorrelation, and is no noise for that.
+bool standsOff(const Eigen::VectorXd& residual);
+
 /// Whether a channel of a residual passes for white, but for what its converter rounds off; whether all do.
 bool isNoise(const ResidualChannel& channel, const Eigen::VectorXd& residuals);
 bool isNoise(const std::vector<ResidualChannel>& channels, const FitResult& fit);

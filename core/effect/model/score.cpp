@@ -151,6 +151,17 @@ ColumnScore scoreColumns(const OrthogonalProjector& complement, const Eigen::Vec
     return score;
 }
 
+Explained explainedBy(const Eigen::VectorXd& residual, const Eigen::MatrixXd& columns) {
+    constexpr double apart = 1e-6;
+    Eigen::MatrixXd finite = columns;
+    for (Eigen::Index j = 0; j < finite.cols(); ++j)
+        if (!finite.col(j).allFinite()) finite.col(j).setZero();
+    Explained found;
+    found.directions = orthonormalBasis(finite, apart);
+    found.explained = (found.directions.transpose() * residual).squaredNorm();
+    return found;
+}
+
 double explainedTogether(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, const Eigen::VectorXd& residual) {
     Eigen::MatrixXd both(residual.size(), a.cols() + b.cols());
     both << a, b;

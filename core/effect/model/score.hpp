@@ -71,6 +71,13 @@ struct ColumnScore {
 ColumnScore scoreColumns(const OrthogonalProjector& complement, const Eigen::VectorXd& residual,
                          const Eigen::MatrixXd& columns, bool oneSided);
 
+/// What columns explain of a residual together, whichever of them move at all.
+struct Explained {
+    double explained{};          // fall in the sum of squares
+    Eigen::MatrixXd directions;  // orthonormal basis of the columns
+};
+Explained explainedBy(const Eigen::VectorXd& residual, const Eigen::MatrixXd& columns);
+
 /// What two effects explain of a residual together, their projected columns (`directions`) fitted at once: far more
 /// than the sum of what each does alone where they hide each other.
 double explainedTogether(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, const Eigen::VectorXd& residual);

@@ -81,10 +81,13 @@ bool beginsElsewhere(const Eigen::VectorXd& residual, double deviation, double r
 }
 
 bool beginsElsewhere(const OutputState& output, const ModelState& state) {
+    constexpr double rounding = 1e-9;
     const auto left = state.residual.find(output.name);
+    const Range range = rangeOf(output.measured);
+    const double size = std::max(std::abs(range.low), std::abs(range.high));
     return left != state.residual.end() &&
            beginsElsewhere(output.simulated - output.measured, left->second.standardDeviation,
-                           rangeOf(output.measured).width());
+                           std::max(range.width(), rounding * size));
 }
 
 namespace {

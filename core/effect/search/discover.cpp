@@ -50,6 +50,10 @@ Outcome<ModelState> fitModel(const EstimationTask& task, const FitOptions& optio
     Outcome<ModelState> found = state();
     if (!found) return found;
     if (null.beginning) found->remarks.insert(found->remarks.begin(), null.beginning->remark);
+    if (Text still = nothingMoves(task, *found); !still.empty())
+        found->remarks.push_back(std::move(still));
+    else if (Text few = tooFewSamples(null); !few.empty())
+        found->remarks.push_back(std::move(few));
     for (const Role role : {Role::Fit, Role::Validate})
         for (Text& sentence : wrongStarts(*found, role)) found->remarks.push_back(std::move(sentence));
     if (progress.stopRequested()) return found;

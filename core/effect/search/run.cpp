@@ -105,10 +105,11 @@ Outcome<Done> Run::fitAsGiven() {
     }
     if (const Outcome<Done> fitted = fitOnAll(); !fitted) return fitted.diagnostics();
     search_.journal.model("null fit", *null, "fitted");
-    const bool hasFaults = leaveOutFaults(search_, onAll_ ? *onAll_ : *null);
+    const bool isAtRest = !anyOutputMoves(readings.full.task);
+    const bool hasFaults = !isAtRest && leaveOutFaults(search_, onAll_ ? *onAll_ : *null);
     if (hasFaults) null = fitNull(readings.searched, {}, NoiseLevel::Estimate, search_.options.fit, search_.progress);
     if (!null) return null.diagnostics();
-    const bool isElsewhere = beginElsewhere(search_, *null);
+    const bool isElsewhere = !isAtRest && beginElsewhere(search_, *null);
     if (isElsewhere)
         warnings.push_back(
             phrase("from the start values of the study the fit ends at a poorer optimum: the search begins at the best "
@@ -165,12 +166,13 @@ bool Run::isOfMistakenUnit() {
 }
 
 bool Run::isNotToBeSearched() {
-    if (isOfMistakenUnit()) return true;
-    Text few = tooFewSamples(end_.base);
-    if (few.empty()) return false;
+    Text why = nothingMoves(search_.readings.full.task, end_.finding.baseline);
+    if (why.empty() && isOfMistakenUnit()) return true;
+    if (why.empty()) why = tooFewSamples(end_.base);
+    if (why.empty()) return false;
     end_.finding.kind = FindingKind::Unexplained;
-    end_.finding.warnings.push_back(few);
-    end_.finding.notSearched = std::move(few);
+    end_.finding.warnings.push_back(why);
+    end_.finding.notSearched = std::move(why);
     return true;
 }
 

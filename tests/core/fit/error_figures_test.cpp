@@ -20,6 +20,19 @@ TEST(ErrorFigures, OfAChannelThatStandsStillAreInPercentOfItsMagnitude) {
     EXPECT_TRUE(off.hasScale());
 }
 
+TEST(ErrorFigures, OfHugeAndOfTinyValuesAreThoseInAnotherUnit) {
+    const Row measured = Row::LinSpaced(50, 1, 3), simulated = Row::LinSpaced(50, 1.1, 2.8);
+    const ErrorFigures common = errorFigures(simulated, measured);
+    for (const double unit : {1e297, 1e-297}) {
+        const ErrorFigures figures = errorFigures(unit * simulated, unit * measured);
+        EXPECT_NEAR(figures.errorPercent, common.errorPercent, 1e-9) << unit;
+        EXPECT_NEAR(figures.fitPercent, common.fitPercent, 1e-9) << unit;
+        EXPECT_NEAR(figures.relativeRmsPercent, common.relativeRmsPercent, 1e-9) << unit;
+        EXPECT_NEAR(figures.rmse / unit, common.rmse, 1e-9) << unit;
+        EXPECT_NEAR(figures.maxAbs / unit, common.maxAbs, 1e-9) << unit;
+    }
+}
+
 TEST(ErrorFigures, OfAChannelThatIsZeroThroughoutAreItsRootMeanSquareAlone) {
     const ErrorFigures figures = errorFigures(Row::Constant(50, 0.3), Row::Zero(50));
     EXPECT_NEAR(figures.rmse, 0.3, 1e-12);

@@ -50,6 +50,7 @@ TEST(Ticks, AreRoundAndInside) {
                                                   ::testing::DoubleNear(0.3, 1e-12)));
     EXPECT_TRUE(ticks(1, 1, 5).empty());
     EXPECT_TRUE(ticks(0, std::nan(""), 5).empty());
+    EXPECT_TRUE(ticks(273.15, 273.15 + 6e-14, 5).empty()) << "no number lies between";
 }
 
 TEST(Plot, HasNoNumberThatIsNone) {

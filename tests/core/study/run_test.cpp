@@ -75,6 +75,10 @@ TEST_F(Run, AFewSamplesAreTooFewToJudgeAModelBy) {
     EXPECT_THAT(finding.notSearched.english(), HasSubstr("too few samples to judge: 3 samples, 2 parameters"));
     EXPECT_EQ(std::count(finding.warnings.begin(), finding.warnings.end(), finding.notSearched), 1);
     EXPECT_THAT(summaryWords(finding, "discover"), HasSubstr("No effect was looked for: too few samples to judge"));
+    const Outcome<RunResult> fitted = runFit(read(), {}, {});
+    ASSERT_TRUE(fitted) << format(fitted.diagnostics());
+    const std::vector<Text>& remarks = fitted->finding.final.remarks;
+    EXPECT_EQ(std::count(remarks.begin(), remarks.end(), finding.notSearched), 1) << "a fit says the same";
 }
 
 TEST_F(Run, ATrendIsToldFromNoiseByFifteenSamplesBeyondTheParameters) {
@@ -273,7 +277,95 @@ TEST_F(AtRest, ARecordingThatNeverMovesIsFittedAndSaysWhatItTells) {
     EXPECT_THAT(remarks, HasSubstr("k has no influence on what was measured here"));
     EXPECT_THAT(remarks, HasSubstr("supply stands still at 12: its error is told in percent of that"));
     EXPECT_THAT(remarks, HasSubstr("zero is 0 throughout: it has no error in percent"));
-    EXPECT_TRUE(runDiscover(read(), {}, {}));
+    EXPECT_THAT(remarks, HasSubstr("nothing can be judged: no measured output moves in the fitted recordings"));
+    const Outcome<RunResult> searched = runDiscover(read(), {}, {});
+    ASSERT_TRUE(searched) << format(searched.diagnostics());
+    const Finding& finding = searched->finding;
+    EXPECT_EQ(finding.kind, FindingKind::Unexplained);
+    EXPECT_TRUE(finding.effects.empty() && finding.candidates.empty());
+    EXPECT_THAT(finding.notSearched.english(), HasSubstr("(w = 0, supply = 12 and zero = 0)"));
+    EXPECT_EQ(std::count(finding.warnings.begin(), finding.warnings.end(), finding.notSearched), 1);
+}
+
+TEST_F(AtRest, AConstantErrorIsAnErrorWhateverIsLookedFor) {
+    putStudy(24);
+    RunOptions options;
+    options.discover.kinds = {"sensor.lag"};
+    const Outcome<RunResult> result = runDiscover(read(), options, {});
+    ASSERT_TRUE(result) << format(result.diagnostics());
+    EXPECT_EQ(result->finding.kind, FindingKind::Unexplained);
+    ASSERT_FALSE(result->finding.remainders.empty());
+    EXPECT_EQ(result->finding.remainders.front().output, "supply");
+}
+
+TEST_F(Run, AConstantOutputOfAnySizeIsNotAdequate) {
+    for (const char* const value : {"1e300", "-3e-100", "7"}) {
+        std::ostringstream csv;
+        csv << "t [s],u_heater [V],T_air [K],current [A]\n";
+        for (int k = 0; k < 400; ++k) csv << 0.1 * k << ",12,293.15," << value << '\n';
+        put("train.csv", csv.str());
+        const Outcome<RunResult> result = runDiscover(read(), {}, {});
+        ASSERT_TRUE(result) << value << format(result.diagnostics());
+        EXPECT_EQ(result->finding.kind, FindingKind::Unexplained) << value;
+        EXPECT_THAT(result->finding.notSearched.english(), HasSubstr("no measured output moves")) << value;
+        EXPECT_TRUE(std::isfinite(result->finding.baseline.experiments.at(0).errorPercent)) << value;
+    }
+}
+
+TEST_F(Run, AnOutputThatMovesWhereTheInputStandsAtZeroIsUnexplained) {
+    std::ostringstream csv;
+    csv << "t [s],u_heater [V],T_air [K],current [A]\n";
+    for (int k = 0; k < 400; ++k) csv << 0.1 * k << ",0,293.15," << std::sin(0.1 * k) << '\n';
+    put("train.csv", csv.str());
+    const Outcome<RunResult> result = runDiscover(read(), {}, {});
+    ASSERT_TRUE(result) << format(result.diagnostics());
+    EXPECT_NE(result->finding.kind, FindingKind::Adequate);
+}
+
+TEST_F(Run, AFitOfWhatIsAtRestConvergesWhereItBegins) {
+    put("study.json", R"({"format": "analogon-study-1", "class": "Box", "experiments": [
+  {"name": "rest", "role": "fit", "file": "rest.csv", "time": "t", "inputs": {"on": "on", "T_amb": "T_amb"},
+   "outputs": {"T": "T"}, "initial": {"body.T_start": "fit"}}],
+ "parameters": {"power.k": {"fit": true, "min": 1, "max": 1000, "scale": "log"},
+  "body.C": {"fit": true, "min": 10, "max": 1e5, "scale": "log"},
+  "wall.G": {"fit": true, "min": 0.01, "max": 100, "scale": "log"}}})");
+    put("model.mo", R"(model Box "Heated box"
+  Analogon.Interfaces.RealInput on(unit="1"), T_amb(unit="K");
+  Analogon.Interfaces.RealOutput T(unit="K");
+  Analogon.Signals.Gain power(k=25);
+  Analogon.Sources.PrescribedHeatFlow heater;
+  Analogon.Thermal.HeatCapacitor body(C=600, T_start=293.15);
+  Analogon.Thermal.ThermalConductor wall(G=1.5);
+  Analogon.Sources.PrescribedTemperature outside;
+  Analogon.Sensors.TemperatureSensor probe;
+equation
+  connect(on, power.u);
+  connect(power.y, heater.Q_flow);
+  connect(heater.port, body.port);
+  connect(body.port, wall.port_a);
+  connect(wall.port_b, outside.port);
+  connect(T_amb, outside.T);
+  connect(body.port, probe.port);
+  connect(probe.T, T);
+end Box;
+)");
+    for (const char* const celsius : {"0", "20"}) {
+        std::ostringstream csv;
+        csv << "t [s],on [1],T_amb [degC],T [degC]\n";
+        for (int k = 0; k < 400; ++k) csv << 10 * k << ",0," << celsius << ',' << celsius << '\n';
+        put("rest.csv", csv.str());
+        const Outcome<RunResult> result = runFit(read(), {}, {});
+        ASSERT_TRUE(result) << celsius << format(result.diagnostics());
+        const ModelState& state = result->finding.final;
+        EXPECT_EQ(state.status, FitStatus::Converged) << celsius << ": " << state.message;
+        std::string remarks;
+        for (const Text& remark : state.remarks) remarks += remark.english() + "\n";
+        for (const FitEstimate& e : state.parameters) {
+            if (e.experiment >= 0) continue;
+            EXPECT_FALSE(std::isfinite(e.standardError)) << e.name << " ± " << e.standardError;
+            EXPECT_THAT(remarks, HasSubstr(e.name + " has no influence on what was measured here"));
+        }
+    }
 }
 
 TEST_F(AtRest, AChannelOfZerosHasNoErrorInPercentAndIsJudgedAllTheSame) {

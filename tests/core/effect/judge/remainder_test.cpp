@@ -8,18 +8,24 @@
 namespace analogon {
 namespace {
 
-constexpr int rows = 3000;
 constexpr double interval = 0.5;
 
-double power(double t) { return std::fmod(t, 300) < 130 ? 4 + std::sin(0.05 * t) : 1 + 0.5 * std::cos(0.11 * t); }
+double steady(double) { return 4; }
+double changing(double t) { return std::fmod(t, 300) < 130 ? 4 + std::sin(0.05 * t) : 1 + 0.5 * std::cos(0.11 * t); }
 
 double even(int) { return 1; }
 double inBursts(int k) { return k / 250 % 3 == 1 ? 5 : 1; }
 
-/// What the body leaves whose sensor has noise of some strength at each sample, which forgets in `memory` samples, and
-/// an error of its own.
+struct Run {
+    double (*strength)(int) = even;      // of the noise at each sample
+    double (*power)(double) = changing;  // that heats the body
+    int rows{3000};
+};
+
+/// What the body leaves whose sensor has noise, which forgets in `memory` samples, and an error of its own.
 template <class Error>
-Leftovers left(unsigned seed, double memory, Error error, double (*strength)(int) = even) {
+Leftovers left(unsigned seed, double memory, Error error, const Run& told = {}) {
+    const auto [strength, power, rows] = told;
     FitParameter capacity, joint;
     capacity.name = "body.C", joint.name = "joint.G";
     capacity.start = 4, capacity.min = 0.1, capacity.max = 100;
@@ -59,15 +65,13 @@ TEST(Leftovers, TakeSlowNoiseForNoise) {
 
 TEST(Leftovers, TakeNoiseThatComesAndGoesForNoise) {
     for (unsigned seed = 1; seed <= 12; ++seed) {
-        const Leftovers found = left(
-            seed, 0.1, [](double) { return 0.0; }, inBursts);
+        const Leftovers found = left(seed, 0.1, [](double) { return 0.0; }, {inBursts});
         EXPECT_TRUE(found.structure.empty()) << "seed " << seed;
     }
 }
 
 TEST(Leftovers, FindWhatMovesWithTheModelInNoiseThatComesAndGoes) {
-    const Leftovers found = left(
-        1, 0.1, [](double T) { return 0.02 * std::pow(T - 310, 2); }, inBursts);
+    const Leftovers found = left(1, 0.1, [](double T) { return 0.02 * std::pow(T - 310, 2); }, {inBursts});
     ASSERT_EQ(found.structure.size(), 1u);
     EXPECT_TRUE(found.uneven.empty());
 }
@@ -77,6 +81,27 @@ TEST(Leftovers, FindWhatMovesWithTheModelInSlowNoise) {
     ASSERT_EQ(found.structure.size(), 1u);
     EXPECT_EQ(found.structure.front().output, "T");
     EXPECT_TRUE(found.noise.empty());
+}
+
+TEST(Leftovers, FindStructureWhereTheInputStandsStill) {
+    const Leftovers found = left(1, 0.1, [](double T) { return 2 * std::sin(T - 300); }, {even, steady});
+    ASSERT_EQ(found.structure.size(), 1u) << "a body that is heated evenly moves as well";
+    EXPECT_TRUE(found.noise.empty());
+    const Leftovers noise = left(1, 0.1, [](double) { return 0.0; }, {even, steady});
+    EXPECT_TRUE(noise.structure.empty());
+}
+
+TEST(Leftovers, FindStructureInFewerSamplesThanTellWhatItMovesWith) {
+    const auto bent = [](double T) { return 5 * std::sin(2 * (T - 300)); };
+    const Leftovers found = left(1, 0.1, bent, {even, changing, 20});
+    ASSERT_EQ(found.structure.size(), 1u);
+    EXPECT_TRUE(found.structure.front().movesWith.empty());
+    int judged = 0;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        const auto none = [](double) { return 0.0; };
+        judged += left(seed, 0.1, none, {even, changing, 20}).structure.empty();
+    }
+    EXPECT_EQ(judged, 20) << "white noise is noise";
 }
 
 }  // namespace
