@@ -11,6 +11,19 @@ namespace {
 
 int decade(double value) { return value == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value)))); }
 
+/// value / 10^exponent, where that power is no number, too.
+double scaledDown(double value, int exponent) {
+    constexpr int most = 300;
+    return std::abs(exponent) <= most ? value / std::pow(10.0, exponent)
+                                      : value / std::pow(10.0, exponent / 2) / std::pow(10.0, exponent - exponent / 2);
+}
+
+/// To so many decimals; negative: to tens, hundreds …
+double rounded(double value, int decimals) {
+    const double whole = std::round(scaledDown(value, -decimals));
+    return scaledDown(whole, decimals);
+}
+
 std::string withoutTrailingZeros(std::string text) {
     if (text.find('.') == std::string::npos) return text;
     while (text.back() == '0') text.pop_back();
@@ -26,7 +39,7 @@ std::string numberText(double value, int digits) {
     const int exponent = decade(value);
     if (exponent < -3 || exponent > 5) {
         const std::string mantissa =
-            withoutTrailingZeros(fmt::format("{:.{}f}", value / std::pow(10.0, exponent), digits - 1));
+            withoutTrailingZeros(fmt::format("{:.{}f}", scaledDown(value, exponent), digits - 1));
         return fmt::format("{}e{}", mantissa, exponent);
     }
     return withoutTrailingZeros(fmt::format("{:.{}f}", value, std::max(0, digits - 1 - exponent)));
@@ -46,17 +59,21 @@ std::pair<std::string, std::string> percentTexts(double one, double other) {
 }
 
 std::string valueText(double value, double standardError) {
+    constexpr double beyondDigits = 1e-9;  // of the value: below, its error is told in a notation of its own
     if (!std::isfinite(value)) return "–";
     if (!std::isfinite(standardError) || standardError <= 0) return numberText(value);
-    const int exponent = decade(std::max(std::abs(value), standardError));
+    if (standardError < beyondDigits * std::abs(value))
+        return fmt::format("{} ± {}", numberText(value, 10), numberText(standardError, 1));
+    // two digits of the error, one where it hides the value
+    const int digits = std::abs(value) >= standardError ? 2 : 1;
+    const double error = rounded(standardError, digits - 1 - decade(standardError));
+    const int exponent = decade(std::max(std::abs(rounded(value, digits - 1 - decade(error))), error));
     const bool isScientific = exponent < -3 || exponent > 5;
-    const double scale = isScientific ? std::pow(10.0, exponent) : 1;
-    const bool isTold = std::abs(value) >= standardError;
-    const int decimals = std::clamp((isTold ? 1 : 0) - decade(standardError / scale), 0, 9);
-    const bool vanishes = value != 0 && std::abs(value) / scale < 0.5 * std::pow(10.0, -decimals);
-    const std::string digits =
-        vanishes ? numberText(value / scale, 1) : fmt::format("{:.{}f}", value / scale, decimals);
-    const std::string both = fmt::format("{} ± {:.{}f}", digits, standardError / scale, decimals);
+    const int shared = isScientific ? exponent : 0, places = digits - 1 - decade(error) + shared;
+    const double shown = rounded(scaledDown(value, shared), places);
+    const int decimals = std::max(places, 0);
+    const std::string both = fmt::format("{} ± {:.{}f}", shown == 0 ? "0" : fmt::format("{:.{}f}", shown, decimals),
+                                         rounded(scaledDown(error, shared), places), decimals);
     return isScientific ? fmt::format("({})e{}", both, exponent) : both;
 }
 

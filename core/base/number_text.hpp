@@ -15,9 +15,9 @@ std::string percentText(double value);
 /// Two of them with as many digits as tell them apart (up to four decimals).
 std::pair<std::string, std::string> percentTexts(double one, double other);
 
-/// Value and standard error with two digits of the error: "3.096 ± 0.021", "(2.10 ± 0.03)e-11". With one where the
-/// value is smaller than its error, "3 ± 7", and of a value that these would hide its first digit, "0.03 ± 7". Without
-/// an error (not finite) the value alone.
+/// Value and standard error with two digits of the error and one exponent: "3.096 ± 0.021", "(2.103 ± 0.031)e-11",
+/// "12350 ± 680". With one digit where the value is smaller than its error, "3 ± 7", "0 ± 7". Of an error beyond all
+/// digits of the value the size: "293.15 ± 1e-13". Without an error (not finite) the value alone.
 std::string valueText(double value, double standardError);
 
 /// Characters as a terminal counts them (code points).
