@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/base/file_fault.hpp"
 #include "core/base/limits.hpp"
+#include "core/base/median.hpp"
+#include "core/base/range.hpp"
 #include "core/base/unit.hpp"
 #include "core/base/visible.hpp"
 
@@ -79,11 +82,11 @@ void wrapped(const Table& table, const Column& column, Diagnostics& told) {
                       "speed instead.")));
 }
 
-/// Where a column reads exactly the same for long: [begin, end), the longest such stretch.
-std::pair<std::size_t, std::size_t> longestStill(const std::vector<double>& values) {
-    std::pair<std::size_t, std::size_t> longest{0, 0};
-    for (std::size_t begin = 0, end = 0; begin < values.size(); begin = end) {
-        for (end = begin + 1; end < values.size() && values[end] == values[begin];) ++end;
+/// Where a column reads exactly the same for long, within [from, to): [begin, end), the longest such stretch.
+std::pair<std::size_t, std::size_t> longestStill(const std::vector<double>& values, std::size_t from, std::size_t to) {
+    std::pair<std::size_t, std::size_t> longest{from, from};
+    for (std::size_t begin = from, end = from; begin < to; begin = end) {
+        for (end = begin + 1; end < to && values[end] == values[begin];) ++end;
         if (end - begin > longest.second - longest.first) longest = {begin, end};
     }
     return longest;
@@ -107,30 +110,89 @@ bool catchesUp(const std::vector<double>& values, std::size_t begin, std::size_t
     return std::abs(values[end] - values[end - 1]) > clearly * sum / std::max(1.0, steps);
 }
 
-/// A column that hardly ever reads the same twice, and then does for long while the others go on.
+/// A stretch in which a column reads exactly the same, and what the column does beside it.
+struct Still {
+    std::size_t begin{}, end{};
+    std::size_t next{};  // rows of the longest other one
+    double moves{};      // at how many of the steps beside it the value changes
+    Range range;
+
+    std::size_t count() const { return end - begin; }
+};
+
+Still stillIn(const std::vector<double>& values) {
+    Still still;
+    std::tie(still.begin, still.end) = longestStill(values, 0, values.size());
+    for (const auto& [from, to] : {std::pair{std::size_t{0}, still.begin}, {still.end, values.size()}}) {
+        const auto [begin, end] = longestStill(values, from, to);
+        still.next = std::max(still.next, end - begin);
+    }
+    still.moves = moving(values, 0, values.size()) * static_cast<double>(values.size() - 1);
+    still.range = rangeOf(values);
+    return still;
+}
+
+/// Whether a column has noise beside a stretch that no two readings of a sensor agree in for long: third differences
+/// (a smooth course leaves next to nothing of them) that turn from one to the next, larger than what rounding leaves,
+/// and small beside the range (what drives a component at random may well rest).
+bool isNoisyBeside(const std::vector<double>& values, const Still& still) {
+    constexpr double ofStep = 0.6, ofRange = 0.1, mostlyTurning = 0.6;  // rounding alone: 0.29 of a step
+    double step = still.range.width(), before = 0;
+    std::vector<double> sizes;
+    std::size_t turns = 0, pairs = 0;
+    for (std::size_t i = 0; i + 3 < values.size(); ++i) {
+        const double move = std::abs(values[i + 1] - values[i]);
+        if (move > 1e-9 * std::max(std::abs(values[i]), std::abs(values[i + 1]))) step = std::min(step, move);
+        const double third = values[i + 3] - 3 * values[i + 2] + 3 * values[i + 1] - values[i];
+        const bool isBeside = std::isfinite(third) && (i + 3 < still.begin || i >= still.end);
+        if (isBeside) sizes.push_back(std::abs(third));
+        if (isBeside && third != 0 && before != 0) {
+            ++pairs;
+            turns += third * before < 0;
+        }
+        before = isBeside ? third : 0;
+    }
+    if (sizes.empty() || static_cast<double>(turns) < mostlyTurning * static_cast<double>(pairs)) return false;
+    const double noise = median(std::move(sizes)) / 0.6745 / std::sqrt(20.0);
+    return noise >= ofStep * step && noise <= ofRange * still.range.width();
+}
+
+/// Whether a sensor or a logger has stuck there: what always scatters does so no more, in the midst of its range (at
+/// its ends it may be limited, and what rests reads 0); or what is never the same twice goes on with a jump.
+bool hasStuck(const std::vector<double>& values, const Still& still) {
+    constexpr double hardlyEver = 0.95, often = 0.3;
+    constexpr std::size_t longer = 10;  // times than any other
+    const double beside = static_cast<double>(values.size() - still.count());
+    if (still.begin > 0 && still.end < values.size() && still.moves >= hardlyEver * (beside - 1) &&
+        catchesUp(values, still.begin, still.end))
+        return true;
+    const double value = values[still.begin];
+    return still.count() >= longer * still.next && still.moves >= often * beside && value != 0 &&
+           value > still.range.low && value < still.range.high && isNoisyBeside(values, still);
+}
+
+/// A column that stands still for long while the others go on.
 void stuck(const Table& table, const Column& column, const std::vector<const Column*>& used, Diagnostics& told) {
     constexpr std::size_t fewest = 20;
-    constexpr double hardlyEver = 0.95, mostly = 0.8, share = 0.02;
+    constexpr double mostly = 0.8, share = 0.02;
     const std::vector<double>& values = column.values;
-    const auto [begin, end] = longestStill(values);
-    const std::size_t count = end - begin;
-    if (begin == 0 || end >= values.size() || !catchesUp(values, begin, end)) return;
-    if (count < fewest || static_cast<double>(count) < share * static_cast<double>(values.size())) return;
-    const double outside = static_cast<double>(values.size() - count);
-    if (outside < static_cast<double>(fewest)) return;
-    const double moves = moving(values, 0, values.size()) * static_cast<double>(values.size() - 1);
-    if (moves < hardlyEver * (outside - 1)) return;
-    const auto goesOn = [&, b = begin, e = end](const Column* other) {
-        return other != &column && moving(other->values, b, e) > mostly &&
+    if (values.size() < 2 * fewest) return;
+    const Still still = stillIn(values);
+    if (still.count() < fewest || static_cast<double>(still.count()) < share * static_cast<double>(values.size()) ||
+        values.size() - still.count() < fewest || !hasStuck(values, still))
+        return;
+    const auto goesOn = [&](const Column* other) {
+        return other != &column && moving(other->values, still.begin, still.end) > mostly &&
                moving(other->values, 0, values.size()) > mostly;
     };
     const auto other = std::find_if(used.begin(), used.end(), goesOn);
     if (other == used.end()) return;
     told.push_back(
-        remark(table, begin,
-               phrase("column '{}' stands at {:.6g} from line {} to line {} while '{}' moves, and hardly "
-                      "ever reads the same twice elsewhere",
-                      nameOf(column), values[begin], lineOf(table, begin), lineOf(table, end - 1), nameOf(**other)),
+        remark(table, still.begin,
+               phrase("column '{}' stands at {:.6g} from line {} to line {} while '{}' moves; elsewhere it reads the "
+                      "same in no more than {} rows on end",
+                      nameOf(column), values[still.begin], lineOf(table, still.begin), lineOf(table, still.end - 1),
+                      nameOf(**other), still.next),
                phrase("Did the sensor or the logger stick? It is used as it stands; leave the part out with "
                       "\"range\", or empty the cells of an output.")));
 }

@@ -5182,8 +5182,8 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Der Winkel eines Modells läuft weiter: ab jeder dieser Zeilen eine Umdrehung hinzuzählen oder die Drehzahl zuordnen.</translation>
     </message>
     <message>
-        <source>column '{}' stands at {:.6g} from line {} to line {} while '{}' moves, and hardly ever reads the same twice elsewhere</source>
-        <translation>Spalte „{0}“ steht von Zeile {2} bis Zeile {3} bei {1:.6g}, während „{4}“ sich bewegt, und zeigt sonst kaum je zweimal dasselbe</translation>
+        <source>column '{}' stands at {:.6g} from line {} to line {} while '{}' moves; elsewhere it reads the same in no more than {} rows on end</source>
+        <translation>Spalte „{0}“ steht von Zeile {2} bis Zeile {3} bei {1:.6g}, während „{4}“ sich bewegt; sonst zeigt sie in höchstens {5} Zeilen nacheinander dasselbe</translation>
     </message>
     <message>
         <source>Did the sensor or the logger stick? It is used as it stands; leave the part out with &quot;range&quot;, or empty the cells of an output.</source>

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace analogon {
 namespace {
@@ -77,6 +78,57 @@ TEST(Plausibility, TellsAColumnThatStandsWhileOthersMove) {
     EXPECT_TRUE(told(column("w,u", 300, [&](int i) { return ramps(i + 100); })).empty());
     // at rest all of them stand
     EXPECT_TRUE(told(column("w,u", 300, [&](int i) { return rows(i < 100 ? 0 : i + 100); })).empty());
+}
+
+/// A reading of a sensor, rounded to `step`, with noise of this size.
+class Reading {
+public:
+    Reading(double step, double noise) : step_(step), scatter_(0, noise) {}
+    double operator()(double value) { return step_ * std::round((value + scatter_(random_)) / step_); }
+
+private:
+    double step_;
+    std::mt19937 random_{3};
+    std::normal_distribution<double> scatter_;
+};
+
+TEST(Plausibility, TellsANoisyColumnThatIsHeldThoughItGoesOnWithoutAJump) {
+    for (const double step : {0.05, 0.1, 1e-6}) {
+        Reading angle(step, 0.1), current(0.01, 0.03);
+        double last = 0;
+        const auto rows = [&](int i) {
+            // it rests at times, too, and ends where it has begun
+            const double now = angle(30 + 20 * std::sin(2 * M_PI * i / 1000.0) * (std::fmod(i, 700) < 300 ? 1 : 0));
+            if (i < 1000 || i >= 2000) last = now;
+            return fmt::format("{:.6f},{:.2f}", last, current(2 + std::sin(0.01 * i)));
+        };
+        const Diagnostics of = told(column("phi,i", 4000, rows));
+        ASSERT_EQ(of.size(), 1u) << step;
+        EXPECT_EQ(of[0].place.line, 1001) << "the last true reading counts among them";
+        EXPECT_THAT(of[0].message.english(), HasSubstr("from line 1001 to line 2001 while 'i' moves")) << step;
+    }
+}
+
+TEST(Plausibility, HasNothingToSayOfWhatMayRest) {
+    Reading noisy(0.01, 0.03);
+    const auto beside = [&](const auto& value) {
+        return told(column("x,i", 4000, [&](int i) { return fmt::format("{},{:.2f}", value(i), noisy(2)); }));
+    };
+    const auto rests = [](int i) { return i >= 1000 && i < 2000; };
+    // a command along a course of few digits that rests in its midst
+    for (const char* const digits : {"{:.1f}", "{:.3f}", "{:.9f}"})
+        EXPECT_TRUE(beside([&](int i) {
+                        const double phase = rests(i) ? 1000 : i < 1000 ? i : i - 1000;
+                        return fmt::format(fmt::runtime(digits), 12 * std::sin(0.003 * phase));
+                    }).empty())
+            << digits;
+    // a command at random, at rest for a while; a speed at rest; a reading at the end of its range; a status
+    std::mt19937 random(1);
+    std::uniform_int_distribution<int> level(-500, 500);
+    EXPECT_TRUE(beside([&](int i) { return rests(i) ? 7 : level(random); }).empty());
+    EXPECT_TRUE(beside([&](int i) { return rests(i) ? 0.0 : noisy(std::sin(0.003 * i)); }).empty());
+    EXPECT_TRUE(beside([&](int i) { return std::min(0.5, noisy(2 * std::sin(M_PI * i / 2000.0))); }).empty());
+    EXPECT_TRUE(beside([&](int i) { return rests(i) ? 1 : i % 3; }).empty());
 }
 
 TEST(Plausibility, TellsASingleValueFarBeyondAllOthers) {
