@@ -257,7 +257,7 @@ private:
         mapping.weight = number(node.member("weight")).value_or(1);
         if (mapping.scale == 0)
             fault(node.member("scale"), phrase("{}: a scale of 0 wipes the column out", path(node)));
-        if (mapping.weight < 0) fault(node.member("weight"), phrase("{}: a weight cannot be negative", path(node)));
+        checkWeight(node, mapping.weight);
         if (const Node clock = node.member("clock")) {
             mapping.fitsClock = clock.value->is_string() && clock.value->get_ref<const std::string&>() == "fit";
             if (clock.value->is_number()) mapping.clock = clock.value->get<double>();
@@ -269,6 +269,19 @@ private:
         keepUnknown(node, {"column", "unit", "scale", "offset", "weight", "clock", "interpolation"},
                     phrase("a mapped column"), kept);
         return mapping;
+    }
+
+    /// Beside others a channel of a weight beyond these counts for nothing, or for all: their squares are added up.
+    void checkWeight(const Node& node, double weight) {
+        constexpr double least = 1e-6, most = 1e6;
+        if (weight < 0)
+            fault(node.member("weight"), phrase("{}: a weight cannot be negative", path(node)));
+        else if (weight != 0 && !(weight >= least && weight <= most))
+            fault(node.member("weight"),
+                  phrase("{}: a weight of {:.3g} is beyond what can be weighed ({:g} … {:g})", path(node), weight,
+                         least, most),
+                  phrase("A weight says how much an output counts beside the others, each in units of its range or "
+                         "its noise: 1 is the common one, 0 leaves it out."));
     }
 
     Interpolation readInterpolation(const Node& node, bool isInput) {

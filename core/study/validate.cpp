@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/base/distinct.hpp"
+#include "core/base/range.hpp"
 #include "core/study/study_places.hpp"
 
 namespace analogon {
@@ -93,6 +95,37 @@ private:
     Diagnostics said_;
 };
 
+/// Inputs that are held in one recording and joined by straight lines in another that does not ask for lines.
+Diagnostics heldInPartAlone(const Study& study, const EstimationTask& task) {
+    if (task.recordings.size() != study.experiments.size()) return {};
+    const StudyPlaces places(study);
+    std::map<std::string, std::string> heldIn;  // the first recording in which each is
+    for (const Recording& r : task.recordings)
+        for (const std::string& input : r.held) heldIn.emplace(input, r.name);
+    Diagnostics said;
+    for (const auto& [input, first] : heldIn) {
+        std::vector<std::string> others;
+        std::string pointer;
+        for (std::size_t e = 0; e < task.recordings.size(); ++e) {
+            const Recording& r = task.recordings[e];
+            const auto mapping = study.experiments[e].inputs.find(input);
+            const auto row = std::find(r.inputNames.begin(), r.inputNames.end(), input) - r.inputNames.begin();
+            if (mapping == study.experiments[e].inputs.end() || row >= r.inputs.rows() || r.isHeld(input)) continue;
+            const bool isAskedFor = mapping->second.interpolation == Interpolation::Linear;
+            if (isAskedFor || !(rangeOf(r.inputs.row(row)).width() > 0)) continue;
+            if (others.empty()) pointer = fmt::format("/experiments/{}/inputs/{}", e, input);
+            others.push_back("'" + r.name + "'");
+        }
+        if (!others.empty())
+            said.push_back(places.remark(
+                pointer,
+                phrase("the input '{}' is held between its samples in '{}' and joined by straight lines in {}", input,
+                       first, listed(others)),
+                phrase("Give it \"interpolation\": \"hold\" there, too, or say \"linear\" where it is meant.")));
+    }
+    return said;
+}
+
 }  // namespace
 
 Outcome<ValidStudy> validated(const Study& study, Purpose purpose) {
@@ -101,6 +134,7 @@ Outcome<ValidStudy> validated(const Study& study, Purpose purpose) {
     Diagnostics said = task.diagnostics();
     const auto add = [&](const Diagnostics& more) { said.insert(said.end(), more.begin(), more.end()); };
     add(FitNeeds(study, *task, purpose).unmet());
+    add(heldInPartAlone(study, *task));
     Outcome<CompiledTask> model = compiled(*task);
     add(model.diagnostics());
     if (hasError(said)) return distinct(std::move(said));

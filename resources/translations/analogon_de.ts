@@ -6162,6 +6162,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>{}: Ein Faktor 0 löscht die Spalte</translation>
     </message>
     <message>
+        <source>{}: a weight of {:.3g} is beyond what can be weighed ({:g} … {:g})</source>
+        <translation>{}: Ein Gewicht von {} liegt jenseits dessen, was sich wägen lässt ({} … {})</translation>
+    </message>
+    <message>
+        <source>A weight says how much an output counts beside the others, each in units of its range or its noise: 1 is the common one, 0 leaves it out.</source>
+        <translation>Ein Gewicht sagt, wie viel ein Ausgang neben den anderen zählt, jeder in Einheiten seines Bereichs oder seines Rauschens: 1 ist üblich, 0 lässt ihn weg.</translation>
+    </message>
+    <message>
         <source>{}: a weight cannot be negative</source>
         <translation>{}: Ein Gewicht kann nicht negativ sein</translation>
     </message>
@@ -6456,6 +6464,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>experiment '{}': the outputs '{}' and '{}' are both compared with the column '{}'</source>
         <translation>Versuch „{}“: die Ausgänge „{}“ und „{}“ werden beide mit der Spalte „{}“ verglichen</translation>
+    </message>
+    <message>
+        <source>the input '{}' is held between its samples in '{}' and joined by straight lines in {}</source>
+        <translation>der Eingang „{}“ wird in „{}“ zwischen seinen Abtastwerten gehalten und in {} durch Geraden verbunden</translation>
+    </message>
+    <message>
+        <source>Give it &quot;interpolation&quot;: &quot;hold&quot; there, too, or say &quot;linear&quot; where it is meant.</source>
+        <translation>Auch dort „interpolation“: „hold“ angeben, oder „linear“, wo es so gemeint ist.</translation>
     </message>
     <message>
         <source>nothing is compared: no output that is fitted has values and a weight above 0</source>

@@ -103,6 +103,50 @@ TEST_F(Validate, WeightsOfZeroAreOneSentence) {
     }
 }
 
+TEST_F(Validate, AWeightThatCountsForNothingOrForAllIsAFaultWithItsPlace) {
+    for (const char* const weight : {"1e308", "1e-320", "1e9"}) {
+        putHeater();
+        change("\"i\": \"current\"", std::string("\"i\": {\"column\": \"current\", \"weight\": ") + weight + "}");
+        const Outcome<Study> study = readStudy(directory_);
+        ASSERT_FALSE(study) << weight;
+        EXPECT_THAT(study.diagnostics()[0].message.english(), HasSubstr("is beyond what can be weighed")) << weight;
+        EXPECT_EQ(study.diagnostics()[0].place.line, 7) << weight;
+    }
+    for (const char* const weight : {"1e-6", "0.25", "1e6"}) {
+        putHeater();
+        change("\"i\": \"current\"", std::string("\"i\": {\"column\": \"current\", \"weight\": ") + weight + "}");
+        EXPECT_TRUE(readStudy(directory_)) << weight;
+    }
+}
+
+TEST_F(Validate, AnInputThatIsHeldInOneRecordingAndNotInAnotherIsToldOnce) {
+    putHeater();
+    const std::string plain = "\"inputs\": {\"u\": \"u_heater\", \"T_amb\": \"T_air\"}";
+    const auto inputs = [](const std::string& interpolation) {
+        return "\"inputs\": {\"u\": {\"column\": \"u_heater\"" + interpolation + "}, \"T_amb\": \"T_air\"}";
+    };
+    const std::string held = inputs(", \"interpolation\": \"hold\"");
+    const auto told = [&](const std::string& others) {
+        putHeater();
+        change(plain, held);
+        const std::string first = "\"outputs\": {\"i\": \"current\"}}";
+        std::string more = first;
+        for (const char* const name : {"drive", "rest"})
+            more += std::string(",\n    {\"name\": \"") + name +
+                    R"(", "role": "validate", "file": "train.csv", "time": "t",)" + "\n     " + others + ", " + first;
+        change(first, more);
+    };
+    told(plain);
+    EXPECT_THAT(messages(), ElementsAre("the input 'u' is held between its samples in 'warm-up' and joined by straight "
+                                        "lines in 'drive' and 'rest'"));
+    EXPECT_EQ(said()[0].severity, Severity::Warning);
+    EXPECT_EQ(said()[0].place.line, 9);
+    told(held);
+    EXPECT_THAT(messages(), IsEmpty());
+    told(inputs(", \"interpolation\": \"linear\""));
+    EXPECT_THAT(messages(), IsEmpty()) << "that is asked for";
+}
+
 TEST_F(Validate, AStudyWithoutARecordingToFitIsToldToAll) {
     putHeater();
     change("\"role\": \"fit\"", "\"role\": \"validate\"");
