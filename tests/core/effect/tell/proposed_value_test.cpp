@@ -20,7 +20,7 @@ TEST(ProposedValue, OfAChangeSaysWhenAndFromWhatToWhat) {
 }
 
 TEST(ProposedValue, OfADependenceSaysOnWhichChannel) {
-    Dependence d;
+    ChannelDependence d;
     d.parameter = "winding.R";
     d.channel = "T_case";
     d.value = 1.2;
