@@ -7,9 +7,9 @@
 
 #include "core/base/unit.hpp"
 #include "core/measure/encoding.hpp"
-#include "core/measure/time_name.hpp"
 #include "core/measure/tdms/tdms_scaling.hpp"
 #include "core/measure/tdms/tdms_segments.hpp"
+#include "core/measure/time_name.hpp"
 
 namespace analogon {
 
