@@ -21,6 +21,20 @@ std::string textUpTo(const syntax::Name& name, std::size_t parts) {
     return text;
 }
 
+/// Offsets of the chosen elements in a row-major array.
+std::vector<std::size_t> offsets(const std::vector<std::vector<int>>& lists, const std::vector<int>& dimensions) {
+    std::vector<std::size_t> result{0};
+    for (std::size_t d = 0; d < dimensions.size(); ++d) {
+        std::vector<std::size_t> next;
+        next.reserve(result.size() * lists[d].size());
+        for (std::size_t base : result)
+            for (int i : lists[d])
+                next.push_back(base * static_cast<std::size_t>(dimensions[d]) + static_cast<std::size_t>(i));
+        result = std::move(next);
+    }
+    return result;
+}
+
 }  // namespace
 
 std::optional<Value> Translator::reference(const syntax::Name& name, const Scope& scope, const Span& span) {
@@ -89,45 +103,82 @@ bool Translator::step(Slice& slice, const std::string& identifier, const std::ve
     next.dimensions = slice.dimensions;
     next.startsWithConnector = slice.startsWithConnector;
     next.componentsBefore = slice.componentsBefore;
+    const bool isSubscripted = subscripts && !subscripts->empty();
+    std::vector<std::size_t> chosen;
     for (Instance* instance : slice.instances) {
-        Element* element = instance->find(identifier);
-        if (!element) {
-            work_.messages.error(phrase("{} has no member '{}'", instance->label(), identifier), span,
-                                 didYouMean(identifier, instance->elementNames()));
-            return false;
-        }
-        if (element->isProtected && !isFirst) {
-            work_.messages.error(phrase("'{}' of {} is protected", identifier, instance->label()), span,
-                                 phrase("use a public variable, or make it public where it is declared"));
-            return false;
-        }
-        if (!work_.instantiator->ensure(*instance, *element)) {
-            work_.messages.error(phrase("'{}' could not be instantiated", instance->memberName(identifier)), span);
-            return false;
-        }
-        if (element->isDisabled) {
-            work_.messages.error(phrase("'{}' is switched off by its condition", instance->memberName(identifier)),
-                                 span, phrase("a conditional component may be used in connect equations only"));
-            return false;
-        }
+        Element* element = memberOf(*instance, identifier, span, isFirst);
+        if (!element) return false;
         if (!next.element) {
             next.element = element;
             next.owner = instance;
+            if (isSubscripted) {
+                const auto lists = subscriptLists(element->dimensions, *subscripts, scope, span, next.dimensions);
+                if (!lists) return false;
+                chosen = offsets(*lists, element->dimensions);
+            } else {
+                next.dimensions.insert(next.dimensions.end(), element->dimensions.begin(), element->dimensions.end());
+            }
         }
-        if (element->isVariable())
-            for (std::uint32_t k = 0; k < element->count(); ++k)
-                next.variables.push_back({element->firstVariable.value + k});
+        if (element->dimensions != next.element->dimensions) {
+            work_.messages.error(phrase("'{}' has the size {} and '{}' the size {}; they are no array together",
+                                        next.owner->memberName(identifier), sizeText(next.element->dimensions),
+                                        instance->memberName(identifier), sizeText(element->dimensions)),
+                                 span, phrase("name one of the components by its subscript"));
+            return false;
+        }
+        if (isSubscripted)
+            next.append(*element, chosen);
         else
-            next.instances.insert(next.instances.end(), element->items.begin(), element->items.end());
+            next.append(*element);
     }
     if (!next.element) {  // a member of an empty array of components
         work_.messages.error(phrase("'{}' is a member of an empty array", identifier), span);
         return false;
     }
-    const std::size_t keep = next.dimensions.size();
-    next.dimensions.insert(next.dimensions.end(), next.element->dimensions.begin(), next.element->dimensions.end());
     slice = std::move(next);
-    return !subscripts || subscripts->empty() || select(slice, keep, *subscripts, scope, span);
+    return true;
+}
+
+/// The member of one component, instantiated.
+Element* Translator::memberOf(Instance& instance, const std::string& identifier, const Span& span, bool isFirst) {
+    Element* element = instance.find(identifier);
+    if (!element) {
+        work_.messages.error(phrase("{} has no member '{}'", instance.label(), identifier), span,
+                             didYouMean(identifier, instance.elementNames()));
+        return nullptr;
+    }
+    if (element->isProtected && !isFirst) {
+        work_.messages.error(phrase("'{}' of {} is protected", identifier, instance.label()), span,
+                             phrase("use a public variable, or make it public where it is declared"));
+        return nullptr;
+    }
+    if (!work_.instantiator->ensure(instance, *element)) {
+        work_.messages.error(phrase("'{}' could not be instantiated", instance.memberName(identifier)), span);
+        return nullptr;
+    }
+    if (element->isDisabled) {
+        work_.messages.error(phrase("'{}' is switched off by its condition", instance.memberName(identifier)), span,
+                             phrase("a conditional component may be used in connect equations only"));
+        return nullptr;
+    }
+    return element;
+}
+
+void Slice::append(const Element& of) {
+    if (of.isVariable())
+        for (std::uint32_t k = 0; k < of.count(); ++k) variables.push_back({of.firstVariable.value + k});
+    else
+        instances.insert(instances.end(), of.items.begin(), of.items.end());
+}
+
+/// Only what is chosen: a loop over a long array costs what its elements cost.
+void Slice::append(const Element& of, const std::vector<std::size_t>& offsets) {
+    for (const std::size_t k : offsets) {
+        if (of.isVariable())
+            variables.push_back({of.firstVariable.value + static_cast<std::uint32_t>(k)});
+        else
+            instances.push_back(of.items.at(k));
+    }
 }
 
 /// Index lists (0-based) of the subscripts, one for each dimension; `remaining` gets the sizes that stay.
@@ -176,47 +227,6 @@ std::optional<std::vector<std::vector<int>>> Translator::subscriptLists(const st
         if (!value->isScalar()) remaining.push_back(value->dimensions[0]);
     }
     return lists;
-}
-
-namespace {
-
-/// Offsets of the chosen elements in a row-major array.
-std::vector<std::size_t> offsets(const std::vector<std::vector<int>>& lists, const std::vector<int>& dimensions) {
-    std::vector<std::size_t> result{0};
-    for (std::size_t d = 0; d < dimensions.size(); ++d) {
-        std::vector<std::size_t> next;
-        next.reserve(result.size() * lists[d].size());
-        for (std::size_t base : result)
-            for (int i : lists[d])
-                next.push_back(base * static_cast<std::size_t>(dimensions[d]) + static_cast<std::size_t>(i));
-        result = std::move(next);
-    }
-    return result;
-}
-
-}  // namespace
-
-/// Applies subscripts to the dimensions after the first `keep`.
-bool Translator::select(Slice& slice, std::size_t keep, const std::vector<Expression>& subscripts, const Scope& scope,
-                        const Span& span) {
-    const std::vector<int> own(slice.dimensions.begin() + static_cast<std::ptrdiff_t>(keep), slice.dimensions.end());
-    std::vector<int> remaining(slice.dimensions.begin(), slice.dimensions.begin() + static_cast<std::ptrdiff_t>(keep));
-    const std::size_t outer = elementCount(remaining);
-    const auto lists = subscriptLists(own, subscripts, scope, span, remaining);
-    if (!lists) return false;
-    const std::vector<std::size_t> chosen = offsets(*lists, own);
-    const std::size_t stride = elementCount(own);
-    Slice picked = slice;
-    picked.dimensions = remaining;
-    picked.variables.clear();
-    picked.instances.clear();
-    for (std::size_t o = 0; o < outer; ++o)
-        for (std::size_t offset : chosen) {
-            if (!slice.variables.empty()) picked.variables.push_back(slice.variables[o * stride + offset]);
-            if (!slice.instances.empty()) picked.instances.push_back(slice.instances[o * stride + offset]);
-        }
-    slice = std::move(picked);
-    return true;
 }
 
 std::optional<Value> Translator::selectFromValue(Value value, const std::vector<Expression>& subscripts,

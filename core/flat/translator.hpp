@@ -19,6 +19,10 @@ struct Slice {
     Instance* owner{};                  // that holds it
     bool startsWithConnector{};         // the first component named is a connector
     int componentsBefore{};             // models among the parts before the last
+
+    /// All elements of a member of one component, or those at these places of its array.
+    void append(const Element& of);
+    void append(const Element& of, const std::vector<std::size_t>& offsets);
 };
 
 /// Expressions of the text to expressions of the flat model. Every failure is reported once, where it is.
@@ -65,8 +69,7 @@ private:
 
     bool step(Slice& slice, const std::string& identifier, const std::vector<Expression>* subscripts,
               const Scope& scope, const Span& span, bool isFirst);
-    bool select(Slice& slice, std::size_t keep, const std::vector<Expression>& subscripts, const Scope& scope,
-                const Span& span);
+    Element* memberOf(Instance& instance, const std::string& identifier, const Span& span, bool isFirst);
     std::optional<Value> selectFromValue(Value value, const std::vector<Expression>& subscripts, const Scope& scope,
                                          const Span& span);
     std::optional<std::vector<std::vector<int>>> subscriptLists(const std::vector<int>& dimensions,

@@ -35,6 +35,8 @@ private:
     std::optional<Row> rowOf(const Equation& equation);
     bool addTerms(ExpressionId of, double scale, Row& row);
     void process(Row& row);
+    void letWait(const Row& row, int number);
+    std::vector<int> takeWaiting(int root);
     void refuse(const Equation& equation, const Text& why);
     void addLeftEquations();
     void closeInputs();
@@ -205,6 +207,20 @@ void AliasElimination::process(Row& row) {
     }
 }
 
+/// A row that tells nothing yet is looked at again when one of its classes changes.
+void AliasElimination::letWait(const Row& row, int number) {
+    for (const auto& [entity, coefficient] : row.terms)
+        classes_.of(classes_.find(entity).entity).waiting.push_back(number);
+}
+
+/// The rows that wait for a class, in their order. They wait no longer: whoever takes them looks at each, so that a
+/// row costs what its own looks cost, however large the class has become.
+std::vector<int> AliasElimination::takeWaiting(int root) {
+    std::vector<int> rows = std::exchange(classes_.of(classes_.find(root).entity).waiting, {});
+    std::sort(rows.begin(), rows.end());
+    return rows;
+}
+
 /// One pass over all equations, to the end of what linear rows can tell. True when something was merged.
 bool AliasElimination::round() {
     std::vector<Row> rows;
@@ -223,10 +239,7 @@ bool AliasElimination::round() {
         queue.push_back(rows.size());
         rows.push_back(std::move(*row));
     }
-    for (int root = 0; root < classes_.size(); ++root) classes_.of(root).equations.clear();
-    for (std::size_t r = 0; r < rows.size(); ++r)
-        for (const auto& [entity, coefficient] : rows[r].terms)
-            classes_.of(classes_.find(entity).entity).equations.push_back(static_cast<int>(r));
+    for (int root = 0; root < classes_.size(); ++root) classes_.of(root).waiting.clear();
     (void)classes_.takeChanged();
     bool merged = false;
     std::vector<char> isQueued(rows.size(), 1);
@@ -235,13 +248,14 @@ bool AliasElimination::round() {
         isQueued[r] = 0;
         if (!rows[r].isOpen) continue;
         process(rows[r]);
+        if (rows[r].isOpen) letWait(rows[r], static_cast<int>(r));
         for (const int root : classes_.takeChanged()) {
             merged = true;
-            for (const int again : classes_.of(classes_.find(root).entity).equations) {
-                if (isQueued[static_cast<std::size_t>(again)] || !rows[static_cast<std::size_t>(again)].isOpen)
-                    continue;
-                isQueued[static_cast<std::size_t>(again)] = 1;
-                queue.push_back(static_cast<std::size_t>(again));
+            for (const int again : takeWaiting(root)) {
+                const auto row = static_cast<std::size_t>(again);
+                if (isQueued[row] || !rows[row].isOpen) continue;
+                isQueued[row] = 1;
+                queue.push_back(row);
             }
         }
     }

@@ -72,8 +72,9 @@ AliasClasses::Merge AliasClasses::uniteOne(int a, int b, int sign, std::deque<Le
     Class& into = of(ra.entity);
     Class& from = of(rb.entity);
     if (from.known >= 0) into.known = from.known;
-    into.equations.insert(into.equations.end(), from.equations.begin(), from.equations.end());
-    from.equations.clear();
+    if (into.waiting.size() < from.waiting.size()) into.waiting.swap(from.waiting);
+    into.waiting.insert(into.waiting.end(), from.waiting.begin(), from.waiting.end());
+    from.waiting = {};
     if (from.derivative.entity >= 0) {
         const Signed moved{from.derivative.entity, from.derivative.sign * sign};
         if (into.derivative.entity < 0)

@@ -19,7 +19,7 @@ public:
         std::optional<double> constant;  // of the class's root
         int known{-1};                   // an entity that is given from outside (an input)
         Signed derivative;               // derivative of the root; entity -1: not in use
-        std::vector<int> equations;      // rows to look at again when the class changes
+        std::vector<int> waiting;        // rows to look at again when the class changes
     };
     enum class Merge { Done, Same, Contradiction, Cycle, BothKnown };
 

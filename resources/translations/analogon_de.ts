@@ -7062,6 +7062,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>die Seiten der Gleichung sind von verschiedener Größe: {} und {}</translation>
     </message>
     <message>
+        <source>'{}' has the size {} and '{}' the size {}; they are no array together</source>
+        <translation>„{}“ hat die Größe {} und „{}“ die Größe {}; zusammen sind sie kein Feld</translation>
+    </message>
+    <message>
+        <source>name one of the components by its subscript</source>
+        <translation>eine der Komponenten mit ihrem Index nennen</translation>
+    </message>
+    <message>
         <source>the model has more than {} equations</source>
         <translation>das Modell hat mehr als {} Gleichungen</translation>
     </message>

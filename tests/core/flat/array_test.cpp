@@ -1,3 +1,5 @@
+#include <ctime>
+
 #include "tests/core/flat/flat_support.hpp"
 
 namespace analogon {
@@ -116,6 +118,27 @@ TEST(Arrays, FaultsAreNamed) {
     EXPECT_THAT(faultsOf("model M Real x[size(x, 1)]; end M;"), Contains(HasSubstr("depends on itself")));
     EXPECT_THAT(faultsOf("model M Real x[2], y; equation x = {1, 2}; y = x + 1; end M;"),
                 ElementsAre(HasSubstr("'+' cannot be applied to Real[2] and Integer")));
+}
+
+TEST(Arrays, ComponentsOfDifferentSizesAreNoArrayTogether) {
+    const std::string model =
+        "model M model S parameter Integer n = 1; Real v[n]; equation v = fill(1.0, n); end S; "
+        "S s[2](n = {%}); Real z; Real w[2]; equation z = s[2].v[1]; w = ";
+    const auto sized = [&](const std::string& sizes) { return std::string(model).replace(model.find('%'), 1, sizes); };
+    EXPECT_TRUE(flatOf(sized("2, 2") + "s.v[2]; end M;").find("w[2]").valid());
+    EXPECT_THAT(
+        faultsOf(sized("3, 1") + "s.v[3]; end M;"),
+        ElementsAre(HasSubstr("'s[1].v' has the size [3] and 's[2].v' the size [1]; they are no array together")));
+    EXPECT_THAT(faultsOf(sized("1, 3") + "s.v[1]; end M;"), ElementsAre(HasSubstr("no array together")));
+}
+
+/// Each subscript once went through the whole array.
+TEST(Arrays, ALoopOverALongArrayCostsWhatItsElementsCost) {
+    const std::clock_t begin = std::clock();
+    const FlatModel m = flatOf(
+        "model M Real v[100000]; equation v[1] = time; for i in 2:100000 loop v[i] = 2*v[i - 1]; end for; end M;");
+    EXPECT_EQ(m.equations.size(), 100000u);
+    EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 5);
 }
 
 }  // namespace

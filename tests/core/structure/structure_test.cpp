@@ -7,42 +7,27 @@
 #include <cmath>
 #include <functional>
 
+#include "tests/core/structure/analysed.hpp"
 #include "tests/core/structure/sample_models.hpp"
 
 namespace analogon {
 namespace {
 
+using test::analysed;
 using test::Load;
 using test::ModelBuilder;
+using test::refusal;
+using test::standIn;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::UnorderedElementsAre;
 
-Structure analysed(std::shared_ptr<const FlatModel> model, std::vector<std::string> keep = {}) {
-    Outcome<Structure> structure = analyse(std::move(model), {std::move(keep)});
-    EXPECT_TRUE(structure) << format(structure.diagnostics());
-    return structure ? std::move(*structure) : Structure{};
-}
-
-std::string refusal(std::shared_ptr<const FlatModel> model, std::vector<std::string> keep = {}) {
-    const Outcome<Structure> structure = analyse(std::move(model), {std::move(keep)});
-    EXPECT_FALSE(structure);
-    return structure ? "" : format(structure.diagnostics());
-}
-
 std::vector<std::string> namesOf(const Structure& s, const std::vector<VariableId>& ids) {
     std::vector<std::string> names;
     for (const VariableId id : ids) names.push_back((*s.model)[id].name);
     return names;
-}
-
-std::string standIn(const Structure& s, const std::string& name) {
-    for (const auto& [variable, stand] : s.aliases)
-        if ((*s.model)[variable].name == name)
-            return s.pool->print(stand, [&](VariableId v) { return (*s.model)[v].name; });
-    return "";
 }
 
 int implicitBlocks(const Structure& s) {
