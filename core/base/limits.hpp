@@ -38,7 +38,20 @@ inline constexpr std::size_t shownFaults = 50;   // of one kind of file
 std::uint64_t memory();
 
 /// Whether a stage may take so many bytes at once: no more than three quarters of memory(). Where not, a fault that
-/// says how much it is and of what.
-Outcome<Done> checkMemory(const Text& what, double bytes);
+/// says how much it is and of what, and the remedy.
+Outcome<Done> checkMemory(const Text& what, double bytes, const Text& remedy);
+
+// What the stages whose size a user's files decide take, each asked before it begins.
+
+/// A measurement of so many rows and columns beside the text it is read from.
+Outcome<Done> checkTable(double rowCount, std::size_t columnCount, double cells, double textBytes);
+/// Inputs, and measured, simulated and remaining outputs, over the samples of all recordings.
+Outcome<Done> checkTraces(double samples, std::size_t inputs, std::size_t outputs);
+/// The derivative of each measured value with respect to each fitted parameter, and the residuals.
+Outcome<Done> checkSlopes(double values, std::size_t parameters);
+/// What helps where a model has too many expressions.
+Text shorterEquations();
+/// The expressions of a model, for which room is made; `nodeBytes` for each.
+Outcome<Done> checkExpressions(std::size_t count, std::size_t nodeBytes);
 
 }  // namespace analogon::limits

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/limits.hpp"
 #include "core/base/range.hpp"
 #include "core/fit/clock.hpp"
 #include "core/fit/compiled_task.hpp"
@@ -256,6 +257,12 @@ Outcome<PreparedTask> prepare(const EstimationTask& task, const std::vector<Eige
                               const std::vector<std::string>& alsoKeep) {
     const Outcome<CompiledTask> model = compiled(task, alsoKeep);
     if (!model) return model.diagnostics();
+    double samples = 0;
+    for (const Recording& recording : task.recordings)
+        if (recording.role == role) samples += static_cast<double>(recording.time.size());
+    const System& system = *model->system;
+    const auto enough = limits::checkTraces(samples, system.inputs().size(), system.outputs().size());
+    if (!enough) return enough.diagnostics();
     Preparation preparation(task, model->system);
     preparation.addParameters();
     for (std::size_t r = 0; r < task.recordings.size(); ++r) {

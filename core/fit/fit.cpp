@@ -9,6 +9,8 @@
 #include <memory>
 #include <optional>
 
+#include "core/base/guard.hpp"
+#include "core/base/limits.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/stop.hpp"
 #include "core/base/stopwatch.hpp"
@@ -471,6 +473,8 @@ FitResult fitted(const FitProblem& problem, const FitOptions& options, const Pro
         return result;
     }
     if (problem.parameters.empty()) return onlySimulated(problem, options, progress);
+    if (const auto enough = limits::checkSlopes(problem.residualCount(), problem.parameters.size()); !enough)
+        throw LimitReached(enough.diagnostics().front());
     const std::vector<Eigen::VectorXd> starts = startsOf(problem, options);
     std::vector<Descent> descents(starts.size());
     const auto descendFrom = [&](const std::vector<Eigen::VectorXd>& begins, std::size_t first) {

@@ -183,6 +183,9 @@ double apply(Operation operation, double a, double b) {
 
 void ExpressionPool::growIndex() {
     const std::size_t size = std::max<std::size_t>(256, index_.size() * 2);
+    constexpr std::size_t nodeBytes = 2 * sizeof(ExpressionNode) + 2 * sizeof(std::uint32_t);  // while it moves
+    if (const auto enough = limits::checkExpressions(size / 2, nodeBytes); !enough)
+        throw LimitReached(enough.diagnostics().front());
     index_.assign(size, 0);
     for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
         std::size_t slot = hashOf(nodes_[i]) & (size - 1);
@@ -213,9 +216,7 @@ ExpressionId ExpressionPool::intern(const ExpressionNode& node) {
             throw LimitReached(
                 error(phrase("the equations of the model, or their derivatives, take more than {} expressions",
                              limits::expressions),
-                      {},
-                      phrase("Shorten the longest equations and loops, or give intermediate results names of their "
-                             "own.")));
+                      {}, limits::shorterEquations()));
         nodes_.push_back(node);
         entry = static_cast<std::uint32_t>(nodes_.size());
     }

@@ -7742,6 +7742,26 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>{} bräuchte {:.3g} GB Speicher, von {:.3g} GB, die der Rechner hat</translation>
     </message>
     <message>
+        <source>the traces of {} inputs and {} outputs over {:.3g} samples</source>
+        <translation>die Verläufe von {} Eingängen und {} Ausgängen über {:.3g} Abtastwerte</translation>
+    </message>
+    <message>
+        <source>the slopes of {:.3g} measured values along {} parameters</source>
+        <translation>die Steigungen von {:.3g} Messwerten nach {} Parametern</translation>
+    </message>
+    <message>
+        <source>the {} expressions of the model</source>
+        <translation>die {} Ausdrücke des Modells</translation>
+    </message>
+    <message>
+        <source>Export fewer channels, or a part of the recording.</source>
+        <translation>Weniger Kanäle oder einen Teil der Aufzeichnung exportieren.</translation>
+    </message>
+    <message>
+        <source>Use a part of the recordings (&quot;range&quot;), fewer of their rows, or fewer outputs of the model.</source>
+        <translation>Einen Teil der Aufzeichnungen („range“), weniger Zeilen oder weniger Ausgänge des Modells verwenden.</translation>
+    </message>
+    <message>
         <source>Use a part of the recordings (&quot;range&quot;), fewer of their rows, or fit fewer parameters.</source>
         <translation>Einen Teil der Aufzeichnungen („range“), weniger Zeilen verwenden oder weniger Parameter anpassen.</translation>
     </message>

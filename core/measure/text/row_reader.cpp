@@ -92,8 +92,7 @@ private:
         const double rows = std::max(1.0, left / static_cast<double>(line_.text.size() + 1));
         const double cells = std::min(rows * static_cast<double>(table().columns.size()), left / 2);
         const Outcome<Done> enough =
-            limits::checkMemory(phrase("the table of {:.3g} rows and {} columns", rows, table().columns.size()),
-                                8 * cells + static_cast<double>(text_.size()));
+            limits::checkTable(rows, table().columns.size(), cells, static_cast<double>(text_.size()));
         if (enough) return true;
         faults_ = enough.diagnostics();
         faults_.front().place.file = table().file;

@@ -117,17 +117,5 @@ TEST(GuardDeathTest, AsksForNoMoreMemoryThanThereIs) {
     EXPECT_EXIT(escape(), testing::ExitedWithCode(3), "error: an error that was not foreseen: out of a thread");
 }
 
-TEST(Limits, SayHowMuchMemoryAStageWouldTake) {
-    setenv("ANALOGON_MEMORY", "1000", 1);
-    EXPECT_EQ(limits::memory(), 1000u << 20);
-    EXPECT_TRUE(limits::checkMemory("the table", 500e6));
-    const Outcome<Done> much = limits::checkMemory("the table", 2e9);
-    ASSERT_FALSE(much);
-    EXPECT_EQ(much.diagnostics().front().message,
-              "the table would take 1.86 GB of memory, of 0.977 GB that the machine has");
-    unsetenv("ANALOGON_MEMORY");
-    EXPECT_GT(limits::memory(), 100u << 20);
-}
-
 }  // namespace
 }  // namespace analogon

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <map>
+
+#include "core/base/guard.hpp"
 
 namespace analogon {
 namespace {
@@ -91,6 +94,24 @@ TEST_F(Expressions, SymbolicDerivativesAgreeWithDifferenceQuotients) {
     const ExpressionId second = pool.differentiate(pool.differentiate(cases[14], x), x);
     EXPECT_NEAR(at(second, 0.7), slope(pool.differentiate(cases[14], x), 0.7, 0), 1e-6);
     EXPECT_TRUE(pool.isConstant(pool.differentiate(pool.unary(Sin, y), x), 0));
+}
+
+TEST(ExpressionLimits, AreToldBeforeTheyCostMemory) {
+    const auto messageOf = [] {
+        ExpressionPool pool;
+        try {
+            for (int i = 0; i < 5'000'000; ++i) pool.constant(i);
+        } catch (const LimitReached& limit) {
+            return limit.fault().message.english();
+        }
+        return std::string();
+    };
+    EXPECT_EQ(messageOf(), "the equations of the model, or their derivatives, take more than 4000000 expressions");
+    setenv("ANALOGON_MEMORY", "20", 1);
+    EXPECT_EQ(messageOf(),
+              "the 262144 expressions of the model would take 0.0176 GB of memory, of 0.0195 GB that the "
+              "machine has");
+    unsetenv("ANALOGON_MEMORY");
 }
 
 TEST_F(Expressions, TotalTimeDerivativeFollowsTheChainRule) {
