@@ -87,8 +87,11 @@ std::string studyJson(const Study& study);
 /// are not known are kept, with a warning.
 Outcome<Study> parseStudyJson(const SourcePtr& json);
 
+/// Columns that no signal takes: a search looks at them, nothing else does.
+enum class UnusedColumns { Take, Leave };
+
 /// Library, channels in model units, parameters: ready to fit.
-Outcome<EstimationTask> estimationTask(const Study& study);
+Outcome<EstimationTask> estimationTask(const Study& study, UnusedColumns unused = UnusedColumns::Take);
 
 /// The library of the study: the built-in one, its own paths and texts.
 Outcome<Library> studyLibrary(const Study& study);

@@ -44,10 +44,11 @@ ModelSignals signalsOf(const FlatModel& model) {
 /// Builds the task experiment by experiment; collects every fault on the way.
 class TaskBuilder {
 public:
-    TaskBuilder(const Study& study, Library library, const FlatModel& model)
+    TaskBuilder(const Study& study, Library library, const FlatModel& model, UnusedColumns unused)
         : study_(study),
           places_(study),
           model_(model),
+          unused_(unused),
           signals_(signalsOf(model)),
           parameters_(study, places_, model, said_) {
         task_.library = std::move(library);
@@ -189,7 +190,7 @@ private:
             recording.weights[static_cast<Eigen::Index>(i)] = experiment.outputs.at(recording.outputNames[i]).weight;
         if (complete && read && recording.time.size() > 1) readClocks(experiment, pointer, recording);
         readStarts(table, experiment, pointer, recording);
-        addSpares(*cut, experiment, recording);
+        if (unused_ == UnusedColumns::Take) addSpares(*cut, experiment, recording);
         addRemarks(table, experiment);
         if (complete && read) shiftHeldInputs(experiment, recording);
         if (complete && read) task_.recordings.push_back(std::move(recording));
@@ -465,6 +466,7 @@ private:
     const Study& study_;
     StudyPlaces places_;
     const FlatModel& model_;
+    UnusedColumns unused_;
     ModelSignals signals_;
     Diagnostics said_;
     std::size_t faults_{};  // of the experiments
@@ -506,7 +508,7 @@ Outcome<Library> studyLibrary(const Study& study) {
     return {std::move(*library), std::move(warnings)};
 }
 
-Outcome<EstimationTask> estimationTask(const Study& study) {
+Outcome<EstimationTask> estimationTask(const Study& study, UnusedColumns unused) {
     Outcome<Library> library = studyLibrary(study);
     if (!library) return library.diagnostics();
     if (!library->find(study.className)) {
@@ -526,7 +528,7 @@ Outcome<EstimationTask> estimationTask(const Study& study) {
     Diagnostics said = library.diagnostics();
     for (const Diagnostics& more : {model.diagnostics(), outsideRange(*model, study)})
         said.insert(said.end(), more.begin(), more.end());
-    return TaskBuilder(study, std::move(*library), *model).build(std::move(said));
+    return TaskBuilder(study, std::move(*library), *model, unused).build(std::move(said));
 }
 
 }  // namespace analogon

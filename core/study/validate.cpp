@@ -129,7 +129,8 @@ Diagnostics heldInPartAlone(const Study& study, const EstimationTask& task) {
 }  // namespace
 
 Outcome<ValidStudy> validated(const Study& study, Purpose purpose) {
-    Outcome<EstimationTask> task = estimationTask(study);
+    const UnusedColumns unused = purpose == Purpose::Discover ? UnusedColumns::Take : UnusedColumns::Leave;
+    Outcome<EstimationTask> task = estimationTask(study, unused);
     if (!task) return task.diagnostics();
     Diagnostics said = task.diagnostics();
     const auto add = [&](const Diagnostics& more) { said.insert(said.end(), more.begin(), more.end()); };

@@ -29,6 +29,15 @@ protected:
   })";
 };
 
+TEST_F(Validate, ColumnsThatNoSignalTakesCostASearchAlone) {
+    putHeater();
+    for (const Purpose purpose : {Purpose::Check, Purpose::Simulate, Purpose::Fit, Purpose::Discover}) {
+        const Outcome<ValidStudy> valid = validated(read(), purpose);
+        ASSERT_TRUE(valid) << format(valid.diagnostics());
+        EXPECT_EQ(valid->task.recordings.at(0).spares.empty(), purpose != Purpose::Discover);
+    }
+}
+
 /// What a command accepts, the others accept, too.
 TEST_F(Validate, ACheckAcceptsWhateverAFitDoes) {
     for (const char* start : {"\"T\": 290", "\"T\": \"fit\"", "\"T.start\": \"T_air\"", "\"T_start\": \"fit\""}) {
