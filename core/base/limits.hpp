@@ -24,6 +24,14 @@ inline constexpr std::size_t modelBytes = std::size_t{32} << 20;  // of one file
 // Expressions of a flat model and of what is derived from it, 32 bytes and a place in an index each.
 inline constexpr std::size_t expressions = 4'000'000;
 
+// Unknowns of one algebraic loop, when those that follow from others of it are taken out: each evaluation of the model
+// solves for all of them at once, at a cost that grows as their third power; several times where it is nonlinear.
+inline constexpr std::size_t loopUnknowns = 500;
+inline constexpr std::size_t nonlinearUnknowns = 200;
+// What all equations together refer to, each with all that it shares with others: "sum(v)" in n equations over n
+// variables is n*n.
+inline constexpr std::size_t references = 20'000'000;
+
 // Measurements.
 inline constexpr std::size_t columns = 100'000;
 inline constexpr std::size_t columnName = 4'096;  // bytes

@@ -77,12 +77,17 @@ std::vector<std::uint32_t> reachable(const std::vector<ExpressionNode>& nodes, s
 template <class T>
 class Results {
 public:
-    explicit Results(const std::vector<std::uint32_t>& order) : values_(order.size()) {
+    explicit Results(std::span<const std::uint32_t> order) : values_(order.size()) {
         for (std::uint32_t i = 0; i < order.size(); ++i) place_.insert(order[i], i);
     }
     T& operator[](ExpressionId id) { return values_[*place_.find(id.value)]; }
     T get(ExpressionId id) { return id.valid() ? (*this)[id] : T{}; }
     T& at(std::size_t position) { return values_[position]; }
+    /// nullptr for a node that is not among them.
+    const T* find(ExpressionId id) const {
+        const std::uint32_t* place = place_.find(id.value);
+        return place ? &values_[*place] : nullptr;
+    }
 
 private:
     NodeMap place_;
@@ -486,11 +491,17 @@ ExpressionId ExpressionPool::chainRule(const ExpressionNode& node, ExpressionId 
     }
 }
 
-ExpressionId ExpressionPool::derive(ExpressionId of, const LeafDerivative& leaf, bool delaysMove) {
-    const std::vector<std::uint32_t> order = reachable(nodes_, std::span(&of, 1));
+/// `order` holds the nodes that may have a derivative, children before parents; that of any other is 0.
+ExpressionId ExpressionPool::derive(ExpressionId of, std::span<const std::uint32_t> order, const LeafDerivative& leaf,
+                                    bool delaysMove) {
     Results<ExpressionId> derivatives(order);
     const ExpressionId zero = constant(0);
     const auto vanishes = [&](ExpressionId id) { return !id.valid() || id == zero; };
+    const auto derivativeOfPart = [&](ExpressionId part) {
+        if (!part.valid()) return part;
+        const ExpressionId* known = derivatives.find(part);
+        return known ? *known : zero;
+    };
     for (std::size_t i = 0; i < order.size(); ++i) {
         const ExpressionId self{order[i]};
         const ExpressionNode node = nodes_[self.value];
@@ -500,7 +511,7 @@ ExpressionId ExpressionPool::derive(ExpressionId of, const LeafDerivative& leaf,
             assert(result.valid());
             continue;
         }
-        const ExpressionId da = derivatives.get(node.a), db = derivatives.get(node.b), dc = derivatives.get(node.c);
+        const ExpressionId da = derivativeOfPart(node.a), db = derivativeOfPart(node.b), dc = derivativeOfPart(node.c);
         if (vanishes(da) && vanishes(db) && vanishes(dc)) {
             result = zero;
         } else if (node.operation == Delay) {
@@ -510,22 +521,28 @@ ExpressionId ExpressionPool::derive(ExpressionId of, const LeafDerivative& leaf,
             result = chainRule(node, self, da, db, dc);
         }
     }
-    return derivatives[of];
+    return derivativeOfPart(of);
 }
 
-ExpressionId ExpressionPool::differentiate(ExpressionId of, ExpressionId with) {
+ExpressionId ExpressionPool::differentiate(ExpressionId of, ExpressionId with,
+                                           std::span<const std::uint32_t> dependent) {
     const ExpressionNode target = nodes_[with.value];
     assert(target.operation == Variable || target.operation == Derivative);
     const ExpressionId one = constant(1), zero = constant(0);
     return derive(
-        of, [&](const ExpressionNode& node) { return sameNode(node, target) ? one : zero; }, false);
+        of, dependent, [&](const ExpressionNode& node) { return sameNode(node, target) ? one : zero; }, false);
+}
+
+ExpressionId ExpressionPool::differentiate(ExpressionId of, ExpressionId with) {
+    return differentiate(of, with, reachable(nodes_, std::span(&of, 1)));
 }
 
 ExpressionId ExpressionPool::timeDerivative(ExpressionId of,
                                             const std::function<ExpressionId(const ExpressionNode&)>& leaf) {
     const ExpressionId one = constant(1);
     return derive(
-        of, [&](const ExpressionNode& node) { return node.operation == Time ? one : leaf(node); }, true);
+        of, reachable(nodes_, std::span(&of, 1)),
+        [&](const ExpressionNode& node) { return node.operation == Time ? one : leaf(node); }, true);
 }
 
 // ------------------------------------------------------------------------------------------------ traversals

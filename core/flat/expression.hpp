@@ -138,6 +138,8 @@ public:
 
     /// Partial derivative with respect to one node of kind Variable or Derivative (all others held).
     ExpressionId differentiate(ExpressionId of, ExpressionId with);
+    /// The same where it is known which nodes of the expression depend on it, in ascending order (DependentNodes).
+    ExpressionId differentiate(ExpressionId of, ExpressionId with, std::span<const std::uint32_t> dependent);
     /// Total time derivative: der(x) for a variable x where `isState`-like variables give Derivative nodes,
     /// 0 for parameters and constants, as told by the callback (which returns the derivative of a variable
     /// node or of a Derivative node: the caller owns the names of higher derivatives).
@@ -167,7 +169,8 @@ private:
     ExpressionId foldAdd(ExpressionId a, ExpressionId b);
     ExpressionId foldSubtract(ExpressionId a, ExpressionId b);
     ExpressionId foldMultiply(ExpressionId a, ExpressionId b);
-    ExpressionId derive(ExpressionId of, const LeafDerivative& leaf, bool delaysMove);
+    ExpressionId derive(ExpressionId of, std::span<const std::uint32_t> order, const LeafDerivative& leaf,
+                        bool delaysMove);
     ExpressionId chainRule(const ExpressionNode& node, ExpressionId self, ExpressionId da, ExpressionId db,
                            ExpressionId dc);
 

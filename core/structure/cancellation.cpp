@@ -5,23 +5,31 @@
 #include <map>
 #include <numeric>
 
+#include "core/base/stop.hpp"
+#include "core/flat/dependent_nodes.hpp"
 #include "core/structure/index_reduction.hpp"
 #include "core/structure/rewrite.hpp"
 
 namespace analogon {
 namespace {
 
+/// A factor of a derivative, and what it is at parameters a little off their own values.
+struct Coefficient {
+    ExpressionId expression;
+    double value{};
+};
+
 /// sum of coefficient * derivative + rest = 0; the largest coefficient before any elimination measures what is zero.
 struct Row {
     std::size_t equation{};
-    std::map<int, ExpressionId> coefficients;  // by unknown
+    std::map<int, Coefficient> coefficients;  // by unknown
     ExpressionId rest;
     double scale{};
 };
 
 class Cancellation {
 public:
-    explicit Cancellation(EquationSystem& system) : system_(system), pool_(*system.pool) {}
+    explicit Cancellation(EquationSystem& system) : system_(system), pool_(*system.pool), collect_(pool_) {}
     void run();
 
 private:
@@ -32,18 +40,20 @@ private:
     std::optional<Row> rowOf(std::size_t equation, const std::vector<int>& unknowns);
     bool isOverParameters(ExpressionId expression);
     double valueOf(ExpressionId expression) const;
-    void eliminate(std::vector<Row> rows);
+    enum class Elimination { Numbers, Expressions };
+    bool eliminate(std::vector<Row> rows, Elimination of);
+    void subtract(Row& row, const Row& pivot, int unknown, Elimination of);
 
     EquationSystem& system_;
     ExpressionPool& pool_;
+    LeafCollector collect_;
     std::vector<char> isDerivative_;  // by unknown
 };
 
 bool Cancellation::isOverParameters(ExpressionId expression) {
-    LeafCollector collect(pool_);
-    for (const ExpressionId leaf : collect.leaves(expression))
+    for (const ExpressionId leaf : collect_.leaves(expression))
         if ((*system_.model)[pool_[leaf].variable].variability == FlatVariability::Continuous) return false;
-    return collect.delays().empty();
+    return collect_.delays().empty();
 }
 
 /// At parameters a little off their own values, each in its own way: what is zero there is zero for all of them.
@@ -61,14 +71,15 @@ std::optional<Row> Cancellation::rowOf(std::size_t equation, const std::vector<i
     Row row;
     row.equation = equation;
     row.rest = residual;
+    DependentNodes dependent(pool_, residual);
     for (const int u : unknowns) {
         if (!isHighestDerivative(u)) continue;
         const ExpressionId node = system_.unknowns[static_cast<std::size_t>(u)].node;
-        const ExpressionId slope = pool_.differentiate(residual, node);
+        const ExpressionId slope = pool_.differentiate(residual, node, dependent.of(node));
         if (!isOverParameters(slope)) return {};
         const double value = valueOf(slope);
         if (!std::isfinite(value) || value == 0) return {};
-        row.coefficients.emplace(u, slope);
+        row.coefficients.emplace(u, Coefficient{slope, value});
         row.scale = std::max(row.scale, std::fabs(value));
     }
     if (row.coefficients.size() < 2) return {};
@@ -79,43 +90,61 @@ std::optional<Row> Cancellation::rowOf(std::size_t equation, const std::vector<i
     return row;
 }
 
-/// Gaussian elimination; a row whose coefficients vanish becomes an equation without derivatives.
-void Cancellation::eliminate(std::vector<Row> rows) {
+/// Takes as much of a pivot row from a row as leaves nothing of one unknown.
+void Cancellation::subtract(Row& row, const Row& pivot, int unknown, Elimination of) {
     constexpr double negligible = 1e-11;
+    const bool isSymbolic = of == Elimination::Expressions;
+    const Coefficient& mine = row.coefficients.at(unknown);
+    const Coefficient& its = pivot.coefficients.at(unknown);
+    const Coefficient factor{isSymbolic ? pool_.divide(mine.expression, its.expression) : ExpressionId{},
+                             mine.value / its.value};
+    for (const auto& [u, c] : pivot.coefficients) {
+        const auto known = row.coefficients.find(u);
+        const bool isKnown = known != row.coefficients.end();
+        Coefficient left;
+        left.value = (isKnown ? known->second.value : 0) - factor.value * c.value;
+        if (u == unknown || std::fabs(left.value) <= negligible * row.scale) {
+            row.coefficients.erase(u);
+            continue;
+        }
+        if (isSymbolic) {
+            const ExpressionId taken = pool_.multiply(factor.expression, c.expression);
+            left.expression = isKnown ? pool_.subtract(known->second.expression, taken) : pool_.negate(taken);
+        }
+        row.coefficients[u] = left;
+    }
+    if (isSymbolic) row.rest = pool_.subtract(row.rest, pool_.multiply(factor.expression, pivot.rest));
+}
+
+/// Gaussian elimination; a row whose coefficients vanish becomes an equation without derivatives. Whether there is
+/// one. By numbers alone nothing is changed: expressions grow with each step, and nearly always there is none.
+bool Cancellation::eliminate(std::vector<Row> rows, Elimination of) {
+    bool anyVanishes = false;
     std::map<int, std::size_t> pivotOf;  // unknown -> row that is kept for it
     for (std::size_t r = 0; r < rows.size(); ++r) {
+        stopPoint();
         Row& row = rows[r];
         while (!row.coefficients.empty()) {
             const auto known = std::find_if(row.coefficients.begin(), row.coefficients.end(),
                                             [&](const auto& entry) { return pivotOf.contains(entry.first); });
             if (known == row.coefficients.end()) break;
-            const Row& pivot = rows[pivotOf[known->first]];
             const int unknown = known->first;
-            const ExpressionId factor = pool_.divide(known->second, pivot.coefficients.at(unknown));
-            for (const auto& [u, c] : pivot.coefficients) {
-                const ExpressionId taken = pool_.multiply(factor, c);
-                const auto mine = row.coefficients.find(u);
-                const ExpressionId left =
-                    mine == row.coefficients.end() ? pool_.negate(taken) : pool_.subtract(mine->second, taken);
-                if (u == unknown || std::fabs(valueOf(left)) <= negligible * row.scale)
-                    row.coefficients.erase(u);
-                else
-                    row.coefficients[u] = left;
-            }
-            row.rest = pool_.subtract(row.rest, pool_.multiply(factor, pivot.rest));
+            subtract(row, rows[pivotOf[unknown]], unknown, of);
         }
         if (row.coefficients.empty()) {
+            anyVanishes = true;
+            if (of == Elimination::Numbers) return true;
             Equation& equation = system_.equations[row.equation];
             equation.left = pool_.constant(0);
             equation.right = row.rest;
             continue;
         }
-        const auto largest =
-            std::max_element(row.coefficients.begin(), row.coefficients.end(), [this](const auto& a, const auto& b) {
-                return std::fabs(valueOf(a.second)) < std::fabs(valueOf(b.second));
-            });
+        const auto largest = std::max_element(
+            row.coefficients.begin(), row.coefficients.end(),
+            [](const auto& a, const auto& b) { return std::fabs(a.second.value) < std::fabs(b.second.value); });
         pivotOf.emplace(largest->first, r);
     }
+    return anyVanishes;
 }
 
 void Cancellation::run() {
@@ -147,7 +176,8 @@ void Cancellation::run() {
     for (std::size_t r = 0; r < rows.size(); ++r) members[find(r)].push_back(std::move(rows[r]));
     constexpr std::size_t mostRows = 300;  // elimination is quadratic and more
     for (auto& [first, group_] : members)
-        if (group_.size() > 1 && group_.size() <= mostRows) eliminate(std::move(group_));
+        if (group_.size() > 1 && group_.size() <= mostRows && eliminate(group_, Elimination::Numbers))
+            eliminate(std::move(group_), Elimination::Expressions);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/base/stop.hpp"
+#include "core/flat/dependent_nodes.hpp"
 #include "core/structure/cancellation.hpp"
 #include "core/structure/rewrite.hpp"
 
@@ -28,7 +29,7 @@ namespace {
 class IndexReduction {
 public:
     IndexReduction(EquationSystem system, const std::vector<Equation>& redundant)
-        : system_(std::move(system)), redundant_(redundant) {
+        : system_(std::move(system)), redundant_(redundant), collect_(*system_.pool) {
         combineCancellingDerivatives(system_);
         incidence_ = incidenceOf(system_);
     }
@@ -52,11 +53,14 @@ private:
     std::vector<char> dummiesOf(const Level& level);
     bool isSafelySolvedFor(int constraint, const std::vector<char>& isDummy);
     void stabilise(std::vector<Equation>& equations, std::vector<char>& isLeftOut);
+    ExpressionId slopeOf(int constraint, ExpressionId unknown);
     double wishToBeState(int unknown, const std::vector<int>& constraints);
     double startValue(ExpressionId of);
 
     EquationSystem system_;
     const std::vector<Equation>& redundant_;
+    LeafCollector collect_;
+    std::map<std::uint32_t, DependentNodes> dependent_;  // by residual of a constraint
     Adjacency incidence_;
     std::vector<int> derivativeEquation_, integralEquation_;  // by equation; -1: none
     std::vector<char> isHighest_;                             // by unknown: it has no derivative
@@ -149,13 +153,13 @@ ExpressionId IndexReduction::derivativeOfLeaf(const ExpressionNode& node) {
 bool IndexReduction::differentiate(int equation) {
     const Equation original = system_.equations[static_cast<std::size_t>(equation)];
     constexpr int highestOrder = 4;
-    LeafCollector collect(*system_.pool);
     const ExpressionId sides[] = {original.left, original.right};
-    collect.leaves(sides);
-    if (original.order >= highestOrder || !collect.delays().empty()) {
+    collect_.leaves(sides);
+    const bool isDelayed = !collect_.delays().empty();
+    if (original.order >= highestOrder || isDelayed) {
         const Text text = system_.textOf(original);
         faults_.push_back(error(
-            collect.delays().empty()
+            !isDelayed
                 ? phrase("The equation {} would have to be differentiated too often; the equations constrain "
                          "each other in a circle.",
                          text)
@@ -170,7 +174,7 @@ bool IndexReduction::differentiate(int equation) {
     ++derived.order;
     const ExpressionId derivedSides[] = {derived.left, derived.right};
     std::vector<int> unknowns;
-    for (const ExpressionId node : collect.leaves(derivedSides))
+    for (const ExpressionId node : collect_.leaves(derivedSides))
         if (const int u = system_.unknownOf(node); u >= 0) unknowns.push_back(u);
     derivativeEquation_[static_cast<std::size_t>(equation)] = static_cast<int>(system_.equations.size());
     derivativeEquation_.push_back(-1);
@@ -223,6 +227,13 @@ double IndexReduction::startValue(ExpressionId of) {
     });
 }
 
+/// The slope of a constraint along an unknown.
+ExpressionId IndexReduction::slopeOf(int constraint, ExpressionId unknown) {
+    const ExpressionId residual = system_.residual(system_.equations[static_cast<std::size_t>(constraint)]);
+    const auto nodes = dependent_.try_emplace(residual.value, *system_.pool, residual).first;
+    return system_.pool->differentiate(residual, unknown, nodes->second.of(unknown));
+}
+
 /// How much a differentiated unknown should be a state; `constraints` are the equations it may be taken from.
 double IndexReduction::wishToBeState(int unknown, const std::vector<int>& constraints) {
     const Unknown& u = system_.unknowns[static_cast<std::size_t>(unknown)];
@@ -249,8 +260,7 @@ double IndexReduction::wishToBeState(int unknown, const std::vector<int>& constr
         (u.derivativeUnknown >= 0 && system_.unknowns[static_cast<std::size_t>(u.derivativeUnknown)].isSynthetic))
         wish -= 500;  // nobody integrates it in the model
     for (const int e : constraints) {
-        const ExpressionId residual = system_.residual(system_.equations[static_cast<std::size_t>(e)]);
-        const ExpressionId slope = system_.pool->differentiate(residual, u.node);
+        const ExpressionId slope = slopeOf(e, u.node);
         if (system_.pool->isConstant(slope))
             wish -= std::fabs((*system_.pool)[slope].value) == 1 ? 20 : 10;  // easily solved for
         else if (std::fabs(startValue(slope)) < 1e-12)
@@ -264,15 +274,12 @@ double IndexReduction::wishToBeState(int unknown, const std::vector<int>& constr
 /// Whether a choice made at the start holds for good: the slopes of a constraint along the unknowns that it is solved
 /// for are the same in every state. Where the model says itself what should be a state, that is kept.
 bool IndexReduction::isSafelySolvedFor(int constraint, const std::vector<char>& isDummy) {
-    const ExpressionId residual = system_.residual(system_.equations[static_cast<std::size_t>(constraint)]);
-    LeafCollector collect(*system_.pool);
     for (const int u : incidence_[static_cast<std::size_t>(constraint)])
         if (system_.unknowns[static_cast<std::size_t>(u)].stateSelect != StateSelect::Default) return true;
     for (const int u : incidence_[static_cast<std::size_t>(constraint)]) {
         if (!isDummy[static_cast<std::size_t>(u)]) continue;
-        const ExpressionId slope =
-            system_.pool->differentiate(residual, system_.unknowns[static_cast<std::size_t>(u)].node);
-        for (const ExpressionId leaf : collect.leaves(slope))
+        const ExpressionId slope = slopeOf(constraint, system_.unknowns[static_cast<std::size_t>(u)].node);
+        for (const ExpressionId leaf : collect_.leaves(slope))
             if (system_.unknownOf(leaf) >= 0) return false;
     }
     return true;

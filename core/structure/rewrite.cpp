@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "core/base/guard.hpp"
+#include "core/base/limits.hpp"
+
 namespace analogon {
 
 ExpressionId Rewriter::operator()(ExpressionId in) {
@@ -65,6 +68,10 @@ const std::vector<ExpressionId>& LeafCollector::leaves(std::span<const Expressio
         stack_.pop_back();
         if (!id.valid() || seen_[id.value] == visit_) continue;
         seen_[id.value] = visit_;
+        if (++visited_ > limits::references)
+            throw LimitReached(error(
+                phrase("the equations of the model refer to its variables more than {} times", limits::references), {},
+                phrase("Give a sum that stands in many equations a variable of its own.")));
         const ExpressionNode& node = pool_[id];
         if (node.operation == Operation::Variable || node.operation == Operation::Derivative) {
             leaves_.push_back(id);
@@ -81,14 +88,23 @@ const std::vector<ExpressionId>& LeafCollector::leaves(std::span<const Expressio
 
 void DependenceCheck::setUnknowns(std::span<const ExpressionId> unknowns) {
     ++round_;
+    isComplete_ = false;
     known_.resize(pool_.size());
     for (const ExpressionId unknown : unknowns) known_[unknown.value] = {round_, Dependence::Linear};
+}
+
+void DependenceCheck::setUnknown(ExpressionId unknown, std::span<const std::uint32_t> dependent) {
+    setUnknowns({&unknown, 1});
+    isComplete_ = true;
+    for (const std::uint32_t node : dependent)
+        if (node != unknown.value) known_[node] = {round_, classify(pool_[{node}])};
 }
 
 Dependence DependenceCheck::operator()(ExpressionId of) {
     if (!of.valid()) return Dependence::None;
     if (of.value >= known_.size()) known_.resize(pool_.size());
     if (known_[of.value].round == round_) return known_[of.value].dependence;
+    if (isComplete_) return Dependence::None;
     const Dependence found = classify(pool_[of]);
     known_[of.value] = {round_, found};
     return found;

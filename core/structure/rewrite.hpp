@@ -34,7 +34,8 @@ private:
     NodeMap done_;
 };
 
-/// Collects the distinct Variable and Derivative nodes of an expression (and, on demand, its delays).
+/// Collects the distinct Variable and Derivative nodes of an expression (and, on demand, its delays). Throws
+/// LimitReached where all that it was asked for holds more than limits::references.
 class LeafCollector {
 public:
     explicit LeafCollector(const ExpressionPool& pool) : pool_(pool) {}
@@ -49,6 +50,7 @@ private:
     std::vector<std::uint32_t> seen_;  // by node: the visit that saw it
     std::uint32_t visit_{};
     std::vector<ExpressionId> stack_, leaves_, delays_;
+    std::size_t visited_{};  // nodes, by all calls together
 };
 
 /// How an expression depends on a set of unknowns.
@@ -61,6 +63,8 @@ public:
     explicit DependenceCheck(const ExpressionPool& pool) : pool_(pool) {}
     /// Asks about these unknowns from now on; costs nothing but their number.
     void setUnknowns(std::span<const ExpressionId> unknowns);
+    /// Asks about one unknown and the nodes that depend on it (DependentNodes); all others are taken to be free of it.
+    void setUnknown(ExpressionId unknown, std::span<const std::uint32_t> dependent);
     Dependence operator()(ExpressionId of);
 
 private:
@@ -73,6 +77,7 @@ private:
     const ExpressionPool& pool_;
     std::vector<Known> known_;  // by node, valid in its round
     std::uint32_t round_{};
+    bool isComplete_{};  // what is not known in this round is free of the unknowns
 };
 
 }  // namespace analogon

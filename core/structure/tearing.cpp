@@ -5,7 +5,10 @@
 #include <optional>
 #include <unordered_map>
 
+#include "core/base/guard.hpp"
+#include "core/base/limits.hpp"
 #include "core/base/stop.hpp"
+#include "core/flat/dependent_nodes.hpp"
 #include "core/structure/rewrite.hpp"
 #include "core/structure/solution_order.hpp"
 
@@ -41,8 +44,8 @@ private:
     std::optional<ExpressionId> solveFor(const Equation& equation, ExpressionId unknown);
     ExpressionId quotient(ExpressionId a, ExpressionId b, ExpressionId factor);
     Safety safetyOf(int equation, int unknown);
-    double constantFactor(const Equation& equation, ExpressionId unknown);
-    ExpressionId atZero(ExpressionId residual, const std::vector<ExpressionId>& unknowns);
+    double constantFactor(const Equation& equation, ExpressionId unknown, DependentNodes& nodes);
+    std::vector<ExpressionId> atZero(std::span<const ExpressionId> residuals, std::span<const ExpressionId> unknowns);
     void findIncidence();
     void tear();
     void eliminate(int equation);
@@ -50,6 +53,7 @@ private:
     int nextTorn();
     Outcome<SolutionBlock> remainder();
     Diagnostic noInfluence() const;
+    Diagnostic tooLarge(std::size_t limit) const;
 
     EquationSystem& system_;
     ExpressionPool& pool_;
@@ -77,7 +81,9 @@ std::optional<ExpressionId> ComponentSolver::solveFor(const Equation& equation, 
     const ExpressionId factor =
         pool_.subtract(pool_.differentiate(equation.left, unknown), pool_.differentiate(equation.right, unknown));
     if (pool_.isConstant(factor, 0)) return {};
-    return quotient(atZero(equation.right, {unknown}), atZero(equation.left, {unknown}), factor);
+    const ExpressionId sides[] = {equation.right, equation.left};
+    const std::vector<ExpressionId> rest = atZero(sides, one);
+    return quotient(rest[0], rest[1], factor);
 }
 
 /// (a - b)/factor, without a sign in front where there need not be one.
@@ -95,10 +101,12 @@ ComponentSolver::Safety ComponentSolver::safetyOf(int equation, int unknown) {
     const std::vector<int>& columns = unknownsOf_[static_cast<std::size_t>(equation)];
     if (row.empty()) {
         row.resize(columns.size());
+        const Equation& of = equations_[static_cast<std::size_t>(equation)];
+        const ExpressionId sides[] = {of.left, of.right};
+        DependentNodes dependent(pool_, sides);
         double largest = 0;
         for (std::size_t i = 0; i < columns.size(); ++i) {
-            row[i].factor = constantFactor(equations_[static_cast<std::size_t>(equation)],
-                                           unknowns_[static_cast<std::size_t>(columns[i])]);
+            row[i].factor = constantFactor(of, unknowns_[static_cast<std::size_t>(columns[i])], dependent);
             largest = std::max(largest, std::fabs(row[i].factor));
         }
         for (Entry& entry : row) {
@@ -114,23 +122,27 @@ ComponentSolver::Safety ComponentSolver::safetyOf(int equation, int unknown) {
 }
 
 /// The factor of an unknown in an equation that is linear in it with a constant factor; else 0.
-double ComponentSolver::constantFactor(const Equation& equation, ExpressionId unknown) {
-    const ExpressionId one[] = {unknown};
-    depends_.setUnknowns(one);
+double ComponentSolver::constantFactor(const Equation& equation, ExpressionId unknown, DependentNodes& nodes) {
+    const std::span<const std::uint32_t> dependent = nodes.of(unknown);
+    depends_.setUnknown(unknown, dependent);
     if (std::max(depends_(equation.left), depends_(equation.right)) == Dependence::Nonlinear) return 0;
-    const ExpressionId factor =
-        pool_.subtract(pool_.differentiate(equation.left, unknown), pool_.differentiate(equation.right, unknown));
+    const ExpressionId factor = pool_.subtract(pool_.differentiate(equation.left, unknown, dependent),
+                                               pool_.differentiate(equation.right, unknown, dependent));
     return pool_.isConstant(factor) ? pool_[factor].value : 0;
 }
 
-ExpressionId ComponentSolver::atZero(ExpressionId residual, const std::vector<ExpressionId>& unknowns) {
+/// The expressions where the unknowns are 0.
+std::vector<ExpressionId> ComponentSolver::atZero(std::span<const ExpressionId> residuals,
+                                                  std::span<const ExpressionId> unknowns) {
+    NodeMap isUnknown;
+    for (const ExpressionId unknown : unknowns) isUnknown.insert(unknown.value, 0);
     const ExpressionId zero = pool_.constant(0);
-    return pool_.substitute(residual, [&](const ExpressionNode& node) -> ExpressionId {
-        if (node.operation == Operation::Delay) return pool_.delay(node.a, node.b);  // as it is
-        for (const ExpressionId unknown : unknowns)
-            if (pool_[unknown].operation == node.operation && pool_[unknown].variable == node.variable) return zero;
-        return {};
-    });
+    Rewriter rewrite(
+        pool_, [&](ExpressionId leaf) { return isUnknown.find(leaf.value) ? zero : ExpressionId{}; },
+        Rewriter::Delays::Keep);
+    std::vector<ExpressionId> values;
+    for (const ExpressionId residual : residuals) values.push_back(rewrite(residual));
+    return values;
 }
 
 void ComponentSolver::findIncidence() {
@@ -206,8 +218,18 @@ void ComponentSolver::tear() {
         const int u = nextTorn();
         if (u < 0) break;
         torn_.push_back(u);
+        if (torn_.size() > limits::loopUnknowns) throw LimitReached(tooLarge(limits::loopUnknowns));
         settle(u);
     }
+}
+
+/// One that would have to be solved at once, with too many unknowns.
+Diagnostic ComponentSolver::tooLarge(std::size_t limit) const {
+    return error(phrase("{} equations for {}, {} and {} more must be solved at once, in more than {} unknowns", count_,
+                        system_.nameOf(unknowns_[0]), system_.nameOf(unknowns_[1]), count_ - 2, limit),
+                 equations_.front().span,
+                 phrase("Break the loop: let some of its quantities follow with a small inertia, capacity or lag, or "
+                        "model fewer parts."));
 }
 
 Diagnostic ComponentSolver::noInfluence() const {
@@ -249,10 +271,15 @@ Outcome<SolutionBlock> ComponentSolver::remainder() {
     for (const ExpressionId r : block.expressions) most = std::max(most, depends_(r));
     if (most == Dependence::None) return noInfluence();
     block.isLinear = most == Dependence::Linear;
-    for (const ExpressionId r : block.expressions)
-        for (const ExpressionId z : block.unknowns) block.jacobian.push_back(pool_.differentiate(r, z));
+    if (!block.isLinear && block.unknowns.size() > limits::nonlinearUnknowns)
+        throw LimitReached(tooLarge(limits::nonlinearUnknowns));
+    for (const ExpressionId r : block.expressions) {
+        DependentNodes dependent(pool_, r);
+        for (const ExpressionId z : block.unknowns)
+            block.jacobian.push_back(pool_.differentiate(r, z, dependent.of(z)));
+    }
     if (!block.isLinear) return block;
-    for (const ExpressionId r : block.expressions) block.constantTerm.push_back(atZero(r, block.unknowns));
+    block.constantTerm = atZero(block.expressions, block.unknowns);
     if (block.unknowns.size() == 1) {
         if (pool_.isConstant(block.jacobian[0], 0)) return noInfluence();
         block.isExplicit = true;

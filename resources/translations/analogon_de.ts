@@ -7754,6 +7754,22 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>die {} Ausdrücke des Modells</translation>
     </message>
     <message>
+        <source>the equations of the model refer to its variables more than {} times</source>
+        <translation>die Gleichungen des Modells nennen seine Größen mehr als {}-mal</translation>
+    </message>
+    <message>
+        <source>Give a sum that stands in many equations a variable of its own.</source>
+        <translation>Einer Summe, die in vielen Gleichungen steht, eine eigene Größe geben.</translation>
+    </message>
+    <message>
+        <source>{} equations for {}, {} and {} more must be solved at once, in more than {} unknowns</source>
+        <translation>{} Gleichungen für {}, {} und {} weitere müssten auf einmal gelöst werden, nach mehr als {} Unbekannten</translation>
+    </message>
+    <message>
+        <source>Break the loop: let some of its quantities follow with a small inertia, capacity or lag, or model fewer parts.</source>
+        <translation>Die Schleife auftrennen: einige ihrer Größen mit einer kleinen Trägheit, Kapazität oder Verzögerung folgen lassen, oder weniger Teile modellieren.</translation>
+    </message>
+    <message>
         <source>Export fewer channels, or a part of the recording.</source>
         <translation>Weniger Kanäle oder einen Teil der Aufzeichnung exportieren.</translation>
     </message>

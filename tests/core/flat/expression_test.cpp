@@ -5,9 +5,11 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <map>
 
 #include "core/base/guard.hpp"
+#include "core/flat/dependent_nodes.hpp"
 
 namespace analogon {
 namespace {
@@ -94,6 +96,38 @@ TEST_F(Expressions, SymbolicDerivativesAgreeWithDifferenceQuotients) {
     const ExpressionId second = pool.differentiate(pool.differentiate(cases[14], x), x);
     EXPECT_NEAR(at(second, 0.7), slope(pool.differentiate(cases[14], x), 0.7, 0), 1e-6);
     EXPECT_TRUE(pool.isConstant(pool.differentiate(pool.unary(Sin, y), x), 0));
+}
+
+/// The slopes along each leaf are the very nodes that a walk through the whole expression gives.
+TEST_F(Expressions, SlopesByWhatDependsOnALeafAreTheSame) {
+    const ExpressionId shared = pool.unary(Sin, pool.multiply(x, y));
+    const ExpressionId all[] = {
+        pool.add(pool.multiply(shared, x), pool.divide(y, shared)),
+        pool.add(pool.delay(x, number(0.1)), pool.multiply(number(2), y)),
+        pool.ifThenElse(pool.binary(Less, x, y), pool.multiply(x, x), shared),
+        pool.power(x, number(3)),
+    };
+    for (const ExpressionId f : all) {
+        DependentNodes dependent(pool, f);
+        for (const ExpressionId leaf : {x, y})
+            EXPECT_EQ(pool.differentiate(f, leaf, dependent.of(leaf)), pool.differentiate(f, leaf)) << text(f);
+    }
+    DependentNodes dependent(pool, all[3]);
+    EXPECT_TRUE(dependent.of(y).empty());
+    EXPECT_EQ(DependentNodes(pool, all[1]).of(x).size(), 0u);  // what is delayed is given by the past
+}
+
+TEST_F(Expressions, SlopesOfALongSumCostLittleMoreThanTheSum) {
+    constexpr std::uint32_t count = 3000;
+    ExpressionId sum = number(0);
+    for (std::uint32_t i = 0; i < count; ++i) sum = pool.add(pool.unary(Sin, pool.variable({i})), sum);
+    const std::clock_t begin = std::clock();
+    DependentNodes dependent(pool, sum);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const ExpressionId leaf = pool.variable({i});
+        EXPECT_EQ(pool.differentiate(sum, leaf, dependent.of(leaf)), pool.unary(Cos, leaf));
+    }
+    EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 2);
 }
 
 TEST(ExpressionLimits, AreToldBeforeTheyCostMemory) {
