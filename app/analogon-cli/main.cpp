@@ -1,12 +1,17 @@
 #include "app/analogon-cli/command_line.hpp"
 #include "app/analogon-cli/interrupt.hpp"
+#include "core/base/blas_threads.hpp"
 #include "core/base/guard.hpp"
 #include "core/base/memory.hpp"
 
 namespace {
 
 /// Called before the libraries of the program prepare themselves, which takes longer than all that main() does first.
-__attribute__((section(".preinit_array"), used)) void (*atTheBeginning)() = analogon::cli::Interrupt::listen;
+void begin(int, char** arguments, char** environment) {
+    analogon::askForOneBlasThread(arguments, environment);
+    analogon::cli::Interrupt::listen();
+}
+__attribute__((section(".preinit_array"), used)) void (*atTheBeginning)(int, char**, char**) = begin;
 
 }  // namespace
 

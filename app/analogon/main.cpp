@@ -4,12 +4,21 @@
 #include <QProcess>
 #include <QSettings>
 
+#include "core/base/blas_threads.hpp"
 #include "core/base/guard.hpp"
 #include "core/base/memory.hpp"
 #include "ui/style/style.hpp"
 #include "ui/style/translator.hpp"
 #include "ui/window/main_window.hpp"
 #include "ui/window/pictures.hpp"
+
+namespace {
+
+/// Called before the libraries of the program prepare themselves.
+void begin(int, char** arguments, char** environment) { analogon::askForOneBlasThread(arguments, environment); }
+__attribute__((section(".preinit_array"), used)) void (*atTheBeginning)(int, char**, char**) = begin;
+
+}  // namespace
 
 int main(int argc, char** argv) {
     using namespace analogon;

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,9 +29,9 @@ inline std::string contentOf(const fs::path& file) {
 /// The program as its own process, with both streams in files.
 class Process {
 public:
-    Process(const std::vector<std::string>& arguments, const fs::path& scratch)
+    Process(const std::vector<std::string>& arguments, const fs::path& scratch, const char* program = ANALOGON_CLI)
         : out_(scratch / "stdout.txt"), err_(scratch / "stderr.txt") {
-        std::vector<char*> argv{const_cast<char*>(ANALOGON_CLI)};
+        std::vector<char*> argv{const_cast<char*>(program)};
         for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
         argv.push_back(nullptr);
         id_ = fork();
@@ -39,7 +40,7 @@ public:
         for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
         dup2(open(out_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), STDOUT_FILENO);
         dup2(open(err_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), STDERR_FILENO);
-        execv(ANALOGON_CLI, argv.data());
+        execv(program, argv.data());
         _exit(127);
     }
     void interrupt() const { kill(id_, SIGINT); }
@@ -47,6 +48,12 @@ public:
     int wait() {
         int status = 0;
         waitpid(id_, &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    /// The exit status of one that has ended.
+    std::optional<int> poll() {
+        int status = 0;
+        if (waitpid(id_, &status, WNOHANG) != id_) return std::nullopt;
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
     std::string out() const { return contentOf(out_); }
