@@ -76,7 +76,7 @@ private:
     bool interval(int k) {
         const int substeps = run_.plan.substepsIn(k);
         const double begin = time(k), h = (time(k + 1) - begin) / substeps;
-        if (run_.plan.methodIn(k) == GridMethod::Esdirk) return implicitly(k, substeps, h);
+        if (run_.plan.methodIn(k) == GridMethod::Esdirk) return implicitly(k, substeps);
         slots_.at(k, begin, u_[2].data());
         if (run_.plan.method == GridMethod::Exact) {
             std::swap(u_[0], u_[2]);
@@ -95,12 +95,14 @@ private:
     }
 
     /// The state comes out of the machine code's memory and goes back.
-    bool implicitly(int k, int substeps, double h) {
+    bool implicitly(int k, int substeps) {
         if (!implicit_) implicit_ = makeStepMethod(GridMethod::Esdirk, dynamics_, slots_, options_);
         if (k == run_.first || run_.plan.methodIn(k - 1) != GridMethod::Esdirk)
             dynamics_.storeState(x_.data(), dx_.data());
+        const Substeps steps = slots_.gaps().implicitSteps(k, substeps);
         for (int s = 0; s < substeps; ++s)
-            if (!implicit_->step(k, time(k) + s * h, h, x_.data(), K_ > 0 ? dx_.data() : nullptr)) return false;
+            if (!implicit_->step(k, steps.time(s), steps.length(s), x_.data(), K_ > 0 ? dx_.data() : nullptr))
+                return false;
         dynamics_.loadState(x_.data(), dx_.data());
         return true;
     }

@@ -44,9 +44,8 @@ Esdirk::Esdirk(Dynamics& dynamics, InputSlots& slots, const SimulationOptions& o
     for (std::vector<double>* v : {&base_, &stage_, &slope_, &delta_, &trial_, &trialSlope_, &trialDelta_, &savedX_}) {
         v->resize(n);
     }
-    // A state that has not moved yet is judged against a small part of its nominal value, else the rounding of
-    // its neighbours would keep its stages from converging.
-    for (double nominal : shape.stateNominal) scale_.push_back(1e-6 * nominal);
+    scale_.resize(n);
+    forgetScale();
     jacobian_.resize(n * n);
     slopes_.resize(stages * n);
     partials_.resize(n * (n + K));
@@ -54,7 +53,16 @@ Esdirk::Esdirk(Dynamics& dynamics, InputSlots& slots, const SimulationOptions& o
     tangentSlopes_.resize(stages * n * K);
 }
 
+/// A state that has not moved yet is judged against a small part of its nominal value, else the rounding of its
+/// neighbours would keep its stages from converging.
+void Esdirk::forgetScale() {
+    const std::vector<double>& nominal = dynamics_.shape().stateNominal;
+    std::transform(nominal.begin(), nominal.end(), scale_.begin(), [](double x) { return 1e-6 * x; });
+}
+
 bool Esdirk::step(int interval, double t, double h, double* x, double* dx) {
+    if (interval != interval_ && interval_ >= 0 && slots_.gaps().has(interval_)) forgetScale();
+    interval_ = interval;
     // Halve on failure: the pieces of the step still to do, depth counted in halvings.
     double done = 0.0;
     int depth = 0;

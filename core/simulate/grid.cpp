@@ -160,10 +160,12 @@ private:
     }
 
     const char* piece(int k, double begin, double end, int substeps) {
-        const double h = (end - begin) / substeps;
+        Substeps steps{begin, end, substeps};
+        const bool isWhole = begin == time(k) && end == time(k + 1);
+        if (isWhole && run_.plan.methodIn(k) == GridMethod::Esdirk) steps = slots_.gaps().implicitSteps(k, substeps);
         for (int s = 0; s < substeps; ++s) {
-            time_ = begin + s * h;
-            const double reached = s + 1 == substeps ? end : begin + (s + 1) * h;
+            const double h = steps.length(s), reached = steps.time(s + 1);
+            time_ = steps.time(s);
             const bool isLookedAt = recorder_.needsInterpolant(reached);
             if (isLookedAt) interpolant_.setBegin(time_, x_.data(), dx_.data());
             if (!x_.empty()) {

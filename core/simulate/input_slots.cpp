@@ -39,6 +39,11 @@ int InputSlots::intervalOf(double t, int hint) const {
     return k;
 }
 
+const Gaps& InputSlots::gaps() {
+    if (!gaps_) gaps_.emplace(inputs_);
+    return *gaps_;
+}
+
 double InputSlots::slope(int input, int interval) const {
     if (sampleCount_ < 2 || inputs_.isHeld(input)) return 0.0;
     const auto k = static_cast<std::size_t>(interval);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/simulate/dynamics.hpp"
+#include "core/simulate/gaps.hpp"
 
 namespace analogon {
 
@@ -15,6 +17,8 @@ public:
     InputSlots(Dynamics& dynamics, const SampledInputs& inputs);
 
     int intervals() const { return sampleCount_ - 1; }
+    /// Found when they are asked for first.
+    const Gaps& gaps();
     /// The interval that holds t; an inner sample belongs to the interval it begins.
     int intervalOf(double t, int hint) const;
 
@@ -53,6 +57,7 @@ private:
     int heldSampleOf(double past, int hint) const;  // the last sample at or before a past time, within rounding
 
     const SampledInputs& inputs_;
+    std::optional<Gaps> gaps_;
     std::vector<DelayInfo> delays_;
     int sampleCount_{}, inputCount_{}, firstDelay_{}, directions_{};
     bool needsSlopes_{}, hasTangents_{};

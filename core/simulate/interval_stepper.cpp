@@ -18,12 +18,13 @@ IntervalStepper::IntervalStepper(Dynamics& dynamics, InputSlots& slots, const Sa
 
 bool IntervalStepper::cross(int interval, bool isImplicit, int substeps, const double* from, double* to) {
     if (!isImplicit && hasCode_) return byCode(interval, substeps, from, to);
-    StepMethod& method = isImplicit ? *implicit_ : *explicit_;
-    const double begin = inputs_.time[static_cast<std::size_t>(interval)];
-    const double h = (inputs_.time[static_cast<std::size_t>(interval) + 1] - begin) / substeps;
     std::copy_n(from, dynamics_.shape().states, to);
+    const auto k = static_cast<std::size_t>(interval);
+    const Substeps steps = isImplicit ? slots_.gaps().implicitSteps(interval, substeps)
+                                      : Substeps{inputs_.time[k], inputs_.time[k + 1], substeps};
+    StepMethod& method = isImplicit ? *implicit_ : *explicit_;
     for (int s = 0; s < substeps; ++s)
-        if (!method.step(interval, begin + s * h, h, to, nullptr)) return false;
+        if (!method.step(interval, steps.time(s), steps.length(s), to, nullptr)) return false;
     return true;
 }
 

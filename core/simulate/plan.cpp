@@ -4,9 +4,12 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
 #include <tuple>
 
+#include "core/simulate/gap_steps.hpp"
 #include "core/simulate/input_slots.hpp"
+#include "core/simulate/plan_ladder.hpp"
 #include "core/simulate/step_schedule.hpp"
 
 namespace analogon {
@@ -15,17 +18,12 @@ namespace {
 
 constexpr int kLongestWindow = 700;  // samples looked at in detail at the start and where the record is liveliest
 constexpr int kGlanced = 100;        // samples looked at, of four times as many
-constexpr int kMostExplicit = 32;    // substeps beyond which an explicit method is not worth it
-constexpr int kMostImplicit = 64;
 constexpr long kMostEvaluations = 400'000'000;  // of the model, in planning
 
 struct Window {
     int first{}, last{};
     std::vector<double> state;  // at `first`; empty: the model's start
 };
-
-/// Evaluations of the model a substep costs, in units of one with tangents.
-double costOf(const GridPlan& plan) { return (plan.method == GridMethod::Esdirk ? 12.0 : 4.0) * plan.substeps; }
 
 class Planner {
 public:
@@ -35,7 +33,8 @@ public:
           options_(options),
           progress_(progress),
           tolerance_(10.0 * options.relativeTolerance),
-          sampleCount_(static_cast<int>(inputs.time.size())) {
+          sampleCount_(static_cast<int>(inputs.time.size())),
+          ladder_(options_, tolerance_) {
         limited_ = options;
         limited_.evaluationLimit = std::min(options.evaluationLimit, kMostEvaluations);
     }
@@ -49,39 +48,40 @@ public:
         if (mayBeExact && options_.byRecurrence && options_.substeps == 0 && canBeExact(dynamics_, inputs_))
             return {GridMethod::Exact, 1, 0.0};
         if (options_.method == GridMethod::Exact) options_.method = GridMethod::Auto;
+        if (isFree() && dynamics_.shape().delays.empty()) gaps_.emplace(inputs_);
         takeTerms(inForce);
         // a survey tells of single steps at less cost, where the model is smooth
         const bool isSingle = inForce && *inForce == oneStep();
         if (!isSingle)
             if (const std::optional<GridPlan> plan = stillHolding(inForce)) return *plan;
-        if (!surveyWholeRecord() || progress_.stopRequested()) return fallback();
+        if (!surveyWholeRecord() || progress_.stopRequested()) return ladder_.fallback();
         if (const std::optional<GridPlan> plan = singleSteps()) return *plan;
         if (isSingle)
             if (const std::optional<GridPlan> plan = stillHolding(inForce)) return *plan;
-        if (options_.method == GridMethod::Auto && options_.substeps == 0) {
+        if (isFree()) {
             const std::optional<GridPlan> plan =
                 scheduleSteps(dynamics_, inputs_, surveyRun_, tolerance_, limited_, progress_, &taken_);
             if (plan) return *plan;
         }
-        if (progress_.stopRequested()) return fallback();
+        if (progress_.stopRequested()) return ladder_.fallback();
         takeSurvey(surveyRun_);
         for (int round = 0; round < 4 && !progress_.stopRequested(); ++round) {
-            const GridPlan plan = cheapestOnWindows();
-            if (plan.method == survey_.method && plan.substeps == survey_.substeps) return plan;
+            const GridPlan plan = ladder_.cheapest([this](const auto& a, const auto& b) { return difference(a, b); });
+            if (plan.method == survey_.method && plan.substeps == survey_.substeps) return acrossGaps(plan);
             // A plan chosen on parts must hold on the whole.
             const GridPlan before = survey_;
             const Trajectory whole = run(plan, wholeRecord(), true);
             if (!whole.failure.failed) {
                 survey_ = plan;
-                if (!surveyedTooWide(whole)) return plan;
+                if (!surveyedTooWide(whole)) return acrossGaps(plan);
                 takeSurvey(whole);
                 continue;
             }
             survey_ = before;
             addWindowAround(whole.failure.time);
-            least_ = costOf(plan) * 1.01;
+            ladder_.passOver(plan);
         }
-        return fallback();
+        return ladder_.fallback();
     }
 
     /// The run over the record with the steps that were chosen, or finer ones, where there was one.
@@ -90,10 +90,17 @@ public:
 private:
     Window wholeRecord() const { return {0, sampleCount_ - 1, {}}; }
 
+    bool isFree() const { return options_.method == GridMethod::Auto && options_.substeps == 0; }
+    bool hasGaps() const { return gaps_ && !gaps_->isEmpty(); }
+    bool isGap(int interval) const { return gaps_ && gaps_->has(interval); }
+    std::span<const int> gapIntervals() const { return gaps_ ? std::span(gaps_->intervals()) : std::span<const int>(); }
+    GridPlan acrossGaps(const GridPlan& plan) const { return gaps_ ? gaps_->across(plan) : plan; }
+
     static GridPlan oneStep() { return {GridMethod::RungeKutta4, 1, 0.0}; }
 
     /// What depends on the inputs alone, for the plan that is looked at most.
     void takeTerms(const GridPlan* inForce) {
+        if (hasGaps()) return;
         const bool isKnown = inForce && inForce->terms && *inForce == oneStep() &&
                              inForce->terms->owner == dynamics_.identity() && inForce->terms->held == inputs_.held;
         terms_ = isKnown ? inForce->terms : tabulateTerms(dynamics_, inputs_, oneStep(), progress_);
@@ -102,28 +109,30 @@ private:
     /// Steps that served near here before, where halving them tells that they still do (with half as many, where far
     /// less is asked for now): to choose them anew takes three times as long.
     std::optional<GridPlan> stillHolding(const GridPlan* known) {
-        const bool isFree = options_.method == GridMethod::Auto && options_.substeps == 0;
-        if (!isFree || !known || known->method == GridMethod::Exact) return std::nullopt;
+        if (!isFree() || !known || known->method == GridMethod::Exact) return std::nullopt;
         if (known->steps && static_cast<int>(known->steps->size()) + 1 != sampleCount_) return std::nullopt;
+        GridPlan same = acrossGaps(*known);
+        same.terms.reset();
         const auto scaled = [&](const auto& change) {
-            if (!known->steps) return GridPlan{known->method, change(known->substeps), 0.0};
+            if (!same.steps) return GridPlan{same.method, change(same.substeps), 0.0};
             std::vector<std::int16_t> steps;
-            for (const std::int16_t own : *known->steps)
+            for (const std::int16_t own : *same.steps)
                 steps.push_back(static_cast<std::int16_t>(own < 0 ? -change(-own) : change(own)));
+            for (const int gap : gapIntervals())
+                steps[static_cast<std::size_t>(gap)] = (*same.steps)[static_cast<std::size_t>(gap)];
             return planOf(std::move(steps));
         };
-        GridPlan same = *known;
-        same.terms.reset();
         const bool isWhole = !options_.isGlance || sampleCount_ < 2 * kGlanced || !dynamics_.shape().delays.empty();
-        Trajectory taken = run(same, wholeRecord(), !isWhole);
+        Trajectory taken = run(same, wholeRecord(), !isWhole || hasGaps());
         if (taken.failure.failed) return std::nullopt;
-        const std::vector<Window> windows = isWhole ? std::vector<Window>{wholeRecord()} : glancesOf(taken);
+        const std::vector<Window> windows =
+            betweenGaps(isWhole ? std::vector<Window>{wholeRecord()} : glancesOf(taken), taken);
         std::vector<Trajectory> fine;
         for (const Window& w : windows) {
             fine.push_back(run(scaled([](int n) { return 2 * n; }), w, false));
             if (fine.back().failure.failed) return std::nullopt;
         }
-        const Eigen::VectorXd ranges = rangesOf(isWhole ? fine.front() : taken);
+        const Eigen::VectorXd ranges = rangesOf(isWhole && !hasGaps() ? fine.front() : taken);
         const auto error = [&](const Eigen::MatrixXd& coarse, std::size_t window) {
             const double largest =
                 ((coarse - fine[window].outputs).array().abs().colwise() / ranges.array()).maxCoeff();
@@ -155,14 +164,29 @@ private:
         return windows;
     }
 
+    /// The parts of windows that lie between gaps, each from its states in a run over all of the record.
+    std::vector<Window> betweenGaps(const std::vector<Window>& windows, const Trajectory& whole) const {
+        if (!hasGaps()) return windows;
+        std::vector<Window> parts;
+        for (const Window& window : windows) {
+            Window part = window;
+            for (const int gap : gapIntervals()) {
+                if (gap < part.first || gap >= window.last) continue;
+                if (gap > part.first) parts.push_back({part.first, gap, part.state});
+                part = windowFrom(whole, gap + 1, window.last - gap);
+            }
+            if (part.last > part.first) parts.push_back(std::move(part));
+        }
+        return parts;
+    }
+
     static constexpr double farBelow_ = 0.1;  // of the tolerance
 
     /// One explicit step an interval, where that is far more exact than asked for, in a model without kinks: what is
     /// seen at the start, where the record is liveliest, and at the eigenvalues here and there then speaks for all of
     /// it. Nothing: it takes a closer look.
     std::optional<GridPlan> singleSteps() {
-        const bool isFree = options_.method == GridMethod::Auto && options_.substeps == 0;
-        if (!isFree || !(survey_ == oneStep()) || sampleCount_ < 2 * kLongestWindow || !dynamics_.isSmooth() ||
+        if (!isFree() || !(survey_ == oneStep()) || sampleCount_ < 2 * kLongestWindow || !dynamics_.isSmooth() ||
             !dynamics_.shape().delays.empty() || !isFarFromStiff()) {
             return std::nullopt;
         }
@@ -173,7 +197,7 @@ private:
         GridPlan plan = oneStep();
         plan.errorEstimate = *moved;
         plan.terms = terms_;
-        return plan;
+        return acrossGaps(plan);
     }
 
     bool isFarFromStiff() {
@@ -185,6 +209,7 @@ private:
         InputSlots slots(dynamics_, inputs_);
         for (int i = 0; i < places; ++i) {
             const int k = static_cast<int>(static_cast<long>(i) * (sampleCount_ - 2) / (places - 1));
+            if (isGap(k)) continue;
             const double t = inputs_.time[static_cast<std::size_t>(k)];
             slots.atSample(k, u.data());
             if (!dynamics_.jacobian(t, surveyRun_.states.col(k).data(), u.data(), xdot.data(), jacobian.data()))
@@ -199,7 +224,7 @@ private:
 
     Trajectory run(const GridPlan& plan, const Window& window, bool keepStates) {
         GridRun grid;
-        grid.plan = plan;
+        grid.plan = acrossGaps(plan);
         if (plan == oneStep()) grid.plan.terms = terms_;
         grid.first = window.first;
         grid.last = window.last;
@@ -209,34 +234,27 @@ private:
         return runGrid(dynamics_, inputs_, grid, limited_, progress_);
     }
 
-    std::vector<GridPlan> ladder() const {
-        std::vector<GridPlan> plans;
-        const auto add = [&](GridMethod method, int most) {
-            if (options_.method != GridMethod::Auto && options_.method != method) return;
-            if (options_.substeps > 0) {
-                plans.push_back({method, options_.substeps, 0.0});
-                return;
-            }
-            for (int s = 1; s <= most; s *= 2) plans.push_back({method, s, 0.0});
-        };
-        add(GridMethod::RungeKutta4, kMostExplicit);
-        add(GridMethod::Esdirk, kMostImplicit);
-        std::stable_sort(plans.begin(), plans.end(),
-                         [](const GridPlan& a, const GridPlan& b) { return costOf(a) < costOf(b); });
-        return plans;
-    }
-
     /// A plan that gets through the record at all: range of each output and where it is liveliest. Single steps
     /// first; an explicit method at its limit of stability would show ranges that are not there.
     bool surveyWholeRecord() {
-        std::vector<GridPlan> plans = ladder();
+        std::vector<GridPlan> plans = ladder_.plans();
         std::stable_partition(plans.begin(), plans.end(), [](const GridPlan& plan) { return plan.substeps == 1; });
         for (const GridPlan& plan : plans) {
             if (progress_.stopRequested()) return false;
             Trajectory whole = run(plan, wholeRecord(), true);
-            if (whole.failure.failed || !isPlausible(whole)) continue;
+            while (hasGaps() && whole.failure.failed && gaps_->refineAt(whole.failure.time) &&
+                   !progress_.stopRequested())
+                whole = run(plan, wholeRecord(), true);
+            if (hasGaps() && whole.failure.failed && gaps_->holds(whole.failure.time) &&
+                plan.method == GridMethod::Esdirk)
+                return false;  // shorter steps elsewhere do not lead through it
+            if (whole.failure.failed || !isPlausible(whole)) {
+                if (gaps_) gaps_->reset();
+                continue;
+            }
             survey_ = plan;
             surveyRun_ = std::move(whole);
+            if (gaps_) gaps_->resolve(dynamics_, limited_, surveyRun_.states, tolerance_, progress_);
             return true;
         }
         return false;
@@ -261,7 +279,7 @@ private:
         windows_.clear();
         runs_.clear();
         if (sampleCount_ <= 2 * kLongestWindow) {
-            windows_.push_back(wholeRecord());
+            windows_ = betweenGaps({wholeRecord()}, whole);
             return;
         }
         windows_.push_back({0, kLongestWindow - 1, {}});
@@ -285,6 +303,7 @@ private:
             }
         }
         windows_.push_back(windowFrom(whole, first));
+        windows_ = betweenGaps(windows_, whole);
         statesOfSurvey_ = whole.states;
     }
 
@@ -299,7 +318,8 @@ private:
         const int sample = static_cast<int>(at - inputs_.time.begin());
         Trajectory whole;
         whole.states = statesOfSurvey_;
-        windows_.push_back(windowFrom(whole, std::clamp(sample - kLongestWindow / 2, 0, sampleCount_ - 2)));
+        const Window around = windowFrom(whole, std::clamp(sample - kLongestWindow / 2, 0, sampleCount_ - 2));
+        for (Window& part : betweenGaps({around}, whole)) windows_.push_back(std::move(part));
     }
 
     /// An unstable run that stayed finite makes the ranges, and with them the tolerance, too wide.
@@ -330,83 +350,14 @@ private:
         return runs_.emplace(key, run(plan, windows_[window], false)).first->second;
     }
 
-    /// Climbs the ladder by cost. Halving the steps shows the error of the coarser plan and, where the differences
-    /// fall as the order promises, that of the finer one too.
-    GridPlan cheapestOnWindows() {
-        std::vector<GridPlan> judged;
-        std::map<bool, double> lastDifference;
-        for (GridPlan plan : ladder()) {
-            if (costOf(plan) < least_) continue;
-            const bool isImplicit = plan.method == GridMethod::Esdirk;
-            GridPlan finer = plan;
-            finer.substeps *= 2;
-            const auto known = std::find_if(judged.begin(), judged.end(), [&](const GridPlan& p) {
-                return p.method == plan.method && p.substeps == plan.substeps && p.errorEstimate <= tolerance_;
-            });
-            if (known != judged.end()) return *known;
-            const std::optional<double> moved = difference(plan, finer);
-            if (!moved) continue;
-            plan.errorEstimate = *moved;
-            judged.push_back(plan);
-            if (*moved <= tolerance_ || options_.substeps > 0) return plan;
-            const auto before = lastDifference.find(isImplicit);
-            const double fall = before == lastDifference.end() ? 2.0 : before->second / std::max(*moved, 1e-300);
-            finer.errorEstimate = *moved / std::clamp(fall, 1.0, isImplicit ? 8.0 : 16.0);
-            if (finer.errorEstimate <= tolerance_ && finer.substeps <= (isImplicit ? kMostImplicit : kMostExplicit)) {
-                judged.push_back(finer);
-            }
-            lastDifference[isImplicit] = *moved;
-            if (isEnough(judged, plan)) break;
-        }
-        return bestOf(judged);
-    }
-
-    /// The cheapest plan with an error up to `factor` times the tolerance; null: none.
-    const GridPlan* cheapestWithin(const std::vector<GridPlan>& judged, double factor) const {
-        const GridPlan* best{};
-        for (const GridPlan& plan : judged) {
-            if (plan.errorEstimate <= factor * tolerance_ && (!best || costOf(plan) < costOf(*best))) best = &plan;
-        }
-        return best;
-    }
-
-    // Where the solution is not smooth (sticking, dead zones) the last digits cost too much: a tenfold error is taken
-    // when less would cost this many times as much. A hundred times the tolerance is still below any sensor noise.
-    static constexpr double worthIt_ = 5.0;
-
-    bool isEnough(const std::vector<GridPlan>& judged, const GridPlan& current) const {
-        const GridPlan* known = cheapestWithin(judged, 100.0);
-        return known && costOf(current) >= worthIt_ * costOf(*known) &&
-               (!cheapestWithin(judged, 10.0) || costOf(current) >= worthIt_ * costOf(*cheapestWithin(judged, 10.0)));
-    }
-
-    GridPlan bestOf(const std::vector<GridPlan>& judged) const {
-        if (judged.empty()) return fallback();
-        const GridPlan* best{};
-        for (const double factor : {100.0, 10.0, 1.0}) {
-            const GridPlan* better = cheapestWithin(judged, factor);
-            if (better && (!best || costOf(*better) <= worthIt_ * costOf(*best))) best = better;
-        }
-        if (best) return *best;
-        return *std::min_element(judged.begin(), judged.end(), [](const GridPlan& a, const GridPlan& b) {
-            return a.errorEstimate < b.errorEstimate;
-        });
-    }
-
-    /// Nothing got through: the most robust method, whose run will say where and why it fails.
-    GridPlan fallback() const {
-        const bool isExplicit = options_.method == GridMethod::RungeKutta4;
-        return {isExplicit ? GridMethod::RungeKutta4 : GridMethod::Esdirk,
-                options_.substeps > 0 ? options_.substeps : 4, 1.0};
-    }
-
     Dynamics& dynamics_;
     const SampledInputs& inputs_;
     SimulationOptions options_, limited_;
     const Progress& progress_;
     double tolerance_{};
     int sampleCount_{};
-    double least_{};                           // plans cheaper than this have failed on the whole record
+    PlanLadder ladder_;
+    std::optional<GapSteps> gaps_;             // where the steps are free
     std::shared_ptr<const InputTerms> terms_;  // of single steps
     std::optional<Trajectory> taken_;
     GridPlan survey_;

@@ -278,10 +278,10 @@ private:
             // steps that do not converge are halved many times: the limit must not wait for the end of the stretch
             if (dynamics_.evaluations() > options_.evaluationLimit || progress_.stopRequested()) return true;
             if (!look(k)) return false;
-            const int substeps = run_.plan.substepsIn(k);
-            const double h = (time(k + 1) - time(k)) / substeps;
-            for (int s = 0; s < substeps; ++s)
-                if (!implicit_->step(k, time(k) + s * h, h, x_.data(), K_ > 0 ? dx_.data() : nullptr)) return false;
+            const Substeps steps = slots_.gaps().implicitSteps(k, run_.plan.substepsIn(k));
+            for (int s = 0; s < steps.count; ++s)
+                if (!implicit_->step(k, steps.time(s), steps.length(s), x_.data(), K_ > 0 ? dx_.data() : nullptr))
+                    return false;
             dynamics_.loadState(x_.data(), dx_.data());
         }
         return true;

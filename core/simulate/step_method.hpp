@@ -63,6 +63,7 @@ public:
 
 private:
     bool attempt(int interval, double t, double h, const double* x, const double* dx);
+    void forgetScale();
     bool solveStage(double t, double hg);
     bool simplifiedNewton(double t, double hg);
     bool dampedNewton(double t, double hg);
@@ -81,7 +82,8 @@ private:
     bool hasFactors_{};
     double factorsFor_{};  // h * g of the factors
     std::vector<double> u_, du_;
-    std::vector<double> scale_;  // largest magnitude of each state so far
+    std::vector<double> scale_;  // largest magnitude of each state so far, since the last gap of the recording
+    int interval_{-1};           // of the last step
     std::vector<double> base_, stage_, slope_, delta_, trial_, trialSlope_, trialDelta_;
     std::vector<double> jacobian_, partials_;
     std::vector<double> slopes_;                       // stages x n

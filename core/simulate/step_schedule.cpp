@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/stopwatch.hpp"
+#include "core/simulate/gap_steps.hpp"
 #include "core/simulate/interval_stepper.hpp"
 
 namespace analogon {
@@ -87,6 +88,7 @@ public:
         for (std::vector<double>* v : {&x_, &coarse_, &fine_, &other_}) v->resize(n_);
         for (std::vector<double>* v : {&jacobian_, &scratch_}) v->resize(n_ * n_);
         u_.resize(static_cast<std::size_t>(dynamics.shape().slots));
+        if (!comparesStates()) gaps_ = Gaps(inputs).intervals();
     }
 
     std::optional<GridPlan> run(const Trajectory& survey) {
@@ -125,6 +127,8 @@ private:
     /// The walk knows no delayed signals of the model's own: then the states must agree with it, not the outputs alone.
     bool comparesStates() const { return !dynamics_.shape().delays.empty(); }
 
+    bool isGap(int interval) const { return std::binary_search(gaps_.begin(), gaps_.end(), interval); }
+
     bool isOverLimit(std::chrono::steady_clock::time_point started) const {
         return progress_.stopRequested() || secondsSince(started) > options_.wallClockLimit;
     }
@@ -141,6 +145,7 @@ private:
         lowest_ = highest_ = Eigen::Map<const Eigen::VectorXd>(x_.data(), static_cast<Eigen::Index>(n_));
         reference_.resize(dynamics_.shape().outputs, count_);
         guess_[0] = guess_[1] = 1;
+        behindGaps_.clear();
         for (int k = 0;; ++k) {
             const Eigen::Map<const Eigen::VectorXd> x(x_.data(), static_cast<Eigen::Index>(n_));
             lowest_ = lowest_.cwiseMin(x);
@@ -153,6 +158,7 @@ private:
             if ((k & 63) == 0 && isOverLimit(started)) return false;
             if (!interval(stepper, k)) return false;
             x_.swap(fine_);
+            if (isGap(k)) behindGaps_.push_back(x_);
         }
     }
 
@@ -184,10 +190,14 @@ private:
 
     /// Doubles the substeps until that makes no difference.
     bool resolve(IntervalStepper& stepper, int k, bool isImplicit, Found& found) {
-        const int most = isImplicit ? kMostImplicit : kMostExplicit;
-        int& guess = guess_[isImplicit];
+        const int most = !isImplicit ? kMostExplicit : isGap(k) ? kMostInGap / 2 : kMostImplicit;
+        int own = 1;
+        int& guess = isGap(k) ? own : guess_[isImplicit];
         int substeps = std::clamp(isImplicit ? guess : std::max(guess, found.stable), 1, most);
-        if (!stepper.cross(k, isImplicit, substeps, x_.data(), coarse_.data())) return false;
+        while (!stepper.cross(k, isImplicit, substeps, x_.data(), coarse_.data())) {
+            substeps *= 2;  // what does not converge in a long step may do in a shorter one
+            if (!isImplicit || !isGap(k) || substeps > most) return false;
+        }
         for (;; substeps *= 2, coarse_.swap(fine_)) {
             if (!stepper.cross(k, isImplicit, 2 * substeps, x_.data(), fine_.data())) return false;
             double error = 0.0;
@@ -260,8 +270,13 @@ private:
         }
         std::vector<std::int16_t> steps;
         for (int k = 0; k < count; ++k) {
+            if (isGap(k)) {
+                steps.push_back(static_cast<std::int16_t>(own[static_cast<std::size_t>(k)]));
+                continue;
+            }
             int explicitly = 0, implicitly = 0;
             for (int j = std::max(0, k - kReach); j <= std::min(count - 1, k + kReach); ++j) {
+                if (isGap(j)) continue;
                 const int steps_j = own[static_cast<std::size_t>(j)];
                 if (steps_j < 0) implicitly = std::max(implicitly, -steps_j);
                 explicitly = std::max({explicitly, std::abs(steps_j), found_[static_cast<std::size_t>(j)].stable});
@@ -278,7 +293,30 @@ private:
         return planOf(std::move(steps));
     }
 
+    /// The stretches between gaps, each from where the reference is behind the gap: what is left of a difference after
+    /// a long time may be nothing, or all (an angle that turns on), and no other steps elsewhere would change it.
+    double errorOfStretches(const GridPlan& plan) {
+        run_.reset();
+        double largest = 0.0;
+        for (std::size_t s = 0; s <= gaps_.size(); ++s) {
+            GridRun run;
+            run.plan = plan;
+            run.first = s == 0 ? 0 : gaps_[s - 1] + 1;
+            run.last = s < gaps_.size() ? gaps_[s] : count_ - 1;
+            run.startState = s == 0 ? nullptr : behindGaps_[s - 1].data();
+            if (run.last <= run.first) continue;
+            const Trajectory part = runGrid(dynamics_, inputs_, run, options_, progress_);
+            if (part.failure.failed) return std::numeric_limits<double>::infinity();
+            const auto reference = reference_.middleCols(run.first, run.last - run.first + 1);
+            const double error =
+                ((part.outputs - reference).array().abs().colwise() / outputRanges_.array()).maxCoeff();
+            if (!(error <= largest)) largest = error;
+        }
+        return std::isfinite(largest) ? largest : std::numeric_limits<double>::infinity();
+    }
+
     double errorOf(const GridPlan& plan) {
+        if (!gaps_.empty()) return errorOfStretches(plan);
         GridRun run;
         run.plan = plan;
         run.keepStates = comparesStates();
@@ -306,6 +344,8 @@ private:
     Eigen::MatrixXd states_;                 // where they are compared
     Eigen::MatrixXd reference_;              // outputs
     std::optional<Trajectory> run_, taken_;  // the last one; with the best plan so far
+    std::vector<int> gaps_;
+    std::vector<std::vector<double>> behindGaps_;  // states of the reference
 };
 
 }  // namespace
