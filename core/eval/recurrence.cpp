@@ -20,6 +20,13 @@ public:
     void scale(double factor) {
         for (double& entry : entries_) entry *= factor;
     }
+    /// In variables that are 2^e times as small.
+    void scaleVariables(const std::vector<int>& exponents) {
+        for (std::size_t k = 0; k < count_; ++k)
+            for (std::size_t i = 0; i < size_; ++i)
+                for (std::size_t j = 0; j < size_; ++j)
+                    at(i, j, k) = std::ldexp(at(i, j, k), exponents[j] - exponents[i]);
+    }
     void addIdentity() {
         for (std::size_t i = 0; i < size_; ++i) at(i, i) += 1;
     }
@@ -60,11 +67,61 @@ private:
     std::vector<double> entries_;
 };
 
-TangentMatrix exponential(TangentMatrix matrix, int size, int directions) {
-    const double norm = matrix.norm();
-    const int squarings = std::isfinite(norm) && norm > 0.5 ? static_cast<int>(std::ceil(std::log2(norm / 0.5))) : 0;
+int squaringsFor(double norm) {
+    return std::isfinite(norm) && norm > 0.5 ? static_cast<int>(std::ceil(std::log2(norm / 0.5))) : 0;
+}
+
+/// Exponents e of the scales 2^e of the variables in which rows and columns of a matrix are alike in size (Osborne,
+/// J. ACM 7 (1960) 338-345; Parlett & Reinsch, Numer. Math. 13 (1969) 293-304). What nothing acts on, or what acts on
+/// nothing, is made no larger than 1.
+std::vector<int> balanceOf(const TangentMatrix& matrix, std::size_t size) {
+    constexpr int mostSweeps = 20;
+    std::vector<int> exponents(size);
+    bool changed = true;
+    for (int sweep = 0; sweep < mostSweeps && changed; ++sweep) {
+        changed = false;
+        for (std::size_t i = 0; i < size; ++i) {
+            double column = 0, row = 0;
+            for (std::size_t j = 0; j < size; ++j) {
+                if (j == i) continue;
+                column += std::ldexp(std::fabs(matrix.at(j, i)), exponents[i] - exponents[j]);
+                row += std::ldexp(std::fabs(matrix.at(i, j)), exponents[j] - exponents[i]);
+            }
+            double exponent = 0;
+            if (column > 0 && row > 0)
+                exponent = 0.5 * (std::log2(row) - std::log2(column));
+            else if (column > 1)
+                exponent = -std::log2(column);
+            else if (row > 1)
+                exponent = std::log2(row);
+            if (!(std::fabs(exponent) >= 1)) continue;
+            exponents[i] += static_cast<int>(std::lround(exponent));
+            changed = true;
+        }
+    }
+    return exponents;
+}
+
+/// exp(M) by scaling and squaring. Where that takes many squarings for what the units of the variables do alone (a
+/// factor of 1e10 beside one of 1), each of which costs a digit of what is small, it is taken of the balanced matrix.
+TangentMatrix exponential(TangentMatrix matrix, std::size_t size, std::size_t directions) {
+    constexpr int many = 8;
+    int squarings = squaringsFor(matrix.norm());
+    std::vector<int> exponents;
+    if (squarings > many) {
+        exponents = balanceOf(matrix, size);
+        TangentMatrix balanced = matrix;
+        balanced.scaleVariables(exponents);
+        const int fewer = squaringsFor(balanced.norm());
+        if (fewer + many < squarings) {
+            matrix = std::move(balanced);
+            squarings = fewer;
+        } else {
+            exponents.clear();
+        }
+    }
     matrix.scale(std::ldexp(1.0, -squarings));
-    TangentMatrix sum(size, directions);
+    TangentMatrix sum(static_cast<int>(size), static_cast<int>(directions));
     sum.addIdentity();
     constexpr int terms = 14;  // 0.5^15 / 15! is below rounding
     for (int k = terms; k >= 1; --k) {
@@ -73,6 +130,8 @@ TangentMatrix exponential(TangentMatrix matrix, int size, int directions) {
         sum.addIdentity();
     }
     for (int s = 0; s < squarings; ++s) sum = sum * sum;
+    for (int& exponent : exponents) exponent = -exponent;
+    if (!exponents.empty()) sum.scaleVariables(exponents);
     return sum;
 }
 
@@ -91,7 +150,7 @@ LinearRecurrence recurrenceOf(const LinearRates& rates, double h) {
             for (std::size_t k = 0; k < K; ++k) matrix.at(i, to, k + 1) = h * rates.tangents[entry * K + k];
         }
     for (std::size_t j = 0; j < m; ++j) matrix.at(n + j, n + m + j) = 1;
-    const TangentMatrix result = exponential(std::move(matrix), static_cast<int>(size), rates.directions);
+    const TangentMatrix result = exponential(std::move(matrix), size, K);
 
     LinearRecurrence recurrence;
     recurrence.matrix.resize(n * size);
