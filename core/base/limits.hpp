@@ -36,6 +36,8 @@ inline constexpr std::size_t references = 20'000'000;
 inline constexpr std::size_t columns = 100'000;
 inline constexpr std::size_t columnName = 4'096;  // bytes
 inline constexpr std::size_t rows = 1'000'000'000;
+inline constexpr double largestSize = 1e50;    // of the values of a signal: a fit squares them, and what they move
+inline constexpr double smallestSize = 1e-50;  // of the largest value of a signal that is not 0
 
 // What a message tells.
 inline constexpr std::size_t quotedBytes = 100;  // of a name or cell of a file

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/base/distinct.hpp"
+#include "core/base/limits.hpp"
 #include "core/base/range.hpp"
 #include "core/study/study_places.hpp"
 
@@ -62,10 +63,37 @@ public:
                 purpose_ != Purpose::Check);
         else
             checkParameters();
+        for (std::size_t e = 0; e < task_.recordings.size(); ++e) {
+            const Recording& recording = task_.recordings[e];
+            checkSizes(e, "inputs", recording, recording.inputNames, recording.inputs);
+            checkSizes(e, "outputs", recording, recording.outputNames, recording.outputs);
+        }
         return std::move(said_);
     }
 
 private:
+    /// Values of which the squares, and those of their slopes, are no numbers of a computer.
+    void checkSizes(std::size_t experiment, const char* kind, const Recording& recording,
+                    const std::vector<std::string>& names, const Eigen::MatrixXd& values) {
+        for (Eigen::Index i = 0; i < values.rows(); ++i) {
+            const Range range = rangeOf(values.row(i));
+            const double size = range.isEmpty() ? 0 : std::max(std::fabs(range.low), std::fabs(range.high));
+            const bool isTooLarge = size > limits::largestSize;
+            if (!isTooLarge && !(size > 0 && size < limits::smallestSize)) continue;
+            const std::string& name = names[static_cast<std::size_t>(i)];
+            say(fmt::format("/experiments/{}/{}/{}", experiment, kind, name),
+                isTooLarge ? phrase("experiment '{}': '{}' is up to {:.3g} in size, too large to be fitted with",
+                                    recording.name, name, size)
+                           : phrase("experiment '{}': '{}' is at most {:.3g} in size, too small to be fitted with",
+                                    recording.name, name, size),
+                isTooLarge ? phrase("Look whether such values are marks for what was not measured, or in another unit "
+                                    "than the study says; correct the column.")
+                           : phrase("Look whether the column is in another unit than the study says; where such values "
+                                    "stand for nothing, write 0."),
+                purpose_ != Purpose::Check);
+        }
+    }
+
     void checkParameters() {
         const auto [unknowns, known] = unknownsOf(task_);
         const std::size_t values = measuredValues(task_);

@@ -6482,6 +6482,22 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Einem Ausgang eines Versuchs, der angepasst wird, ein &quot;weight&quot; über 0 geben, oder keines.</translation>
     </message>
     <message>
+        <source>experiment '{}': '{}' is up to {:.3g} in size, too large to be fitted with</source>
+        <translation>Experiment „{}“: „{}“ ist bis zu {:.3g} groß, zu groß für eine Anpassung</translation>
+    </message>
+    <message>
+        <source>experiment '{}': '{}' is at most {:.3g} in size, too small to be fitted with</source>
+        <translation>Experiment „{}“: „{}“ ist höchstens {:.3g} groß, zu klein für eine Anpassung</translation>
+    </message>
+    <message>
+        <source>Look whether such values are marks for what was not measured, or in another unit than the study says; correct the column.</source>
+        <translation>Nachsehen, ob solche Werte Zeichen für nicht Gemessenes sind oder in einer anderen Einheit stehen, als die Studie sagt; die Spalte berichtigen.</translation>
+    </message>
+    <message>
+        <source>Look whether the column is in another unit than the study says; where such values stand for nothing, write 0.</source>
+        <translation>Nachsehen, ob die Spalte in einer anderen Einheit steht, als die Studie sagt; wo solche Werte für nichts stehen, 0 schreiben.</translation>
+    </message>
+    <message>
         <source>there is nothing to fit: no parameter and no start value is to be found</source>
         <translation>es gibt nichts anzupassen: kein Parameter und kein Startwert ist gesucht</translation>
     </message>

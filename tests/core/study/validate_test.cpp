@@ -212,6 +212,35 @@ TEST_F(Validate, AParameterHasOneStartOrAnother) {
     EXPECT_EQ(said()[0].place.line, 7);
 }
 
+/// Their squares are no numbers of a computer: a fit ended with "the sensitivities are not finite", or with the start
+/// values for a result.
+TEST_F(Validate, SignalsOfASizeThatNothingHasAreTold) {
+    const auto fault = [&](const char* size) {
+        putHeater();
+        std::string rows = "t [ms],u_heater [mV],T_air [degC],current [mA],flow [l/min],broken\n";
+        for (int i = 0; i < 4; ++i)
+            rows += std::to_string(500 * i) + "," + std::to_string(i) + "000,20," + std::to_string(i) + size + ",1,1\n";
+        put("train.csv", rows);
+        EXPECT_TRUE(validated(read(), Purpose::Simulate));
+        EXPECT_TRUE(validated(read(), Purpose::Check)) << "told, and no hindrance";
+        return said();
+    };
+    EXPECT_THAT(fault("e45"), IsEmpty());
+    EXPECT_THAT(fault("e-45"), IsEmpty());
+    const Diagnostics large = fault("e60"), small = fault("e-300");
+    ASSERT_EQ(large.size(), 1u);
+    EXPECT_EQ(large[0].message, "experiment 'warm-up': 'i' is up to 3e+57 in size, too large to be fitted with");
+    EXPECT_THAT(large[0].hint.english(), HasSubstr("correct the column"));
+    EXPECT_EQ(large[0].place.line, 7);
+    ASSERT_EQ(small.size(), 1u);
+    EXPECT_EQ(small[0].message, "experiment 'warm-up': 'i' is at most 3e-303 in size, too small to be fitted with");
+    EXPECT_THAT(small[0].hint.english(), HasSubstr("write 0"));
+    for (const Outcome<RunResult>& run : {runFit(read(), {}), runDiscover(read(), {})}) {
+        ASSERT_FALSE(run);
+        EXPECT_EQ(run.diagnostics().front().message, small[0].message);
+    }
+}
+
 TEST_F(Validate, TwoOutputsOfOneColumnAreRemarked) {
     putHeater();
     change("\"i\": \"current\"", "\"i\": \"current\", \"T_out\": {\"column\": \"current\", \"unit\": \"K\"}");
