@@ -473,8 +473,6 @@ FitResult fitted(const FitProblem& problem, const FitOptions& options, const Pro
         return result;
     }
     if (problem.parameters.empty()) return onlySimulated(problem, options, progress);
-    if (const auto enough = limits::checkSlopes(problem.residualCount(), problem.parameters.size()); !enough)
-        throw LimitReached(enough.diagnostics().front());
     const std::vector<Eigen::VectorXd> starts = startsOf(problem, options);
     std::vector<Descent> descents(starts.size());
     const auto descendFrom = [&](const std::vector<Eigen::VectorXd>& begins, std::size_t first) {
@@ -532,6 +530,8 @@ FitResult fitted(const FitProblem& problem, const FitOptions& options, const Pro
 
 FitResult fit(const FitProblem& problem, const FitOptions& options, const Progress& progress) {
     const StopScope scope(progress.stopToken());
+    if (const auto enough = limits::checkSlopes(problem.residualCount(), problem.parameters.size()); !enough)
+        throw LimitReached(enough.diagnostics().front());
     const auto begin = std::chrono::steady_clock::now();
     FitResult result = fitted(problem, options, progress);
     result.seconds = secondsSince(begin);
