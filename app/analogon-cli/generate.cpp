@@ -4,6 +4,7 @@
 
 #include "core/archive/archive.hpp"
 #include "core/base/distinct.hpp"
+#include "core/measure/open/read_table.hpp"
 #include "core/study/generate.hpp"
 #include "core/study/validate.hpp"
 

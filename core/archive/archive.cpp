@@ -27,6 +27,7 @@
 #include "core/study/json_places.hpp"
 #include "core/study/named_path.hpp"
 #include "core/study/pending_save.hpp"
+#include "core/study/recorded.hpp"
 
 namespace analogon {
 
@@ -227,9 +228,7 @@ Outcome<OpenedStudy> openArchive(const fs::path& archive) {
     if (study->json)
         study->json = std::make_shared<const Source>((archive / "study.json").string(), study->json->text());
     for (auto& [name, table] : study->tables) {
-        auto shown = std::make_shared<Table>(*table);
-        shown->file = (archive / name).string();
-        table = std::move(shown);
+        table = calledAs(*table, (archive / fileOfKey(name)).string());
     }
     Diagnostics lost;
     std::vector<PastRun> history = historyIn(directory, *study, lost);

@@ -42,7 +42,11 @@ Diagnostic blankCell(const Table& table, const Column& column, EmptyCells empty)
                                 quoted(column.name), what, first.row + 1, count, last)
                        : phrase("column '{}' has {} here (data row {})", quoted(column.name), what, first.row + 1);
     Text hint = phrase("Remove these rows, fill the cells, or leave them out with \"range\": [from, to] in the study.");
-    if (empty == EmptyCells::Fault) hint = phrase("Only outputs may have empty cells.") + " " + hint;
+    if (empty == EmptyCells::Fault)
+        hint = phrase("Only outputs may have empty cells.") + " " + hint + " " +
+               phrase(
+                   "An input that is written only now and then is told how it runs between: \"interpolation\": "
+                   "\"hold\" or \"linear\".");
     return fileError(std::move(message), table.file, table.lines[first.row], first.position, std::move(hint));
 }
 
@@ -60,7 +64,7 @@ Diagnostic unmeasured(const Table& table, const Column& column) {
 /// A table made in memory may hold such values without their places.
 Column withBlanks(const Column& column) {
     Column out = column;
-    if (!out.blanks.empty()) return out;
+    if (!out.blanks.empty() || out.isOnOtherRaster) return out;
     for (std::size_t i = 0; i < out.values.size(); ++i)
         if (!std::isfinite(out.values[i])) out.blanks.push_back({static_cast<std::uint32_t>(i), 0});
     return out;
@@ -159,7 +163,7 @@ Diagnostics gaps(const Table& table, const Column& column, const std::vector<dou
 
 Outcome<std::vector<double>> readChannel(const Table& table, const ChannelMapping& mapping, const std::string& unit,
                                          EmptyCells empty) {
-    const Column* const column = table.find(mapping.column);
+    const Column* const column = table.find(mapping.column, mapping.group);
     if (!column) return unknownColumn(table, mapping.column);
     const Outcome<UnitConversion> convert =
         conversion(table, *column, mapping.unit.empty() ? column->unit : mapping.unit, unit);
@@ -172,6 +176,10 @@ Outcome<std::vector<double>> readChannel(const Table& table, const ChannelMappin
     if (!isReadable(known.values, empty)) {
         const auto isInfiniteCell = [&](const BlankCell& cell) { return std::isinf(known.values[cell.row]); };
         const bool isInfinite = std::any_of(known.blanks.begin(), known.blanks.end(), isInfiniteCell);
+        if (known.blanks.empty())
+            return fileError(phrase("column '{}' was not measured at any stamp of the raster",
+                                    shortened(known.name, limits::quotedBytes)),
+                             table.file, 0, 0, phrase("Choose another \"raster\", or leave the channel out."));
         if (empty == EmptyCells::NotMeasured && isInfinite)  // those without a number are none
             std::erase_if(known.blanks, [&](const BlankCell& cell) { return !isInfiniteCell(cell); });
         return blankCell(table, known, empty);
@@ -196,6 +204,7 @@ Outcome<std::vector<double>> readTime(const Table& table, const std::string& col
                          table.file, table.lines.front(), 0, phrase("Name the column that holds the time in seconds."));
     if (std::optional<Diagnostic> fault = timeFault(table, source, time)) return std::move(*fault);
     Diagnostics remarks = channel.diagnostics();
+    if (source.isOnOtherRaster) return {time, std::move(remarks)};  // each raster was looked at alone
     for (Diagnostic& gap : gaps(table, source, time)) remarks.push_back(std::move(gap));
     return {time, std::move(remarks)};
 }

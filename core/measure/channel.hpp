@@ -23,6 +23,9 @@ struct ChannelMapping {
     double clock{0};   // [s] by which the channel's own logger is ahead of the others
     bool fitsClock{};  // that is to be found by the fit (of an output)
     Interpolation interpolation{Interpolation::Automatic};  // of an input
+    GroupName group{};                                      // of the file, where the name alone does not tell
+
+    ChannelName channel() const { return {column, group}; }
 
     friend bool operator==(const ChannelMapping&, const ChannelMapping&) = default;
 };

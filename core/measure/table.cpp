@@ -3,17 +3,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace analogon {
 
-const Column* Table::find(std::string_view name) const {
+bool Column::isOf(const GroupName& wanted) const {
+    if (!wanted.name.empty()) return group == wanted.name;
+    return wanted.number == 0 || groupNumber == wanted.number;
+}
+
+const Column* Table::find(std::string_view name, const GroupName& group) const {
     for (const Column& column : columns)
-        if (column.name == name) return &column;
+        if (column.name == name && column.isOf(group)) return &column;
     for (const Column& column : columns)
-        if (column.header == name && !name.empty()) return &column;
+        if (column.header == name && !name.empty() && column.isOf(group)) return &column;
     return nullptr;
+}
+
+bool Table::hasUnread() const {
+    return rows() > 0 &&
+           std::any_of(columns.begin(), columns.end(), [](const Column& column) { return column.values.empty(); });
 }
 
 std::vector<std::string> Table::names() const {
@@ -32,30 +41,15 @@ Table Table::slice(std::size_t first, std::size_t last) const {
     out.file = file;
     out.lines = cut(lines);
     for (const Column& column : columns) {
-        Column part{column.name, column.unit, cut(column.values), {}, column.header, column.line, column.position};
+        Column part{
+            column.name,     column.unit,   cut(column.values),     {},           column.header,     column.line,
+            column.position, column.isHeld, column.isOnOtherRaster, column.group, column.groupNumber};
         for (const BlankCell& blank : column.blanks)
             if (blank.row >= first && blank.row < last)
                 part.blanks.push_back({blank.row - static_cast<std::uint32_t>(first), blank.position});
         out.columns.push_back(std::move(part));
     }
     return out;
-}
-
-Outcome<Table> readTable(const std::filesystem::path& file) {
-    std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    if (ending == ".tsv" || ending == ".tab") {
-        CsvOptions options;
-        options.separator = '\t';
-        return readCsv(file, options);
-    }
-    // recorders end the names of their texts in many ways; those of the binary formats are known
-    constexpr std::array<std::string_view, 7> binary{".mf4", ".mdf", ".mat", ".tdms", ".xlsx", ".xls", ".zip"};
-    if (std::find(binary.begin(), binary.end(), ending) == binary.end()) return readCsv(file);
-    return fileError(phrase("files ending in '{}' cannot be read", ending), file.string(), 0, 0,
-                     phrase("Measurements are read from .csv, .txt, .tsv and .dat files: export the recording as "
-                            "comma-separated values."));
 }
 
 std::string csvCell(std::string_view text) {

@@ -153,6 +153,7 @@ ChannelMapping GuessedColumn::mapping() const {
     ChannelMapping mapping;
     mapping.column = name;
     if (isUnitAssumed) mapping.unit = unit;
+    mapping.group = group;
     return mapping;
 }
 
@@ -166,6 +167,8 @@ std::vector<GuessedColumn> guessColumns(const Table& table) {
         GuessedColumn guess;
         guess.name = column.name;
         guess.unit = column.unit;
+        if (column.isOnOtherRaster && &column != &table.columns.front())
+            guess.group = {column.group, column.group.empty() ? column.groupNumber : 0, false};
         if (guess.unit.empty()) {
             guess.unit = unitInName(column.name);
             if (guess.unit.empty()) guess.unit = unitOfWord(words, column);

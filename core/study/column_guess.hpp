@@ -22,6 +22,7 @@ struct GuessedColumn {
     bool isBody{};               // a temperature named after a part: element, housing, winding …
     bool isSupply{};             // of the board net or battery
     std::vector<double> values;  // in unitOf(quantity)
+    GroupName group{};           // of a file that has several
 
     /// Column and, where assumed, unit.
     ChannelMapping mapping() const;

@@ -8,9 +8,11 @@
 
 #include "core/base/median.hpp"
 #include "core/base/unit.hpp"
+#include "core/measure/common_raster.hpp"
 #include "core/measure/encoding.hpp"
 #include "core/study/column_guess.hpp"
 #include "core/study/composition.hpp"
+#include "core/study/recorded.hpp"
 #include "core/study/recording_split.hpp"
 #include "core/study/start_guess.hpp"
 
@@ -53,7 +55,12 @@ private:
 
     bool readColumns() {
         if (request_.recordings.empty()) return fault(phrase("no measurement was given"));
-        const Table& table = *request_.recordings.front();
+        const Outcome<std::shared_ptr<const Table>> recorded = allOnOneRaster(request_.recordings.front());
+        if (!recorded) {
+            faults_ = recorded.diagnostics();
+            return false;
+        }
+        const Table& table = **recorded;
         columns_ = guessColumns(table);
         isUsed_.assign(columns_.size(), false);
         if (columns_.empty() || columns_.front().quantity != Quantity::Time)
@@ -518,7 +525,7 @@ private:
             for (const auto& [name, index] : inputs_) experiment.inputs[name] = column(index).mapping();
             for (const auto& [name, index] : outputs_) experiment.outputs[name] = column(index).mapping();
             for (const auto& [parameter, from] : starts_) experiment.initial[parameter] = ColumnStart{from};
-            study.tables[experiment.file] = request_.recordings[i];
+            study.tables[tableKey(experiment)] = request_.recordings[i];
             study.experiments.push_back(std::move(experiment));
         }
         if (count == 1) splitExperiment();

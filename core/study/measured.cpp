@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/study/recorded.hpp"
+
 namespace analogon {
 
 UnitConversion secondsOf(const Column& time) {
@@ -11,7 +13,7 @@ UnitConversion secondsOf(const Column& time) {
 }
 
 std::pair<std::size_t, std::size_t> usedRows(const Table& table, const StudyExperiment& experiment) {
-    const Column& column = *table.find(experiment.timeColumn);
+    const Column& column = *table.find(experiment.timeColumn, experiment.timeGroup);
     if (!experiment.range) return {0, column.values.size()};
     const UnitConversion convert = secondsOf(column);
     const auto isInside = [&](double value) {
@@ -25,44 +27,44 @@ std::pair<std::size_t, std::size_t> usedRows(const Table& table, const StudyExpe
             static_cast<std::size_t>(last - column.values.begin())};
 }
 
-std::set<std::string, std::less<>> mappedColumns(const Table& table, const StudyExperiment& experiment) {
-    std::set<std::string, std::less<>> names;
-    const auto add = [&](const std::string& column) {
-        if (const Column* found = table.find(column)) names.insert(found->name);
+std::set<std::size_t> mappedColumns(const Table& table, const StudyExperiment& experiment) {
+    std::set<std::size_t> columns;
+    const auto add = [&](const ChannelName& name) {
+        if (const Column* found = table.find(name.column, name.group))
+            columns.insert(static_cast<std::size_t>(found - table.columns.data()));
     };
-    add(experiment.timeColumn);
+    add({experiment.timeColumn, experiment.timeGroup});
     for (const auto* mappings : {&experiment.inputs, &experiment.outputs})
-        for (const auto& [signal, mapping] : *mappings) add(mapping.column);
-    return names;
+        for (const auto& [signal, mapping] : *mappings) add(mapping.channel());
+    return columns;
 }
 
-std::set<std::string, std::less<>> usedColumns(const Table& table, const StudyExperiment& experiment) {
-    std::set<std::string, std::less<>> names = mappedColumns(table, experiment);
+std::set<std::size_t> usedColumns(const Table& table, const StudyExperiment& experiment) {
+    std::set<std::size_t> columns = mappedColumns(table, experiment);
     for (const auto& [name, start] : experiment.initial) {
         const ColumnStart* const begin = std::get_if<ColumnStart>(&start);
-        if (const Column* found = begin ? table.find(begin->column) : nullptr) names.insert(found->name);
+        if (const Column* found = begin ? table.find(begin->column) : nullptr)
+            columns.insert(static_cast<std::size_t>(found - table.columns.data()));
     }
-    return names;
+    return columns;
 }
 
-Table cutTo(const Table& table, std::size_t first, std::size_t last,
-            const std::set<std::string, std::less<>>& columns) {
+Table cutTo(const Table& table, std::size_t first, std::size_t last, const std::set<std::size_t>& columns) {
     Table kept;
     kept.file = table.file;
     kept.lines = table.lines;
-    for (const Column& column : table.columns)
-        if (columns.contains(column.name)) kept.columns.push_back(column);
+    for (const std::size_t column : columns) kept.columns.push_back(table.columns[column]);
     return kept.slice(first, last);
 }
 
 std::vector<ExperimentState> measuredExperiments(const Study& study) {
     std::vector<ExperimentState> experiments;
     for (const StudyExperiment& recorded : study.experiments) {
-        const auto found = study.tables.find(recorded.file);
-        if (found == study.tables.end() || !found->second || !found->second->find(recorded.timeColumn)) continue;
-        const auto [first, last] = usedRows(*found->second, recorded);
+        const std::shared_ptr<const Table> whole = shownTable(study.tables, recorded);
+        if (!whole || !whole->find(recorded.timeColumn, recorded.timeGroup)) continue;
+        const auto [first, last] = usedRows(*whole, recorded);
         if (last - first < 2) continue;
-        const Table table = cutTo(*found->second, first, last, usedColumns(*found->second, recorded));
+        const Table table = cutTo(*whole, first, last, usedColumns(*whole, recorded));
         const Outcome<std::vector<double>> time = readTime(table, recorded.timeColumn);
         if (!time) continue;
         ExperimentState experiment;
@@ -70,7 +72,7 @@ std::vector<ExperimentState> measuredExperiments(const Study& study) {
         experiment.role = recorded.role;
         experiment.time = *time;
         for (const auto& [output, mapping] : recorded.outputs) {
-            const Column* column = table.find(mapping.column);
+            const Column* column = table.find(mapping.column, mapping.group);
             const Outcome<std::vector<double>> values = readChannel(table, mapping, {}, EmptyCells::NotMeasured);
             if (!column || !values) continue;
             OutputState state;

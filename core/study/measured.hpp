@@ -18,14 +18,14 @@ UnitConversion secondsOf(const Column& time);
 /// at. All where it has none. The table must have its time column.
 std::pair<std::size_t, std::size_t> usedRows(const Table& table, const StudyExperiment& experiment);
 
-/// Names of the columns that the model uses in an experiment: its time and what is mapped.
-std::set<std::string, std::less<>> mappedColumns(const Table& table, const StudyExperiment& experiment);
+/// The columns that the model uses in an experiment: its time and what is mapped.
+std::set<std::size_t> mappedColumns(const Table& table, const StudyExperiment& experiment);
 
 /// The same, and those with whose first values it begins.
-std::set<std::string, std::less<>> usedColumns(const Table& table, const StudyExperiment& experiment);
+std::set<std::size_t> usedColumns(const Table& table, const StudyExperiment& experiment);
 
 /// Rows first … last-1 of these columns alone.
-Table cutTo(const Table& table, std::size_t first, std::size_t last, const std::set<std::string, std::less<>>& columns);
+Table cutTo(const Table& table, std::size_t first, std::size_t last, const std::set<std::size_t>& columns);
 
 /// What the recordings of a study hold of its outputs, as long as no model says anything of them: times within the
 /// range that is used [s], and measured values in the unit of the file (NaN: not measured); nothing is simulated.

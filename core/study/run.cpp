@@ -7,7 +7,9 @@
 #include "core/base/stopwatch.hpp"
 #include "core/fit/clock.hpp"
 #include "core/flat/parameter_change.hpp"
+#include "core/measure/channel_place.hpp"
 #include "core/study/confidence.hpp"
+#include "core/study/recorded.hpp"
 #include "core/study/validate.hpp"
 
 namespace analogon {
@@ -58,7 +60,12 @@ Study withModel(const Study& study, const ModelState& state) {
 }
 
 void mapInput(Study& study, const std::string& input, const std::string& channel) {
-    for (StudyExperiment& x : study.experiments) x.inputs[input].column = channel;
+    for (StudyExperiment& x : study.experiments) {
+        const std::shared_ptr<const Table> file = fileTable(study.tables, x);
+        const ChannelName name = file ? channelOf(*file, channel) : ChannelName{channel};
+        x.inputs[input].column = name.column;
+        x.inputs[input].group = name.group;
+    }
 }
 
 /// What was told with inputs held is so in a study that says it.

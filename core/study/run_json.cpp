@@ -10,6 +10,7 @@
 
 #include "core/base/json_limits.hpp"
 #include "core/report/words.hpp"
+#include "core/study/recorded.hpp"
 
 namespace analogon {
 
@@ -396,12 +397,16 @@ Json studyAsJson(const Study& study) {
 /// The file of the present study that is this recording: of the same name, or, where the run saw it at its place
 /// outside the study, that of the experiment of this name which came from there. Else as it was.
 std::string presentFile(const StudyExperiment& then, const Study& present) {
-    if (present.tables.contains(then.file)) return then.file;
+    const auto isThere = [&](const std::string& path) {
+        return std::any_of(present.tables.begin(), present.tables.end(),
+                           [&](const auto& known) { return fileOfKey(known.first) == path; });
+    };
+    if (isThere(then.file)) return then.file;
     const std::filesystem::path file(then.file);
     for (const StudyExperiment& e : present.experiments)
         if (e.name == then.name && e.file.starts_with(file.stem().string())) return e.file;
     const std::string name = file.filename().string();
-    return present.tables.contains(name) ? name : then.file;
+    return isThere(name) ? name : then.file;
 }
 
 Study studyFrom(const Json& json, const std::string& name, const Study& present) {

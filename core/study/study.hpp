@@ -11,6 +11,8 @@
 #include "core/base/outcome.hpp"
 #include "core/fit/estimation_task.hpp"
 #include "core/measure/channel.hpp"
+#include "core/measure/common_raster.hpp"
+#include "core/measure/read_options.hpp"
 
 /// A study as it is written down (contract, section 4), and the way from it to an estimation task.
 namespace analogon {
@@ -31,6 +33,9 @@ struct StudyExperiment {
     std::map<std::string, ChannelMapping> inputs;    // model input -> column
     std::map<std::string, ChannelMapping> outputs;
     std::map<std::string, StudyStart> initial;
+    GroupName timeGroup{};  // of the time column, where its name alone does not tell
+    ReadOptions read{};     // how a text is written
+    Raster raster{};
 };
 
 struct StudyParameter {
@@ -55,7 +60,7 @@ struct Study {
     std::vector<std::string> libraryPaths;                       // "library": […] of study.json
     std::map<std::string, std::string> models;                   // .mo files: name -> text
     std::string modelFile{"model.mo"};                           // the one that holds the composed model
-    std::map<std::string, std::shared_ptr<const Table>> tables;  // measurement files that are used
+    std::map<std::string, std::shared_ptr<const Table>> tables;  // measurement files that are used, by tableKey
     std::filesystem::path directory;  // where it was read from (measurements are copied from here)
     std::string extraJson;            // members of study.json that we do not know, kept
     SourcePtr json;                   // the study.json it was read from, for messages; may be null
@@ -79,6 +84,9 @@ bool asksForClock(const std::vector<StudyExperiment>& experiments, const std::st
 
 /// A mapping as study.json has it, on one line.
 std::string mappingText(const ChannelMapping& mapping);
+
+/// How a text is written, as study.json has it, on one line.
+std::string readText(const ReadOptions& read);
 
 /// study.json text.
 std::string studyJson(const Study& study);

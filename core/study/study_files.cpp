@@ -5,8 +5,10 @@
 
 #include "core/base/directory_lock.hpp"
 #include "core/base/regular_file.hpp"
+#include "core/measure/open/read_table.hpp"
 #include "core/study/json_places.hpp"
 #include "core/study/pending_save.hpp"
+#include "core/study/recorded.hpp"
 #include "core/study/study.hpp"
 #include "core/syntax/parser.hpp"
 
@@ -87,18 +89,22 @@ Outcome<std::shared_ptr<const Table>> readMeasurement(const Study& study, const 
                                                       Diagnostics& warnings) {
     const StudyExperiment& experiment = study.experiments[index];
     if (!folder.holds(experiment.file)) {
-        const std::set<std::string> present = folder.filesEndingIn(".csv");
+        std::set<std::string> present;
+        for (const char* const ending : {".csv", ".txt", ".mf4", ".mdf", ".dat", ".mat", ".tdms", ".xlsx"})
+            present.merge(folder.filesEndingIn(ending));
         const std::string alike = suggestion(experiment.file, {present.begin(), present.end()});
         Text hint = phrase("The path is relative to the study's directory.");
         if (!alike.empty()) hint = phrase("Did you mean '{}'?", alike);
         return error(phrase("experiment '{}': there is no file '{}'", experiment.name, experiment.file),
                      JsonPlaces(study.json).value(fmt::format("/experiments/{}/file", index)), hint);
     }
-    Outcome<Table> table = readTable(folder.place(experiment.file).lexically_normal());
+    Outcome<Table> table =
+        readTable(folder.place(experiment.file).lexically_normal(), experiment.read, namedChannels(study, experiment));
     if (!table) return table.diagnostics();
-    table->file = (study.directory / experiment.file).lexically_normal().string();
     warnings.insert(warnings.end(), table.diagnostics().begin(), table.diagnostics().end());
-    return std::make_shared<const Table>(std::move(*table));
+    const std::string file = (study.directory / experiment.file).lexically_normal().string();
+    if (table->file == file) return std::make_shared<const Table>(std::move(*table));
+    return calledAs(*table, file);
 }
 
 Outcome<Study> readFolder(const fs::path& file, const StudyFolder& folder) {
@@ -118,7 +124,7 @@ Outcome<Study> readFolder(const fs::path& file, const StudyFolder& folder) {
     }
     study.modelFile = fileOfClass(study.models, study.className);
     for (std::size_t i = 0; i < study.experiments.size(); ++i) {
-        const std::string& name = study.experiments[i].file;
+        const std::string name = tableKey(study.experiments[i]);
         if (study.tables.contains(name)) continue;
         auto table = readMeasurement(study, folder, i, warnings);
         if (table) {

@@ -10,6 +10,7 @@
 #include "core/study/json_fault.hpp"
 #include "core/study/json_places.hpp"
 #include "core/study/study.hpp"
+#include "core/study/study_format.hpp"
 
 namespace analogon {
 
@@ -17,7 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* formatName = "analogon-study-1";
 constexpr std::string_view formatStem = "analogon-study-";  // and the number of the version
 
 /// A member and where it stands.
@@ -157,21 +157,21 @@ private:
     bool readFormat(const Node& root) {
         const Node node = root.member("format");
         if (!node) {
-            warnings_.push_back(warning(phrase("the study does not say its format; it is read as \"{}\"", formatName),
+            warnings_.push_back(warning(phrase("the study does not say its format; it is read as \"{}\"", studyFormat),
                                         {}, phrase("Saving it writes the format down.")));
             return true;
         }
         const std::string format = text(node);
-        if (format.empty() || format == formatName) return true;
+        if (format.empty() || format == studyFormat) return true;
         const std::string number = format.starts_with(formatStem) ? format.substr(formatStem.size()) : std::string();
         const bool isNewer = !number.empty() && number.front() != '0' &&
                              std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
         if (isNewer)
             fault(node, phrase("a newer version of Analogon has written this study: its format is \"{}\"", format),
-                  phrase("This version reads \"{}\": open the study with the newer one.", formatName));
+                  phrase("This version reads \"{}\": open the study with the newer one.", studyFormat));
         else
             fault(node, phrase("the format \"{}\" is not known", format),
-                  phrase("This program reads \"{}\".", formatName));
+                  phrase("This program reads \"{}\".", studyFormat));
         return false;
     }
 
@@ -188,7 +188,8 @@ private:
                 if (other.name == experiment.name && !other.name.empty())
                     fault(node.member("name"), phrase("there are two experiments named '{}'", other.name),
                           phrase("Give each experiment its own name."));
-            keepUnknown(node, {"name", "role", "file", "time", "range", "inputs", "outputs", "initial"},
+            keepUnknown(node,
+                        {"name", "role", "file", "time", "range", "inputs", "outputs", "initial", "read", "raster"},
                         phrase("an experiment"), kept);
             if (!kept.empty()) extra_["experiments"][experiment.name] = kept;
             study_.experiments.push_back(std::move(experiment));
@@ -200,7 +201,7 @@ private:
         StudyExperiment experiment;
         experiment.name = requiredText(node, "name");
         experiment.file = requiredText(node, "file");
-        experiment.timeColumn = requiredText(node, "time");
+        readTimeName(node, experiment, kept);
         if (const Node role = node.member("role")) {
             const std::string text = role.value->is_string() ? role.value->get<std::string>() : "";
             if (text != "fit" && text != "validate")
@@ -208,12 +209,107 @@ private:
             experiment.role = text == "validate" ? Role::Validate : Role::Fit;
         }
         if (const Node range = node.member("range")) experiment.range = readRange(range);
+        if (const Node read = node.member("read")) experiment.read = readOptions(read, kept);
+        if (const Node raster = node.member("raster")) experiment.raster = readRaster(raster, kept);
         experiment.inputs = readMappings(node, "inputs", kept);
         experiment.outputs = readMappings(node, "outputs", kept);
         if (const Node initial = node.member("initial"); isObject(initial, phrase("start values {{parameter: value}}")))
             for (const auto& [name, value] : initial.value->items())
                 if (const auto start = readStart(initial.member(name))) experiment.initial[name] = *start;
         return experiment;
+    }
+
+    void readTimeName(const Node& owner, StudyExperiment& experiment, Json& kept) {
+        const Node time = owner.member("time");
+        if (!time) return missing(owner, "time");
+        const ChannelName name = readChannelName(time, kept, "time");
+        experiment.timeColumn = name.column;
+        experiment.timeGroup = name.group;
+    }
+
+    /// A name, or one with its group. `kept`: receives under `member` what is not known of it.
+    ChannelName readChannelName(const Node& node, Json& kept, const char* member) {
+        if (node.value->is_string()) return {text(node)};
+        if (!isObject(node, phrase("the name of a column, or {{\"column\": …, \"group\": …}}"))) return {};
+        Json unknown;
+        keepUnknown(node, {"column", "group", "sheet"}, phrase("the name of a column"), unknown);
+        if (!unknown.empty()) kept[member] = unknown;
+        return {requiredText(node, "column"), readGroup(node)};
+    }
+
+    /// "group" or "sheet" beside a column: a name, or a number from 1.
+    GroupName readGroup(const Node& owner) {
+        const Node group = owner.member("group"), sheet = owner.member("sheet");
+        if (group && sheet)
+            fault(sheet, phrase("{}: the group and the sheet of a column are the same thing", path(owner)),
+                  phrase("Keep one of them."));
+        if (!group && !sheet) return {};
+        const Node node = group ? group : sheet;
+        const Json& value = *node.value;
+        const bool isNumber = value.is_number_integer() && value.get<double>() >= 1;
+        if (isNumber) return {{}, value.get<std::size_t>(), !group};
+        if (value.is_string() && !value.get_ref<const std::string&>().empty())
+            return {value.get<std::string>(), 0, !group};
+        expected(node, phrase("the name of a group or its number, the first being 1"));
+        return {};
+    }
+
+    Raster readRaster(const Node& node, Json& kept) {
+        Raster raster;
+        if (node.value->is_number()) {
+            raster.kind = Raster::Kind::Steps;
+            raster.step = node.value->get<double>();
+            if (!(raster.step > 0)) fault(node, phrase("{}: the step of a raster must be above 0 s", path(node)));
+        } else if (!node.value->is_string() && !node.value->is_object()) {
+            expected(node, phrase("\"outputs\", the name of a channel, or a step in seconds"));
+        } else if (!(*node.value == "outputs")) {
+            raster.kind = Raster::Kind::Channel;
+            raster.channel = readChannelName(node, kept, "raster");
+        }
+        return raster;
+    }
+
+    ReadOptions readOptions(const Node& node, Json& kept) {
+        ReadOptions options;
+        if (!isObject(node, phrase("how the text is written, as {{\"separator\": \";\", \"decimal\": \",\"}}")))
+            return options;
+        options.separator = readMark(node.member("separator"), ",;|\t ", phrase(", ; | a tab (\\t) or a blank"));
+        options.decimal = readMark(node.member("decimal"), ".,", phrase(". or ,"));
+        options.thousands = readMark(node.member("thousands"), ".,' ", phrase(". , ' or a blank"));
+        options.skip = readCount(node.member("skip"));
+        options.header = readCount(node.member("header"));
+        if (const Node units = node.member("units")) {
+            if (!units.value->is_boolean()) expected(units, phrase("true or false"));
+            options.hasUnitsRow = units.value->is_boolean() && units.value->get<bool>();
+        }
+        if (const Node format = node.member("time_format")) options.timeFormat = text(format);
+        if (const Node zone = node.member("time_zone")) options.timeZone = text(zone);
+        if (const Node encoding = node.member("encoding")) options.encoding = text(encoding);
+        if (options.decimal && (options.decimal == options.separator || options.decimal == options.thousands))
+            fault(node.member("decimal"),
+                  phrase("{}: one mark cannot be that of the decimals and another one too", path(node)));
+        Json unknown;
+        keepUnknown(
+            node,
+            {"separator", "decimal", "thousands", "skip", "header", "units", "time_format", "time_zone", "encoding"},
+            phrase("\"read\""), unknown);
+        if (!unknown.empty()) kept["read"] = unknown;
+        return options;
+    }
+
+    std::optional<char> readMark(const Node& node, std::string_view known, const Text& what) {
+        if (!node) return std::nullopt;
+        const std::string mark = node.value->is_string() ? node.value->get<std::string>() : "";
+        if (mark.size() == 1 && known.find(mark.front()) != std::string_view::npos) return mark.front();
+        expected(node, what);
+        return std::nullopt;
+    }
+
+    std::optional<std::size_t> readCount(const Node& node) {
+        if (!node) return std::nullopt;
+        if (node.value->is_number_unsigned()) return node.value->get<std::size_t>();
+        expected(node, phrase("a number of lines, 0 or more"));
+        return std::nullopt;
     }
 
     std::optional<std::pair<double, double>> readRange(const Node& node) {
@@ -251,6 +347,7 @@ private:
             return mapping;
         }
         mapping.column = requiredText(node, "column");
+        mapping.group = readGroup(node);
         if (const Node unit = node.member("unit")) mapping.unit = text(unit);
         mapping.scale = number(node.member("scale")).value_or(1);
         mapping.offset = number(node.member("offset")).value_or(0);
@@ -266,7 +363,7 @@ private:
         }
         if (const Node interpolation = node.member("interpolation"))
             mapping.interpolation = readInterpolation(interpolation, isInput);
-        keepUnknown(node, {"column", "unit", "scale", "offset", "weight", "clock", "interpolation"},
+        keepUnknown(node, {"column", "group", "sheet", "unit", "scale", "offset", "weight", "clock", "interpolation"},
                     phrase("a mapped column"), kept);
         return mapping;
     }
@@ -390,104 +487,6 @@ private:
     Diagnostics faults_, warnings_;
 };
 
-Json mappingJson(const ChannelMapping& mapping) {
-    ChannelMapping plain;
-    plain.column = mapping.column;
-    if (mapping == plain) return mapping.column;
-    Json json{{"column", mapping.column}};
-    if (!mapping.unit.empty()) json["unit"] = mapping.unit;
-    if (mapping.scale != plain.scale) json["scale"] = mapping.scale;
-    if (mapping.offset != plain.offset) json["offset"] = mapping.offset;
-    if (mapping.weight != plain.weight) json["weight"] = mapping.weight;
-    if (mapping.fitsClock)
-        json["clock"] = "fit";
-    else if (mapping.clock != plain.clock)
-        json["clock"] = mapping.clock;
-    if (mapping.interpolation != plain.interpolation)
-        json["interpolation"] = mapping.interpolation == Interpolation::Hold ? "hold" : "linear";
-    return json;
-}
-
-Json mappingsJson(const std::map<std::string, ChannelMapping>& mappings) {
-    Json json = Json::object();
-    for (const auto& [name, mapping] : mappings) json[name] = mappingJson(mapping);
-    return json;
-}
-
-Json startJson(const StudyStart& start) {
-    if (const double* number = std::get_if<double>(&start)) return *number;
-    if (const ColumnStart* column = std::get_if<ColumnStart>(&start)) return column->column;
-    return "fit";
-}
-
-Json experimentJson(const StudyExperiment& experiment) {
-    Json json{{"name", experiment.name},
-              {"role", experiment.role == Role::Fit ? "fit" : "validate"},
-              {"file", experiment.file},
-              {"time", experiment.timeColumn}};
-    if (experiment.range) json["range"] = Json::array({experiment.range->first, experiment.range->second});
-    json["inputs"] = mappingsJson(experiment.inputs);
-    json["outputs"] = mappingsJson(experiment.outputs);
-    for (const auto& [name, start] : experiment.initial) json["initial"][name] = startJson(start);
-    return json;
-}
-
-Json parameterJson(const StudyParameter& parameter) {
-    Json json{{"fit", parameter.fit}};
-    if (parameter.value) json["value"] = *parameter.value;
-    if (parameter.min) json["min"] = *parameter.min;
-    if (parameter.max) json["max"] = *parameter.max;
-    if (parameter.prior) json["prior"] = {{"mean", parameter.prior->mean}, {"std", parameter.prior->deviation}};
-    if (parameter.scale == ParameterScale::Linear) json["scale"] = "lin";
-    if (parameter.scale == ParameterScale::Logarithmic) json["scale"] = "log";
-    return json;
-}
-
-/// Members of mapped columns go where the column is still mapped; one that is its name alone becomes an object for
-/// them.
-void addToMappings(Json& mappings, const Json& kept) {
-    for (const auto& [signal, members] : kept.items()) {
-        const auto mapping = mappings.find(signal);
-        if (mapping == mappings.end()) continue;
-        if (mapping->is_string()) *mapping = Json{{"column", *mapping}};
-        mapping->update(members);
-    }
-}
-
-void addToExperiment(Json& experiment, const Json& kept) {
-    for (const auto& [name, value] : kept.items())
-        if (name == "inputs" || name == "outputs")
-            addToMappings(experiment[name], value);
-        else
-            experiment[name] = value;
-}
-
-void addToParameter(Json& parameter, const Json& kept) {
-    for (const auto& [name, value] : kept.items())
-        if (name != "prior")
-            parameter[name] = value;
-        else if (const auto prior = parameter.find(name); prior != parameter.end())
-            prior->update(value);
-}
-
-/// Adds the members that we do not know where they stood.
-void addExtra(Json& json, const std::string& extraJson) {
-    const Json extra = Json::parse(extraJson, nullptr, false);
-    if (!extra.is_object()) return;
-    for (const auto& [name, value] : extra.items()) {
-        if (name == "experiments") {
-            for (Json& experiment : json["experiments"])
-                if (const auto kept = value.find(experiment["name"].get<std::string>()); kept != value.end())
-                    addToExperiment(experiment, *kept);
-        } else if (name == "parameters") {
-            for (const auto& [parameter, kept] : value.items())
-                if (json["parameters"].contains(parameter)) addToParameter(json["parameters"][parameter], kept);
-        } else {
-            json[name] = value;
-        }
-    }
-}
-
 }  // namespace
 
 Outcome<Study> parseStudyJson(const SourcePtr& json) {
@@ -500,28 +499,6 @@ Outcome<Study> parseStudyJson(const SourcePtr& json) {
     }
     const JsonPlaces places(json);
     return StudyReader(tree, places).read();
-}
-
-std::string mappingText(const ChannelMapping& mapping) {
-    std::string text;
-    for (const char c : mappingJson(mapping).dump(0, ' ', false, Json::error_handler_t::replace))
-        if (c != '\n')
-            text += c;
-        else if (text.back() == ',')
-            text += ' ';
-    return text;
-}
-
-std::string studyJson(const Study& study) {
-    Json json{{"format", formatName}, {"class", study.className}};
-    json["experiments"] = Json::array();
-    for (const StudyExperiment& experiment : study.experiments)
-        json["experiments"].push_back(experimentJson(experiment));
-    json["parameters"] = Json::object();
-    for (const auto& [name, parameter] : study.parameters) json["parameters"][name] = parameterJson(parameter);
-    if (!study.libraryPaths.empty()) json["library"] = study.libraryPaths;
-    if (!study.extraJson.empty()) addExtra(json, study.extraJson);
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace analogon

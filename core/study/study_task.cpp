@@ -10,9 +10,12 @@
 #include "core/fit/held_input.hpp"
 #include "core/flat/flat_model.hpp"
 #include "core/flat/parameter_change.hpp"
+#include "core/measure/channel_place.hpp"
+#include "core/measure/join.hpp"
 #include "core/measure/plausibility.hpp"
 #include "core/study/measured.hpp"
 #include "core/study/parameter_reader.hpp"
+#include "core/study/recorded.hpp"
 #include "core/study/study_places.hpp"
 
 namespace analogon {
@@ -158,11 +161,18 @@ private:
     }
 
     void readExperiment(const StudyExperiment& experiment, const std::string& pointer) {
-        const auto found = study_.tables.find(experiment.file);
-        if (found == study_.tables.end() || !found->second)
+        file_ = fileTable(study_.tables, experiment);
+        if (!file_)
             return fault(pointer + "/file",
                          phrase("experiment '{}': the file '{}' has not been read", experiment.name, experiment.file));
-        const std::optional<Cut> cut = cutToRange(found->second, experiment, pointer);
+        if (experiment.raster.kind == Raster::Kind::Channel)
+            if (const auto places = placesOf(*file_, experiment.raster.channel); places.size() != 1) {
+                tellMissing(places, experiment.raster.channel, experiment, pointer + "/raster");
+                return;
+            }
+        const Outcome<std::shared_ptr<const Table>> joined = recordedTable(study_.tables, experiment);
+        if (!keep(joined)) return;
+        const std::optional<Cut> cut = cutToRange(*joined, experiment, pointer);
         if (!cut) return;
         const Table& table = *cut->used;
         const Outcome<std::vector<double>> time = readTime(table, experiment.timeColumn);
@@ -176,15 +186,18 @@ private:
         recording.inputNames = mapped(experiment.inputs, signals_.inputNames);
         for (const std::string& input : recording.inputNames) {
             ChannelMapping mapping = experiment.inputs.at(input);
-            if (mapping.interpolation == Interpolation::Hold) recording.held.push_back(input);
+            const Column* const column = table.find(mapping.column, mapping.group);
+            if (column ? isHeld(*column, mapping.interpolation) : mapping.interpolation == Interpolation::Hold)
+                recording.held.push_back(input);
             mapping.interpolation = Interpolation::Hold;
             recording.asHeld[input] = mappingText(mapping);
         }
         recording.outputNames = mapped(experiment.outputs, signals_.outputNames);
-        const bool read = readRows(table, experiment, recording.inputNames, experiment.inputs, signals_.inputs,
-                                   pointer + "/inputs", EmptyCells::Fault, recording.inputs, recording.units) &
-                          readRows(table, experiment, recording.outputNames, experiment.outputs, signals_.outputs,
-                                   pointer + "/outputs", EmptyCells::NotMeasured, recording.outputs, recording.units);
+        const bool read =
+            readRows(table, experiment, recording.inputNames, experiment.inputs, signals_.inputs, pointer + "/inputs",
+                     EmptyCells::Fault, *time, recording.inputs, recording.units) &
+            readRows(table, experiment, recording.outputNames, experiment.outputs, signals_.outputs,
+                     pointer + "/outputs", EmptyCells::NotMeasured, *time, recording.outputs, recording.units);
         recording.weights.resize(static_cast<Eigen::Index>(recording.outputNames.size()));
         for (std::size_t i = 0; i < recording.outputNames.size(); ++i)
             recording.weights[static_cast<Eigen::Index>(i)] = experiment.outputs.at(recording.outputNames[i]).weight;
@@ -203,12 +216,53 @@ private:
         return outcome.hasValue();
     }
 
-    bool hasColumn(const Table& table, const std::string& column, const StudyExperiment& experiment,
+    bool hasColumn(const Table& table, const ChannelName& name, const StudyExperiment& experiment,
                    const std::string& pointer) {
-        if (table.find(column)) return true;
-        fault(pointer, phrase("experiment '{}': '{}' has no column '{}'", experiment.name, experiment.file, column),
-              meantOrAvailable(column, study_.tables.at(experiment.file)->names(), noColumn()));
+        const std::vector<ChannelPlace> places = placesOf(*file_, name);
+        if (places.size() == 1 && table.find(name.column, name.group)) return true;
+        return tellMissing(places, name, experiment, pointer);
+    }
+
+    bool tellMissing(const std::vector<ChannelPlace>& places, const ChannelName& name,
+                     const StudyExperiment& experiment, const std::string& pointer) {
+        if (places.size() > 1)
+            fault(pointer,
+                  phrase("experiment '{}': '{}' has {} channels '{}'", experiment.name, experiment.file, places.size(),
+                         name.column),
+                  phrase("Say which: {{\"column\": \"{}\", \"group\": …}}, one of {}.", name.column, groupsOf(places)));
+        else if (const std::vector<ChannelPlace> elsewhere = placesOf(*file_, {name.column}); !elsewhere.empty())
+            fault(pointer,
+                  phrase("experiment '{}': '{}' has no channel '{}' in this group", experiment.name, experiment.file,
+                         name.column),
+                  phrase("It is in {}.", groupsOf(elsewhere)));
+        else
+            fault(pointer,
+                  phrase("experiment '{}': '{}' has no column '{}'", experiment.name, experiment.file, name.column),
+                  hintForMissing(name.column));
         return false;
+    }
+
+    /// "'XCP 1ms', 'CAN 10ms'"; by number where two have one name.
+    static Text groupsOf(const std::vector<ChannelPlace>& places) {
+        std::vector<std::string> names;
+        for (const ChannelPlace& place : places) {
+            const std::string& name = place.column->group;
+            const auto same = std::count_if(places.begin(), places.end(),
+                                            [&](const ChannelPlace& p) { return p.column->group == name; });
+            names.push_back(name.empty() || same > 1 ? std::to_string(place.column->groupNumber) : "'" + name + "'");
+        }
+        return names.size() == 1 && places.front().column->group.empty() && places.front().column->groupNumber == 1
+                   ? phrase("the only table of the file")
+                   : listed(names);
+    }
+
+    Text hintForMissing(const std::string& name) const {
+        for (const Table* const group : tablesOf(*file_))
+            if (std::find(group->texts.begin(), group->texts.end(), name) != group->texts.end())
+                return phrase(
+                    "It holds words. If they are stamps of the time, tell how they are written: \"read\": "
+                    "{{\"time_format\": \"%d.%m.%Y %H:%M:%S\"}}.");
+        return meantOrAvailable(name, namesIn(*file_), noColumn());
     }
 
     /// A part of a measurement file: the columns that are used, cut, and where they begin in all of it.
@@ -217,17 +271,23 @@ private:
         std::size_t first{};
     };
 
+    /// In a file of several groups more than one may call its stamps so.
+    bool hasTime(const Table& table, const StudyExperiment& experiment, const std::string& pointer) {
+        return table.find(experiment.timeColumn, experiment.timeGroup) ||
+               hasColumn(table, {experiment.timeColumn, experiment.timeGroup}, experiment, pointer);
+    }
+
     /// The rows within "range"; the times of the others are not looked at.
     std::optional<Cut> cutToRange(const std::shared_ptr<const Table>& whole, const StudyExperiment& experiment,
                                   const std::string& pointer) {
         const Table& table = *whole;
-        if (!hasColumn(table, experiment.timeColumn, experiment, pointer + "/time")) return std::nullopt;
+        if (!hasTime(table, experiment, pointer + "/time")) return std::nullopt;
         if (!experiment.range) return Cut{whole, whole, 0};
         const auto [first, last] = usedRows(table, experiment);
         if (last - first >= 2)
             return Cut{std::make_shared<const Table>(cutTo(table, first, last, usedColumns(table, experiment))), whole,
                        first};
-        const Column& column = *table.find(experiment.timeColumn);
+        const Column& column = *table.find(experiment.timeColumn, experiment.timeGroup);
         const UnitConversion convert = secondsOf(column);
         fault(pointer + "/range",
               phrase("experiment '{}': fewer than two samples lie between {} s and {} s", experiment.name,
@@ -264,7 +324,7 @@ private:
                 fault(pointer + "/inputs",
                       phrase("experiment '{}': the input '{}' of the model has no column", experiment.name, name),
                       phrase("Add \"{}\": \"COLUMN\" to \"inputs\". {}", name,
-                             meantOrAvailable(name, study_.tables.at(experiment.file)->names(), noColumn())));
+                             meantOrAvailable(name, namesIn(*file_), noColumn())));
         if (experiment.outputs.empty())
             fault(pointer + "/outputs", phrase("experiment '{}' measures no output of the model", experiment.name),
                   phrase("Map at least one of: {}.", joined(signals_.outputNames)));
@@ -272,11 +332,15 @@ private:
         return faults_ == before;
     }
 
+    static std::string keyOf(const ChannelName& name) {
+        return fmt::format("{}\n{}\n{}", name.column, name.group.name, name.group.number);
+    }
+
     /// Two outputs that are compared with one column are hardly meant.
     void remarkSharedColumns(const StudyExperiment& experiment, const std::string& pointer) {
         std::map<std::string, std::string> first;  // column -> output
         for (const auto& [output, mapping] : experiment.outputs) {
-            const auto [known, isNew] = first.emplace(mapping.column, output);
+            const auto [known, isNew] = first.emplace(keyOf(mapping.channel()), output);
             if (isNew) continue;
             said_.push_back(places_.remark(
                 fmt::format("{}/outputs/{}", pointer, JsonPlaces::escape(output)),
@@ -293,16 +357,29 @@ private:
         return out;
     }
 
+    /// Empty cells of an input are bridged where the study says how it runs between its samples.
+    static Outcome<std::vector<double>> readInput(const Table& table, const ChannelMapping& mapping,
+                                                  const std::string& unit, const std::vector<double>& time) {
+        Outcome<std::vector<double>> whole = readChannel(table, mapping, unit, EmptyCells::Fault);
+        if (whole || mapping.interpolation == Interpolation::Automatic) return whole;
+        const Outcome<std::vector<double>> values = readChannel(table, mapping, unit, EmptyCells::NotMeasured);
+        if (!values) return whole;
+        const Course course = mapping.interpolation == Interpolation::Hold ? Course::Held : Course::Linear;
+        std::vector<double> bridged = courseAt({time, *values}, time, course);
+        if (std::any_of(bridged.begin(), bridged.end(), [](double v) { return std::isnan(v); })) return whole;
+        return bridged;
+    }
+
     bool readRows(const Table& table, const StudyExperiment& experiment, const std::vector<std::string>& names,
                   const std::map<std::string, ChannelMapping>& mappings,
                   const std::map<std::string, std::string>& units, const std::string& pointer, EmptyCells empty,
-                  Eigen::MatrixXd& rows, std::vector<ChannelUnit>& given) {
+                  const std::vector<double>& time, Eigen::MatrixXd& rows, std::vector<ChannelUnit>& given) {
         rows.resize(static_cast<Eigen::Index>(names.size()), static_cast<Eigen::Index>(table.rows()));
         bool complete = true;
         for (std::size_t i = 0; i < names.size(); ++i) {
             const ChannelMapping& mapping = mappings.at(names[i]);
             const std::string place = pointer + '/' + JsonPlaces::escape(names[i]);
-            if (!hasColumn(table, mapping.column, experiment, place)) {
+            if (!hasColumn(table, mapping.channel(), experiment, place)) {
                 complete = false;
                 continue;
             }
@@ -316,12 +393,15 @@ private:
                 complete = false;
                 continue;
             }
-            const Outcome<std::vector<double>> values = readChannel(table, mapping, units.at(names[i]), empty);
+            const Outcome<std::vector<double>> values = empty == EmptyCells::NotMeasured
+                                                            ? readChannel(table, mapping, units.at(names[i]), empty)
+                                                            : readInput(table, mapping, units.at(names[i]), time);
             if (!keep(values)) {
                 complete = false;
                 continue;
             }
-            const std::string& unit = mapping.unit.empty() ? table.find(mapping.column)->unit : mapping.unit;
+            const std::string& unit =
+                mapping.unit.empty() ? table.find(mapping.column, mapping.group)->unit : mapping.unit;
             if (mapping.scale == 1 && mapping.offset == 0 && !unit.empty() && !units.at(names[i]).empty())
                 given.push_back({names[i], mapping.column, unit, units.at(names[i])});
             rows.row(static_cast<Eigen::Index>(i)) =
@@ -371,8 +451,8 @@ private:
                                             const StudyExperiment& experiment, const std::string& place) {
         if (const double* number = std::get_if<double>(&start)) return RecordingStart{parameter, *number, false};
         if (const ColumnStart* column = std::get_if<ColumnStart>(&start)) {
-            if (!hasColumn(table, column->column, experiment, place)) return std::nullopt;
             const ChannelMapping mapping = mappingOf(column->column, experiment);
+            if (!hasColumn(table, mapping.channel(), experiment, place)) return std::nullopt;
             const Outcome<std::vector<double>> first = readChannel(table.slice(0, 1), mapping, model_.unitOf(variable));
             if (!keep(first)) return std::nullopt;
             return RecordingStart{parameter, first->front(), false, column->column};
@@ -410,13 +490,13 @@ private:
 
     /// Columns that the model does not use. Gaps are bridged by straight lines; where little is left beside them the
     /// column is left out.
-    static void addSpares(const Cut& cut, const StudyExperiment& experiment, Recording& recording) {
-        const std::set<std::string, std::less<>> used = mappedColumns(*cut.whole, experiment);
-        for (const Column& column : cut.whole->columns)
-            if (!used.contains(column.name)) addSpare(column, cut.first, recording);
+    void addSpares(const Cut& cut, const StudyExperiment& experiment, Recording& recording) const {
+        const std::set<std::size_t> used = mappedColumns(*cut.whole, experiment);
+        for (std::size_t i = 0; i < cut.whole->columns.size(); ++i)
+            if (!used.contains(i)) addSpare(cut.whole->columns[i], cut.first, recording);
     }
 
-    static void addSpare(const Column& column, std::size_t first, Recording& recording) {
+    void addSpare(const Column& column, std::size_t first, Recording& recording) const {
         constexpr double mostBlanks = 0.5;
         const std::size_t count = recording.time.size();
         if (column.values.size() < first + count) return;
@@ -428,7 +508,7 @@ private:
         for (const BlankCell& blank : column.blanks)
             if (isInside(blank)) values[blank.row - first] = std::nan("");
         bridge(recording.time, values);
-        recording.spares.push_back({column.name, column.unit, std::move(values)});
+        recording.spares.push_back({labelOf(*file_, column), column.unit, std::move(values)});
     }
 
     /// What the numbers that are used cannot well be.
@@ -436,7 +516,7 @@ private:
         std::vector<const Column*> used;
         for (const auto* mappings : {&experiment.inputs, &experiment.outputs})
             for (const auto& [signal, mapping] : *mappings) {
-                const Column* const column = table.find(mapping.column);
+                const Column* const column = table.find(mapping.column, mapping.group);
                 const bool isAsItStands = mapping.unit.empty() && mapping.scale == 1 && mapping.offset == 0;
                 const bool isNew = std::find(used.begin(), used.end(), column) == used.end();
                 if (column && isAsItStands && isNew) used.push_back(column);
@@ -464,6 +544,7 @@ private:
     }
 
     const Study& study_;
+    std::shared_ptr<const Table> file_;  // of the experiment that is read
     StudyPlaces places_;
     const FlatModel& model_;
     UnusedColumns unused_;

@@ -12,6 +12,7 @@
 #include "core/library/package_files.hpp"
 #include "core/measure/encoding.hpp"
 #include "core/study/pending_save.hpp"
+#include "core/study/recorded.hpp"
 #include "core/study/study.hpp"
 
 namespace analogon {
@@ -149,8 +150,9 @@ private:
             if (fs::equivalent(source, target_ / place, code)) return Done{};  // it is there already
             return copy(source, place);
         }
-        const auto table = study_.tables.find(from);
-        if (table == study_.tables.end() || !table->second)
+        const auto table = std::find_if(study_.tables.begin(), study_.tables.end(),
+                                        [&](const auto& known) { return fileOfKey(known.first) == from; });
+        if (table == study_.tables.end() || !table->second || !table->second->others.empty())
             return fileError(phrase("the measurement is neither on disk nor in the study"), source.string());
         return put(place, writeCsv(*table->second));
     }

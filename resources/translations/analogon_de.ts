@@ -3133,6 +3133,22 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>CSV …</translation>
     </message>
     <message>
+        <source>MDF 4 …</source>
+        <translation>MDF 4 …</translation>
+    </message>
+    <message>
+        <source>What was measured, what the model says and the difference, as groups of channels (ASAM MDF 4)</source>
+        <translation>Was gemessen wurde, was das Modell sagt und der Unterschied, als Gruppen von Kanälen (ASAM MDF 4)</translation>
+    </message>
+    <message>
+        <source>Parameters …</source>
+        <translation>Parameter …</translation>
+    </message>
+    <message>
+        <source>The parameters for tools of calibration: CSV, JSON, SSV (SSP), DCM or CDFX</source>
+        <translation>Die Parameter für Werkzeuge der Applikation: CSV, JSON, SSV (SSP), DCM oder CDFX</translation>
+    </message>
+    <message>
         <source>The model with its values for other simulation tools: FMI 2.0, Co-Simulation and Model Exchange</source>
         <translation>Das Modell mit seinen Werten für andere Simulationswerkzeuge: FMI 2.0, Co-Simulation und Model Exchange</translation>
     </message>
@@ -3155,6 +3171,14 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     <message>
         <source>Tables (*.csv)</source>
         <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>ASAM MDF (*.mf4)</source>
+        <translation>ASAM MDF (*.mf4)</translation>
+    </message>
+    <message>
+        <source>Parameters (*.csv *.json *.ssv *.dcm *.cdfx)</source>
+        <translation>Parameter (*.csv *.json *.ssv *.dcm *.cdfx)</translation>
     </message>
     <message>
         <source>Exporting …</source>
@@ -3208,8 +3232,8 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Eine Messung importieren</translation>
     </message>
     <message>
-        <source>Measurements (*.csv *.txt *.tsv *.dat *.mf4 *.mdf *.mat)</source>
-        <translation>Messungen (*.csv *.txt *.tsv *.dat *.mf4 *.mdf *.mat)</translation>
+        <source>Measurements (*.csv *.txt *.tsv *.dat *.mf4 *.mdf *.mat *.tdms *.xlsx)</source>
+        <translation>Messungen (*.csv *.txt *.tsv *.dat *.mf4 *.mdf *.mat *.tdms *.xlsx)</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -4568,6 +4592,22 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>this exists already and holds no traces that were exported before</source>
         <translation>dies existiert schon und enthält keine früher exportierten Verläufe</translation>
+    </message>
+    <message>
+        <source>the ending of this name says no format of parameters</source>
+        <translation>die Endung dieses Namens sagt kein Format von Parametern</translation>
+    </message>
+    <message>
+        <source>It is .csv, .json, .ssv (SSP 1.0), .dcm (DCM 2.0) or .cdfx (ASAM CDF 2.0).</source>
+        <translation>Sie ist .csv, .json, .ssv (SSP 1.0), .dcm (DCM 2.0) oder .cdfx (ASAM CDF 2.0).</translation>
+    </message>
+    <message>
+        <source>this exists already and is no MDF file of traces that was exported before</source>
+        <translation>dies gibt es schon, und es ist keine MDF-Datei mit Verläufen, die früher ausgegeben wurde</translation>
+    </message>
+    <message>
+        <source>this exists already and holds no parameters that were exported before</source>
+        <translation>dies gibt es schon, und es enthält keine Parameter, die früher ausgegeben wurden</translation>
     </message>
     <message>
         <source>this exists already and is no model text that was exported before, or it was changed since</source>
@@ -7636,6 +7676,166 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>Only outputs may have empty cells.</source>
         <translation>Nur Ausgänge dürfen leere Zellen haben.</translation>
+    </message>
+    <message>
+        <source>An input that is written only now and then is told how it runs between: &quot;interpolation&quot;: &quot;hold&quot; or &quot;linear&quot;.</source>
+        <translation>Zu einem Eingang, der nur ab und zu geschrieben wird, gehört, wie er dazwischen verläuft: &quot;interpolation&quot;: &quot;hold&quot; oder &quot;linear&quot;.</translation>
+    </message>
+    <message>
+        <source>column '{}' was not measured at any stamp of the raster</source>
+        <translation>Spalte „{}“ wurde an keinem Zeitpunkt des Rasters gemessen</translation>
+    </message>
+    <message>
+        <source>Choose another &quot;raster&quot;, or leave the channel out.</source>
+        <translation>Ein anderes &quot;raster&quot; wählen oder den Kanal weglassen.</translation>
+    </message>
+    <message>
+        <source>the name of a column, or {{&quot;column&quot;: …, &quot;group&quot;: …}}</source>
+        <translation>den Namen einer Spalte oder {{&quot;column&quot;: …, &quot;group&quot;: …}}</translation>
+    </message>
+    <message>
+        <source>the name of a column</source>
+        <translation>der Name einer Spalte</translation>
+    </message>
+    <message>
+        <source>{}: the group and the sheet of a column are the same thing</source>
+        <translation>{}: Gruppe und Blatt einer Spalte sind dasselbe</translation>
+    </message>
+    <message>
+        <source>the name of a group or its number, the first being 1</source>
+        <translation>den Namen einer Gruppe oder ihre Nummer, die erste ist 1</translation>
+    </message>
+    <message>
+        <source>{}: the step of a raster must be above 0 s</source>
+        <translation>{}: Der Schritt eines Rasters muss über 0 s liegen</translation>
+    </message>
+    <message>
+        <source>&quot;outputs&quot;, the name of a channel, or a step in seconds</source>
+        <translation>&quot;outputs&quot;, den Namen eines Kanals oder einen Schritt in Sekunden</translation>
+    </message>
+    <message>
+        <source>how the text is written, as {{&quot;separator&quot;: &quot;;&quot;, &quot;decimal&quot;: &quot;,&quot;}}</source>
+        <translation>wie der Text geschrieben ist, etwa {{&quot;separator&quot;: &quot;;&quot;, &quot;decimal&quot;: &quot;,&quot;}}</translation>
+    </message>
+    <message>
+        <source>, ; | a tab (\t) or a blank</source>
+        <translation>, ; | einen Tabulator (\t) oder ein Leerzeichen</translation>
+    </message>
+    <message>
+        <source>. or ,</source>
+        <translation>. oder ,</translation>
+    </message>
+    <message>
+        <source>. , ' or a blank</source>
+        <translation>. , ' oder ein Leerzeichen</translation>
+    </message>
+    <message>
+        <source>{}: one mark cannot be that of the decimals and another one too</source>
+        <translation>{}: Ein Zeichen kann nicht zugleich das der Dezimalstellen und ein anderes sein</translation>
+    </message>
+    <message>
+        <source>&quot;read&quot;</source>
+        <translation>&quot;read&quot;</translation>
+    </message>
+    <message>
+        <source>a number of lines, 0 or more</source>
+        <translation>eine Zahl von Zeilen, 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>experiment '{}': '{}' has {} channels '{}'</source>
+        <translation>Versuch „{}“: „{}“ hat {} Kanäle „{}“</translation>
+    </message>
+    <message>
+        <source>Say which: {{&quot;column&quot;: &quot;{}&quot;, &quot;group&quot;: …}}, one of {}.</source>
+        <translation>Sagen, welcher: {{&quot;column&quot;: &quot;{}&quot;, &quot;group&quot;: …}}, einer von {}.</translation>
+    </message>
+    <message>
+        <source>experiment '{}': '{}' has no channel '{}' in this group</source>
+        <translation>Versuch „{}“: „{}“ hat keinen Kanal „{}“ in dieser Gruppe</translation>
+    </message>
+    <message>
+        <source>It is in {}.</source>
+        <translation>Er ist in {}.</translation>
+    </message>
+    <message>
+        <source>the only table of the file</source>
+        <translation>der einzigen Tabelle der Datei</translation>
+    </message>
+    <message>
+        <source>It holds words. If they are stamps of the time, tell how they are written: &quot;read&quot;: {{&quot;time_format&quot;: &quot;%d.%m.%Y %H:%M:%S&quot;}}.</source>
+        <translation>Sie enthält Wörter. Sind es Zeitstempel, so gehört dazu, wie sie geschrieben sind: &quot;read&quot;: {{&quot;time_format&quot;: &quot;%d.%m.%Y %H:%M:%S&quot;}}.</translation>
+    </message>
+    <message>
+        <source>group &quot;{}&quot; has no time</source>
+        <translation>Gruppe „{}“ hat keine Zeit</translation>
+    </message>
+    <message>
+        <source>Name the column of its stamps: &quot;time&quot;: {{&quot;column&quot;: …, &quot;group&quot;: …}}; or take channels of another group.</source>
+        <translation>Die Spalte ihrer Zeitstempel nennen: &quot;time&quot;: {{&quot;column&quot;: …, &quot;group&quot;: …}}; oder Kanäle einer anderen Gruppe nehmen.</translation>
+    </message>
+    <message>
+        <source>none of the outputs was measured at any time</source>
+        <translation>keiner der Ausgänge wurde irgendwann gemessen</translation>
+    </message>
+    <message>
+        <source>a raster of {:g} s has {:.3g} stamps in {:.6g} s of this recording</source>
+        <translation>ein Raster von {} s hat {} Zeitpunkte in den {} s dieser Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Give a longer step.</source>
+        <translation>Einen größeren Schritt angeben.</translation>
+    </message>
+    <message>
+        <source>{} of {} values of '{}' lie on no stamp of the raster and are not compared</source>
+        <translation>{} von {} Werten von „{}“ liegen auf keinem Zeitpunkt des Rasters und werden nicht verglichen</translation>
+    </message>
+    <message>
+        <source>An output is never resampled: take the raster &quot;outputs&quot;, or that of its own channel.</source>
+        <translation>Ein Ausgang wird nie umgetastet: Das Raster &quot;outputs&quot; nehmen oder das seines eigenen Kanals.</translation>
+    </message>
+    <message>
+        <source>the outputs are recorded from {:.6g} s to {:.6g} s, the input '{}' is not known in that time</source>
+        <translation>die Ausgänge sind von {} s bis {} s aufgezeichnet, der Eingang „{}“ ist in dieser Zeit nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Map a channel that was recorded at the same time.</source>
+        <translation>Einen Kanal zuordnen, der zur selben Zeit aufgezeichnet wurde.</translation>
+    </message>
+    <message>
+        <source>from {:.6g} s to {:.6g} s all inputs are known; {} of {} stamps of the outputs lie outside and are left out</source>
+        <translation>von {} s bis {} s sind alle Eingänge bekannt; {} von {} Zeitpunkten der Ausgänge liegen außerhalb und bleiben weg</translation>
+    </message>
+    <message>
+        <source>The input '{}' is recorded for a shorter time.</source>
+        <translation>Der Eingang „{}“ ist über eine kürzere Zeit aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>between the stamps of the raster the input '{}' departs from straight lines by up to {:.2g} % of its range</source>
+        <translation>zwischen den Zeitpunkten des Rasters weicht der Eingang „{}“ um bis zu {} % seines Bereichs von Geraden ab</translation>
+    </message>
+    <message>
+        <source>Where that matters take its stamps: &quot;raster&quot;: &quot;{}&quot;.</source>
+        <translation>Wo das zählt, seine Zeitpunkte nehmen: &quot;raster&quot;: &quot;{}&quot;.</translation>
+    </message>
+    <message>
+        <source>this file has no samples of any channel</source>
+        <translation>diese Datei hat von keinem Kanal Messwerte</translation>
+    </message>
+    <message>
+        <source>Is it the recording? 'analogon-cli channels' lists what it holds.</source>
+        <translation>Ist es die Aufzeichnung? „analogon-cli channels“ zählt auf, was sie enthält.</translation>
+    </message>
+    <message>
+        <source>this file is large: {} of its channels, which the study does not name, are left unread and are not looked at as causes</source>
+        <translation>diese Datei ist groß: {} ihrer Kanäle, die die Studie nicht nennt, bleiben ungelesen und werden nicht als Ursachen betrachtet</translation>
+    </message>
+    <message>
+        <source>Map what may be a cause, or export the recording with fewer channels.</source>
+        <translation>Zuordnen, was eine Ursache sein kann, oder die Aufzeichnung mit weniger Kanälen ausgeben.</translation>
+    </message>
+    <message>
+        <source>&quot;read&quot; tells how a text is written, and this is {}: it has no effect</source>
+        <translation>&quot;read&quot; sagt, wie ein Text geschrieben ist, und dies ist {}: Es bewirkt nichts</translation>
     </message>
     <message>
         <source>column '{}' was not measured in {} of {} rows, first in data row {}</source>

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/fit/clock.hpp"
+#include "core/study/recorded.hpp"
 #include "core/syntax/printer.hpp"
 
 namespace analogon::ui {
@@ -460,7 +461,7 @@ void Document::restoreRun(const RunRecord& record) {
     settings.tables.insert(study_->tables.begin(), study_->tables.end());
     // A recording that was taken out of the study before it was saved is in no file any more.
     const std::size_t gone =
-        std::erase_if(settings.experiments, [&](const auto& e) { return !settings.tables.contains(e.file); });
+        std::erase_if(settings.experiments, [&](const auto& e) { return !fileTable(settings.tables, e); });
     applySettings(std::move(settings), tr("Go back to the run of %1").arg(record.when));
     if (gone > 0)
         return setRunMessages({warning(phrase("{} recordings of that run are not part of the study any more", gone))});

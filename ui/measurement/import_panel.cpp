@@ -14,6 +14,9 @@
 #include <set>
 #include <utility>
 
+#include "core/measure/common_raster.hpp"
+#include "core/measure/open/read_table.hpp"
+#include "core/study/recorded.hpp"
 #include "ui/document/document.hpp"
 #include "ui/measurement/mapping.hpp"
 #include "ui/measurement/table_model.hpp"
@@ -179,16 +182,23 @@ void ImportPanel::read() {
     if (!separator.isEmpty()) options.separator = separator.front().toLatin1();
     if (!decimal.isEmpty()) options.decimal = decimal.front().toLatin1();
     if (const QString units = units_->currentData().toString(); !units.isEmpty()) options.hasUnitsRow = units == "1";
-    const bool isPlain = !options.separator && !options.decimal && !options.hasUnitsRow;
     accept_->setEnabled(false);
     problems_->setText(tr("Reading …"));
     reader_.start<Preview>(
         tr("Reading"),
-        [path = path_, isText = separator_->isEnabled(), options, isPlain](const Progress&) {
-            const std::filesystem::path file = path.toStdString();
-            Preview preview{isPlain ? readTable(file) : readCsv(file, options), {}};
-            if (!preview.table && isText) preview.lines = linesOf(path, preview.table.diagnostics());
-            return preview;
+        [path = path_, isText = separator_->isEnabled(), options](const Progress& progress) {
+            Outcome<Table> read = readTable(path.toStdString(), options, {}, progress);
+            if (!read)
+                return Preview{read.diagnostics(),
+                               isText ? linesOf(path, read.diagnostics()) : std::vector<FileLine>()};
+            const auto file = std::make_shared<const Table>(std::move(*read));
+            Outcome<std::shared_ptr<const Table>> table = allOnOneRaster(file);
+            if (table) {
+                Diagnostics told = read.diagnostics();
+                told.insert(told.end(), table.diagnostics().begin(), table.diagnostics().end());
+                table = {*table, std::move(told)};
+            }
+            return Preview{std::move(table), {}, file, options};
         },
         [this](Preview preview) { showPreview(std::move(preview)); });
 }
@@ -216,7 +226,9 @@ void ImportPanel::tellProblems(const Diagnostics& problems) {
 
 void ImportPanel::showPreview(Preview preview) {
     const Diagnostics problems = preview.table.diagnostics();
-    table_ = preview.table ? std::make_shared<const Table>(std::move(*preview.table)) : nullptr;
+    table_ = preview.table ? *preview.table : nullptr;
+    file_ = preview.file;
+    options_ = preview.options;
     QPalette p = palette();
     p.setColor(QPalette::WindowText, table_ ? style::caution(p) : style::fault(p));
     problems_->setPalette(problems.empty() ? palette() : p);
@@ -251,9 +263,10 @@ void ImportPanel::accept() {
     experiment.role = static_cast<Role>(role_->currentData().toInt());
     experiment.file = path_.toStdString();
     experiment.timeColumn = time_->currentText().toStdString();
+    experiment.read = options_;
     proposeMapping(experiment, *table_, document_.facts(), document_.study().experiments);
     StudySettings settings = document_.settings();
-    settings.tables[experiment.file] = table_;
+    settings.tables[tableKey(experiment)] = file_;
     settings.experiments.push_back(experiment);
     document_.applySettings(std::move(settings), tr("Import %1").arg(QFileInfo(path_).fileName()));
     Q_EMIT accepted(QString::fromStdString(experiment.name));

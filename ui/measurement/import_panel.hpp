@@ -41,8 +41,10 @@ private:
     void read();
     /// What was read: the table, or the lines of a file that is none.
     struct Preview {
-        Outcome<Table> table;
+        Outcome<std::shared_ptr<const Table>> table;  // on one raster
         std::vector<FileLine> lines;
+        std::shared_ptr<const Table> file{};
+        ReadOptions options{};
 
         static Preview failed(const Diagnostic& fault) { return {fault, {}}; }
     };
@@ -53,7 +55,8 @@ private:
 
     Document& document_;
     QString path_;
-    std::shared_ptr<const Table> table_;
+    std::shared_ptr<const Table> table_, file_;  // as it is shown, and whole
+    ReadOptions options_;
     QString told_;      // what is wrong, as plain text
     int wantedLine_{};  // to be shown once it is there; 0: none
     JobRunner reader_;

@@ -67,9 +67,9 @@ void proposeMapping(StudyExperiment& experiment, const Table& table, const Model
                     const std::vector<StudyExperiment>& like) {
     for (const StudyExperiment& other : like) {
         for (const auto& [signal, mapping] : other.inputs)
-            if (table.find(mapping.column)) experiment.inputs.try_emplace(signal, mapping);
+            if (table.find(mapping.column, mapping.group)) experiment.inputs.try_emplace(signal, mapping);
         for (const auto& [signal, mapping] : other.outputs)
-            if (table.find(mapping.column)) experiment.outputs.try_emplace(signal, mapping);
+            if (table.find(mapping.column, mapping.group)) experiment.outputs.try_emplace(signal, mapping);
     }
     std::set<std::string> used{experiment.timeColumn};
     for (const auto* channels : {&experiment.inputs, &experiment.outputs})
@@ -89,7 +89,10 @@ void proposeMapping(StudyExperiment& experiment, const Table& table, const Model
     for (const Pair& pair : pairs) {
         auto& mapped = pair.isInput ? experiment.inputs : experiment.outputs;
         if (mapped.contains(pair.signal->name) || used.contains(pair.column->name)) continue;
-        mapped[pair.signal->name].column = pair.column->name;
+        ChannelMapping& mapping = mapped[pair.signal->name];
+        mapping.column = pair.column->name;
+        if (pair.column->isOnOtherRaster)
+            mapping.group = {pair.column->group, pair.column->group.empty() ? pair.column->groupNumber : 0, false};
         used.insert(pair.column->name);
     }
 }

@@ -17,6 +17,8 @@
 #include <set>
 
 #include "core/base/unit.hpp"
+#include "core/measure/channel_place.hpp"
+#include "core/study/recorded.hpp"
 #include "ui/document/document.hpp"
 #include "ui/measurement/mapping.hpp"
 #include "ui/style/number.hpp"
@@ -29,10 +31,40 @@ namespace {
 constexpr int experimentRole = Qt::UserRole, kindRole = Qt::UserRole + 1, signalRole = Qt::UserRole + 2,
               columnRole = Qt::UserRole + 3;
 
+const Column* columnOf(const Table* file, const ChannelName& name) {
+    if (!file) return nullptr;
+    const std::vector<ChannelPlace> places = placesOf(*file, name);
+    return places.size() == 1 ? places.front().column : nullptr;
+}
+
+/// How a channel is called where the file may have several of its name.
+QString labelText(const Table* file, const ChannelName& name) {
+    const Column* column = columnOf(file, name);
+    return QString::fromStdString(column ? labelOf(*file, *column) : name.column);
+}
+
+/// The channels of a file that are no stamps.
+std::vector<const Column*> channelsOf(const Table& file) {
+    std::vector<const Column*> channels;
+    const std::vector<const Table*> groups = tablesOf(file);
+    for (const Table* const group : groups)
+        for (std::size_t i = 0; i < group->columns.size(); ++i)
+            if (groups.size() == 1 || group->time != i) channels.push_back(&group->columns[i]);
+    return channels;
+}
+
+ChannelMapping mappingTo(const Table& file, const Column& column) {
+    const ChannelName name = channelOf(file, labelOf(file, column));
+    ChannelMapping mapping;
+    mapping.column = name.column;
+    mapping.group = name.group;
+    return mapping;
+}
+
 QString columnText(const Table* table, const ChannelMapping& mapping) {
-    const Column* column = table ? table->find(mapping.column) : nullptr;
+    const Column* column = columnOf(table, mapping.channel());
     const std::string unit = mapping.unit.empty() && column ? column->unit : mapping.unit;
-    QString text = QString::fromStdString(mapping.column);
+    QString text = QString::fromStdString(column ? labelOf(*table, *column) : mapping.column);
     if (!unit.empty()) text += QStringLiteral("  [%1]").arg(QString::fromStdString(unit));
     if (mapping.interpolation == Interpolation::Hold) text += QStringLiteral(" · ") + MeasurementPanel::tr("held");
     return text;
@@ -84,7 +116,7 @@ std::optional<std::pair<double, double>> readRange(const QString& typed) {
 
 /// Length of a recording as people say it.
 QString extentText(const Table& table, const StudyExperiment& experiment) {
-    const Column* time = table.find(experiment.timeColumn);
+    const Column* time = table.find(experiment.timeColumn, experiment.timeGroup);
     QString text = MeasurementPanel::tr("%1 samples").arg(style::countText(table.rows()));
     if (time && !time->values.empty()) {
         const double first = experiment.range ? experiment.range->first : time->values.front();
@@ -117,13 +149,10 @@ public:
             box->addItem(MeasurementPanel::tr("validate"), false);
         } else if (kind == MeasurementPanel::Kind::Input || kind == MeasurementPanel::Kind::Output) {
             box->addItem(MeasurementPanel::tr("not mapped"), QString());
-            const auto table = panel_.document_.study().tables.find(experiment->file);
-            if (table != panel_.document_.study().tables.end())
-                for (const Column& c : table->second->columns) {
-                    ChannelMapping mapping;
-                    mapping.column = c.name;
-                    box->addItem(columnText(table->second.get(), mapping), QString::fromStdString(c.name));
-                }
+            if (const auto file = fileTable(panel_.document_.study().tables, *experiment))
+                for (const Column* column : channelsOf(*file))
+                    box->addItem(columnText(file.get(), mappingTo(*file, *column)),
+                                 QString::fromStdString(labelOf(*file, *column)));
         } else {
             delete box;
             return nullptr;
@@ -285,8 +314,11 @@ void MeasurementPanel::map(const QTreeWidgetItem* item, const QString& column) {
         if (column.isEmpty()) {
             channels.erase(signal);
         } else {
+            const std::shared_ptr<const Table> file = fileTable(document_.study().tables, e);
+            const ChannelName name = file ? channelOf(*file, column.toStdString()) : ChannelName{column.toStdString()};
             channels[signal] = {};
-            channels[signal].column = column.toStdString();
+            channels[signal].column = name.column;
+            channels[signal].group = name.group;
         }
     });
 }
@@ -359,8 +391,9 @@ void MeasurementPanel::propose() {
     if (!document_.isOpen()) return;
     StudySettings settings = document_.settings();
     for (StudyExperiment& e : settings.experiments)
-        if (const auto table = settings.tables.find(e.file); table != settings.tables.end())
-            proposeMapping(e, *table->second, document_.facts(), document_.study().experiments);
+        if (const auto file = fileTable(settings.tables, e))
+            if (const auto table = allOnOneRaster(file))
+                proposeMapping(e, **table, document_.facts(), document_.study().experiments);
     document_.applySettings(std::move(settings), tr("Propose mapping"));
 }
 
@@ -417,8 +450,9 @@ QTreeWidgetItem* MeasurementPanel::addRow(QTreeWidgetItem* top, Kind kind, const
 }
 
 void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
-    const auto found = document_.study().tables.find(experiment.file);
-    const Table* table = found == document_.study().tables.end() ? nullptr : found->second.get();
+    const std::shared_ptr<const Table> whole = fileTable(document_.study().tables, experiment);
+    const std::shared_ptr<const Table> joined = shownTable(document_.study().tables, experiment);
+    const Table* const table = whole.get();
     const QString file = QString::fromStdString(std::filesystem::path(experiment.file).filename().string());
     const QString name = QString::fromStdString(experiment.name);
     const QColor muted = style::mutedText(palette());
@@ -435,14 +469,14 @@ void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
     top->setToolTip(
         1, isFit ? tr("Used to fit and to choose effects") : tr("Only reported; never used to fit or to choose"));
     top->setForeground(1, isFit ? style::accentText(palette()) : muted);
-    const QString extent = table ? QStringLiteral(" · ") + extentText(*table, experiment) : QString();
+    const QString extent = joined ? QStringLiteral(" · ") + extentText(*joined, experiment) : QString();
     auto* info = addRow(top, Kind::Info, file + extent, {});
     info->setFirstColumnSpanned(true);
     info->setForeground(0, muted);
     info->setToolTip(
         0, QString::fromStdString(experiment.file) + extent + "\n" + tr("Double-click or Enter shows the values"));
 
-    std::set<std::string> used{experiment.timeColumn};
+    std::set<QString> used{labelText(table, {experiment.timeColumn, experiment.timeGroup})};
     const auto add = [&](const std::map<std::string, ChannelMapping>& channels,
                          const std::vector<SignalFact>& signalFacts, Kind kind) {
         const bool isInput = kind == Kind::Input;
@@ -459,14 +493,15 @@ void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
                 item->setData(1, columnRole, QString());
                 return;
             }
-            item->setData(1, columnRole, QString::fromStdString(mapping->column));
+            const QString label = labelText(table, mapping->channel());
+            item->setData(1, columnRole, label);
             item->setToolTip(1, mappingTip(*mapping, file));
             item->setText(Clock, clockText(*mapping));
             item->setForeground(Clock, mapping->fitsClock      ? style::accentText(palette())
                                        : hasOwnClock(*mapping) ? palette().color(QPalette::Text)
                                                                : muted);
             item->setToolTip(Clock, clockTip(!isInput));
-            used.insert(mapping->column);
+            used.insert(label);
         };
         for (const auto& [signal, mapping] : channels) addSignal(signal, &mapping);
         for (const SignalFact& fact : signalFacts)
@@ -475,12 +510,11 @@ void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
     add(experiment.inputs, document_.facts().inputs, Kind::Input);
     add(experiment.outputs, document_.facts().outputs, Kind::Output);
     if (table)
-        for (const Column& column : table->columns) {
-            if (used.contains(column.name)) continue;
-            ChannelMapping mapping;
-            mapping.column = column.name;
-            auto* item = addRow(top, Kind::Spare, tr("not used"), columnText(table, mapping));
-            item->setData(1, columnRole, QString::fromStdString(column.name));
+        for (const Column* column : channelsOf(*table)) {
+            const QString label = QString::fromStdString(labelOf(*table, *column));
+            if (used.contains(label)) continue;
+            auto* item = addRow(top, Kind::Spare, tr("not used"), columnText(table, mappingTo(*table, *column)));
+            item->setData(1, columnRole, label);
             item->setIcon(0, style::icon("spare"));
             item->setToolTip(0, tr("Kept: the search for effects may use it as a cause"));
             for (int c : {0, 1}) item->setForeground(c, muted);

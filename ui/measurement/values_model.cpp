@@ -26,7 +26,7 @@ void ValuesModel::show(std::shared_ptr<const Table> table, const StudyExperiment
     range_ = experiment.range;
     for (std::size_t c = 0; table_ && c < table_->columns.size(); ++c) {
         const Column& column = table_->columns[c];
-        const bool isTime = column.name == experiment.timeColumn;
+        const bool isTime = &column == table_->find(experiment.timeColumn, experiment.timeGroup);
         all_.push_back({c,
                         QString::fromStdString(column.name),
                         QString::fromStdString(column.unit),
@@ -35,7 +35,7 @@ void ValuesModel::show(std::shared_ptr<const Table> table, const StudyExperiment
         const auto addMapped = [&](const std::map<std::string, ChannelMapping>& channels,
                                    const std::vector<SignalFact>& signalFacts) {
             for (const auto& [signal, mapping] : channels) {
-                if (mapping.column != column.name && mapping.column != column.header) continue;
+                if (&column != table_->find(mapping.column, mapping.group)) continue;
                 const std::string from = mapping.unit.empty() ? column.unit : mapping.unit;
                 const std::string to = unitOf(signalFacts, signal, from);
                 const Outcome<UnitConversion> units = convertUnit(from, to);

@@ -8,6 +8,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "core/study/recorded.hpp"
 #include "ui/document/document.hpp"
 #include "ui/measurement/values_model.hpp"
 #include "ui/style/number.hpp"
@@ -79,13 +80,13 @@ void ValuesPage::refresh() {
     if (experiment_.isEmpty() || !document_.isOpen()) return;
     for (const StudyExperiment& e : document_.study().experiments) {
         if (QString::fromStdString(e.name) != experiment_) continue;
-        const auto table = document_.study().tables.find(e.file);
-        if (table == document_.study().tables.end() || !table->second) break;
+        const std::shared_ptr<const Table> table = shownTable(document_.study().tables, e);
+        if (!table) break;
         title_->setText(experiment_);
         const QString file = QString::fromStdString(std::filesystem::path(e.file).filename().string());
-        caption_->setText(tr("%1 · %2 samples, numbered by the lines of the file")
-                              .arg(file, style::countText(table->second->rows())));
-        model_->show(table->second, e, document_.facts());
+        caption_->setText(
+            tr("%1 · %2 samples, numbered by the lines of the file").arg(file, style::countText(table->rows())));
+        model_->show(table, e, document_.facts());
         view_->resizeColumnsToContents();
         return;
     }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/residual/noise.hpp"
+#include "core/study/recorded.hpp"
 #include "ui/plot/decimate.hpp"
 #include "ui/style/number.hpp"
 #include "ui/style/style.hpp"
@@ -80,11 +81,11 @@ std::vector<NamedSeries> variablesOf(const Study& study, const std::string& expe
                                      const std::vector<double>& time) {
     std::vector<NamedSeries> result;
     for (const StudyExperiment& e : study.experiments) {
-        const auto found = study.tables.find(e.file);
-        if (e.name != experiment || found == study.tables.end() || !found->second) continue;
-        const Outcome<std::vector<double>> stamps = readTime(*found->second, e.timeColumn);
+        const std::shared_ptr<const Table> table = e.name == experiment ? shownTable(study.tables, e) : nullptr;
+        if (!table) continue;
+        const Outcome<std::vector<double>> stamps = readTime(*table, e.timeColumn);
         if (!stamps || stamps->size() < 2) return result;
-        for (const Column& column : found->second->columns) {
+        for (const Column& column : table->columns) {
             NamedSeries series{QString::fromStdString(column.header.empty() ? column.name : column.header), {}};
             if (column.name == e.timeColumn || column.values.size() != stamps->size()) {
                 if (column.name == e.timeColumn)

@@ -11,6 +11,7 @@
 #include <QPushButton>
 
 #include "core/library/library.hpp"
+#include "core/measure/open/read_table.hpp"
 #include "core/study/domain_part.hpp"
 #include "ui/document/composer.hpp"
 #include "ui/library/library_model.hpp"

@@ -20,6 +20,13 @@ bool isText(ByteView bytes) {
 
 }  // namespace
 
+Outcome<bool> isTextRecording(const std::filesystem::path& file) {
+    const Outcome<std::shared_ptr<const MappedFile>> mapped = MappedFile::open(file);
+    if (!mapped) return mapped.diagnostics();
+    const ByteView bytes = (*mapped)->bytes();
+    return !isMdf(bytes) && !isTdms(bytes) && !isZip(bytes) && !isMat(bytes) && isText(bytes);
+}
+
 Outcome<MeasurementFile> openRecording(const std::filesystem::path& file, const ReadOptions& options) {
     const Outcome<std::shared_ptr<const MappedFile>> mapped = MappedFile::open(file);
     if (!mapped) return mapped.diagnostics();

@@ -11,4 +11,7 @@ namespace analogon {
 /// `options` tell how a text is written.
 Outcome<MeasurementFile> openRecording(const std::filesystem::path& file, const ReadOptions& options = {});
 
+/// Whether it is read as text.
+Outcome<bool> isTextRecording(const std::filesystem::path& file);
+
 }  // namespace analogon

@@ -67,7 +67,46 @@ void tellMissingUnits(const TextGroup& group, std::vector<Text>& notes) {
                                    : phrase("no unit is given for {} columns, first {}", count, listed(names)));
 }
 
+/// The columns that hold numbers, and the names of the others.
+Table tableOf(TextGroup group, std::size_t number, bool isAlone) {
+    Table table;
+    table.file = group.table.file;
+    table.lines = std::move(group.table.lines);
+    for (std::size_t i = 0; i < group.kinds.size(); ++i) {
+        Column& column = group.table.columns[i];
+        if (group.kinds[i] == CellKind::Words) {
+            table.texts.push_back(column.name);
+            continue;
+        }
+        if (group.time == i) table.time = table.columns.size();
+        column.isHeld = !group.statuses[i].empty();
+        column.group = isAlone ? std::string() : group.name;
+        column.groupNumber = number;
+        table.columns.push_back(std::move(column));
+    }
+    return table;
+}
+
+Diagnostics warningsOf(const Diagnostics& all) {
+    Diagnostics warnings;
+    for (const Diagnostic& diagnostic : all)
+        if (diagnostic.severity == Severity::Warning) warnings.push_back(diagnostic);
+    return warnings;
+}
+
 }  // namespace
+
+Outcome<Table> readTextTables(const std::filesystem::path& file, const ReadOptions& options) {
+    const Outcome<std::string> bytes = readRegularFile(file);
+    if (!bytes) return bytes.diagnostics();
+    Outcome<TextFile> read = readTextFile(*bytes, file.string(), options);
+    if (!read) return read.diagnostics();
+    const bool isAlone = read->groups.size() == 1;
+    Table first = tableOf(std::move(read->groups.front()), 1, isAlone);
+    for (std::size_t i = 1; i < read->groups.size(); ++i)
+        first.others.push_back(std::make_shared<const Table>(tableOf(std::move(read->groups[i]), i + 1, isAlone)));
+    return {std::move(first), warningsOf(read.diagnostics())};
+}
 
 Outcome<MeasurementFile> openTextOf(std::string_view bytes, const std::string& name, const ReadOptions& options) {
     Outcome<TextFile> read = readTextFile(bytes, name, options);
@@ -96,9 +135,6 @@ Outcome<MeasurementFile> openText(const std::filesystem::path& file, const ReadO
 Outcome<Table> readCsvText(std::string_view text, const std::string& name, const ReadOptions& options) {
     Outcome<TextFile> read = readTextFile(text, name, options);
     if (!read) return read.diagnostics();
-    Diagnostics told;
-    for (const Diagnostic& diagnostic : read.diagnostics())
-        if (diagnostic.severity == Severity::Warning) told.push_back(diagnostic);
     if (read->groups.size() > 1 && !read->groups.front().name.empty()) {
         std::vector<std::string> names;
         for (const TextGroup& group : read->groups) names.push_back(group.name);
@@ -106,7 +142,7 @@ Outcome<Table> readCsvText(std::string_view text, const std::string& name, const
             phrase("this file holds several tables: {}", listed(names)), name, 0, 0,
             phrase("Name the one that is meant with \"group\" beside the column, or keep one table in the file."));
     }
-    return {joined(std::move(read->groups)), std::move(told)};
+    return {joined(std::move(read->groups)), warningsOf(read.diagnostics())};
 }
 
 Outcome<Table> readCsv(const std::filesystem::path& file, const ReadOptions& options) {

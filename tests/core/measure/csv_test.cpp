@@ -10,6 +10,7 @@
 #include "core/base/stop.hpp"
 #include "core/measure/channel.hpp"
 #include "core/measure/table.hpp"
+#include "core/measure/open/read_table.hpp"
 
 using namespace analogon;
 using testing::ElementsAre;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/flat/flat_model.hpp"
+#include "core/measure/open/read_table.hpp"
 #include "core/study/column_guess.hpp"
 #include "core/study/start_guess.hpp"
 #include "study_fixture.hpp"

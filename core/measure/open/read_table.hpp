@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "core/base/progress.hpp"
+#include "core/measure/read_options.hpp"
+#include "core/measure/table.hpp"
+
+namespace analogon {
+
+/// A measurement file of any kind as tables, a group each, over rasters of their own. Channels of text are left aside.
+/// Of a file with very many values only the masters and what is `wanted` by its name is read; the other columns have
+/// no values yet (Table::source has them), which a warning tells.
+Outcome<Table> readTable(const std::filesystem::path& file, const ReadOptions& options = {},
+                         const std::set<std::string>& wanted = {}, const Progress& progress = {});
+
+}  // namespace analogon
