@@ -339,7 +339,8 @@ void describe(CLI::App& app, Options& options) {
     discover->add_option("--trace", options.traceFile, "Receives every decision of the search, one JSON object a line")
         ->type_name("FILE");
 
-    CLI::App* exporting = command(Command::Export, "The model as an FMU or as stand-alone Modelica, its traces as CSV");
+    CLI::App* exporting =
+        command(Command::Export, "The model as an FMU or as stand-alone Modelica, its traces, its parameters");
     exporting->add_option("study", options.input, "The study: a directory, its study.json or an .analogon file")
         ->required()
         ->type_name("STUDY");
@@ -350,6 +351,14 @@ void describe(CLI::App& app, Options& options) {
                      "Receives the model with its fitted values as an FMU (FMI 2.0, Co-Simulation and Model Exchange)")
         ->type_name("FILE");
     exporting->add_option("--csv", options.csvFile, "Receives measured and simulated traces")->type_name("FILE");
+    exporting
+        ->add_option("--mf4", options.mf4File, "Receives measured and simulated traces and residuals as ASAM MDF 4")
+        ->type_name("FILE");
+    exporting
+        ->add_option("--parameters", options.parameterFile,
+                     "Receives the parameters, by the ending of its name: .csv, .json, .ssv (SSP 1.0), .dcm (DCM 2.0) "
+                     "or .cdfx (ASAM CDF 2.0)")
+        ->type_name("FILE");
     addCommon(*exporting, options);
 
     CLI::App* channels = command(Command::Channels, "What a measurement file holds: groups, channels, units, rasters");

@@ -23,16 +23,16 @@ struct Options {
     std::string className;  // check: of a model file with several classes
     ProgressKind progress{ProgressKind::Automatic};
     std::vector<std::filesystem::path> libraries;
-    int threads{0};                                        // 0: as many as the machine has
-    std::string method{"least-squares"};                   // or one without slopes
-    std::vector<std::string> profiled;                     // fit: parameters, or "all"
-    std::vector<std::string> kinds;                        // of effects; empty: all
-    double mostWork{};                                     // discover: millions of steps; 0: no limit
-    std::filesystem::path traceFile;                       // discover: receives its decisions
-    std::vector<std::string> domains;                      // generate
-    std::filesystem::path fmuFile, modelicaFile, csvFile;  // export
-    bool asJson{}, withValues{};                           // channels
-    std::vector<std::filesystem::path> data;               // generate: one, or several of which the last validates
+    int threads{0};                       // 0: as many as the machine has
+    std::string method{"least-squares"};  // or one without slopes
+    std::vector<std::string> profiled;    // fit: parameters, or "all"
+    std::vector<std::string> kinds;       // of effects; empty: all
+    double mostWork{};                    // discover: millions of steps; 0: no limit
+    std::filesystem::path traceFile;      // discover: receives its decisions
+    std::vector<std::string> domains;     // generate
+    std::filesystem::path fmuFile, modelicaFile, csvFile, mf4File, parameterFile;  // export
+    bool asJson{}, withValues{};                                                   // channels
+    std::vector<std::filesystem::path> data;  // generate: one, or several of which the last validates
 };
 
 /// The whole program: reads the arguments, does the work, returns the exit status.

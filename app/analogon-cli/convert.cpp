@@ -92,8 +92,12 @@ int unpack(const Options& options, std::ostream& out, std::ostream& err) {
 }
 
 int exportStudy(const Options& options, std::ostream& out, std::ostream& err) {
-    if (options.fmuFile.empty() && options.modelicaFile.empty() && options.csvFile.empty())
-        return fails({fileError("export what? Give --fmu FILE, --modelica FILE or --csv FILE", "")}, err);
+    if (options.fmuFile.empty() && options.modelicaFile.empty() && options.csvFile.empty() && options.mf4File.empty() &&
+        options.parameterFile.empty())
+        return fails({fileError("export what? Give --fmu FILE, --modelica FILE, --csv FILE, --mf4 FILE or --parameters "
+                                "FILE",
+                                "")},
+                     err);
     Outcome<OpenedStudy> opened = openStudy(options.input);
     if (!opened) return fails(opened.diagnostics(), err);
     Diagnostics told = opened.diagnostics();
@@ -106,7 +110,9 @@ int exportStudy(const Options& options, std::ostream& out, std::ostream& err) {
     };
     for (const Wanted& wanted : {Wanted{ExportFormat::Modelica, options.modelicaFile, "model"},
                                  {ExportFormat::Fmu, options.fmuFile, "FMU"},
-                                 {ExportFormat::Csv, options.csvFile, "traces"}}) {
+                                 {ExportFormat::Csv, options.csvFile, "traces"},
+                                 {ExportFormat::Mf4, options.mf4File, "traces"},
+                                 {ExportFormat::Parameters, options.parameterFile, "parameters"}}) {
         if (wanted.file.empty()) continue;
         const Outcome<Exported> exported = exportTo(opened->study, wanted.format, wanted.file);
         if (isStopped() && !exported) {

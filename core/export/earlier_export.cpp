@@ -9,6 +9,8 @@
 
 #include "core/archive/zip_look.hpp"
 #include "core/base/regular_file.hpp"
+#include "core/export/mf4_file.hpp"
+#include "core/export/parameter_table.hpp"
 
 namespace analogon {
 
@@ -24,11 +26,15 @@ std::string sealOf(std::string_view text) {
     return fmt::format("{}{}), and again to this place as long as nobody changes it.\n", sealBegin, to_string(sum));
 }
 
-bool beginsWith(const fs::path& file, std::string_view words) {
-    std::string begin(words.size(), '\0');
-    std::ifstream(file, std::ios::binary).read(begin.data(), static_cast<std::streamsize>(begin.size()));
-    return begin == words;
+std::string beginOf(const fs::path& file, std::size_t bytes) {
+    std::string begin(bytes, '\0');
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    begin.resize(static_cast<std::size_t>(stream.gcount()));
+    return begin;
 }
+
+bool beginsWith(const fs::path& file, std::string_view words) { return beginOf(file, words.size()) == words; }
 
 bool isEarlier(ExportFormat format, const fs::path& file) {
     switch (format) {
@@ -37,6 +43,10 @@ bool isEarlier(ExportFormat format, const fs::path& file) {
                    std::string::npos;
         case ExportFormat::Csv:
             return beginsWith(file, "experiment,time [s]");
+        case ExportFormat::Mf4:
+            return beginsWith(file, mf4Begin());
+        case ExportFormat::Parameters:
+            return isParameterText(beginOf(file, 1024), parameterFormatOf(file).value_or(ParameterFormat::Csv));
         case ExportFormat::Modelica:
             break;
     }
@@ -50,6 +60,10 @@ Text fault(ExportFormat format) {
             return phrase("this exists already and is no FMU that was exported before");
         case ExportFormat::Csv:
             return phrase("this exists already and holds no traces that were exported before");
+        case ExportFormat::Mf4:
+            return phrase("this exists already and is no MDF file of traces that was exported before");
+        case ExportFormat::Parameters:
+            return phrase("this exists already and holds no parameters that were exported before");
         case ExportFormat::Modelica:
             break;
     }

@@ -5,6 +5,8 @@
 #include "core/export/earlier_export.hpp"
 #include "core/export/fmu.hpp"
 #include "core/export/modelica.hpp"
+#include "core/export/parameter_table.hpp"
+#include "core/export/traces_mf4.hpp"
 #include "core/report/report.hpp"
 #include "core/study/run.hpp"
 #include "core/study/validate.hpp"
@@ -33,6 +35,20 @@ Outcome<Done> checkTarget(const Study& study, const fs::path& file) {
     return Done{};
 }
 
+Outcome<Exported> exportedTraces(const Study& study, const fs::path& file, const Progress& progress) {
+    const Outcome<EstimationTask> task = taskOf(study, {});
+    if (!task) return task.diagnostics();
+    const Outcome<RunResult> result = runSimulate(study, {}, progress);
+    if (!result) return result.diagnostics();
+    const Outcome<std::vector<Mf4Group>> groups = tracesOf(result->finding.final, *task);
+    if (!groups) return groups.diagnostics();
+    if (progress.stopRequested()) return fileError(phrase("interrupted"), file.string());  // the traces end early
+    const std::string comment = "measured and simulated traces of " + study.className;
+    const Outcome<Done> done =
+        writeWhole(file, [&](const fs::path& beside) { return writeMf4(*groups, comment, beside, progress); });
+    return done ? Outcome<Exported>(Exported{}) : Outcome<Exported>(done.diagnostics());
+}
+
 Outcome<Exported> exported(const Study& study, ExportFormat format, const fs::path& file, const Progress& progress) {
     switch (format) {
         case ExportFormat::Modelica: {
@@ -45,6 +61,12 @@ Outcome<Exported> exported(const Study& study, ExportFormat format, const fs::pa
             const std::string text = tracesCsv(result->finding);
             if (progress.stopRequested()) return fileError(phrase("interrupted"), file.string());  // they end early
             return written(file, text);
+        }
+        case ExportFormat::Mf4:
+            return exportedTraces(study, file, progress);
+        case ExportFormat::Parameters: {
+            const Outcome<ParameterTable> table = parameterTable(study);
+            return table ? written(file, parameterText(*table, *parameterFormatOf(file))) : table.diagnostics();
         }
         case ExportFormat::Fmu:
             break;
@@ -60,6 +82,9 @@ Outcome<Exported> exported(const Study& study, ExportFormat format, const fs::pa
 
 Outcome<Exported> exportStudy(const Study& study, ExportFormat format, const fs::path& file, const Progress& progress,
                               Existing existing) {
+    if (format == ExportFormat::Parameters && !parameterFormatOf(file))
+        return fileError(phrase("the ending of this name says no format of parameters"), file.string(), 0, 0,
+                         phrase("It is .csv, .json, .ssv (SSP 1.0), .dcm (DCM 2.0) or .cdfx (ASAM CDF 2.0)."));
     if (Outcome<Done> isFree = checkTarget(study, file); !isFree) return isFree.diagnostics();
     if (existing == Existing::OwnAlone)
         if (Outcome<Done> isOwn = checkExportPlace(format, file); !isOwn) return isOwn.diagnostics();

@@ -5734,6 +5734,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>die Datei ist beschädigt: sie lässt sich nicht öffnen</translation>
     </message>
     <message>
+        <source>the file is damaged or ends too early: it begins as MATLAB 7.3 and cannot be opened</source>
+        <translation>die Datei ist beschädigt oder endet zu früh: Sie beginnt wie MATLAB 7.3 und lässt sich nicht öffnen</translation>
+    </message>
+    <message>
         <source>copy it again from where it was recorded</source>
         <translation>sie noch einmal von dort kopieren, wo sie aufgezeichnet wurde</translation>
     </message>

@@ -89,6 +89,7 @@ TEST_F(FileRule, EveryCommandWritesNowhereButWhereItIsTold) {
         {"export", directory, "--fmu"},
         {"export", packed, "--modelica"},
         {"export", directory, "--csv"},
+        {"export", directory, "--mf4"},
         {"pack", directory, "--out"},
         {"unpack", packed, "--out"},
         {"generate", "--domains", "electric-thermal", "--data", data, "--out"}};
@@ -199,7 +200,7 @@ TEST_F(FileRule, PipesAreNeitherReadNorReplaced) {
     const std::string directory = study(lag).string();
     const fs::path pipe = scratch / "pipe";
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-    for (const char* option : {"--fmu", "--modelica", "--csv"}) {
+    for (const char* option : {"--fmu", "--modelica", "--csv", "--mf4"}) {
         const Result result = run({"export", directory, option, pipe.string()});
         EXPECT_EQ(result.status, inputAtFault) << option;
         EXPECT_THAT(result.err, HasSubstr("this is a pipe or a device, not a file")) << option;
@@ -227,7 +228,8 @@ TEST_F(FileRule, WhatIsWrittenTakesThePlaceOfNothingElse) {
     EXPECT_THAT(packed.err, HasSubstr("this exists already and is no study"));
     EXPECT_EQ(contentOf(scratch / "notes.analogon"), "mine");
     for (const auto& [option, file] :
-         {std::pair("--csv", "step.csv"), std::pair("--modelica", "model.mo"), std::pair("--fmu", "study.json")}) {
+         {std::pair("--csv", "step.csv"), std::pair("--modelica", "model.mo"), std::pair("--fmu", "study.json"),
+          std::pair("--mf4", "step.csv"), std::pair("--parameters", "study.json")}) {
         const Result exported = run({"export", directory.string(), option, (directory / file).string()});
         EXPECT_EQ(exported.status, inputAtFault) << option;
         EXPECT_THAT(exported.err, HasSubstr("this is a file of the study itself")) << option;
@@ -239,7 +241,7 @@ TEST_F(FileRule, WhatIsWrittenTakesThePlaceOfNothingElse) {
 TEST_F(FileRule, ExportsTakeThePlaceOfEarlierOnesAlone) {
     const std::string directory = study(lag).string();
     const std::vector<std::pair<std::string, std::string>> kinds{
-        {"--fmu", "a.fmu"}, {"--modelica", "a.mo"}, {"--csv", "a.csv"}};
+        {"--fmu", "a.fmu"}, {"--modelica", "a.mo"}, {"--csv", "a.csv"}, {"--mf4", "a.mf4"}};
     put(scratch / "notes", "mine");
     put(scratch / "data", "time,experiment\n");
     fs::create_directories(scratch / "directory");
@@ -253,7 +255,7 @@ TEST_F(FileRule, ExportsTakeThePlaceOfEarlierOnesAlone) {
     }
     const auto before = treeOf(scratch);
     for (const auto& [option, name] : kinds)
-        for (const std::string other : {"notes", "data", "a.fmu", "a.mo", "a.csv", "directory"}) {
+        for (const std::string other : {"notes", "data", "a.fmu", "a.mo", "a.csv", "a.mf4", "directory"}) {
             if (other == name) continue;
             const Result refused = run({"export", directory, option, (scratch / other).string()});
             EXPECT_EQ(refused.status, inputAtFault) << option << " " << other;

@@ -229,6 +229,11 @@ void MainWindow::createActions() {
               tr("The model with its values and the classes it uses, as one Modelica text"));
     exportTracesAction_ = addExport(ExportFormat::Csv, "export-csv", tr("CSV …"),
                                     tr("What was measured and what the model says as it stands, of every experiment"));
+    exportMf4Action_ =
+        addExport(ExportFormat::Mf4, "export-mf4", tr("MDF 4 …"),
+                  tr("What was measured, what the model says and the difference, as groups of channels (ASAM MDF 4)"));
+    addExport(ExportFormat::Parameters, "export-parameters", tr("Parameters …"),
+              tr("The parameters for tools of calibration: CSV, JSON, SSV (SSP), DCM or CDFX"));
     quitAction_ = make(tr("Quit"), {}, QKeySequence::Quit, tr("Quit"));
     undoAction_ = document_->undoStack().createUndoAction(this, tr("Undo"));
     undoAction_->setIcon(style::icon("undo"));
@@ -868,7 +873,8 @@ void MainWindow::updateActions() {
     const bool isShown = document_->isOpen() && !document_->isReading();
     exportMenu_->menuAction()->setEnabled(isShown);
     for (QAction* action : exportMenu_->actions()) action->setEnabled(isShown);
-    exportTracesAction_->setEnabled(isShown && document_->canRun());
+    for (QAction* const traces : {exportTracesAction_, exportMf4Action_})
+        traces->setEnabled(isShown && document_->canRun());
     fitViewAction_->setEnabled(document_->isOpen());
 }
 

@@ -169,7 +169,7 @@ private:
         *messageDock_{};
 
     QAction *newAction_{}, *generateAction_{}, *openAction_{}, *openFileAction_{}, *saveAction_{}, *saveAsAction_{},
-        *importAction_{}, *reportAction_{}, *exportTracesAction_{}, *quitAction_{};
+        *importAction_{}, *reportAction_{}, *exportTracesAction_{}, *exportMf4Action_{}, *quitAction_{};
     QAction* textBesideAction_{};
     QAction *undoAction_{}, *redoAction_{}, *fitAction_{}, *discoverAction_{}, *fitViewAction_{}, *whyNoRunAction_{};
     QString fitTip_, discoverTip_;

@@ -49,7 +49,7 @@ bool isStudy(const QString& path) {
 void MainWindow::open(const QString& path) {
     const QFileInfo file(path);
     const bool isGenerating = pages_->currentWidget() == generate_;
-    static const QStringList recordings{"csv", "txt", "tsv", "dat", "mf4", "mdf", "mat"};
+    static const QStringList recordings{"csv", "txt", "tsv", "dat", "mf4", "mdf", "mat", "tdms", "xlsx"};
     if (file.exists() && recordings.contains(file.suffix().toLower()) && (isGenerating || !document_->isOpen())) {
         if (!isGenerating) showGenerate();  // there is no model yet that it could be a recording of
         return generate_->addRecording(path);
@@ -120,7 +120,8 @@ void MainWindow::askForMeasurement() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setModal(false);
     dialog->setFileMode(QFileDialog::ExistingFile);
-    dialog->setNameFilters({tr("Measurements (*.csv *.txt *.tsv *.dat *.mf4 *.mdf *.mat)"), tr("All files (*)")});
+    dialog->setNameFilters(
+        {tr("Measurements (*.csv *.txt *.tsv *.dat *.mf4 *.mdf *.mat *.tdms *.xlsx)"), tr("All files (*)")});
     connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::importMeasurement);
     dialog->show();
 }
@@ -222,6 +223,10 @@ void MainWindow::askWhereToExport(ExportFormat format) {
                 return {tr("Functional Mock-up Units (*.fmu)"), "fmu"};
             case ExportFormat::Modelica:
                 return {tr("Modelica texts (*.mo)"), "mo"};
+            case ExportFormat::Mf4:
+                return {tr("ASAM MDF (*.mf4)"), "mf4"};
+            case ExportFormat::Parameters:
+                return {tr("Parameters (*.csv *.json *.ssv *.dcm *.cdfx)"), "csv"};
             case ExportFormat::Csv:
                 break;
         }
