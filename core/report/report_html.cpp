@@ -230,7 +230,7 @@ private:
     }
 
     void effectCard(const AddedEffect& effect) {
-        static constexpr const char* ways[] = {"attached at ", "inserted at ", "replaces the equations of "};
+        static constexpr const char* ways[] = {"attached at ", "inserted at ", "replaces the equations of ", "bridges "};
         out_ += fmt::format("<div class=\"card\"><h3>{} {}</h3>",
                             escapeHtml(effect.description.empty() ? effect.kind : effect.description),
                             chip(effect.kind, ""));
@@ -241,6 +241,7 @@ private:
             out_ += fmt::format("<dt>{}</dt><dd>{}{}</dd>", code(value.name),
                                 html(valueText(value.value, value.standardError)), unitHtml(value.unit));
         const Evidence& evidence = effect.evidence;
+        out_ += fmt::format("<dt>Confidence</dt><dd>{}</dd>", html(confidenceWords(effect).english()));
         out_ += fmt::format("<dt>Error on fitted data</dt><dd>{} → {}</dd>", percentText(evidence.errorPercentBefore),
                             percentText(evidence.errorPercentAfter));
         out_ += fmt::format(

@@ -102,22 +102,29 @@ Json effectJson(const AddedEffect& effect) {
                                 {"delta_bic", number(other.deltaBic)},
                                 {"equivalent", other.equivalent}});
     const Evidence& evidence = effect.evidence;
-    return {{"kind", effect.kind},
-            {"class", effect.className},
-            {"way", name(effect.way)},
-            {"at", effect.at},
-            {"instance", effect.instance},
-            {"description", effect.description},
-            {"parameters", parameters},
-            {"evidence",
-             {{"score", number(evidence.score)},
-              {"p_value", number(evidence.pValue)},
-              {"delta_bic", number(evidence.deltaBic)},
-              {"held_out", number(evidence.heldOut)},
-              {"error_percent_before", number(evidence.errorPercentBefore)},
-              {"error_percent_after", number(evidence.errorPercentAfter)}}},
-            {"alternatives", alternatives},
-            {"values_instead", std::vector<std::string>(effect.valuesInstead.begin(), effect.valuesInstead.end())}};
+    Json json{{"kind", effect.kind},
+              {"class", effect.className},
+              {"way", name(effect.way)},
+              {"at", effect.at},
+              {"instance", effect.instance},
+              {"description", effect.description},
+              {"parameters", parameters},
+              {"confidence", name(effect.confidence)},
+              {"evidence",
+               {{"score", number(evidence.score)},
+                {"p_value", number(evidence.pValue)},
+                {"delta_bic", number(evidence.deltaBic)},
+                {"held_out", number(evidence.heldOut)},
+                {"error_percent_before", number(evidence.errorPercentBefore)},
+                {"error_percent_after", number(evidence.errorPercentAfter)}}},
+              {"alternatives", alternatives},
+              {"values_instead", std::vector<std::string>(effect.valuesInstead.begin(), effect.valuesInstead.end())}};
+    if (effect.prediction)
+        json["prediction"] = {{"error_percent_before", number(effect.prediction->errorPercentBefore)},
+                              {"error_percent_after", number(effect.prediction->errorPercentAfter)},
+                              {"blocks", effect.prediction->blocks},
+                              {"better_in", effect.prediction->betterIn}};
+    return json;
 }
 
 Json candidateJson(const CandidateResult& candidate) {

@@ -61,6 +61,18 @@ std::string experimentOf(const ModelState& state, const FitEstimate& estimate) {
     return fmt::format("experiment {}", estimate.experiment + 1);
 }
 
+/// What the level of some of them means.
+std::string indicatedWords(const std::vector<AddedEffect>& effects) {
+    const auto count = std::count_if(effects.begin(), effects.end(),
+                                     [](const AddedEffect& e) { return e.confidence == Confidence::Indicated; });
+    if (count == 0) return "";
+    return fmt::format(" {} indicated, not established: the model predicts clearly better with {}, though not all.",
+                       count == static_cast<std::ptrdiff_t>(effects.size()) ? count == 1 ? "The effect is" : "They are"
+                       : count == 1                                         ? "One of them is"
+                                                                            : "Some of them are",
+                       count == 1 ? "it" : "them");
+}
+
 }  // namespace
 
 bool hasChanged(const Finding& finding) { return !finding.effects.empty() && !finding.final.experiments.empty(); }
@@ -72,8 +84,22 @@ double errorPercent(const ModelState& state, Role role) {
 }
 
 std::string effectWords(const AddedEffect& effect) {
-    if (effect.description.empty()) return fmt::format("{} at {}", effect.kind, effect.at);
-    return fmt::format("{} at {} ({})", effect.kind, effect.at, lowerFirst(effect.description));
+    const char* const level = effect.confidence == Confidence::Indicated ? "indicated" : "";
+    if (effect.description.empty())
+        return fmt::format("{} at {}{}", effect.kind, effect.at, *level ? " (indicated)" : "");
+    return fmt::format("{} at {} ({}{}{})", effect.kind, effect.at, lowerFirst(effect.description), *level ? ", " : "",
+                       level);
+}
+
+Text confidenceWords(const AddedEffect& effect) {
+    if (!effect.prediction || effect.confidence == Confidence::Established)
+        return phrase("established: neither noise nor a disturbance accounts for it");
+    const auto [before, after] =
+        percentTexts(effect.prediction->errorPercentBefore, effect.prediction->errorPercentAfter);
+    return phrase(
+        "indicated: structure remains, but with it the error of what was left out of the fit falls from {} "
+        "to {}, in {} of {} parts",
+        before, after, effect.prediction->betterIn, effect.prediction->blocks);
 }
 
 std::string summaryWords(const Finding& finding, const std::string& command) {
@@ -112,6 +138,7 @@ std::string summaryWords(const Finding& finding, const std::string& command) {
             break;
         case FindingKind::Partial:
             text += "; what is left still has a structure that nothing known here explains.";
+            text += indicatedWords(finding.effects);
             break;
         case FindingKind::Interrupted:
             break;

@@ -20,6 +20,9 @@ std::string summaryWords(const Finding& finding, const std::string& command);
 /// "friction.coulomb at rotor.flange_a (dry friction)"
 std::string effectWords(const AddedEffect& effect);
 
+/// How sure an effect is, and what that rests on.
+Text confidenceWords(const AddedEffect& effect);
+
 /// Why a candidate was taken or not: its reason, or, where a run kept none, what its verdict means.
 Text verdictWords(const CandidateResult& candidate);
 

@@ -24,6 +24,7 @@ constexpr const char* formatName = "analogon-run-1";
 std::string wordOf(Role role) { return role == Role::Fit ? "fit" : role == Role::Validate ? "validate" : ""; }
 std::string wordOf(FitStatus status) { return statusWords(status); }
 std::string wordOf(Way way) { return name(way); }
+std::string wordOf(Confidence confidence) { return static_cast<int>(confidence) > 1 ? "" : name(confidence); }
 std::string wordOf(Verdict verdict) { return name(verdict); }
 std::string wordOf(FindingKind kind) { return name(kind); }
 
@@ -40,6 +41,10 @@ public:
     template <class Enum>
     void choice(const char* name, Enum& value) {
         (*object_)[name] = wordOf(value);
+    }
+    template <class Enum>
+    void laterChoice(const char* name, Enum& value) {
+        choice(name, value);
     }
     void array(const char* name, Eigen::VectorXd& values) {
         (*object_)[name] = kept({values.data(), static_cast<std::size_t>(values.size())});
@@ -63,6 +68,11 @@ public:
     template <class Value>
     void member(const char* name, Value& value) {
         if (const auto found = object_->find(name); found != object_->end()) read(*found, value);
+    }
+    /// Of a kind that earlier versions did not have.
+    template <class Enum>
+    void laterChoice(const char* name, Enum& value) {
+        if (object_->contains(name)) choice(name, value);
     }
     template <class Enum>
     void choice(const char* name, Enum& value) {
@@ -213,6 +223,15 @@ void members(Of& of, Evidence& e) {
 }
 
 template <class Of>
+void members(Of& of, Prediction& p) {
+    of.member("error_percent_before", p.errorPercentBefore);
+    of.member("error_percent_after", p.errorPercentAfter);
+    of.member("blocks", p.blocks);
+    of.member("better_in", p.betterIn);
+    of.member("are_recordings", p.areRecordings);
+}
+
+template <class Of>
 void members(Of& of, AddedEffect& e) {
     of.member("kind", e.kind);
     of.member("class", e.className);
@@ -224,6 +243,8 @@ void members(Of& of, AddedEffect& e) {
     of.member("description", e.description);
     of.member("parameters", e.parameters);
     of.member("evidence", e.evidence);
+    of.laterChoice("confidence", e.confidence);
+    of.member("prediction", e.prediction);
     of.member("alternatives", e.alternatives);
     of.member("values_instead", e.valuesInstead);
 }

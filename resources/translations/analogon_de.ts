@@ -3893,6 +3893,10 @@ Relativer Standardfehler %1 %</translation>
         <translation>ΔBIC</translation>
     </message>
     <message>
+        <source>Confidence</source>
+        <translation>Sicherheit</translation>
+    </message>
+    <message>
         <source>Held out</source>
         <translation>Zurückgehalten</translation>
     </message>
@@ -3962,6 +3966,34 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
 </context>
 <context>
     <name>ResultPanel</name>
+    <message>
+        <source>Confidence</source>
+        <translation>Sicherheit</translation>
+    </message>
+    <message>
+        <source>indicated</source>
+        <translation>angezeigt</translation>
+    </message>
+    <message>
+        <source>established</source>
+        <translation>erwiesen</translation>
+    </message>
+    <message>
+        <source>predicts better; structure remains</source>
+        <translation>sagt besser voraus; Struktur bleibt</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Weggelassen</translation>
+    </message>
+    <message>
+        <source>better in %1 of %2 parts</source>
+        <translation>besser in %1 von %2 Teilen</translation>
+    </message>
+    <message>
+        <source>Error of parts of the measurement that were left out of the fit in turn, without the effect and with it</source>
+        <translation>Fehler von Teilen der Messung, die der Reihe nach aus der Anpassung weggelassen wurden, ohne den Effekt und mit ihm</translation>
+    </message>
     <message>
         <source>Another value would explain as much: %1.</source>
         <translation>Ein anderer Wert würde ebenso viel erklären: %1.</translation>
@@ -7634,6 +7666,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>vielleicht liegt es nur daran, wann genau innerhalb des Abtastschritts jeder Kanal abgetastet wurde</translation>
     </message>
     <message>
+        <source>the dead time of {:.3g} s at {} is {:.2g} samples long: what is stored (in a mass, by a lag) comes late as well, and smoothed; a step of the input tells which of them it is</source>
+        <translation>die Totzeit von {:.3g} s an {} ist {:.2g} Abtastwerte lang: Was gespeichert wird (in einer Masse, durch eine Verzögerung), kommt ebenfalls spät, und geglättet; ein Sprung des Eingangs sagt, was davon es ist</translation>
+    </message>
+    <message>
         <source>the dead time of {:.3g} s at {} is {:.2g} of a sample interval ({:.3g} s): {}</source>
         <translation>die Totzeit von {} s an {} beträgt das {}-Fache eines Abtastschritts ({} s): {}</translation>
     </message>
@@ -8732,6 +8768,22 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>its strength is not distinguishable from 0</source>
         <translation>seine Stärke ist von 0 nicht zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>what was left out is not predicted clearly better with it: the error goes from {:.3g} to {:.3g} %, lower in {} of {} parts</source>
+        <translation>was weggelassen wurde, wird damit nicht deutlich besser vorausgesagt: Der Fehler geht von {:.3g} auf {:.3g} %, kleiner in {} von {} Teilen</translation>
+    </message>
+    <message>
+        <source>predicts less well what was left out than {}</source>
+        <translation>sagt weniger gut voraus, was weggelassen wurde, als {}</translation>
+    </message>
+    <message>
+        <source>established: neither noise nor a disturbance accounts for it</source>
+        <translation>erwiesen: Weder Rauschen noch eine Störung erklärt es</translation>
+    </message>
+    <message>
+        <source>indicated: structure remains, but with it the error of what was left out of the fit falls from {} to {}, in {} of {} parts</source>
+        <translation>angezeigt: Struktur bleibt, aber damit fällt der Fehler dessen, was aus der Anpassung weggelassen wurde, von {} auf {}, in {} von {} Teilen</translation>
     </message>
     <message>
         <source>grows against an effect of the model: two that cancel explain what neither does</source>

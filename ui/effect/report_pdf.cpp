@@ -94,6 +94,7 @@ QString reportBody(const QString& title, RunKind kind, const Finding& finding, s
         for (const EffectValue& p : e.parameters)
             evidence.add(
                 {text(p.name), style::withDecimalSign(valueText(p.value, p.standardError)) + " " + text(p.unit)});
+        evidence.add({tr("Confidence"), inWords(confidenceWords(e))});
         evidence.add({tr("Score"), number(e.evidence.score)});
         evidence.add({tr("ΔBIC"), number(e.evidence.deltaBic)});
         evidence.add({tr("Held out"), number(e.evidence.heldOut, 2)});

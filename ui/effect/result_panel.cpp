@@ -251,6 +251,16 @@ void ResultPanel::addEffect(const AddedEffect& effect, bool isOneOfSeveral) {
         add(text(p.name), value + " " + text(p.unit));
     }
     const Evidence& e = effect.evidence;
+    const bool isIndicated = effect.confidence == Confidence::Indicated;
+    add(tr("Confidence"), isIndicated ? tr("indicated") : tr("established"),
+        isIndicated ? tr("predicts better; structure remains") : QString(), inWords(confidenceWords(effect)));
+    if (effect.prediction)
+        add(tr("Left out"),
+            style::percentText(effect.prediction->errorPercentBefore) + " → " +
+                style::percentText(effect.prediction->errorPercentAfter),
+            tr("better in %1 of %2 parts").arg(effect.prediction->betterIn).arg(effect.prediction->blocks),
+            tr("Error of parts of the measurement that were left out of the fit in turn, without the effect and with "
+               "it"));
     add(tr("Error"), style::percentText(e.errorPercentBefore) + " → " + style::percentText(e.errorPercentAfter),
         tr("fitted experiments"), tr("Over the fitted experiments"));
     add(tr("Score"), evidenceText(e.score), tr("signal to noise, squared"),

@@ -123,6 +123,7 @@ EffectClass readWords(const LibraryClass& of, const Modification& annotation, An
     e.inSignalRate = read.list(annotation, "inSignalRate");
     e.strength = read.text(annotation, "strength", true);
     e.oneSided = read.flag(annotation, "oneSided");
+    e.behindSource = read.flag(annotation, "behindSource");
     e.linear = read.list(annotation, "linear");
     e.secant = read.list(annotation, "secant");
     e.whole = read.list(annotation, "whole");
@@ -165,10 +166,12 @@ Diagnostics settleWay(const Library& library, const LibraryClass& of, const Modi
         e.way = Way::Insert;
     else if (way == "specialise")
         e.way = Way::Specialise;
+    else if (way == "bridge")
+        e.way = Way::Bridge;
     else
         return {refusal(annotation, phrase("unknown way '{}' of the effect {}", way, of.qualifiedName),
-                        phrase("use \"attach\", \"insert\" or \"specialise\""))};
-    const std::size_t wanted = e.way == Way::Attach ? 1 : e.way == Way::Insert ? 2 : 0;
+                        phrase("use \"attach\", \"insert\", \"specialise\" or \"bridge\""))};
+    const std::size_t wanted = e.way == Way::Attach ? 1 : e.way == Way::Specialise ? 0 : 2;
     if (e.ports.size() != wanted)
         return {refusal(
             annotation,

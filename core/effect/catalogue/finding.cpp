@@ -14,6 +14,8 @@ const char* name(Way way) {
             return "insert";
         case Way::Specialise:
             return "specialise";
+        case Way::Bridge:
+            return "bridge";
     }
     return "";
 }
@@ -39,6 +41,8 @@ const char* name(Verdict verdict) {
     }
     return "";
 }
+
+const char* name(Confidence confidence) { return confidence == Confidence::Established ? "established" : "indicated"; }
 
 const char* name(FindingKind kind) {
     switch (kind) {

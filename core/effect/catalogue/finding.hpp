@@ -46,7 +46,7 @@ struct ModelState {
     double seconds{};  // that the fit took
 };
 
-enum class Way { Attach, Insert, Specialise };
+enum class Way { Attach, Insert, Specialise, Bridge };
 const char* name(Way way);  // "attach" …
 
 struct EffectValue {
@@ -78,6 +78,21 @@ struct Evidence {
     double errorPercentBefore{}, errorPercentAfter{};
 };
 
+/// How a model foretells what was left out of its fit, without an effect and with it.
+struct Prediction {
+    double errorPercentBefore{}, errorPercentAfter{};  // root mean square, of the range of each output
+    int blocks{}, betterIn{};                          // parts that were left out, and those in which it is better
+    bool areRecordings{};                              // the parts are whole recordings
+
+    /// Share of the error of what was left out.
+    double removed() const { return errorPercentBefore > 0 ? 1 - errorPercentAfter / errorPercentBefore : 0; }
+};
+
+/// Established: nothing else accounts for an effect, neither noise nor a disturbance. Indicated: structure remains, but
+/// with it the model predicts clearly better, and nothing named does as well.
+enum class Confidence { Established, Indicated };
+const char* name(Confidence confidence);  // "established", "indicated"
+
 struct AddedEffect {
     std::string kind, className, at;
     Way way{Way::Attach};
@@ -86,6 +101,8 @@ struct AddedEffect {
     std::string description;        // of the class
     std::vector<EffectValue> parameters;
     Evidence evidence;
+    Confidence confidence{Confidence::Established};
+    std::optional<Prediction> prediction{};  // of one that is indicated
     std::vector<Alternative> alternatives;
     /// Values of parameters that the study holds or bounds and that would explain as much: "core.C = 302 J/K".
     std::vector<Text> valuesInstead{};

@@ -253,13 +253,18 @@ bool joinsSamples(const EstimationTask& task) {
 
 }  // namespace
 
-std::vector<Text> delaysBelowSampling(const EstimationTask& task, const std::vector<AddedEffect>& effects) {
+std::vector<Text> delaysInSamples(const EstimationTask& task, const std::vector<AddedEffect>& effects) {
     const double interval = samplingInterval(task);
     if (!(interval > 0)) return {};
     std::vector<Text> said;
     for (const AddedEffect& effect : effects) {
         if (!effect.kind.ends_with(".delay") || effect.parameters.empty()) continue;
         const double delay = effect.parameters.front().value;
+        if (delay > threshold::prediction::mostSamplesOfDelay * interval)
+            said.push_back(
+                phrase("the dead time of {:.3g} s at {} is {:.2g} samples long: what is stored (in a mass, by a "
+                       "lag) comes late as well, and smoothed; a step of the input tells which of them it is",
+                       delay, effect.at, delay / interval));
         if (!(delay < interval)) continue;
         const bool isHeld =
             effect.kind.starts_with("actuator") && std::abs(delay / interval - 0.5) < 0.25 && joinsSamples(task);

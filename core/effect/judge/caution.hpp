@@ -25,8 +25,9 @@ std::vector<Text> wrongStarts(const ModelState& state, Role role);
 /// Outputs of the fitted recordings that read exactly the same for long, and hardly ever elsewhere.
 std::vector<Text> stuckReadings(const EstimationTask& task);
 
-/// Dead times below one sample interval: how a channel is read between its samples may be all there is to them.
-std::vector<Text> delaysBelowSampling(const EstimationTask& task, const std::vector<AddedEffect>& effects);
+/// Dead times below one sample interval: how a channel is read between its samples may be all there is to them. Those
+/// of many samples: they may stand in for a storage.
+std::vector<Text> delaysInSamples(const EstimationTask& task, const std::vector<AddedEffect>& effects);
 
 /// Whether any output of the fitted recordings takes more than one value, rounding aside.
 bool anyOutputMoves(const EstimationTask& task);

@@ -34,7 +34,10 @@ std::vector<EffectValue> estimatesOf(const PlacedEffect& placed, const FitResult
     return values;
 }
 
-int plausibility(const EffectClass& effect) { return effect.signalSide == "input" ? 1 : 0; }
+int plausibility(const EffectClass& effect) {
+    if (effect.way == Way::Bridge) return -1;
+    return effect.signalSide == "input" ? 1 : 0;
+}
 
 bool isMissed(const Acceptance& a) { return a.isSignificant && a.isWorthwhile && a.heldOut > 0; }
 

@@ -54,6 +54,13 @@ Text noMoreThanDisturbance() {
     return phrase("a flow that nobody measured, and that varies slowly, accounts for as much");
 }
 
+Text predictsNoBetter(const Prediction& prediction) {
+    return phrase(
+        "what was left out is not predicted clearly better with it: the error goes from {:.3g} to {:.3g} %, "
+        "lower in {} of {} parts",
+        prediction.errorPercentBefore, prediction.errorPercentAfter, prediction.betterIn, prediction.blocks);
+}
+
 Text takenOut(const Text& why) { return phrase("taken out again: {}", why); }
 
 }  // namespace analogon

@@ -21,6 +21,9 @@ Text fights();                 // see fightsAnother
 Text explainsLittle();         // see outweighsRest
 Text noMoreThanDisturbance();  // see isBorneOut
 
+/// Of an effect with which the model does not predict clearly better, see isClearlyBetter.
+Text predictsNoBetter(const Prediction& prediction);
+
 /// Of a candidate that was screened and not refitted; what scores less than `least` was not.
 Text whyNotRefitted(const Screened& screened, double least);
 

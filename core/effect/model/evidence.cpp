@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/effect/model/held_out.hpp"
 #include "core/effect/model/input_edge.hpp"
 #include "core/effect/thresholds.hpp"
 

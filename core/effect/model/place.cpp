@@ -210,6 +210,41 @@ std::vector<EffectPlace> ModelNodes::insertPlaces(const std::string& signature) 
     return places;
 }
 
+/// Whether a block turns something else into what flows at its one connector of this kind.
+bool ModelNodes::isSource(const std::string& connector, const std::string& signature) const {
+    const std::size_t dot = connector.rfind('.');
+    const Block* block = diagram_.find(connector.substr(0, dot));
+    if (block == nullptr) return false;
+    const auto alike = std::count_if(block->ports.begin(), block->ports.end(), [&](const Port& p) {
+        return connectorSignature(library_, p.className) == signature;
+    });
+    return alike == 1 && block->ports.size() > 1;
+}
+
+bool ModelNodes::areNeighbours(const Node& a, const Node& b) const {
+    const auto blockOf = [](const Member& m) { return m.connector.substr(0, m.connector.rfind('.')); };
+    for (const Node& n : nodes_)
+        for (const Node& other : nodes_) {
+            if (n.potential != a.potential || other.potential != b.potential) continue;
+            for (const Member& m : n.members)
+                for (const Member& o : other.members)
+                    if (blockOf(m) == blockOf(o)) return true;
+        }
+    return false;
+}
+
+std::vector<EffectPlace> ModelNodes::bridgePlaces(const std::string& signature) const {
+    const std::vector<EffectPlace> ends = attachPlaces(signature);
+    std::vector<EffectPlace> places;
+    for (std::size_t i = 0; i < ends.size(); ++i)
+        for (std::size_t j = i + 1; j < ends.size(); ++j) {
+            const Node *a = nodeOf(ends[i].connector), *b = nodeOf(ends[j].connector);
+            if (a == nullptr || b == nullptr || areNeighbours(*a, *b)) continue;
+            places.push_back({ends[i].at + bridgeJoint + ends[j].at, ends[i].connector, {}, ends[j].connector});
+        }
+    return places;
+}
+
 std::vector<EffectPlace> ModelNodes::signalPlaces(const EffectClass& effect) const {
     std::vector<EffectPlace> places;
     const bool isOutput = effect.signalSide == "output";
@@ -291,7 +326,13 @@ std::vector<EffectPlace> ModelNodes::placesFor(const EffectClass& effect,
     if (effect.ports.empty()) return {};
     const std::string signature = signatureOf(effect, effect.ports.front());
     if (signature.empty()) return {};
-    if (effect.way == Way::Insert) return insertPlaces(signature);
+    if (effect.way == Way::Bridge) return bridgePlaces(signature);
+    if (effect.way == Way::Insert) {
+        std::vector<EffectPlace> places = insertPlaces(signature);
+        if (effect.behindSource)
+            std::erase_if(places, [&](const EffectPlace& place) { return !isSource(place.connector, signature); });
+        return places;
+    }
     if (effect.channel.empty()) return attachPlaces(signature);
     std::vector<EffectPlace> driven;
     for (const EffectPlace& p : attachPlaces(signature))

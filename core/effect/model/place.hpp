@@ -15,7 +15,7 @@ struct EffectPlace {
     std::string at;         // as the report says it: "rotor.flange_a", "element", "output i_mod"
     std::string connector;  // attach, insert: "rotor.flange_a" or the top-level signal's name; specialise: the instance
     std::string spare;      // what drives its signal input: a recorded channel or "input NAME" of the model
-    std::string node{};     // connector of the node that the effect's further connector joins; empty: none
+    std::string node{};     // connector of the node that the effect's further connector joins, of a bridge the second
 
     bool operator==(const EffectPlace&) const = default;
 };
@@ -25,6 +25,9 @@ std::string keyOf(const EffectClass& effect, const EffectPlace& place);
 
 /// Before the name of a signal of the model, where it is an effect's place or drives an effect.
 inline constexpr std::string_view inputPrefix = "input ", outputPrefix = "output ";
+
+/// Between the two places of a bridge: "heater1.port <-> heater2.port".
+inline constexpr const char* bridgeJoint = " <-> ";
 
 /// The connectors of a composed model by the node they belong to, with what the structure knows of them.
 class ModelNodes {
@@ -69,6 +72,11 @@ private:
 
     std::vector<EffectPlace> attachPlaces(const std::string& signature) const;
     std::vector<EffectPlace> insertPlaces(const std::string& signature) const;
+    bool isSource(const std::string& connector, const std::string& signature) const;
+    /// Whether one block joins the two.
+    bool areNeighbours(const Node& a, const Node& b) const;
+    /// Pairs of nodes that no block joins.
+    std::vector<EffectPlace> bridgePlaces(const std::string& signature) const;
     std::vector<EffectPlace> signalPlaces(const EffectClass& effect) const;
     /// Whether two connectors have one potential.
     bool isOneNode(const std::string& a, const std::string& b) const;

@@ -1,6 +1,5 @@
 #include "core/effect/model/score.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
@@ -206,79 +205,6 @@ double noiseThreshold(const std::vector<Eigen::MatrixXd>& directions, double log
     }
     std::sort(largest.begin(), largest.end());
     return largest[static_cast<std::size_t>(quantile * (draws - 1))];
-}
-
-namespace {
-
-/// A part of the record, all but the directions of its rows that are `kept` (columns, orthonormal).
-Eigen::MatrixXd beside(const Eigen::MatrixXd& kept, const Eigen::MatrixXd& part) {
-    return part - kept * (kept.transpose() * part);
-}
-
-/// Residual on the left-out part after one Gauss-Newton refit to the rest.
-Eigen::VectorXd leftOutResidual(const Linearisation& model, const Eigen::MatrixXd& normal, const Eigen::VectorXd& scale,
-                                const std::vector<Eigen::Index>& rows, const Eigen::MatrixXd& kept) {
-    const Eigen::VectorXd residual = beside(kept, model.residuals(rows));
-    if (normal.cols() == 0) return residual;
-    const Eigen::MatrixXd block = beside(kept, model.jacobian(rows, Eigen::all) * scale.asDiagonal());
-    Eigen::MatrixXd rest = normal - block.transpose() * block;
-    rest.diagonal().array() +=
-        1e-6;  // columns are scaled to unit norm: keeps a direction seen in this block alone in place
-    return residual + block * rest.ldlt().solve(block.transpose() * residual);
-}
-
-/// What these rows alone tell of the parameters, as directions of the rows (columns, orthonormal): those of which the
-/// rest of the record has next to no information.
-Eigen::MatrixXd toldHereAlone(const Linearisation& model, const Eigen::MatrixXd& normal, const Eigen::VectorXd& scale,
-                              const std::vector<Eigen::Index>& rows) {
-    const auto count = static_cast<Eigen::Index>(rows.size());
-    if (normal.cols() == 0) return Eigen::MatrixXd(count, 0);
-    const Eigen::MatrixXd block = model.jacobian(rows, Eigen::all) * scale.asDiagonal();
-    Eigen::MatrixXd whole = normal;
-    whole.diagonal().array() += 1e-9;  // unit columns: a direction that nothing tells of loses nothing
-    const Eigen::LLT<Eigen::MatrixXd> root(whole);
-    const Eigen::MatrixXd own = root.matrixL().solve(block.transpose());  // of parameters in which all rows count 1
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> shares(own * own.transpose());
-    const Eigen::Index alone = (shares.eigenvalues().array() > 1 - leastSharedInformation).count();
-    return own.transpose() * shares.eigenvectors().rightCols(alone) *
-           shares.eigenvalues().tail(alone).cwiseSqrt().cwiseInverse().asDiagonal();
-}
-
-}  // namespace
-
-double heldOutGain(const std::vector<ResidualChannel>& channels, const Linearisation& without,
-                   const Linearisation& with, int blocks, int folds) {
-    const auto scaleOf = [](const Linearisation& m) {
-        Eigen::VectorXd scale = m.jacobian.colwise().norm().transpose();
-        for (double& s : scale) s = s > 0 ? 1 / s : 0;
-        return scale;
-    };
-    const Eigen::VectorXd scale0 = scaleOf(without), scale1 = scaleOf(with);
-    const auto normalOf = [](const Linearisation& m, const Eigen::VectorXd& scale) {
-        const Eigen::MatrixXd j = m.jacobian * scale.asDiagonal();
-        return Eigen::MatrixXd(j.transpose() * j);
-    };
-    const Eigen::MatrixXd normal0 = normalOf(without, scale0), normal1 = normalOf(with, scale1);
-    double gained = 0, moved = 0;
-    for (int fold = 0; fold < std::min(folds, blocks); ++fold) {
-        std::vector<Eigen::Index> rows;
-        for (const ResidualChannel& c : channels) {
-            const int last = c.samples.back() + 1;
-            for (int row = c.begin; row < c.end; ++row)
-                if (static_cast<long>(c.samples[static_cast<std::size_t>(row - c.begin)]) * blocks / last % folds ==
-                    fold)
-                    rows.push_back(row);
-        }
-        if (rows.empty()) continue;
-        // what only this part of the record says of the effect is not left out; what it claims there is unconfirmed
-        const Eigen::MatrixXd alone = toldHereAlone(with, normal1, scale1, rows);
-        moved += (alone.transpose() * (with.residuals(rows) - without.residuals(rows))).squaredNorm();
-        const Eigen::VectorXd r0 = leftOutResidual(without, normal0, scale0, rows, alone);
-        const Eigen::VectorXd r1 = leftOutResidual(with, normal1, scale1, rows, alone);
-        gained += r0.squaredNorm() - r1.squaredNorm();
-        moved += (r1 - r0).squaredNorm();
-    }
-    return moved > 0 ? gained / moved : 0;
 }
 
 double effectiveCount(const std::vector<ResidualChannel>& channels, const Eigen::VectorXd& residual) {

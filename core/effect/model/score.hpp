@@ -87,12 +87,6 @@ double explainedTogether(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, con
 double noiseThreshold(const std::vector<Eigen::MatrixXd>& directions, double logRows, double quantile,
                       std::uint64_t seed);
 
-/// H = (SSE0 - SSE1) / |f1 - f0|^2 on blocks of the data left out in turn, each model refitted to the rest (to
-/// first order). Tends to +1 for a true effect and to -1 for a false one. Every `folds`-th block is left out together:
-/// short blocks spread what excites an effect only now and then, but must outlast the memory of the noise.
-double heldOutGain(const std::vector<ResidualChannel>& channels, const Linearisation& without,
-                   const Linearisation& with, int blocks, int folds);
-
 /// N / (1 + 2 sum rho_k) over the channels of a residual.
 double effectiveCount(const std::vector<ResidualChannel>& channels, const Eigen::VectorXd& residual);
 

@@ -84,6 +84,14 @@ public:
         if (!place_.spare.empty()) addSpareInput(component_.name);
     }
 
+    void bridge() {
+        edit_.addComponent(component_);
+        for (const std::size_t side : {0u, 1u}) {
+            const std::string& own = effect_.ports[side];
+            join(component_.name + "." + own, port(library_, component_, own), side ? place_.node : place_.connector);
+        }
+    }
+
     /// The connector keeps the near side; all that it was joined to moves to the far side.
     void insert() {
         const bool isOutput = effect_.signalSide == "output";
@@ -194,6 +202,9 @@ Outcome<WiredEffect> wireIn(const Library& library, const syntax::ClassDefinitio
             break;
         case Way::Specialise:
             wiring.specialise(values);
+            break;
+        case Way::Bridge:
+            wiring.bridge();
             break;
     }
     return wiring.finish();

@@ -52,8 +52,11 @@ void tellWhatIsLeft(const SearchContext& search, Ending& end, const Leftovers& l
     finding.remainders = left.structure;
     // else that accounts for it
     if (search.courses.areEmpty() && end.heldWrongly.empty()) append(finding.warnings, noiseRemarks(left));
-    const bool isSmall = std::all_of(finding.remainders.begin(), finding.remainders.end(),
-                                     [&](const Remainder& r) { return isWithinForms(end.node, r.evidence); });
+    const bool isIndicated = std::any_of(end.node.steps.begin(), end.node.steps.end(),
+                                         [](const Step& s) { return s.prediction.has_value(); });
+    const bool isSmall =
+        !isIndicated && std::all_of(finding.remainders.begin(), finding.remainders.end(),
+                                    [&](const Remainder& r) { return isWithinForms(end.node, r.evidence); });
     if (isSmall && end.conclusion.proposed.empty() && !finding.remainders.empty()) {
         finding.warnings.push_back(
             phrase("what is left on output '{}' of '{}' is not quite noise, but far less than what was found "
@@ -163,7 +166,7 @@ Finding tellEnding(SearchContext& search, Ending end) {
     append(finding.warnings, extrapolations(measured));
     append(finding.warnings, driftBetweenRecordings(null));
     append(finding.warnings, boundHits(null.fit));
-    append(finding.warnings, delaysBelowSampling(readings.full.task, finding.effects));
+    append(finding.warnings, delaysInSamples(readings.full.task, finding.effects));
     append(finding.warnings, heldRemarks);
     finding.kind = kindOf(finding);
     const std::vector<Step>& steps = end.node.steps;

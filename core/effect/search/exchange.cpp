@@ -234,15 +234,35 @@ bool replace(SearchContext& search, Node& node, std::size_t effect, Rivals wante
     return true;
 }
 
+bool Visited::add(const Node& node) { return sets_.insert(keysOf(node.null.variant.effects)).second; }
+
+namespace {
+
+/// Replaces an effect where that leads to effects that were not there together before: of equals each may take the
+/// place of the other, without an end.
+bool replaceByNew(SearchContext& search, Node& node, std::size_t effect, Visited& visited) {
+    Node next = node;
+    const bool isReplaced = replace(search, next, effect, Rivals::Known);
+    if (isReplaced && !visited.add(next)) {
+        search.journal.model("reconsider", next.null, "was there before");
+        return false;
+    }
+    node = std::move(next);
+    return isReplaced;
+}
+
+}  // namespace
+
 bool reconsider(SearchContext& search, Node& node) {
     const auto hasRivals = [&](std::size_t i) {
         return !node.steps[i].rivals.empty() || !node.null.variant.effects[i].effect.signalSide.empty();
     };
+    Visited visited(node);
     bool changed = false;
     for (int pass = 0; pass < 2; ++pass) {
         bool changedNow = false;
         for (std::size_t i = 0; i + 1 < node.steps.size() && !search.progress.stopRequested();)
-            if (hasRivals(i) && replace(search, node, i, Rivals::Known))
+            if (hasRivals(i) && replaceByNew(search, node, i, visited))
                 changedNow = true;
             else
                 ++i;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <set>
+#include <string>
+
 #include "core/effect/judge/node.hpp"
 
 /// Effects tried again beside those that joined them: one in the place of another, one in the place of two.
@@ -19,7 +22,18 @@ bool isLike(const Trial& trial, double evidence, double weight);
 bool replace(SearchContext& search, Node& node, std::size_t effect, Rivals wanted,
              const EffectPlace* elsewhere = nullptr);
 
-/// Gives the rivals of every effect but the newest another chance. Bounded: each change lowers the misfit.
+/// Sets of effects in which a node has stood.
+class Visited {
+public:
+    explicit Visited(const Node& node) { add(node); }
+    /// False: it has stood there before.
+    bool add(const Node& node);
+
+private:
+    std::set<std::set<std::string>> sets_;
+};
+
+/// Gives the rivals of every effect but the newest another chance. It ends: no set of effects is come to twice.
 bool reconsider(SearchContext& search, Node& node);
 
 /// Puts together what the search has taken apart.

@@ -8,6 +8,7 @@
 #include "core/base/parallel.hpp"
 #include "core/effect/judge/disturbance.hpp"
 #include "core/effect/judge/judgement.hpp"
+#include "core/effect/judge/prediction.hpp"
 #include "core/effect/judge/reason.hpp"
 #include "core/effect/judge/remainder.hpp"
 #include "core/effect/model/model_state.hpp"
@@ -16,16 +17,11 @@
 #include "core/effect/search/without.hpp"
 
 namespace analogon {
-namespace {
-
-/// The error that is left without the effect of a step, by the model refitted without it.
 void tellErrorWithout(const SearchContext& search, Step& step, const NullModel& without) {
     if (Outcome<ModelState> state =
             stateOf(without.variant, without.fit, search.fit.simulation, search.progress, Detail::Errors))
         step.errorWithout = errorPercentOf(*state, Role::Fit);
 }
-
-}  // namespace
 
 bool isColouredNoise(const SearchContext& search, const NullModel& null) {
     if (isNoise(null)) return false;
@@ -187,7 +183,14 @@ bool dropUnmissed(SearchContext& search, const NullModel& last, Node& node) {
         const std::optional<NullModel> rest = withoutOnAll(search, last, i);
         if (!rest) continue;
         const Acceptance missed = examine(*rest, last.fit, static_cast<int>(last.variant.effects[i].freed.size()), 0);
-        if (isMissed(missed)) {
+        if (std::optional<Prediction>& indicated = node.steps[i].prediction) {
+            indicated = predict(*rest, last.fit);
+            if (isClearlyBetter(*indicated)) {
+                tellErrorWithout(search, node.steps[i], *rest);
+                continue;
+            }
+        }
+        if (isMissed(missed) && !node.steps[i].prediction) {
             node.steps[i].acceptance = missed;
             tellErrorWithout(search, node.steps[i], *rest);
         } else if (missed.evidence < leastEvidence) {

@@ -10,6 +10,9 @@ class SearchContext;
 /// Whether what is left is noise, of which a part has a memory; where a record is too short to tell, it is not.
 bool isColouredNoise(const SearchContext& search, const NullModel& null);
 
+/// The error that is left without the effect of a step, by the model refitted without it.
+void tellErrorWithout(const SearchContext& search, Step& step, const NullModel& without);
+
 /// Takes each effect out again and keeps only those that are missed. As many as there are threads are judged at once;
 /// what was judged beside one that is taken out is judged anew.
 void removeUnneeded(SearchContext& search, Node& node, std::size_t least, bool isLast = false);

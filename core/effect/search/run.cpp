@@ -16,6 +16,7 @@
 #include "core/effect/search/experiments.hpp"
 #include "core/effect/search/first_fit.hpp"
 #include "core/effect/search/held_values.hpp"
+#include "core/effect/search/indicate.hpp"
 #include "core/effect/search/interrupted.hpp"
 #include "core/effect/search/mistaken_reading.hpp"
 #include "core/effect/search/prune.hpp"
@@ -209,6 +210,9 @@ bool Run::isOpen() const {
 void Run::concludeBestPath() {
     const NullModel& base = end_.base;
     const Courses& courses = search_.courses;
+    std::vector<Node> ends{end_.node};
+    ends.insert(ends.end(), search_.frontier.otherEnds.begin(), search_.frontier.otherEnds.end());
+    if (search_.frontier.whole) ends.push_back(search_.frontier.whole->node);
     settleChange(search_, base, end_.node.null);
     if (!courses.areEmpty()) {
         takeOutAll(
@@ -230,6 +234,7 @@ void Run::concludeBestPath() {
         end_.node = std::move(other);
         end_.conclusion = std::move(next);
     }
+    if (courses.areEmpty() && end_.conclusion.proposed.empty()) indicate(search_, end_.node, ends);
 }
 
 /// Start values, clocks and held parameters are asked once more beside the effects that were found; and what to run

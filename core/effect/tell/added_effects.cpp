@@ -37,6 +37,8 @@ AddedEffect describe(const NullModel& last, const ModelState& state, const Place
     effect.evidence.pValue = pValue(step.acceptance.explained, static_cast<int>(placed.freed.size()), step.tried);
     effect.evidence.deltaBic = -step.acceptance.evidence;
     effect.evidence.heldOut = step.acceptance.heldOut;
+    effect.confidence = step.prediction ? Confidence::Indicated : Confidence::Established;
+    effect.prediction = step.prediction;
     // what stands in the model as well is no other explanation, nor is another class of it; and each is named once
     for (const Alternative& a : step.alternatives)
         if (!stands(last.variant, a.kind, a.at) &&

@@ -230,11 +230,13 @@ TEST(Caution, SaysWhenADeadTimeIsShorterThanTheSampling) {
     effect.kind = "actuator.delay";
     effect.at = "input v";
     effect.parameters = {{"T", 0.47, 0.01, "s"}};
-    EXPECT_THAT(delaysBelowSampling(task, {effect}), ElementsAre(HasSubstr("held between its samples")));
+    EXPECT_THAT(delaysInSamples(task, {effect}), ElementsAre(HasSubstr("held between its samples")));
     effect.kind = "sensor.delay";
-    EXPECT_THAT(delaysBelowSampling(task, {effect}), ElementsAre(HasSubstr("0.47 of a sample interval")));
+    EXPECT_THAT(delaysInSamples(task, {effect}), ElementsAre(HasSubstr("0.47 of a sample interval")));
     effect.parameters.front().value = 1.5;
-    EXPECT_THAT(delaysBelowSampling(task, {effect}), IsEmpty());
+    EXPECT_THAT(delaysInSamples(task, {effect}), IsEmpty());
+    effect.parameters.front().value = 40;
+    EXPECT_THAT(delaysInSamples(task, {effect}), ElementsAre(HasSubstr("samples long")));
 }
 
 TEST(Caution, NamesWhatRestsAtABound) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/effect/model/held_out.hpp"
 #include "core/effect/model/null_model.hpp"
 #include "core/residual/noise.hpp"
 #include "core/residual/quantisation.hpp"

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "core/effect/catalogue/finding.hpp"
+#include "core/effect/model/null_model.hpp"
+
+/// How much better a model foretells what it was not fitted to: a disturbance cannot, a missing effect can
+/// (cross-validation with long blocks left out, Burman, Chow and Nolan 1994).
+namespace analogon {
+
+/// What two models make of what was left out, whole recordings where there are several, else long parts of each; all
+/// parameters follow the rest to first order about their optimum. Both beside the same noise.
+Prediction predict(const NullModel& without, const FitResult& with);
+
+/// Whether a model predicts clearly better: by a good part of the error of what was left out, in most of the parts.
+bool isClearlyBetter(const Prediction& prediction);
+
+/// Rows of a residual that are left out together, by part.
+std::vector<std::vector<Eigen::Index>> partsLeftOut(const std::vector<ResidualChannel>& channels);
+
+}  // namespace analogon

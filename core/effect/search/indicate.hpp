@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "core/effect/judge/node.hpp"
+
+/// Effects that are indicated: structure remains beside them, and with them the model foretells clearly better what it
+/// was not fitted to.
+namespace analogon {
+
+class SearchContext;
+
+/// Adds such names to the end of a search, each refitted with all parameters. They are sought one by one beside the
+/// node, and among the names with which paths ended (`ends`, before anything was taken out of them); of what comes of
+/// both, what predicts best stays. Where noise is left, or nothing predicts clearly better, the node stays as it is.
+void indicate(SearchContext& search, Node& node, const std::vector<Node>& ends);
+
+}  // namespace analogon

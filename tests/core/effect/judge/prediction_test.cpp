@@ -1,0 +1,131 @@
+#include "core/effect/judge/prediction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <random>
+#include <set>
+
+namespace analogon {
+namespace {
+
+std::vector<ResidualChannel> channelsOf(const std::vector<int>& lengths) {
+    std::vector<ResidualChannel> channels;
+    int row = 0;
+    for (std::size_t e = 0; e < lengths.size(); ++e) {
+        ResidualChannel c{static_cast<int>(e), 0, row, row + lengths[e], {}};
+        c.samples.resize(static_cast<std::size_t>(lengths[e]));
+        std::iota(c.samples.begin(), c.samples.end(), 0);
+        c.measured = Eigen::VectorXd::LinSpaced(lengths[e], 0, 50);
+        row += lengths[e];
+        channels.push_back(std::move(c));
+    }
+    return channels;
+}
+
+Eigen::VectorXd gaussian(Eigen::Index n, unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    Eigen::VectorXd x(n);
+    for (double& v : x) v = normal(random);
+    return x;
+}
+
+/// What is recorded of a slow course that begins anew nowhere: a random walk.
+Eigen::VectorXd walk(Eigen::Index n, unsigned seed) {
+    Eigen::VectorXd x = gaussian(n, seed);
+    std::partial_sum(x.begin(), x.end(), x.begin());
+    return x;
+}
+
+Eigen::VectorXd wave(Eigen::Index n, double turns) {
+    return (2 * std::numbers::pi * turns / static_cast<double>(n) *
+            Eigen::ArrayXd::LinSpaced(n, 0, static_cast<double>(n - 1)))
+        .sin();
+}
+
+/// What a fit of these columns leaves of a residual.
+Linearisation leftBy(const Eigen::MatrixXd& columns, const Eigen::VectorXd& residual) {
+    Linearisation l;
+    l.ok = true;
+    l.jacobian = columns;
+    l.residuals = OrthogonalProjector(columns)(residual);
+    return l;
+}
+
+Prediction predicted(const std::vector<int>& lengths, const Eigen::MatrixXd& without, const Eigen::MatrixXd& with,
+                     const Eigen::VectorXd& residual) {
+    NullModel null;
+    null.channels = channelsOf(lengths);
+    null.fit.optimum = leftBy(without, residual);
+    FitResult fit;
+    fit.optimum = leftBy(with, residual);
+    return predict(null, fit);
+}
+
+TEST(PartsLeftOut, AreLongPartsOfOneRecordingAndWholeOnesOfSeveral) {
+    const auto ofOne = partsLeftOut(channelsOf({103}));
+    ASSERT_EQ(ofOne.size(), 5u);
+    for (const auto& part : ofOne) EXPECT_EQ(part.back() - part.front() + 1, static_cast<long>(part.size()));
+    EXPECT_EQ(partsLeftOut(channelsOf({50, 70})).size(), 10u);
+    const auto ofThree = partsLeftOut(channelsOf({10, 20, 30}));
+    ASSERT_EQ(ofThree.size(), 3u);
+    EXPECT_EQ(ofThree[1].size(), 20u);
+    const auto ofMany = partsLeftOut(channelsOf(std::vector<int>(25, 4)));
+    EXPECT_EQ(ofMany.size(), 10u);
+    std::set<Eigen::Index> rows;
+    for (const auto& part : ofMany) rows.insert(part.begin(), part.end());
+    EXPECT_EQ(rows.size(), 100u) << "each row is left out once";
+}
+
+TEST(Prediction, OfAMissingEffectIsClearlyBetterThoughAnythingElseRemains) {
+    const Eigen::Index n = 1000;
+    const Eigen::MatrixXd none = Eigen::MatrixXd::Ones(n, 1), effect = wave(n, 40);
+    Eigen::MatrixXd both(n, 2);
+    both << none, effect;
+    const Prediction p = predicted({1000}, none, both, walk(n, 3) + 40 * effect);
+    EXPECT_TRUE(isClearlyBetter(p)) << p.errorPercentBefore << " to " << p.errorPercentAfter;
+    EXPECT_EQ(p.blocks, 5);
+    EXPECT_GT(p.errorPercentBefore, p.errorPercentAfter);
+}
+
+/// A course that a disturbance took once is followed where it is fitted, and not foretold.
+TEST(Prediction, OfASlowDisturbanceByASlowColumnIsNoBetter) {
+    const Eigen::Index n = 1000;
+    const Eigen::MatrixXd none = Eigen::MatrixXd::Ones(n, 1);
+    int clear = 0;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        Eigen::MatrixXd both(n, 2);
+        both << none, walk(n, 1000 + seed);
+        clear += isClearlyBetter(predicted({1000}, none, both, walk(n, seed))) ? 1 : 0;
+    }
+    EXPECT_LE(clear, 6);
+}
+
+TEST(Prediction, IsAskedOfWholeRecordingsWhereThereAreSeveral) {
+    // what is right in one recording and wrong in the others
+    const Eigen::Index n = 300;
+    const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(3 * n, 0);
+    Eigen::VectorXd effect(3 * n), left(3 * n);
+    effect << wave(n, 7), wave(n, 7), wave(n, 7);
+    left << 5 * wave(n, 7), -5 * wave(n, 7), 5 * wave(n, 7);
+    const Prediction p = predicted({300, 300, 300}, none, effect, left + gaussian(3 * n, 1));
+    EXPECT_EQ(p.blocks, 3);
+    EXPECT_FALSE(isClearlyBetter(p));
+    left << 5 * wave(n, 7), 4 * wave(n, 7), 6 * wave(n, 7);
+    EXPECT_TRUE(isClearlyBetter(predicted({300, 300, 300}, none, effect, left + gaussian(3 * n, 1))));
+}
+
+TEST(Prediction, IsInPercentOfTheRangeOfEachOutput) {
+    const Eigen::Index n = 400;
+    Eigen::VectorXd left = Eigen::VectorXd::Ones(n);
+    const Prediction p = predicted({400}, Eigen::MatrixXd(n, 0), Eigen::MatrixXd::Ones(n, 1), left);
+    EXPECT_NEAR(p.errorPercentBefore, 2, 1e-9) << "1 of a range of 50";
+    EXPECT_NEAR(p.errorPercentAfter, 0, 1e-3);
+    EXPECT_NEAR(p.removed(), 1, 1e-3);
+}
+
+}  // namespace
+}  // namespace analogon

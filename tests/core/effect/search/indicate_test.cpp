@@ -1,0 +1,84 @@
+#include "core/effect/search/indicate.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/effect/search/verdicts.hpp"
+#include "core/effect/search/without.hpp"
+#include "tests/core/effect/search/warm_search.hpp"
+
+namespace analogon {
+namespace {
+
+/// A body behind a sensor that lags, beside a draught that nobody recorded.
+EstimationTask laggingBodyInADraught(double lag, double draught, unsigned seed = 3) {
+    EstimationTask task = laggingBody(lag);
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    Recording& r = task.recordings.front();
+    double course = 0;
+    for (Eigen::Index k = 0; k < r.outputs.cols(); ++k) {
+        course = 0.98 * course + draught * normal(random);
+        r.outputs(0, k) += course;
+    }
+    return task;
+}
+
+TEST(Indicate, AddsWhatPredictsBetterThoughStructureRemains) {
+    WarmSearch of(laggingBodyInADraught(3, 0.1));
+    ASSERT_FALSE(isNoise(of.base));
+    Node node{of.base, {}};
+    indicate(of.search, node, {});
+    ASSERT_EQ(node.steps.size(), 1u);
+    EXPECT_EQ(node.null.variant.effects.front().effect.kind, "sensor.lag");
+    ASSERT_TRUE(node.steps.front().prediction);
+    const Prediction& p = *node.steps.front().prediction;
+    EXPECT_GT(p.removed(), 0.2);
+    EXPECT_EQ(p.blocks, 5);
+    EXPECT_GE(p.betterIn, 4);
+    EXPECT_GT(node.steps.front().errorWithout, 0);
+    EXPECT_LT(node.null.sumOfSquares(), of.base.sumOfSquares());
+}
+
+TEST(Indicate, AddsNothingThatADisturbanceFeigns) {
+    for (const unsigned seed : {11, 12, 13}) {
+        WarmSearch of(laggingBodyInADraught(0, 0.1, seed));
+        Node node{of.base, {}};
+        indicate(of.search, node, {});
+        EXPECT_TRUE(node.steps.empty()) << node.null.variant.effects.front().effect.kind << ", seed " << seed;
+    }
+}
+
+TEST(Indicate, LeavesAModelThatLeavesNoiseAsItIs) {
+    WarmSearch of(laggingBody(0));
+    ASSERT_TRUE(isNoise(of.base));
+    Node node{of.base, {}};
+    indicate(of.search, node, {});
+    EXPECT_TRUE(node.steps.empty());
+}
+
+/// Rivals that each do the work of the other put each other out where each is asked alone: one of them stays.
+TEST(Indicate, KeepsOneOfTwoRivalsOfAnEnd) {
+    WarmSearch of(laggingBodyInADraught(3, 0.1));
+    Node end{of.base, {}};
+    Round round = tryAll(of.search, of.base);
+    std::vector<PlacedEffect> both;
+    for (const char* const kind : {"sensor.delay", "sensor.lag"})
+        for (std::size_t i = 0; i < round.trials.size(); ++i) {
+            if (round.candidate(i).effect.kind != kind || !round.trials[i].ok) continue;
+            round.chosen = i;
+            end.steps.push_back(stepOf(of.search, of.base, round));
+            both.push_back(round.trials[i].variant.effects.back());
+        }
+    ASSERT_EQ(both.size(), 2u);
+    std::optional<NullModel> fitted = refittedWith(of.search, of.base, both);
+    ASSERT_TRUE(fitted);
+    end.null = std::move(*fitted);
+    Node node{of.base, {}};
+    indicate(of.search, node, {end});
+    ASSERT_EQ(node.steps.size(), 1u);
+    EXPECT_EQ(node.null.variant.effects.front().effect.kind, "sensor.lag") << "no dead time stands in for a storage";
+}
+
+}  // namespace
+}  // namespace analogon
