@@ -92,8 +92,9 @@ std::string effectWords(const AddedEffect& effect) {
 }
 
 Text confidenceWords(const AddedEffect& effect) {
-    if (!effect.prediction || effect.confidence == Confidence::Established)
+    if (effect.confidence == Confidence::Established)
         return phrase("established: neither noise nor a disturbance accounts for it");
+    if (!effect.prediction) return phrase("indicated: the search ended before its last tests");
     const auto [before, after] =
         percentTexts(effect.prediction->errorPercentBefore, effect.prediction->errorPercentAfter);
     return phrase(

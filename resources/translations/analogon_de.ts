@@ -8782,6 +8782,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>erwiesen: Weder Rauschen noch eine Störung erklärt es</translation>
     </message>
     <message>
+        <source>indicated: the search ended before its last tests</source>
+        <translation>angezeigt: Die Suche endete vor ihren letzten Prüfungen</translation>
+    </message>
+    <message>
         <source>indicated: structure remains, but with it the error of what was left out of the fit falls from {} to {}, in {} of {} parts</source>
         <translation>angezeigt: Struktur bleibt, aber damit fällt der Fehler dessen, was aus der Anpassung weggelassen wurde, von {} auf {}, in {} von {} Teilen</translation>
     </message>

@@ -50,6 +50,7 @@ Finding tellWhole(const SearchContext& search, const Node& node, const FlatModel
     finding.final = *node.state;
     const auto& onTime = search.readings.drawn.errorsOnTime;
     addEffects(finding, node, {}, valued, onTime ? onTime->first : -1);
+    for (AddedEffect& e : finding.effects) e.confidence = Confidence::Indicated;  // the last tests are not made yet
     finding.kind = finding.effects.empty() ? FindingKind::Interrupted
                    : isNoise(node.null)    ? FindingKind::Effect
                                            : FindingKind::Partial;

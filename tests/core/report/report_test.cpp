@@ -72,6 +72,29 @@ TEST(ReportJson, TellsEffectsCandidatesAndNextExperiment) {
     EXPECT_FALSE(json.contains("remainder"));
 }
 
+TEST(Reports, TellHowSureAnEffectIsAndWhatThatRestsOn) {
+    const auto effectOf = [](const Finding& f) {
+        return nlohmann::json::parse(reportJson(f, discoverContext))["effects"][0];
+    };
+    Finding finding = sampleFinding();
+    EXPECT_EQ(effectOf(finding)["confidence"], "established");
+    EXPECT_FALSE(effectOf(finding).contains("prediction"));
+    EXPECT_THAT(confidenceWords(finding.effects.front()).english(), HasSubstr("established"));
+    finding.kind = FindingKind::Partial;
+    finding.effects.front().confidence = Confidence::Indicated;
+    EXPECT_THAT(confidenceWords(finding.effects.front()).english(), HasSubstr("ended before its last tests"));
+    finding.effects.front().prediction = Prediction{2.65, 1.01, 5, 4};
+    const auto effect = effectOf(finding);
+    EXPECT_EQ(effect["confidence"], "indicated");
+    EXPECT_EQ(effect["prediction"]["blocks"], 5);
+    EXPECT_EQ(effect["prediction"]["better_in"], 4);
+    EXPECT_NEAR(effect["prediction"]["error_percent_before"].get<double>(), 2.65, 1e-12);
+    EXPECT_THAT(confidenceWords(finding.effects.front()).english(),
+                HasSubstr("from 2.65 % to 1.01 %, in 4 of 5 parts"));
+    EXPECT_THAT(summaryWords(finding, "discover"), HasSubstr("indicated, not established"));
+    EXPECT_THAT(reportHtml(finding, discoverContext), HasSubstr("in 4 of 5 parts"));
+}
+
 TEST(ReportJson, WritesNullForWhatIsNotFinite) {
     Finding finding = sampleFinding();
     finding.final.experiments[0].outputs[0].figures.rmse = std::numeric_limits<double>::infinity();
