@@ -8,6 +8,7 @@
 #include <map>
 
 #include "core/measure/mat/mat_check.hpp"
+#include "core/measure/mat/mat_hdf.hpp"
 #include "core/measure/mat/mat_values.hpp"
 #include "core/measure/time_name.hpp"
 
@@ -377,7 +378,9 @@ Outcome<MeasurementFile> openMat(ByteView bytes, const std::string& file) {
     if (isHdf5(bytes)) {
         // what is wrong with a file is told here, not on the standard error of the program
         H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-        return MatOpener(file).open("MATLAB 7.3", {});
+        const Check check = checkLevel73(file);
+        if (check.fault) return fileError(*check.fault, file, 0, 0, phrase("copy it again from where it was recorded"));
+        return MatOpener(file).open("MATLAB 7.3", check.opaque);
     }
     const bool isNew = isLevel5(bytes);
     const Check check =

@@ -83,7 +83,7 @@ public:
         const ByteView bytes = blocks_.file();
         const std::string_view version = bytes.part(8, 8).text();
         recording_.format = "ASAM MDF " + std::string(version.substr(0, version.find_first_of(" \0", 0, 2)));
-        unfinished_ = bytes.part(0, 8).text() == "UnFinMF " ? bytes.little<std::uint16_t>(60) : 0;
+        unfinished_ = bytes.little<std::uint16_t>(60);
         const std::optional<Block4> header = blocks_.block(64, "HD");
         if (!header)
             return fileError(phrase("the header of the file is damaged"), recording_.file, 0, 0,
@@ -280,7 +280,7 @@ private:
         const bool isMaster = type == 2 || type == 3;
         RecordedChannel channel;
         channel.name = blocks_.text(block.link(2)) + suffix;
-        channel.unit = blocks_.text(block.link(6));
+        channel.unit = blocks_.unit(block.link(6));
         channel.comment = blocks_.text(block.link(7));
         channel.source = sourceName(block.link(3));
         StoredChannel stored;

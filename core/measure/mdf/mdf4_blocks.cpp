@@ -49,6 +49,8 @@ std::string Blocks4::text(std::uint64_t address) {
     return isXml ? commentText(text) : text;
 }
 
+std::string Blocks4::unit(std::uint64_t address) { return trimmed(text(address)); }
+
 std::uint64_t Blocks4::nextBehind(std::uint64_t address) const {
     const auto next = known_.upper_bound(address);
     return next == known_.end() ? file_.size() : *next;

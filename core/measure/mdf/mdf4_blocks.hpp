@@ -33,6 +33,8 @@ public:
     std::string_view idAt(std::uint64_t address) const;
     /// A text; of XML its <TX>. Empty: none.
     std::string text(std::uint64_t address);
+    /// The same without blanks around it.
+    std::string unit(std::uint64_t address);
     /// A link to a text led to none.
     bool hasLostText() const { return hasLostText_; }
     /// False where the block was entered before: the chain runs in a circle.

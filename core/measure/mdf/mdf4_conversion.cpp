@@ -50,7 +50,7 @@ Conversions4::Pointer Conversions4::read(std::uint64_t address, bool isInteger, 
         conversion->kind = Conversion::Kind::Unreadable;
         conversion->unreadable = "?";
     } else {
-        conversion->unit = blocks_.text(block->link(1));
+        conversion->unit = blocks_.unit(block->link(1));
         conversion->numbers = valuesOf(*block);
         const bool isWhole = conversion->numbers.size() == block->data.little<std::uint16_t>(6) &&
                              referenceCount(*block) == block->data.little<std::uint16_t>(4);
@@ -110,9 +110,14 @@ void Conversions4::readTexts(const Block4& block, Conversion& conversion, bool i
     for (std::uint64_t i = 0; i < references; ++i) {
         Conversion::Entry entry;
         const std::uint64_t address = block.link(firstReference + i);
-        if (blocks_.idAt(address) == "CC")
+        if (blocks_.idAt(address) == "CC") {
             entry.nested = read(address, isInteger, depth + 1);
-        else
+            if (!entry.nested) {  // it refers to itself
+                conversion.kind = Conversion::Kind::Unreadable;
+                conversion.unreadable = "?";
+                return;
+            }
+        } else
             entry.text = blocks_.text(address).substr(0, 1000);
         const std::size_t at = isRange ? 2 * i : i;
         if (at + (isRange ? 1 : 0) < values.size()) {

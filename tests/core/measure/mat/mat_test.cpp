@@ -107,6 +107,16 @@ TEST_P(MatTest, ACutFileIsRefused) {
     EXPECT_FALSE(opened);
 }
 
+TEST_P(MatTest, AFileThatEndsBehindItsSignatureIsSaidToBeCutShort) {
+    if (GetParam() != MAT_FT_MAT73) GTEST_SKIP() << "HDF5 alone begins with a signature";
+    write({numbers("t", {0, 0.5, 1}), numbers("y", {1, 2, 3})});
+    std::filesystem::resize_file(file, 544);
+    const Outcome<MeasurementFile> opened = openRecording(file);
+    ASSERT_FALSE(opened);
+    EXPECT_NE(opened.diagnostics()[0].message.english().find("damaged or ends too early"), std::string::npos);
+    EXPECT_NE(opened.diagnostics()[0].hint.english().find("copy it again"), std::string::npos);
+}
+
 TEST_P(MatTest, DamagedBytesCostNoMoreThanTheFile) {
     // HDF5 looks after itself
     if (GetParam() == MAT_FT_MAT73) GTEST_SKIP();

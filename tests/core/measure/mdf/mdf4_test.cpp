@@ -204,6 +204,31 @@ TEST_F(Mdf4, AFormulaThatCannotBeReadIsTold) {
     EXPECT_THAT(numbers(recording, 0, 0), ElementsAre(7));
 }
 
+TEST_F(Mdf4, BlanksAroundAUnitAreNoneOfIt) {
+    Mdf4Writer writer;
+    const std::uint64_t data = writer.block("DT", {}, ramp(0, 3));
+    const std::uint64_t group = writer.simple("", {time, {"n", "U/  min  ", 0, 2, 16, 8}}, 3, 10, data);
+    EXPECT_EQ(open(writer, group).groups[0].channels[1].unit, "U/  min");
+}
+
+TEST_F(Mdf4, AConversionThatRefersToItselfIsTold) {
+    Mdf4Writer writer;
+    const std::uint64_t data = writer.block("DT", {}, ramp(0, 3));
+    const std::uint64_t conversion = writer.conversion(7, {0}, {0, 0});
+    std::memcpy(writer.bytes().data() + conversion + 24 + 8 * 5, &conversion, 8);  // that of all other values
+    const std::uint64_t group = writer.simple("", {time, {"y", "V", 0, 2, 16, 8, 0, conversion}}, 3, 10, data);
+    const MeasurementFile recording = open(writer, group);
+    EXPECT_THAT(notes(recording), HasSubstr("channel \"y\": its conversion \"?\" cannot be read"));
+    EXPECT_THAT(numbers(recording, 0, 1), ElementsAre(-5, -2, 1));
+}
+
+TEST_F(Mdf4, AFileThatIsMarkedAsUnfinishedIsToldWhateverItsName) {
+    Mdf4Writer writer("4.10", false, 1);
+    const std::uint64_t data = writer.block("DT", {}, ramp(0, 3));
+    const std::uint64_t group = writer.simple("", rampChannels, 3, 10, data);
+    EXPECT_THAT(notes(open(writer, group)), HasSubstr("the recorder did not close the file"));
+}
+
 TEST_F(Mdf4, AStatusKeepsItsNumbersAndNamesThem) {
     Mdf4Writer writer;
     const std::uint64_t block = writer.block("DT", {}, std::string("\0\1\5", 3));
