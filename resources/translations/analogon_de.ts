@@ -7718,6 +7718,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Nur Ausgänge dürfen leere Zellen haben.</translation>
     </message>
     <message>
+        <source>there is no channel '{}'</source>
+        <translation>es gibt keinen Kanal „{}“</translation>
+    </message>
+    <message>
         <source>An input that is written only now and then is told how it runs between: &quot;interpolation&quot;: &quot;hold&quot; or &quot;linear&quot;.</source>
         <translation>Zu einem Eingang, der nur ab und zu geschrieben wird, gehört, wie er dazwischen verläuft: &quot;interpolation&quot;: &quot;hold&quot; oder &quot;linear&quot;.</translation>
     </message>

@@ -11,8 +11,6 @@ namespace analogon {
 
 namespace {
 
-constexpr std::size_t valuesAtOnce = std::size_t{1} << 25;  // 256 MB of numbers
-
 std::size_t valuesOf(const MeasurementFile& recording) {
     std::size_t count = 0;
     for (const RecordedGroup& group : recording.groups) count += group.samples * group.channels.size();
@@ -29,8 +27,9 @@ std::vector<BlankCell> blanksOf(const std::vector<double>& values) {
 /// From the groups of a binary file to tables.
 class TableReader {
 public:
-    TableReader(std::shared_ptr<const MeasurementFile> source, const std::set<std::string>& wanted)
-        : source_(std::move(source)), wanted_(wanted), isWhole_(valuesOf(*source_) <= valuesAtOnce) {}
+    TableReader(std::shared_ptr<const MeasurementFile> source, const std::set<std::string>& wanted,
+                std::size_t mostValues)
+        : source_(std::move(source)), wanted_(wanted), isWhole_(valuesOf(*source_) <= mostValues) {}
 
     Outcome<Table> read(const Progress& progress) {
         std::vector<Table> tables;
@@ -122,7 +121,7 @@ Diagnostic needless(const std::filesystem::path& file, const std::string& format
 }  // namespace
 
 Outcome<Table> readTable(const std::filesystem::path& file, const ReadOptions& options,
-                         const std::set<std::string>& wanted, const Progress& progress) {
+                         const std::set<std::string>& wanted, const Progress& progress, std::size_t mostValues) {
     const Outcome<bool> isText = isTextRecording(file);
     if (!isText) return isText.diagnostics();
     if (*isText || options.encoding.starts_with("utf-16")) {
@@ -138,7 +137,7 @@ Outcome<Table> readTable(const std::filesystem::path& file, const ReadOptions& o
     Diagnostics told = recording.diagnostics();
     if (options != ReadOptions{}) told.push_back(needless(file, recording->format));
     Outcome<Table> table =
-        TableReader(std::make_shared<const MeasurementFile>(std::move(*recording)), wanted).read(progress);
+        TableReader(std::make_shared<const MeasurementFile>(std::move(*recording)), wanted, mostValues).read(progress);
     if (!table) return table;
     told.insert(told.end(), table.diagnostics().begin(), table.diagnostics().end());
     return {std::move(*table), std::move(told)};

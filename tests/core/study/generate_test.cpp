@@ -6,6 +6,7 @@
 #include "core/measure/open/read_table.hpp"
 #include "core/study/column_guess.hpp"
 #include "core/study/start_guess.hpp"
+#include "mdf_recording.hpp"
 #include "study_fixture.hpp"
 
 using namespace analogon;
@@ -222,6 +223,45 @@ TEST_F(GenerateFiles, AreAStudyThatReadsBack) {
     EXPECT_TRUE(again.diagnostics().empty());
     EXPECT_EQ(again->experiments[0].file, "lambda.csv");
     taskOf(*again);
+}
+
+TEST_F(GenerateFiles, TakeAnMdfFileWithSeveralRasters) {
+    const Table table = *lambdaTable();
+    std::vector<analogon::testing::MdfGroup> groups{{"outputs", {}}, {"inputs", {}}};
+    const Column& time = table.columns.front();
+    std::vector<double> twice;  // the inputs are sampled twice as often
+    for (std::size_t k = 0; k + 1 < time.values.size(); ++k)
+        for (const double part : {0.0, 0.5}) twice.push_back((1 - part) * time.values[k] + part * time.values[k + 1]);
+    twice.push_back(time.values.back());
+    groups[0].channels.push_back({"t", time.unit, time.values});
+    groups[1].channels.push_back({"t", time.unit, twice});
+    for (std::size_t c = 1; c < table.columns.size(); ++c) {
+        const Column& column = table.columns[c];
+        if (column.name.starts_with("i")) {
+            groups[0].channels.push_back({column.name, column.unit, column.values});
+            continue;
+        }
+        std::vector<double> values;
+        for (std::size_t k = 0; k + 1 < column.values.size(); ++k)
+            for (const double part : {0.0, 0.5})
+                values.push_back((1 - part) * column.values[k] + part * column.values[k + 1]);
+        values.push_back(column.values.back());
+        groups[1].channels.push_back({column.name, column.unit, values});
+    }
+    analogon::testing::putMdf(directory_ / "lambda.mf4", groups);
+    const Outcome<Table> read = readTable(directory_ / "lambda.mf4");
+    ASSERT_TRUE(read.hasValue()) << format(read.diagnostics());
+    const GeneratedStudy made =
+        generated({"electric-thermal", "thermal-fluid"}, {std::make_shared<const Table>(*read)});
+    const Outcome<Done> done = writeStudy(made.study, directory_ / "out");
+    ASSERT_TRUE(done.hasValue()) << format(done.diagnostics());
+    EXPECT_EQ(get(directory_ / "out" / "lambda.mf4"), get(directory_ / "lambda.mf4"));
+    const Outcome<Study> again = readStudy(directory_ / "out");
+    ASSERT_TRUE(again.hasValue()) << format(again.diagnostics());
+    const EstimationTask task = taskOf(*again);
+    ASSERT_FALSE(task.recordings.empty());
+    EXPECT_EQ(again->experiments[0].outputs.begin()->second.group.name, "outputs");
+    EXPECT_EQ(again->experiments[0].inputs.begin()->second.group.name, "inputs");
 }
 
 TEST(ColumnGuess, TellsQuantitiesApart) {
