@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/effect/catalogue/finding.hpp"
@@ -12,6 +13,10 @@ namespace analogon {
 /// What two models make of what was left out, whole recordings where there are several, else long parts of each; all
 /// parameters follow the rest to first order about their optimum. Both beside the same noise.
 Prediction predict(const NullModel& without, const FitResult& with);
+
+/// The same with each model fitted anew without every part, from its optimum. Nothing where one cannot be.
+std::optional<Prediction> predictByRefits(const NullModel& without, const NullModel& with, const FitOptions& options,
+                                          const Progress& progress);
 
 /// Whether a model predicts clearly better: by a good part of the error of what was left out, in most of the parts.
 bool isClearlyBetter(const Prediction& prediction);

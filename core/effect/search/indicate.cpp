@@ -84,6 +84,33 @@ void keepWhatPredicts(SearchContext& search, Node& node) {
     }
 }
 
+/// Each effect that is indicated is asked once more by refits without every part; what fails is taken out.
+void confirm(SearchContext& search, Node& node) {
+    for (std::size_t i = 0; i < node.steps.size() && !search.progress.stopRequested();) {
+        const PlacedEffect& placed = node.null.variant.effects[i];
+        std::optional<NullModel> rest;
+        if (node.steps[i].prediction) rest = without(search, node.null, i);
+        std::optional<Prediction> exact;
+        if (rest) exact = predictByRefits(*rest, node.null, search.fit, search.progress);
+        if (!exact) {
+            ++i;
+            continue;
+        }
+        const bool isClear = isClearlyBetter(*exact);
+        tell(search.journal, "confirm", keyOf(placed.effect, placed.place), *exact, isClear ? "kept" : "taken out");
+        node.steps[i].prediction = exact;
+        if (isClear) {
+            ++i;
+            continue;
+        }
+        setVerdict(search, node, placed, Verdict::NotSignificant, takenOut(predictsNoBetter(*exact)));
+        node.null = std::move(*rest);
+        node.steps.erase(node.steps.begin() + static_cast<std::ptrdiff_t>(i));
+        keepWhatPredicts(search, node);
+        i = 0;
+    }
+}
+
 /// A trial that makes the model predict clearly better.
 struct Contender {
     std::size_t trial{};
@@ -150,8 +177,10 @@ std::optional<Node> withChoice(SearchContext& search, const Node& node, const Ro
     const Outcome<NullModel> before =
         fitNull(node.null.variant, next.null.noise, NoiseLevel::Keep, search.fit, search.progress);
     if (!before || search.progress.stopRequested()) return std::nullopt;
-    const Prediction prediction = predict(*before, next.null.fit);
-    const bool isClear = isClearlyBetter(prediction);
+    Prediction prediction = predict(*before, next.null.fit);
+    if (isClearlyBetter(prediction))
+        if (const auto exact = predictByRefits(*before, next.null, search.fit, search.progress)) prediction = *exact;
+    const bool isClear = isClearlyBetter(prediction) && !search.progress.stopRequested();
     const Candidate& chosen = round.candidate(*round.chosen);
     tell(search.journal, "predict", keyOf(chosen.effect, chosen.place), prediction, isClear ? "taken" : "set aside");
     return isClear ? std::optional(std::move(next)) : std::nullopt;
@@ -248,6 +277,8 @@ void indicate(SearchContext& search, Node& node, const std::vector<Node>& ends) 
     }
     if (isOfAnEnd) best = grownFrom(search, std::move(best));
     if (best.steps.size() == node.steps.size()) return;
+    confirm(search, best);
+    if (best.steps.size() == node.steps.size() || search.progress.stopRequested()) return;
     search.journal.model("indicate", best.null, "taken");
     node = std::move(best);
 }
