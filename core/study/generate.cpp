@@ -524,7 +524,7 @@ private:
             experiment.timeColumn = columns_.front().name;
             for (const auto& [name, index] : inputs_) experiment.inputs[name] = column(index).mapping();
             for (const auto& [name, index] : outputs_) experiment.outputs[name] = column(index).mapping();
-            for (const auto& [parameter, from] : starts_) experiment.initial[parameter] = ColumnStart{from};
+            for (const auto& [parameter, from] : starts_) experiment.initial[parameter] = ColumnStart{from, {}};
             study.tables[tableKey(experiment)] = request_.recordings[i];
             study.experiments.push_back(std::move(experiment));
         }

@@ -43,7 +43,7 @@ std::set<std::size_t> usedColumns(const Table& table, const StudyExperiment& exp
     std::set<std::size_t> columns = mappedColumns(table, experiment);
     for (const auto& [name, start] : experiment.initial) {
         const ColumnStart* const begin = std::get_if<ColumnStart>(&start);
-        if (const Column* found = begin ? table.find(begin->column) : nullptr)
+        if (const Column* found = begin ? table.find(begin->column, begin->group) : nullptr)
             columns.insert(static_cast<std::size_t>(found - table.columns.data()));
     }
     return columns;

@@ -20,6 +20,7 @@ namespace analogon {
 struct FittedStart {};
 struct ColumnStart {
     std::string column;
+    GroupName group{};  // of the file, where the name alone does not tell
 };
 /// A number, "fit", or the first value of a column.
 using StudyStart = std::variant<double, FittedStart, ColumnStart>;

@@ -411,13 +411,15 @@ private:
 
     std::optional<StudyStart> readStart(const Node& node) {
         if (node.value->is_number()) return node.value->get<double>();
+        if (node.value->is_object() && node.member("column"))
+            return ColumnStart{requiredText(node, "column"), readGroup(node)};
         if (!node.value->is_string() || node.value->get_ref<const std::string&>().empty()) {
             expected(node, phrase("a number, \"fit\" or the name of a column"));
             return std::nullopt;
         }
         const std::string text = node.value->get<std::string>();
         if (text == "fit") return FittedStart{};
-        return ColumnStart{text};
+        return ColumnStart{text, {}};
     }
 
     void readParameters(const Node& root) {

@@ -73,7 +73,8 @@ Json mappingsJson(const std::map<std::string, ChannelMapping>& mappings) {
 
 Json startJson(const StudyStart& start) {
     if (const double* number = std::get_if<double>(&start)) return *number;
-    if (const ColumnStart* column = std::get_if<ColumnStart>(&start)) return column->column;
+    if (const ColumnStart* column = std::get_if<ColumnStart>(&start))
+        return channelJson({column->column, column->group});
     return "fit";
 }
 

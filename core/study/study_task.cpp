@@ -451,7 +451,7 @@ private:
                                             const StudyExperiment& experiment, const std::string& place) {
         if (const double* number = std::get_if<double>(&start)) return RecordingStart{parameter, *number, false};
         if (const ColumnStart* column = std::get_if<ColumnStart>(&start)) {
-            const ChannelMapping mapping = mappingOf(column->column, experiment);
+            const ChannelMapping mapping = mappingOf({column->column, column->group}, experiment);
             if (!hasColumn(table, mapping.channel(), experiment, place)) return std::nullopt;
             const Outcome<std::vector<double>> first = readChannel(table.slice(0, 1), mapping, model_.unitOf(variable));
             if (!keep(first)) return std::nullopt;
@@ -479,12 +479,14 @@ private:
     }
 
     /// How a column is read elsewhere in the experiment (its unit may be told there alone); else as it is.
-    static ChannelMapping mappingOf(const std::string& column, const StudyExperiment& experiment) {
+    static ChannelMapping mappingOf(const ChannelName& name, const StudyExperiment& experiment) {
         for (const auto* mappings : {&experiment.inputs, &experiment.outputs})
-            for (const auto& [name, mapping] : *mappings)
-                if (mapping.column == column) return mapping;
+            for (const auto& [signal, mapping] : *mappings)
+                if (mapping.column == name.column && (!name.group.isTold() || mapping.group == name.group))
+                    return mapping;
         ChannelMapping plain;
-        plain.column = column;
+        plain.column = name.column;
+        plain.group = name.group;
         return plain;
     }
 

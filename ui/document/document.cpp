@@ -24,7 +24,7 @@ bool isSame(const StudyStart& a, const StudyStart& b) {
     if (a.index() != b.index()) return false;
     if (const double* number = std::get_if<double>(&a)) return *number == std::get<double>(b);
     if (const ColumnStart* column = std::get_if<ColumnStart>(&a))
-        return column->column == std::get<ColumnStart>(b).column;
+        return column->column == std::get<ColumnStart>(b).column && column->group == std::get<ColumnStart>(b).group;
     return true;
 }
 

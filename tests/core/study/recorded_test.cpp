@@ -180,6 +180,19 @@ TEST_F(RecordedFiles, AChannelOfWhichThereAreTwoIsAskedFor) {
     EXPECT_THAT(taskFault().hint.english(), HasSubstr("It is in 'ECU' and 'bench'."));
 }
 
+TEST_F(RecordedFiles, AStartValueIsTakenFromTheGroupThatIsNamed) {
+    putMdf(directory_ / "run.mf4",
+           {{"ECU", {{"t", "s", {0, 1}}, {"u", "V", {1, 2}}, {"T", "K", {300, 300}}, {"i", "A", {1, 2}}}},
+            {"bench", {{"t", "s", {0, 1}}, {"T", "K", {310, 310}}}}});
+    putStudy(R"("file": "run.mf4", "time": "t", "initial": {"T_start": "T"}, "inputs": {"u": "u",
+        "T_amb": {"column": "T", "group": "ECU"}}, "outputs": {"i": "i"})");
+    const auto start = [this] { return recording().starts.at(0).value; };
+    EXPECT_EQ(start(), 300) << "that of the column that is mapped";
+    change(R"("T_start": "T")", R"("T_start": {"column": "T", "group": "bench"})");
+    EXPECT_EQ(start(), 310);
+    EXPECT_THAT(studyJson(read()), HasSubstr("\"group\": \"bench\""));
+}
+
 TEST_F(RecordedFiles, TheSpareOfOneGroupIsMappedByItsGroup) {
     putMdf(directory_ / "run.mf4",
            {{"ECU", {{"t", "s", {0, 1}}, {"u", "V", {1, 2}}, {"T", "K", {300, 300}}, {"i", "A", {1, 2}}}},
