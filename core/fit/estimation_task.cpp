@@ -55,14 +55,14 @@ Eigen::MatrixXd inOrder(const std::vector<SignalInfo>& signals, const std::vecto
 }
 
 /// 1 / noise where the noise is known, else 1 / range of the channel. Where it stands still: over its range in all
-/// recordings that are fitted, its magnitude, or its nominal value.
+/// recordings that are fitted, its magnitude, or its nominal value. What is smaller than anything measured is 0.
 double weightOf(const Eigen::Ref<const Eigen::RowVectorXd>& measured, double noise, const Range& elsewhere,
                 double nominal) {
-    if (noise > 0.0 && std::isfinite(noise)) return 1.0 / noise;
+    if (noise > limits::smallestSize && std::isfinite(noise)) return 1.0 / noise;
     const Range range = rangeOf(measured);
     if (range.isEmpty()) return 0.0;  // nothing measured
     for (const double scale : {range.width(), elsewhere.width(), std::abs(range.high), nominal})
-        if (scale > 0.0) return 1.0 / scale;
+        if (scale > limits::smallestSize) return 1.0 / scale;
     return 1.0;
 }
 

@@ -72,7 +72,8 @@ public:
     }
 
 private:
-    /// Values of which the squares, and those of their slopes, are no numbers of a computer.
+    /// Values of which the squares, and those of their slopes, are no numbers of a computer. An output that stands
+    /// still tells nothing whatever its size, and that is said.
     void checkSizes(std::size_t experiment, const char* kind, const Recording& recording,
                     const std::vector<std::string>& names, const Eigen::MatrixXd& values) {
         for (Eigen::Index i = 0; i < values.rows(); ++i) {
@@ -80,6 +81,7 @@ private:
             const double size = range.isEmpty() ? 0 : std::max(std::fabs(range.low), std::fabs(range.high));
             const bool isTooLarge = size > limits::largestSize;
             if (!isTooLarge && !(size > 0 && size < limits::smallestSize)) continue;
+            if (&values == &recording.outputs && !(range.width() > 0)) continue;
             const std::string& name = names[static_cast<std::size_t>(i)];
             say(fmt::format("/experiments/{}/{}/{}", experiment, kind, name),
                 isTooLarge ? phrase("experiment '{}': '{}' is up to {:.3g} in size, too large to be fitted with",

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <random>
 #include <sstream>
 
@@ -299,7 +300,7 @@ TEST_F(AtRest, AConstantErrorIsAnErrorWhateverIsLookedFor) {
 }
 
 TEST_F(Run, AConstantOutputOfAnySizeIsNotAdequate) {
-    for (const char* const value : {"1e300", "-3e-100", "7"}) {
+    for (const char* const value : {"1e300", "1e-300", "-3e-100", "7"}) {
         std::ostringstream csv;
         csv << "t [s],u_heater [V],T_air [K],current [A]\n";
         for (int k = 0; k < 400; ++k) csv << 0.1 * k << ",12,293.15," << value << '\n';
@@ -308,6 +309,7 @@ TEST_F(Run, AConstantOutputOfAnySizeIsNotAdequate) {
         ASSERT_TRUE(result) << value << format(result.diagnostics());
         EXPECT_EQ(result->finding.kind, FindingKind::Unexplained) << value;
         EXPECT_THAT(result->finding.notSearched.english(), HasSubstr("no measured output moves")) << value;
+        if (std::fabs(std::atof(value)) < 1e-200) continue;  // a percentage of nothing
         EXPECT_TRUE(std::isfinite(result->finding.baseline.experiments.at(0).errorPercent)) << value;
     }
 }
