@@ -31,7 +31,7 @@ std::optional<ParameterFormat> parameterFormatOf(const std::filesystem::path& fi
 /// values that study.json holds for them.
 Outcome<ParameterTable> parameterTable(const Study& study);
 
-/// Comma-separated values; JSON; a parameter set of SSP 1.0; DCM 2.0 (Windows-1252); ASAM CDF 2.0. Each value reads
+/// Comma-separated values; JSON; a parameter set of SSP 1.0; DCM 2.0 (Latin-1); ASAM CDF 2.0. Each value reads
 /// back as the same number.
 std::string parameterText(const ParameterTable& table, ParameterFormat format);
 

@@ -162,6 +162,11 @@ void chooseAmong(const NullModel& null, const std::vector<Contender>& contenders
     round.behind = phrase("predicts less well what was left out than {}", nameOf(round.candidate(chosen.trial)));
 }
 
+/// A model beside the noise of another, which its residual is to be held against.
+Outcome<NullModel> besideNoiseOf(const SearchContext& search, const NullModel& model, const NullModel& other) {
+    return fitNull(model.variant, other.noise, NoiseLevel::Keep, search.fit, search.progress);
+}
+
 /// A node with what a round has chosen, refitted; nothing where the whole does not predict clearly better than it did
 /// before: a trial that has not come to its end may seem to.
 std::optional<Node> withChoice(SearchContext& search, const Node& node, const Round& round) {
@@ -174,8 +179,7 @@ std::optional<Node> withChoice(SearchContext& search, const Node& node, const Ro
     next.null = std::move(*fitted);
     next.steps.push_back(std::move(step));
     sharpen(search, next);
-    const Outcome<NullModel> before =
-        fitNull(node.null.variant, next.null.noise, NoiseLevel::Keep, search.fit, search.progress);
+    const Outcome<NullModel> before = besideNoiseOf(search, node.null, next.null);
     if (!before || search.progress.stopRequested()) return std::nullopt;
     Prediction prediction = predict(*before, next.null.fit);
     if (isClearlyBetter(prediction))
@@ -246,8 +250,10 @@ std::optional<Node> namesOf(SearchContext& search, const Node& node, const Node&
 
 /// Whether a node is the better account of another's recordings: by what it predicts, beside fewer parameters and
 /// without a long dead time also where it predicts nearly as well.
-bool predictsBetter(const Node& node, const Node& than) {
-    const Prediction p = predict(than.null, node.null.fit);
+bool predictsBetter(const SearchContext& search, const Node& node, const Node& than) {
+    const Outcome<NullModel> other = besideNoiseOf(search, than.null, node.null);
+    if (!other) return true;
+    const Prediction p = predict(*other, node.null.fit);
     const bool isLate = hasLongDeadTime(node.null), isOtherLate = hasLongDeadTime(than.null);
     if (isLate != isOtherLate)
         return p.removed() > (isLate ? leastOfDeadTime : -leastOfDeadTime / (1 - leastOfDeadTime));
@@ -269,7 +275,7 @@ void indicate(SearchContext& search, Node& node, const std::vector<Node>& ends) 
         if (!names || !visited.add(*names)) continue;
         keepWhatPredicts(search, *names);
         if (names->steps.size() == node.steps.size()) continue;
-        const bool isBetter = predictsBetter(*names, best);
+        const bool isBetter = predictsBetter(search, *names, best);
         search.journal.model("indicate", names->null, isBetter ? "better" : "set aside");
         if (!isBetter) continue;
         best = std::move(*names);

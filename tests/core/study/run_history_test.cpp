@@ -45,6 +45,8 @@ protected:
                                    "radiation",
                                    {{"k_r", 2.1e-11, 3e-13, "W/K4"}},
                                    {812, 0, -1540, 0.9, 8.6, 1.1},
+                                   Confidence::Indicated,
+                                   Prediction{2.5, 1.25, 10, 8, true},
                                    {{"thermal.loss", "element.solid", -610, true}},
                                    {"core.C = 302 J/K"}});
         finding.candidates.push_back({"sensor.lag",
