@@ -230,7 +230,8 @@ private:
     }
 
     void effectCard(const AddedEffect& effect) {
-        static constexpr const char* ways[] = {"attached at ", "inserted at ", "replaces the equations of ", "bridges "};
+        static constexpr const char* ways[] = {"attached at ", "inserted at ", "replaces the equations of ",
+                                               "bridges "};
         out_ += fmt::format("<div class=\"card\"><h3>{} {}</h3>",
                             escapeHtml(effect.description.empty() ? effect.kind : effect.description),
                             chip(effect.kind, ""));

@@ -502,6 +502,9 @@ std::string rig(const EffectClass* effect, bool blown = false) {
     text += "  connect(" + in + ", motor.v);\n  connect(" + in + ", heater.v);\n  connect(" + out + ", w);\n";
     if (attach)
         text += "  connect(effect." + effect->ports[0] + (onFlange ? ", first.flange_b);\n" : ", element.solid);\n");
+    if (effect && effect->way == Way::Bridge)
+        text += "  connect(effect." + effect->ports[0] + ", element.solid);\n  connect(effect." + effect->ports[1] +
+                ", gas.port);\n";
     if (insert && !signal && onFlange)
         text += "  connect(first.flange_b, effect.flange_a);\n  connect(effect.flange_b, second.flange_a);\n";
     else

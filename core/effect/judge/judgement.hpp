@@ -28,7 +28,8 @@ std::string equationOf(const PlacedEffect& placed);
 std::vector<EffectValue> estimatesOf(const PlacedEffect& placed, const FitResult& fit);
 
 /// Between kinds that the data cannot tell apart while much is left: a command is followed at once more often than a
-/// sensor is fast, and neighbours exchange heat more often than they share a contact to their surroundings.
+/// sensor is fast, heat is passed on at once by what gives it, and neighbours exchange heat more often than they share
+/// a contact to their surroundings.
 int plausibility(const EffectClass& effect);
 
 /// Whether an effect, by what the model loses without it, has to stay.

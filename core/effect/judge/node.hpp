@@ -20,7 +20,8 @@ struct Step {
     int order{};                            // of all choices
     double chi2Decrease{};                  // that it alone is missed for, in the sum of squares
     double errorWithout{-1};                // [%] of the fitted data when this effect alone is left out; -1: not known
-    std::optional<Prediction> prediction{};  // what it is indicated by; empty: it is established
+    /// What it is indicated by; empty: it is established.
+    std::optional<Prediction> prediction{};
 };
 
 /// A named effect that was not needed any more beside a proposed equation.

@@ -122,7 +122,8 @@ std::vector<Contender> contendersOf(const SearchContext& search, const NullModel
     std::vector<Contender> contenders;
     for (std::size_t i = 0; i < trials.size(); ++i) {
         const Trial& t = trials[i];
-        if (!t.ok || isProposal(t) || isAtBound(t) || fightsAnother(null, t.fit) || !(t.evidence > equivalenceMargin))
+        if (!t.ok || isProposal(t) || t.variant.effects.back().freed.size() > mostFreed || isAtBound(t) ||
+            fightsAnother(null, t.fit) || !(t.evidence > equivalenceMargin))
             continue;
         const Prediction prediction = predict(null, t.fit);
         const bool isClear = isClearlyBetter(prediction);
@@ -236,7 +237,7 @@ std::optional<Node> namesOf(SearchContext& search, const Node& node, const Node&
         const bool isThere = std::any_of(effects.begin(), effects.end(), [&](const PlacedEffect& have) {
             return keyOf(have.effect, have.place) == keyOf(e.effect, e.place);
         });
-        if (isThere || !e.effect.proposal.empty()) continue;
+        if (isThere || !e.effect.proposal.empty() || e.freed.size() > mostFreed) continue;
         effects.push_back(e);
         names.steps.push_back(end.steps[i]);
         names.steps.back().prediction.emplace();

@@ -9,8 +9,8 @@
 
 #include "core/base/stop.hpp"
 #include "core/measure/channel.hpp"
-#include "core/measure/table.hpp"
 #include "core/measure/open/read_table.hpp"
+#include "core/measure/table.hpp"
 
 using namespace analogon;
 using testing::ElementsAre;
