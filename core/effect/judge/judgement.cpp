@@ -36,7 +36,7 @@ std::vector<EffectValue> estimatesOf(const PlacedEffect& placed, const FitResult
 
 int plausibility(const EffectClass& effect) {
     if (effect.way == Way::Bridge) return -1;
-    return effect.signalSide == "input" || effect.behindSource ? 1 : 0;
+    return effect.signalSide == "input" ? 2 : effect.behindSource ? 1 : 0;
 }
 
 bool isMissed(const Acceptance& a) { return a.isSignificant && a.isWorthwhile && a.heldOut > 0; }

@@ -60,6 +60,7 @@ struct Frontier {
     std::optional<Whole> whole{};          // the best so far, of named effects: what an interrupted search reports
     std::vector<CandidateResult> noted{};  // of the path that was walked on last
     std::optional<Finding> begun{};        // the model as given: from there on there is something to report
+    bool isIndicating{};                   // the last pass: also what only stands in for another name is tried
     bool beginsAnew{};                     // what was allowed for in a later round
     double bestError{-1};                  // [%] of the fitted data
 };

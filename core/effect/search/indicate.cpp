@@ -266,6 +266,7 @@ bool predictsBetter(const SearchContext& search, const Node& node, const Node& t
 
 void indicate(SearchContext& search, Node& node, const std::vector<Node>& ends) {
     if (isNoise(node.null) || isColouredNoise(search, node.null) || search.progress.stopRequested()) return;
+    search.frontier.isIndicating = true;
     Node best = grownFrom(search, node);
     search.journal.model("indicate", best.null, "one by one");
     Visited visited(best);

@@ -140,6 +140,10 @@ void drawNamesSharper(SearchContext& search, const NullModel& null, std::vector<
 
 Outcome<std::vector<Candidate>> candidatesIn(const SearchContext& search, const Variant& variant) {
     Outcome<std::vector<Candidate>> candidates = candidatesFor(variant, search.catalogue);
+    // behind a source whose flow is proportional to a command it is the lag of that command, and is its class
+    const bool areTwins = search.options.kinds.empty() && search.options.choices.empty();
+    if (candidates && areTwins && !search.frontier.isIndicating)
+        std::erase_if(*candidates, [](const Candidate& c) { return c.effect.behindSource; });
     if (candidates && !search.options.choices.empty())
         std::erase_if(*candidates, [&](const Candidate& c) {
             const EffectChoice choice{c.effect.className, c.place.at};

@@ -34,7 +34,7 @@ TEST(Indicate, AddsWhatPredictsBetterThoughStructureRemains) {
     const Prediction& p = *node.steps.front().prediction;
     EXPECT_GT(p.removed(), 0.2);
     EXPECT_EQ(p.blocks, 5);
-    EXPECT_GE(p.betterIn, 4);
+    EXPECT_EQ(p.betterIn, 5);
     EXPECT_GT(node.steps.front().errorWithout, 0);
     EXPECT_LT(node.null.sumOfSquares(), of.base.sumOfSquares());
 }
