@@ -1084,6 +1084,74 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Temperatur der zweiten Masse</translation>
     </message>
     <message>
+        <source>Mass of the heated element itself</source>
+        <translation>Masse des beheizten Elements selbst</translation>
+    </message>
+    <message>
+        <source>Source of heat</source>
+        <translation>Wärmequelle</translation>
+    </message>
+    <message>
+        <source>Heated body</source>
+        <translation>Beheizter Körper</translation>
+    </message>
+    <message>
+        <source>Time constant C_s/G_s with which the element passes its heat on (0: off)</source>
+        <translation>Zeitkonstante C_s/G_s, mit der das Element seine Wärme weitergibt (0: aus)</translation>
+    </message>
+    <message>
+        <source>Heat capacity of the element (0: small against that of the body)</source>
+        <translation>Wärmekapazität des Elements (0: klein gegen die des Körpers)</translation>
+    </message>
+    <message>
+        <source>Conductance to the body: follows from the two above</source>
+        <translation>Leitwert zum Körper: folgt aus den beiden oben</translation>
+    </message>
+    <message>
+        <source>Its inverse (0 while the capacity is small)</source>
+        <translation>Sein Kehrwert (0, solange die Kapazität klein ist)</translation>
+    </message>
+    <message>
+        <source>Heat that the element passes on</source>
+        <translation>Wärme, die das Element weitergibt</translation>
+    </message>
+    <message>
+        <source>Temperature of the body</source>
+        <translation>Temperatur des Körpers</translation>
+    </message>
+    <message>
+        <source>Temperature of the element</source>
+        <translation>Temperatur des Elements</translation>
+    </message>
+    <message>
+        <source>The element that turns power into heat (a cartridge, a winding, a wire) stores heat itself, and passes it on to the body through a conductance G_s. As long as nothing depends on the temperature of the element, only its time constant C_s/G_s can be told.</source>
+        <translation>Das Element, das Leistung in Wärme wandelt (eine Patrone, eine Wicklung, ein Draht), speichert selbst Wärme und gibt sie über einen Leitwert G_s an den Körper weiter. Solange nichts von der Temperatur des Elements abhängt, lässt sich nur seine Zeitkonstante C_s/G_s angeben.</translation>
+    </message>
+    <message>
+        <source>With C_s = 0 the capacity is small against that of the body: tau_s*der(Q_flow) = port_a.Q_flow - Q_flow, and the element is not told to be hotter. It begins in balance with its source.</source>
+        <translation>Mit C_s = 0 ist die Kapazität klein gegen die des Körpers: tau_s*der(Q_flow) = port_a.Q_flow - Q_flow, und wie viel heißer das Element ist, wird nicht gesagt. Es beginnt im Gleichgewicht mit seiner Quelle.</translation>
+    </message>
+    <message>
+        <source>Heat exchange between places that are not neighbours</source>
+        <translation>Wärmeaustausch zwischen Orten, die nicht benachbart sind</translation>
+    </message>
+    <message>
+        <source>One place</source>
+        <translation>Ein Ort</translation>
+    </message>
+    <message>
+        <source>Other place</source>
+        <translation>Anderer Ort</translation>
+    </message>
+    <message>
+        <source>Conductance between the places (0: off)</source>
+        <translation>Leitwert zwischen den Orten (0: aus)</translation>
+    </message>
+    <message>
+        <source>Heat that passes between two places that the model does not join: through a board, a housing, the air between them.</source>
+        <translation>Wärme, die zwischen zwei Orten übergeht, die das Modell nicht verbindet: durch eine Platine, ein Gehäuse, die Luft dazwischen.</translation>
+    </message>
+    <message>
         <source>Conductance to the surroundings (0: off)</source>
         <translation>Leitwert zur Umgebung (0: aus)</translation>
     </message>
@@ -9454,8 +9522,8 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>unbekannter Weg „{}“ des Effekts {}</translation>
     </message>
     <message>
-        <source>use &quot;attach&quot;, &quot;insert&quot; or &quot;specialise&quot;</source>
-        <translation>„attach“, „insert“ oder „specialise“ verwenden</translation>
+        <source>use &quot;attach&quot;, &quot;insert&quot;, &quot;specialise&quot; or &quot;bridge&quot;</source>
+        <translation>„attach“, „insert“, „specialise“ oder „bridge“ verwenden</translation>
     </message>
     <message>
         <source>the effect {} names {} connectors, '{}' takes {}</source>
