@@ -4,10 +4,16 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <string>
 
 namespace analogon {
+
+inline std::string bytesOf(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
 
 /// All below a directory, by name: kind, rights, time of the last change, and what is inside or where a link leads.
 inline std::map<std::string, std::string> treeOf(const std::filesystem::path& root) {
@@ -21,8 +27,7 @@ inline std::map<std::string, std::string> treeOf(const std::filesystem::path& ro
         if (entry.is_symlink()) {
             text += fs::read_symlink(entry.path()).string();
         } else if (entry.is_regular_file()) {
-            std::ifstream stream(entry.path(), std::ios::binary);
-            text.append(std::istreambuf_iterator<char>(stream), {});
+            text += bytesOf(entry.path());
         }
         tree[entry.path().lexically_relative(root).string()] = text;
     }

@@ -42,8 +42,6 @@ bool openNew(QFile& file, const fs::path& path) {
     return handle >= 0 && file.open(handle, QIODevice::ReadWrite, QFileDevice::AutoCloseHandle);
 }
 
-std::error_code lastFault() { return {errno, std::generic_category()}; }
-
 Diagnostic damaged(const fs::path& archive, const std::string& entry, const char* what) {
     return fileError(phrase("the entry \"{}\" {}", visibleName(entry), Text(what, {}, what)), archive.string(), 0, 0,
                      phrase("Get the file again from where it came from."));
@@ -357,6 +355,9 @@ Outcome<Done> checkNewPlace(const fs::path& path) {
                      path.string(), 0, 0, isFile ? phrase("Give another name.") : phrase("Name a new directory."));
 }
 
+namespace {
+
+/// Whether a study may be packed there.
 Outcome<Done> checkPackPlace(const OpenedStudy& opened, const fs::path& archive) {
     std::error_code code;
     if (!fs::exists(fs::symlink_status(archive, code))) return Done{};
@@ -368,6 +369,8 @@ Outcome<Done> checkPackPlace(const OpenedStudy& opened, const fs::path& archive)
                              : phrase("this exists already and is no study"),
                      archive.string(), 0, 0, phrase("Give another name, or remove it first."));
 }
+
+}  // namespace
 
 Outcome<Done> packStudy(const OpenedStudy& opened, const fs::path& archive, const Progress& progress) {
     if (Outcome<Done> isFree = checkPackPlace(opened, archive); !isFree) return isFree;

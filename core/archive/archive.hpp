@@ -54,9 +54,6 @@ Outcome<Done> zipDirectory(const std::filesystem::path& directory, const std::fi
 /// Whether something new can be written there: nothing has that name, or it is an empty directory.
 Outcome<Done> checkNewPlace(const std::filesystem::path& path);
 
-/// Whether packStudy would write there.
-Outcome<Done> checkPackPlace(const OpenedStudy& opened, const std::filesystem::path& archive);
-
 /// The files of an archive, byte for byte, in a directory that does not exist yet or is empty. All or nothing, also
 /// where it is stopped.
 Outcome<Done> unpackArchive(const std::filesystem::path& archive, const std::filesystem::path& directory,

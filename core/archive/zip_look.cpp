@@ -15,17 +15,26 @@ bool openForReading(QFile& file, const fs::path& path) {
     return handle >= 0 && file.open(handle, QIODevice::ReadOnly, QFileDevice::AutoCloseHandle);
 }
 
+namespace {
+
+/// Opens a zip file whose list of entries is sound.
+bool openSound(QuaZip& zip, QFile& bytes, const fs::path& file) {
+    return readZipDirectory(file) && openForReading(bytes, file) && zip.open(QuaZip::mdUnzip);
+}
+
+}  // namespace
+
 std::string zipComment(const fs::path& file) {
     QFile bytes;
     QuaZip zip(&bytes);
-    if (!readZipDirectory(file) || !openForReading(bytes, file) || !zip.open(QuaZip::mdUnzip)) return {};
+    if (!openSound(zip, bytes, file)) return {};
     return zip.getComment().toStdString();
 }
 
 std::string beginningOfEntry(const fs::path& file, const std::string& entry, std::size_t bytes) {
     QFile whole;
     QuaZip zip(&whole);
-    if (!readZipDirectory(file) || !openForReading(whole, file) || !zip.open(QuaZip::mdUnzip)) return {};
+    if (!openSound(zip, whole, file)) return {};
     if (!zip.setCurrentFile(QString::fromStdString(entry), QuaZip::csSensitive)) return {};
     QuaZipFile from(&zip);
     if (!from.open(QIODevice::ReadOnly)) return {};

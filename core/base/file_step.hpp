@@ -6,6 +6,9 @@
 /// Single steps of the file system: each happens whole or not at all, whenever the program is ended.
 namespace analogon {
 
+/// The fault of the last call of the system.
+std::error_code lastFault();
+
 /// What has come to the disk survives a loss of power, too. A new name is only safe once the directory that holds it
 /// is on the disk as well.
 void syncToDisk(const std::filesystem::path& path);

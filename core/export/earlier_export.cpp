@@ -36,38 +36,33 @@ std::string beginOf(const fs::path& file, std::size_t bytes) {
 
 bool beginsWith(const fs::path& file, std::string_view words) { return beginOf(file, words.size()) == words; }
 
-bool isEarlier(ExportFormat format, const fs::path& file) {
+/// What stands at the place of an export.
+struct Known {
+    bool isOwn;
+    Text fault;  // where it is not
+};
+
+Known lookAt(ExportFormat format, const fs::path& file) {
     switch (format) {
         case ExportFormat::Fmu:
-            return beginningOfEntry(file, "modelDescription.xml", 4096).find(" generationTool=\"Analogon\"") !=
-                   std::string::npos;
+            return {beginningOfEntry(file, "modelDescription.xml", 4096).find(" generationTool=\"Analogon\"") !=
+                        std::string::npos,
+                    phrase("this exists already and is no FMU that was exported before")};
         case ExportFormat::Csv:
-            return beginsWith(file, "experiment,time [s]");
+            return {beginsWith(file, "experiment,time [s]"),
+                    phrase("this exists already and holds no traces that were exported before")};
         case ExportFormat::Mf4:
-            return beginsWith(file, mf4Begin());
+            return {beginsWith(file, mf4Begin()),
+                    phrase("this exists already and is no MDF file of traces that was exported before")};
         case ExportFormat::Parameters:
-            return isParameterText(beginOf(file, 1024), parameterFormatOf(file).value_or(ParameterFormat::Csv));
+            return {isParameterText(beginOf(file, 1024), parameterFormatOf(file).value_or(ParameterFormat::Csv)),
+                    phrase("this exists already and holds no parameters that were exported before")};
         case ExportFormat::Modelica:
             break;
     }
     const Outcome<std::string> text = readRegularFile(file, largestText);
-    return text && isSealed(*text);
-}
-
-Text fault(ExportFormat format) {
-    switch (format) {
-        case ExportFormat::Fmu:
-            return phrase("this exists already and is no FMU that was exported before");
-        case ExportFormat::Csv:
-            return phrase("this exists already and holds no traces that were exported before");
-        case ExportFormat::Mf4:
-            return phrase("this exists already and is no MDF file of traces that was exported before");
-        case ExportFormat::Parameters:
-            return phrase("this exists already and holds no parameters that were exported before");
-        case ExportFormat::Modelica:
-            break;
-    }
-    return phrase("this exists already and is no model text that was exported before, or it was changed since");
+    return {text && isSealed(*text),
+            phrase("this exists already and is no model text that was exported before, or it was changed since")};
 }
 
 }  // namespace
@@ -85,8 +80,10 @@ Outcome<Done> checkExportPlace(ExportFormat format, const fs::path& file) {
     std::error_code code;
     if (!fs::exists(file, code)) return Done{};
     if (Outcome<Done> isFile = checkRegularFile(file); !isFile) return isFile;
-    if (fs::file_size(file, code) == 0 || isEarlier(format, file)) return Done{};
-    return fileError(fault(format), file.string(), 0, 0, phrase("Give another name, or remove it first."));
+    if (fs::file_size(file, code) == 0) return Done{};
+    Known known = lookAt(format, file);
+    if (known.isOwn) return Done{};
+    return fileError(std::move(known.fault), file.string(), 0, 0, phrase("Give another name, or remove it first."));
 }
 
 }  // namespace analogon

@@ -1,5 +1,7 @@
 #include "core/export/export.hpp"
 
+#include <optional>
+
 #include "core/base/distinct.hpp"
 #include "core/base/whole_file.hpp"
 #include "core/export/earlier_export.hpp"
@@ -35,12 +37,11 @@ Outcome<Done> checkTarget(const Study& study, const fs::path& file) {
     return Done{};
 }
 
-Outcome<Exported> exportedTraces(const Study& study, const fs::path& file, const Progress& progress) {
-    const Outcome<EstimationTask> task = taskOf(study, {});
-    if (!task) return task.diagnostics();
+Outcome<Exported> exportedTraces(const Study& study, const EstimationTask& task, const fs::path& file,
+                                 const Progress& progress) {
     const Outcome<RunResult> result = runSimulate(study, {}, progress);
     if (!result) return result.diagnostics();
-    const Outcome<std::vector<Mf4Group>> groups = tracesOf(result->finding.final, *task);
+    const Outcome<std::vector<Mf4Group>> groups = tracesOf(result->finding.final, task);
     if (!groups) return groups.diagnostics();
     if (progress.stopRequested()) return fileError(phrase("interrupted"), file.string());  // the traces end early
     const std::string comment = "measured and simulated traces of " + study.className;
@@ -49,7 +50,9 @@ Outcome<Exported> exportedTraces(const Study& study, const fs::path& file, const
     return done ? Outcome<Exported>(Exported{}) : Outcome<Exported>(done.diagnostics());
 }
 
-Outcome<Exported> exported(const Study& study, ExportFormat format, const fs::path& file, const Progress& progress) {
+/// `task` is that of the study, where its traces are written with what they were made from.
+Outcome<Exported> exported(const Study& study, const std::optional<EstimationTask>& task, ExportFormat format,
+                           const fs::path& file, const Progress& progress) {
     switch (format) {
         case ExportFormat::Modelica: {
             const Outcome<std::string> text = modelicaText(study);
@@ -63,7 +66,7 @@ Outcome<Exported> exported(const Study& study, ExportFormat format, const fs::pa
             return written(file, text);
         }
         case ExportFormat::Mf4:
-            return exportedTraces(study, file, progress);
+            return exportedTraces(study, *task, file, progress);
         case ExportFormat::Parameters: {
             const Outcome<ParameterTable> table = parameterTable(study);
             return table ? written(file, parameterText(*table, *parameterFormatOf(file))) : table.diagnostics();
@@ -89,12 +92,15 @@ Outcome<Exported> exportStudy(const Study& study, ExportFormat format, const fs:
     if (existing == Existing::OwnAlone)
         if (Outcome<Done> isOwn = checkExportPlace(format, file); !isOwn) return isOwn.diagnostics();
     Diagnostics said;
-    if (!study.experiments.empty()) {  // a model alone may be exported, too
-        const Outcome<ValidStudy> valid = validated(study, Purpose::Simulate);
+    std::optional<EstimationTask> task;
+    const bool isModelAlone = study.experiments.empty() && format != ExportFormat::Mf4;  // of which there are no traces
+    if (!isModelAlone) {
+        Outcome<ValidStudy> valid = validated(study, Purpose::Simulate);
         if (!valid) return valid.diagnostics();
         said = valid.diagnostics();
+        if (format == ExportFormat::Mf4) task = std::move(valid->task);
     }
-    Outcome<Exported> result = exported(study, format, file, progress);
+    Outcome<Exported> result = exported(study, task, format, file, progress);
     if (!result) return result.diagnostics();
     said.insert(said.end(), result.diagnostics().begin(), result.diagnostics().end());
     return {std::move(*result), distinct(std::move(said))};

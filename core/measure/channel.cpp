@@ -65,8 +65,7 @@ Diagnostic unmeasured(const Table& table, const Column& column) {
 Column withBlanks(const Column& column) {
     Column out = column;
     if (!out.blanks.empty() || out.isOnOtherRaster) return out;
-    for (std::size_t i = 0; i < out.values.size(); ++i)
-        if (!std::isfinite(out.values[i])) out.blanks.push_back({static_cast<std::uint32_t>(i), 0});
+    out.blanks = blanksOf(out.values);
     return out;
 }
 

@@ -46,7 +46,7 @@ ChannelName channelOf(const Table& file, const std::string& label) {
         for (const Column& column : group->columns) {
             if (!label.starts_with(column.name) || labelOf(file, column) != label) continue;
             if (label == column.name) return {label, {}};
-            return {column.name, {column.group, column.group.empty() ? column.groupNumber : 0, false}};
+            return {column.name, column.groupName()};
         }
     return {label, {}};
 }

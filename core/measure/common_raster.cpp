@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "core/base/file_fault.hpp"
 #include "core/base/unit.hpp"
 #include "core/measure/channel_place.hpp"
 #include "core/measure/join.hpp"
@@ -19,9 +20,7 @@ namespace {
 constexpr double gap = std::numeric_limits<double>::quiet_NaN();
 
 Diagnostic warningOf(const Table& file, Text message, Text hint) {
-    Diagnostic told = fileError(std::move(message), file.file, 0, 0, std::move(hint));
-    told.severity = Severity::Warning;
-    return told;
+    return asWarning(fileError(std::move(message), file.file, 0, 0, std::move(hint)));
 }
 
 /// The stamps of a group in seconds, and from where in it a stamp comes.
@@ -130,8 +129,7 @@ private:
         Outcome<ChannelValues> values = readValues(*place.group->source, column.groupNumber - 1, place.column->channel);
         if (!values) return values.diagnostics();
         column.values = std::move(values->numbers);
-        for (std::size_t row = 0; row < column.values.size(); ++row)
-            if (!std::isfinite(column.values[row])) column.blanks.push_back({static_cast<std::uint32_t>(row), 0});
+        column.blanks = blanksOf(column.values);
         return column;
     }
 
@@ -449,8 +447,7 @@ private:
         const Own own{place.column, &group, *place.column, place.column->isHeld};
         Column column = shell(*place.column);
         column.values = courseOf(own);
-        for (std::size_t i = 0; i < column.values.size(); ++i)
-            if (!std::isfinite(column.values[i])) column.blanks.push_back({static_cast<std::uint32_t>(i), 0});
+        column.blanks = blanksOf(column.values);
         table.columns.push_back(std::move(column));
     }
 
@@ -508,9 +505,8 @@ Outcome<std::shared_ptr<const Table>> allOnOneRaster(const std::shared_ptr<const
             const bool hasNumber =
                 std::any_of(column.values.begin(), column.values.end(), [](double v) { return std::isfinite(v); });
             if (&column == &time || !hasNumber) continue;
-            const GroupName name{column.group, column.group.empty() ? column.groupNumber : 0, false};
             request.inputs.push_back(
-                {{column.name, name}, column.isHeld ? Interpolation::Hold : Interpolation::Linear});
+                {{column.name, column.groupName()}, column.isHeld ? Interpolation::Hold : Interpolation::Linear});
         }
     }
     return onCommonRaster(file, request);

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdint>
 
+#include "core/measure/csv_dialect.hpp"
+
 namespace analogon {
 
 namespace {
@@ -81,12 +83,10 @@ bool isWideText(std::string_view bytes) { return wideOf(bytes) != Wide::No; }
 
 std::optional<std::string> decodeText(std::string_view bytes, std::string_view encoding) {
     std::string name;
-    for (const char c : encoding)
-        if (c != '-' && c != '_' && c != ' ')
-            name.push_back(c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c);
-    const std::string_view unmarked = wideOf(bytes.substr(0, 2)) == Wide::No ? bytes : bytes.substr(2);
-    if (name == "utf16le") return utf16ToUtf8(bytes.starts_with("\xFF\xFE") ? unmarked : bytes, false);
-    if (name == "utf16be") return utf16ToUtf8(bytes.starts_with("\xFE\xFF") ? unmarked : bytes, true);
+    for (const char c : inLowerCase(encoding))
+        if (c != '-' && c != '_' && c != ' ') name.push_back(c);
+    if (name == "utf16le") return utf16ToUtf8(bytes.starts_with("\xFF\xFE") ? bytes.substr(2) : bytes, false);
+    if (name == "utf16be") return utf16ToUtf8(bytes.starts_with("\xFE\xFF") ? bytes.substr(2) : bytes, true);
     if (name == "utf16") return decodeText(bytes);
     if (name == "utf8") return std::string(bytes.starts_with("\xEF\xBB\xBF") ? bytes.substr(3) : bytes);
     if (name == "windows1252" || name == "cp1252" || name == "latin1" || name == "iso88591" || name == "ascii")
@@ -133,5 +133,7 @@ std::string latin1ToUtf8(std::string_view text) {
     }
     return out;
 }
+
+std::string inUtf8(std::string_view text) { return isUtf8(text) ? std::string(text) : latin1ToUtf8(text); }
 
 }  // namespace analogon

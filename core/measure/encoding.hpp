@@ -22,4 +22,7 @@ bool isUtf8(std::string_view text);
 /// (older measuring programs write the degree sign so).
 std::string latin1ToUtf8(std::string_view text);
 
+/// As it is where it is UTF-8, else by latin1ToUtf8.
+std::string inUtf8(std::string_view text);
+
 }  // namespace analogon

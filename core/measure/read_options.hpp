@@ -3,8 +3,12 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace analogon {
+
+/// The marks with which a text may be written.
+inline constexpr std::string_view knownSeparators = ",;|\t ", knownDecimals = ".,", knownThousands = ".,' ";
 
 /// How a text file is written, as it was told ("read" of an experiment); everything not told is found out from the
 /// file. The names are those of the keys in the study.

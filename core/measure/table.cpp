@@ -7,10 +7,19 @@
 
 namespace analogon {
 
+std::vector<BlankCell> blanksOf(const std::vector<double>& values) {
+    std::vector<BlankCell> blanks;
+    for (std::size_t row = 0; row < values.size(); ++row)
+        if (!std::isfinite(values[row])) blanks.push_back({static_cast<std::uint32_t>(row), 0});
+    return blanks;
+}
+
 bool Column::isOf(const GroupName& wanted) const {
     if (!wanted.name.empty()) return group == wanted.name;
     return wanted.number == 0 || groupNumber == wanted.number;
 }
+
+GroupName Column::groupName() const { return {group, group.empty() ? groupNumber : 0, false}; }
 
 const Column* Table::find(std::string_view name, const GroupName& group) const {
     for (const Column& column : columns)

@@ -19,6 +19,9 @@ struct BlankCell {
     int position{};       // 1-based byte in the line
 };
 
+/// The places of what is no finite number, by row.
+std::vector<BlankCell> blanksOf(const std::vector<double>& values);
+
 /// Which group of a file is meant, as a study says it.
 struct GroupName {
     std::string name{};    // of a group, or of a sheet; empty: told by its number, or not at all
@@ -52,6 +55,8 @@ struct Column {
     std::size_t channel{};          // among those of its group in Table::source
 
     bool isOf(const GroupName& wanted) const;
+    /// How a study says its group: by its name, or by its number where it has none.
+    GroupName groupName() const;
 };
 
 struct MeasurementFile;

@@ -84,11 +84,9 @@ double errorPercent(const ModelState& state, Role role) {
 }
 
 std::string effectWords(const AddedEffect& effect) {
-    const char* const level = effect.confidence == Confidence::Indicated ? "indicated" : "";
-    if (effect.description.empty())
-        return fmt::format("{} at {}{}", effect.kind, effect.at, *level ? " (indicated)" : "");
-    return fmt::format("{} at {} ({}{}{})", effect.kind, effect.at, lowerFirst(effect.description), *level ? ", " : "",
-                       level);
+    std::string what = lowerFirst(effect.description);
+    if (effect.confidence == Confidence::Indicated) what += what.empty() ? "indicated" : ", indicated";
+    return fmt::format("{} at {}{}", effect.kind, effect.at, what.empty() ? "" : " (" + what + ")");
 }
 
 Text confidenceWords(const AddedEffect& effect) {

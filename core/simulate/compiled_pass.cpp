@@ -23,7 +23,7 @@ public:
           options_(options),
           progress_(progress),
           result_(result),
-          slots_(dynamics, inputs),
+          slots_(dynamics, inputs, run.gaps),
           last_(run.last < 0 ? static_cast<int>(inputs.time.size()) - 1 : run.last),
           n_(dynamics.shape().states),
           K_(dynamics.shape().directions) {}

@@ -13,7 +13,7 @@ constexpr int kFirst = 16;
 
 }  // namespace
 
-GapSteps::GapSteps(const SampledInputs& inputs) : inputs_(inputs), gaps_(inputs) { reset(); }
+GapSteps::GapSteps(const SampledInputs& inputs, const Gaps& gaps) : inputs_(inputs), gaps_(gaps) { reset(); }
 
 void GapSteps::reset() { steps_.assign(gaps_.intervals().size(), kFirst); }
 
@@ -50,7 +50,7 @@ void GapSteps::resolve(Dynamics& dynamics, const SimulationOptions& options, con
                                       .cwiseMax(1e-6 * states.cwiseAbs().rowwise().maxCoeff())
                                       .cwiseMax(1e-300)
                                       .array();
-    InputSlots slots(dynamics, inputs_);
+    InputSlots slots(dynamics, inputs_, &gaps_);
     IntervalStepper stepper(dynamics, slots, inputs_, options);
     Eigen::VectorXd coarse(states.rows()), fine = coarse;
     for (std::size_t g = 0; g < steps_.size(); ++g) {

@@ -13,7 +13,8 @@ inline constexpr int kMostInGap = 512;  // implicit steps
 /// of the others.
 class GapSteps {
 public:
-    explicit GapSteps(const SampledInputs& inputs);
+    /// Of these inputs; both must outlive it.
+    GapSteps(const SampledInputs& inputs, const Gaps& gaps);
 
     const std::vector<int>& intervals() const { return gaps_.intervals(); }
     bool isEmpty() const { return gaps_.intervals().empty(); }
@@ -34,7 +35,7 @@ private:
     int intervalAt(double time) const;
 
     const SampledInputs& inputs_;
-    Gaps gaps_;
+    const Gaps& gaps_;
     std::vector<int> steps_;
 };
 

@@ -89,7 +89,7 @@ public:
           progress_(progress),
           result_(result),
           last_(run.last < 0 ? static_cast<int>(inputs.time.size()) - 1 : run.last),
-          slots_(dynamics, inputs),
+          slots_(dynamics, inputs, run.gaps),
           recorder_(dynamics, slots_, inputs, run.first, last_, run.keepStates, result),
           interpolant_(dynamics, slots_),
           jumps_(dynamics, slots_),

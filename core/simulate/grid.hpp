@@ -8,6 +8,8 @@
 
 namespace analogon {
 
+class Gaps;
+
 /// A stretch of samples to run over with a plan.
 struct GridRun {
     GridPlan plan;
@@ -17,6 +19,7 @@ struct GridRun {
     bool keepStates{};
     SampleSink* sink{};  // null: all goes into the trajectory
     bool isTrial{};      // nobody looks at it when it is cancelled
+    const Gaps* gaps{};  // of the inputs; null: they are looked for when they are asked for
 
     /// Which part of the stretch up to `end` is done at a sample.
     double part(int sample, int end) const {

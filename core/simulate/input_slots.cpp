@@ -4,7 +4,8 @@
 
 namespace analogon {
 
-InputSlots::InputSlots(Dynamics& dynamics, const SampledInputs& inputs) : inputs_(inputs) {
+InputSlots::InputSlots(Dynamics& dynamics, const SampledInputs& inputs, const Gaps* known)
+    : inputs_(inputs), known_(known) {
     const Dynamics::Shape& shape = dynamics.shape();
     delays_ = shape.delays;
     sampleCount_ = static_cast<int>(inputs.time.size());
@@ -40,6 +41,7 @@ int InputSlots::intervalOf(double t, int hint) const {
 }
 
 const Gaps& InputSlots::gaps() {
+    if (known_) return *known_;
     if (!gaps_) gaps_.emplace(inputs_);
     return *gaps_;
 }

@@ -14,7 +14,8 @@ namespace analogon {
 /// held input still has the value that it has in it: atSample() is what is seen at the sample.
 class InputSlots {
 public:
-    InputSlots(Dynamics& dynamics, const SampledInputs& inputs);
+    /// `known`: the gaps of the inputs; null: they are not looked for yet.
+    InputSlots(Dynamics& dynamics, const SampledInputs& inputs, const Gaps* known = nullptr);
 
     int intervals() const { return sampleCount_ - 1; }
     /// Found when they are asked for first.
@@ -57,6 +58,7 @@ private:
     int heldSampleOf(double past, int hint) const;  // the last sample at or before a past time, within rounding
 
     const SampledInputs& inputs_;
+    const Gaps* known_;
     std::optional<Gaps> gaps_;
     std::vector<DelayInfo> delays_;
     int sampleCount_{}, inputCount_{}, firstDelay_{}, directions_{};

@@ -48,7 +48,7 @@ public:
         if (mayBeExact && options_.byRecurrence && options_.substeps == 0 && canBeExact(dynamics_, inputs_))
             return {GridMethod::Exact, 1, 0.0};
         if (options_.method == GridMethod::Exact) options_.method = GridMethod::Auto;
-        if (isFree() && dynamics_.shape().delays.empty()) gaps_.emplace(inputs_);
+        if (isFree() && dynamics_.shape().delays.empty()) gaps_.emplace(inputs_, recordGaps_);
         takeTerms(inForce);
         // a survey tells of single steps at less cost, where the model is smooth
         const bool isSingle = inForce && *inForce == oneStep();
@@ -60,7 +60,7 @@ public:
             if (const std::optional<GridPlan> plan = stillHolding(inForce)) return *plan;
         if (isFree()) {
             const std::optional<GridPlan> plan =
-                scheduleSteps(dynamics_, inputs_, surveyRun_, tolerance_, limited_, progress_, &taken_);
+                scheduleSteps(dynamics_, inputs_, recordGaps_, surveyRun_, tolerance_, limited_, progress_, &taken_);
             if (plan) return *plan;
         }
         if (progress_.stopRequested()) return ladder_.fallback();
@@ -127,9 +127,10 @@ private:
         if (taken.failure.failed) return std::nullopt;
         const std::vector<Window> windows =
             betweenGaps(isWhole ? std::vector<Window>{wholeRecord()} : glancesOf(taken), taken);
+        const GridPlan doubled = scaled([](int n) { return 2 * n; });
         std::vector<Trajectory> fine;
         for (const Window& w : windows) {
-            fine.push_back(run(scaled([](int n) { return 2 * n; }), w, false));
+            fine.push_back(run(doubled, w, false));
             if (fine.back().failure.failed) return std::nullopt;
         }
         const Eigen::VectorXd ranges = rangesOf(isWhole && !hasGaps() ? fine.front() : taken);
@@ -231,6 +232,7 @@ private:
         grid.startState = window.state.empty() ? nullptr : window.state.data();
         grid.keepStates = keepStates;
         grid.isTrial = true;
+        grid.gaps = &recordGaps_;
         return runGrid(dynamics_, inputs_, grid, limited_, progress_);
     }
 
@@ -242,11 +244,12 @@ private:
         for (const GridPlan& plan : plans) {
             if (progress_.stopRequested()) return false;
             Trajectory whole = run(plan, wholeRecord(), true);
-            while (hasGaps() && whole.failure.failed && gaps_->refineAt(whole.failure.time) &&
-                   !progress_.stopRequested())
+            const auto failsInGap = [&] {
+                return hasGaps() && whole.failure.failed && gaps_->holds(whole.failure.time);
+            };
+            while (failsInGap() && gaps_->refineAt(whole.failure.time) && !progress_.stopRequested())
                 whole = run(plan, wholeRecord(), true);
-            if (hasGaps() && whole.failure.failed && gaps_->holds(whole.failure.time) &&
-                plan.method == GridMethod::Esdirk)
+            if (failsInGap() && plan.method == GridMethod::Esdirk)
                 return false;  // shorter steps elsewhere do not lead through it
             if (whole.failure.failed || !isPlausible(whole)) {
                 if (gaps_) gaps_->reset();
@@ -357,7 +360,8 @@ private:
     double tolerance_{};
     int sampleCount_{};
     PlanLadder ladder_;
-    std::optional<GapSteps> gaps_;             // where the steps are free
+    const Gaps recordGaps_{inputs_};           // where the recording was interrupted
+    std::optional<GapSteps> gaps_;             // there, where the steps are free
     std::shared_ptr<const InputTerms> terms_;  // of single steps
     std::optional<Trajectory> taken_;
     GridPlan survey_;

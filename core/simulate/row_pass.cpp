@@ -158,7 +158,7 @@ public:
           layout_(layout),
           result_(result),
           table_(layout, dynamics, inputs, termsOf(run)),
-          slots_(dynamics, inputs),
+          slots_(dynamics, inputs, run.gaps),
           last_(run.last < 0 ? static_cast<int>(inputs.time.size()) - 1 : run.last),
           K_(dynamics.shape().directions) {}
 

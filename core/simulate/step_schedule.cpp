@@ -75,10 +75,11 @@ struct Found {
 
 class Scheduler {
 public:
-    Scheduler(Dynamics& dynamics, const SampledInputs& inputs, double tolerance, const SimulationOptions& options,
-              const Progress& progress)
+    Scheduler(Dynamics& dynamics, const SampledInputs& inputs, const Gaps& gaps, double tolerance,
+              const SimulationOptions& options, const Progress& progress)
         : dynamics_(dynamics),
           inputs_(inputs),
+          recordGaps_(gaps),
           options_(options),
           progress_(progress),
           tolerance_(tolerance),
@@ -88,7 +89,7 @@ public:
         for (std::vector<double>* v : {&x_, &coarse_, &fine_, &other_}) v->resize(n_);
         for (std::vector<double>* v : {&jacobian_, &scratch_}) v->resize(n_ * n_);
         u_.resize(static_cast<std::size_t>(dynamics.shape().slots));
-        if (!comparesStates()) gaps_ = Gaps(inputs).intervals();
+        if (!comparesStates()) gaps_ = gaps.intervals();
     }
 
     std::optional<GridPlan> run(const Trajectory& survey) {
@@ -127,7 +128,7 @@ private:
     /// The walk knows no delayed signals of the model's own: then the states must agree with it, not the outputs alone.
     bool comparesStates() const { return !dynamics_.shape().delays.empty(); }
 
-    bool isGap(int interval) const { return std::binary_search(gaps_.begin(), gaps_.end(), interval); }
+    bool isGap(int interval) const { return !gaps_.empty() && recordGaps_.has(interval); }
 
     bool isOverLimit(std::chrono::steady_clock::time_point started) const {
         return progress_.stopRequested() || secondsSince(started) > options_.wallClockLimit;
@@ -136,7 +137,7 @@ private:
     /// The reference, interval by interval, and what each of them takes.
     bool walk() {
         const auto started = std::chrono::steady_clock::now();
-        InputSlots slots(dynamics_, inputs_);
+        InputSlots slots(dynamics_, inputs_, &recordGaps_);
         IntervalStepper stepper(dynamics_, slots, inputs_, options_);
         slots.atSample(0, u_.data());
         if (!dynamics_.initialise(time(0), u_.data(), nullptr, x_.data(), nullptr)) return false;
@@ -301,6 +302,7 @@ private:
         for (std::size_t s = 0; s <= gaps_.size(); ++s) {
             GridRun run;
             run.plan = plan;
+            run.gaps = &recordGaps_;
             run.first = s == 0 ? 0 : gaps_[s - 1] + 1;
             run.last = s < gaps_.size() ? gaps_[s] : count_ - 1;
             run.startState = s == 0 ? nullptr : behindGaps_[s - 1].data();
@@ -319,6 +321,7 @@ private:
         if (!gaps_.empty()) return errorOfStretches(plan);
         GridRun run;
         run.plan = plan;
+        run.gaps = &recordGaps_;
         run.keepStates = comparesStates();
         const Trajectory& trajectory = run_.emplace(runGrid(dynamics_, inputs_, run, options_, progress_));
         if (trajectory.failure.failed) return std::numeric_limits<double>::infinity();
@@ -331,6 +334,7 @@ private:
 
     Dynamics& dynamics_;
     const SampledInputs& inputs_;
+    const Gaps& recordGaps_;
     const SimulationOptions& options_;
     const Progress& progress_;
     double tolerance_{}, implicitCost_{};
@@ -340,25 +344,25 @@ private:
     std::vector<double> x_, coarse_, fine_, other_, jacobian_, scratch_, u_;
     std::vector<Found> found_;
     Eigen::VectorXd stateRanges_, outputRanges_;
-    Eigen::VectorXd lowest_, highest_;       // states
-    Eigen::MatrixXd states_;                 // where they are compared
-    Eigen::MatrixXd reference_;              // outputs
-    std::optional<Trajectory> run_, taken_;  // the last one; with the best plan so far
-    std::vector<int> gaps_;
+    Eigen::VectorXd lowest_, highest_;             // states
+    Eigen::MatrixXd states_;                       // where they are compared
+    Eigen::MatrixXd reference_;                    // outputs
+    std::optional<Trajectory> run_, taken_;        // the last one; with the best plan so far
+    std::vector<int> gaps_;                        // that stretches end at
     std::vector<std::vector<double>> behindGaps_;  // states of the reference
 };
 
 }  // namespace
 
-std::optional<GridPlan> scheduleSteps(Dynamics& dynamics, const SampledInputs& inputs, const Trajectory& survey,
-                                      double tolerance, const SimulationOptions& options, const Progress& progress,
-                                      std::optional<Trajectory>* taken) {
+std::optional<GridPlan> scheduleSteps(Dynamics& dynamics, const SampledInputs& inputs, const Gaps& gaps,
+                                      const Trajectory& survey, double tolerance, const SimulationOptions& options,
+                                      const Progress& progress, std::optional<Trajectory>* taken) {
     const Dynamics::Shape& shape = dynamics.shape();
     if (static_cast<int>(inputs.time.size()) < kFewestSamples || shape.states == 0 || shape.outputs == 0 ||
         shape.directions > 0) {
         return std::nullopt;
     }
-    Scheduler scheduler(dynamics, inputs, tolerance, options, progress);
+    Scheduler scheduler(dynamics, inputs, gaps, tolerance, options, progress);
     std::optional<GridPlan> plan = scheduler.run(survey);
     if (taken && plan) *taken = std::move(scheduler.taken());
     return plan;

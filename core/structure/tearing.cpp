@@ -33,6 +33,7 @@ public:
 private:
     struct Step {
         int equation, unknown;
+        ExpressionId solved{};  // for the unknown, known when the remainder is made
     };
 
     enum class Safety : char { None, Constant, Unit };
@@ -182,7 +183,7 @@ void ComponentSolver::eliminate(int equation) {
         if (isSettled_[static_cast<std::size_t>(u)]) continue;
         if (safetyOf(equation, u) == Safety::None) return;
         isUsed_[e] = 1;
-        steps_.push_back({equation, u});
+        steps_.push_back({equation, u, {}});
         settle(u);
         return;
     }
@@ -254,10 +255,10 @@ Outcome<SolutionBlock> ComponentSolver::remainder() {
             return at == replacement.end() ? ExpressionId{} : at->second;
         },
         Rewriter::Delays::Keep);
-    for (const Step& step : steps_) {
+    for (Step& step : steps_) {
         const ExpressionId unknown = unknowns_[static_cast<std::size_t>(step.unknown)];
-        const auto solved = solveFor(equations_[static_cast<std::size_t>(step.equation)], unknown);
-        replacement[unknown.value] = rewrite(*solved);
+        step.solved = *solveFor(equations_[static_cast<std::size_t>(step.equation)], unknown);
+        replacement[unknown.value] = rewrite(step.solved);
     }
     SolutionBlock block;
     block.isExplicit = false;
@@ -310,7 +311,7 @@ Outcome<std::vector<SolutionBlock>> ComponentSolver::run() {
     for (const Step& step : steps_) {
         SolutionBlock block;
         block.unknowns = {unknowns_[static_cast<std::size_t>(step.unknown)]};
-        block.expressions = {*solveFor(equations_[static_cast<std::size_t>(step.equation)], block.unknowns.front())};
+        block.expressions = {step.solved};
         blocks.push_back(std::move(block));
     }
     return blocks;

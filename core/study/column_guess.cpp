@@ -167,8 +167,7 @@ std::vector<GuessedColumn> guessColumns(const Table& table) {
         GuessedColumn guess;
         guess.name = column.name;
         guess.unit = column.unit;
-        if (column.isOnOtherRaster && &column != &table.columns.front())
-            guess.group = {column.group, column.group.empty() ? column.groupNumber : 0, false};
+        if (column.isOnOtherRaster && &column != &table.columns.front()) guess.group = column.groupName();
         if (guess.unit.empty()) {
             guess.unit = unitInName(column.name);
             if (guess.unit.empty()) guess.unit = unitOfWord(words, column);

@@ -514,8 +514,7 @@ private:
         for (std::size_t i = 0; i < count; ++i) {
             const Table& table = *request_.recordings[i];
             StudyExperiment experiment;
-            const std::string stem = std::filesystem::path(table.file).stem().string();
-            experiment.name = names.freeName(isUtf8(stem) ? stem : latin1ToUtf8(stem));
+            experiment.name = names.freeName(inUtf8(std::filesystem::path(table.file).stem().string()));
             experiment.role = i > 0 && i + 1 == count ? Role::Validate : Role::Fit;
             std::error_code code;
             experiment.file = std::filesystem::exists(table.file, code)

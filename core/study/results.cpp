@@ -228,7 +228,7 @@ Outcome<Done> ResultsPlace::prepare(const fs::path& study) {
         if (mkdir(path.c_str(), 0777) == 0)
             made_.push_back(path);
         else if (errno != EEXIST)
-            return cannotWrite(directory_, std::error_code(errno, std::generic_category()));
+            return cannotWrite(directory_, lastFault());
     }
     lock_ = DirectoryLock(directory_, DirectoryLock::Kind::Exclusive, std::chrono::milliseconds(0));
     if (lock_.isBusy())

@@ -42,8 +42,6 @@ bool isOwnFile(const fs::path& file) {
     return file.extension() == traceEnding || (name.starts_with("run-") && file.extension() == ".json");
 }
 
-std::error_code lastFault() { return {errno, std::generic_category()}; }
-
 bool writeFile(const fs::path& file, const char* bytes, std::size_t count) {
     std::ofstream stream(file, std::ios::binary);
     stream.write(bytes, static_cast<std::streamsize>(count));

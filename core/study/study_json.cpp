@@ -7,6 +7,7 @@
 
 #include "core/base/json_limits.hpp"
 #include "core/base/visible.hpp"
+#include "core/measure/read_options.hpp"
 #include "core/study/json_fault.hpp"
 #include "core/study/json_places.hpp"
 #include "core/study/study.hpp"
@@ -273,9 +274,9 @@ private:
         ReadOptions options;
         if (!isObject(node, phrase("how the text is written, as {{\"separator\": \";\", \"decimal\": \",\"}}")))
             return options;
-        options.separator = readMark(node.member("separator"), ",;|\t ", phrase(", ; | a tab (\\t) or a blank"));
-        options.decimal = readMark(node.member("decimal"), ".,", phrase(". or ,"));
-        options.thousands = readMark(node.member("thousands"), ".,' ", phrase(". , ' or a blank"));
+        options.separator = readMark(node.member("separator"), knownSeparators, phrase(", ; | a tab (\\t) or a blank"));
+        options.decimal = readMark(node.member("decimal"), knownDecimals, phrase(". or ,"));
+        options.thousands = readMark(node.member("thousands"), knownThousands, phrase(". , ' or a blank"));
         options.skip = readCount(node.member("skip"));
         options.header = readCount(node.member("header"));
         if (const Node units = node.member("units")) {

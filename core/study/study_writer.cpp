@@ -107,10 +107,7 @@ private:
     }
 
     /// A name that study.json can hold.
-    static fs::path nameableName(const fs::path& file) {
-        const std::string own = file.filename().string();
-        return isUtf8(own) ? own : latin1ToUtf8(own);
-    }
+    static fs::path nameableName(const fs::path& file) { return inUtf8(file.filename().string()); }
 
     /// Where a measurement lies in the written study; those from elsewhere come to lie beside study.json, at the place
     /// of no other file, and so do those whose names study.json cannot hold.
@@ -200,8 +197,7 @@ private:
 
     /// "library/Workshop": a package may be kept under any name.
     std::string freePlaceOf(const fs::path& library) {
-        const std::string given = library.filename().string();
-        const fs::path name(isUtf8(given) ? given : latin1ToUtf8(given));
+        const fs::path name = inUtf8(library.filename().string());
         std::string place = (libraryFolder / name).generic_string();
         for (int i = 2; isTaken(place); ++i) place = fmt::format("{}_{}/{}", libraryFolder.string(), i, name.string());
         taken_.insert(place);

@@ -79,10 +79,7 @@ TEST_F(FullDisk, IsToldWhereTheUnsavedWorkHasNoCopy) {
 
 TEST_F(FullDisk, LeavesAReportOnPaperAsItWas) {
     const QString file = QFile::decodeName((place / "report.pdf").c_str());
-    const auto content = [&] {
-        std::ifstream stream(place / "report.pdf", std::ios::binary);
-        return std::string(std::istreambuf_iterator<char>(stream), {});
-    };
+    const auto content = [&] { return bytesOf(place / "report.pdf"); };
     const Finding finding;
     ASSERT_EQ(writeReportPdf(file, "before", RunKind::Fit, finding, {}), "");
     std::string before = content();

@@ -112,7 +112,9 @@ protected:
         EXPECT_TRUE(opened.diagnostics().empty()) << format(opened.diagnostics());
         const int version = static_cast<int>(opened->study.parameters.at("T").max.value_or(0)) - 100;
         EXPECT_EQ(opened->study.models.at("model.mo"), modelOf(version)) << "mixed";
-        return version;
+        if (version == 1 || version == 2) return version;
+        ADD_FAILURE() << "version " << version;
+        return 0;
     }
 
     const QTemporaryDir own;

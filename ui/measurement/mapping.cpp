@@ -91,8 +91,7 @@ void proposeMapping(StudyExperiment& experiment, const Table& table, const Model
         if (mapped.contains(pair.signal->name) || used.contains(pair.column->name)) continue;
         ChannelMapping& mapping = mapped[pair.signal->name];
         mapping.column = pair.column->name;
-        if (pair.column->isOnOtherRaster)
-            mapping.group = {pair.column->group, pair.column->group.empty() ? pair.column->groupNumber : 0, false};
+        if (pair.column->isOnOtherRaster) mapping.group = pair.column->groupName();
         used.insert(pair.column->name);
     }
 }

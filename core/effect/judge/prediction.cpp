@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/range.hpp"
 #include "core/effect/model/held_out.hpp"
 #include "core/effect/model/model_state.hpp"
 #include "core/effect/thresholds.hpp"
@@ -24,7 +25,30 @@ Eigen::VectorXd percentOfRange(const std::vector<ResidualChannel>& channels, Eig
     return scale;
 }
 
-int recordingsOf(const std::vector<ResidualChannel>& channels) {
+/// Sums up what is found of one part after the other.
+class PredictionSum {
+public:
+    /// Sums of squares [% squared] of a part.
+    void add(double before, double after) {
+        before_ += before;
+        after_ += after;
+        ++found_.blocks;
+        found_.betterIn += after < before ? 1 : 0;
+    }
+    Prediction of(Eigen::Index rows, bool areRecordings) {
+        const double count = std::max<double>(1, static_cast<double>(rows));
+        found_.errorPercentBefore = std::sqrt(before_ / count);
+        found_.errorPercentAfter = std::sqrt(after_ / count);
+        found_.areRecordings = areRecordings;
+        return found_;
+    }
+
+private:
+    double before_{}, after_{};
+    Prediction found_;
+};
+
+int recordingsIn(const std::vector<ResidualChannel>& channels) {
     int last = -1;
     for (const ResidualChannel& c : channels) last = std::max(last, c.experiment);
     return last + 1;
@@ -47,7 +71,7 @@ struct Cut {
 }  // namespace
 
 std::vector<std::vector<Eigen::Index>> partsLeftOut(const std::vector<ResidualChannel>& channels) {
-    const Cut cut(recordingsOf(channels));
+    const Cut cut(recordingsIn(channels));
     std::vector<std::vector<Eigen::Index>> rows(static_cast<std::size_t>(cut.parts()));
     for (const ResidualChannel& c : channels)
         for (int row = c.begin; row < c.end; ++row) {
@@ -62,28 +86,32 @@ Prediction predict(const NullModel& without, const FitResult& with) {
     const Linearisation &before = without.fit.optimum, &after = with.optimum;
     const HeldOut heldOut(before, after);
     const Eigen::VectorXd scale = percentOfRange(without.channels, before.residuals.size());
-    Prediction prediction;
-    prediction.areRecordings = Cut(recordingsOf(without.channels)).areWhole;
-    double squaresBefore = 0, squaresAfter = 0;
+    PredictionSum sum;
     for (const std::vector<Eigen::Index>& rows : partsLeftOut(without.channels)) {
         const LeftOutPart part = heldOut.part(rows);
         const Eigen::VectorXd percent = scale(rows);
-        const double errorBefore = part.without.cwiseProduct(percent).squaredNorm(),
-                     errorAfter = part.with.cwiseProduct(percent).squaredNorm();
-        squaresBefore += errorBefore;
-        squaresAfter += errorAfter;
-        ++prediction.blocks;
-        prediction.betterIn += errorAfter < errorBefore ? 1 : 0;
+        sum.add(part.without.cwiseProduct(percent).squaredNorm(), part.with.cwiseProduct(percent).squaredNorm());
     }
-    const double rows = std::max<double>(1, static_cast<double>(before.residuals.size()));
-    prediction.errorPercentBefore = std::sqrt(squaresBefore / rows);
-    prediction.errorPercentAfter = std::sqrt(squaresAfter / rows);
-    return prediction;
+    return sum.of(before.residuals.size(), Cut(recordingsIn(without.channels)).areWhole);
 }
 
 namespace {
 
-/// A model of the fitted recordings alone, without the samples of a part.
+/// A model on its fitted recordings alone, with the noise of each.
+struct FittedAlone {
+    explicit FittedAlone(const NullModel& model) : variant(model.variant) {
+        variant.task.recordings.clear();
+        for (const int r : recordingsOf(model.variant.task, Role::Fit)) {
+            variant.task.recordings.push_back(model.variant.task.recordings[static_cast<std::size_t>(r)]);
+            if (!model.noise.empty()) noise.push_back(model.noise[static_cast<std::size_t>(r)]);
+        }
+    }
+
+    Variant variant;
+    std::vector<Eigen::VectorXd> noise;
+};
+
+/// Without the samples of a part.
 Variant withoutPart(const Variant& variant, const Cut& cut, int part) {
     Variant rest = variant;
     std::vector<Recording>& recordings = rest.task.recordings;
@@ -97,57 +125,40 @@ Variant withoutPart(const Variant& variant, const Cut& cut, int part) {
 
 /// Sum of squares, in percent of the range of each output, of a part that the model is fitted without; negative: it
 /// cannot be.
-double squaresLeftOut(const NullModel& model, const Variant& whole, const Cut& cut, int part, const FitOptions& options,
+double squaresLeftOut(const FittedAlone& model, const Cut& cut, int part, const FitOptions& options,
                       const Progress& progress) {
     const Outcome<NullModel> rest =
-        fitNull(withoutPart(whole, cut, part), model.noise, NoiseLevel::Keep, options, progress);
+        fitNull(withoutPart(model.variant, cut, part), model.noise, NoiseLevel::Keep, options, progress);
     if (!rest) return -1;
-    Variant there = whole;
-    there.values = rest->variant.values;
-    const Outcome<ModelState> state = stateOf(there, rest->fit, options.simulation, progress, Detail::Errors);
+    Variant whole = model.variant;
+    whole.values = rest->variant.values;
+    const Outcome<ModelState> state = stateOf(whole, rest->fit, options.simulation, progress, Detail::Errors);
     if (!state) return -1;
     double squares = 0;
     for (std::size_t e = 0; e < state->experiments.size(); ++e)
         for (const OutputState& o : state->experiments[e].outputs) {
-            const auto isMeasured = o.measured.array().isFinite();
-            if (!isMeasured.any()) continue;
-            const double range = isMeasured.select(o.measured.array(), -1e300).maxCoeff() -
-                                 isMeasured.select(o.measured.array(), 1e300).minCoeff();
+            const double range = rangeOf(o.measured).width();
             for (Eigen::Index k = 0; range > 0 && k < o.measured.size(); ++k)
-                if (isMeasured[k] && cut.partOf(static_cast<int>(e), k, o.measured.size()) == part)
+                if (!std::isnan(o.measured[k]) && cut.partOf(static_cast<int>(e), k, o.measured.size()) == part)
                     squares += std::pow(100 * (o.measured[k] - o.simulated[k]) / range, 2);
         }
     return std::isfinite(squares) ? squares : -1;
-}
-
-Variant fittedAlone(const Variant& variant) {
-    Variant alone = variant;
-    std::erase_if(alone.task.recordings, [](const Recording& r) { return r.role != Role::Fit; });
-    return alone;
 }
 
 }  // namespace
 
 std::optional<Prediction> predictByRefits(const NullModel& without, const NullModel& with, const FitOptions& options,
                                           const Progress& progress) {
-    const Variant before = fittedAlone(without.variant), after = fittedAlone(with.variant);
-    const Cut cut(static_cast<int>(before.task.recordings.size()));
-    Prediction prediction;
-    prediction.areRecordings = cut.areWhole;
-    double squaresBefore = 0, squaresAfter = 0;
+    const FittedAlone before(without), after(with);
+    const Cut cut(static_cast<int>(before.variant.task.recordings.size()));
+    PredictionSum sum;
     for (int part = 0; part < cut.parts(); ++part) {
-        const double errorBefore = squaresLeftOut(without, before, cut, part, options, progress),
-                     errorAfter = squaresLeftOut(with, after, cut, part, options, progress);
-        if (errorBefore < 0 || errorAfter < 0) return std::nullopt;
-        squaresBefore += errorBefore;
-        squaresAfter += errorAfter;
-        ++prediction.blocks;
-        prediction.betterIn += errorAfter < errorBefore ? 1 : 0;
+        const double squaresBefore = squaresLeftOut(before, cut, part, options, progress),
+                     squaresAfter = squaresLeftOut(after, cut, part, options, progress);
+        if (squaresBefore < 0 || squaresAfter < 0) return std::nullopt;
+        sum.add(squaresBefore, squaresAfter);
     }
-    const double rows = std::max<double>(1, static_cast<double>(without.fit.optimum.residuals.size()));
-    prediction.errorPercentBefore = std::sqrt(squaresBefore / rows);
-    prediction.errorPercentAfter = std::sqrt(squaresAfter / rows);
-    return prediction;
+    return sum.of(without.fit.optimum.residuals.size(), cut.areWhole);
 }
 
 bool isClearlyBetter(const Prediction& prediction) {

@@ -210,7 +210,6 @@ std::vector<EffectPlace> ModelNodes::insertPlaces(const std::string& signature) 
     return places;
 }
 
-/// Whether a block turns something else into what flows at its one connector of this kind.
 bool ModelNodes::isSource(const std::string& connector, const std::string& signature) const {
     const std::size_t dot = connector.rfind('.');
     const Block* block = diagram_.find(connector.substr(0, dot));
@@ -222,15 +221,8 @@ bool ModelNodes::isSource(const std::string& connector, const std::string& signa
 }
 
 bool ModelNodes::areNeighbours(const Node& a, const Node& b) const {
-    const auto blockOf = [](const Member& m) { return m.connector.substr(0, m.connector.rfind('.')); };
-    for (const Node& n : nodes_)
-        for (const Node& other : nodes_) {
-            if (n.potential != a.potential || other.potential != b.potential) continue;
-            for (const Member& m : n.members)
-                for (const Member& o : other.members)
-                    if (blockOf(m) == blockOf(o)) return true;
-        }
-    return false;
+    const std::set<std::string> first = blocksAt(a, true), second = blocksAt(b, true);
+    return std::any_of(first.begin(), first.end(), [&](const std::string& block) { return second.contains(block); });
 }
 
 std::vector<EffectPlace> ModelNodes::bridgePlaces(const std::string& signature) const {
@@ -283,13 +275,17 @@ bool ModelNodes::isOneNode(const std::string& a, const std::string& b) const {
 
 std::size_t ModelNodes::blocksAt(const std::string& connector) const {
     const Node* const own = nodeOf(connector);
+    return own == nullptr ? 0 : blocksAt(*own, false).size();
+}
+
+std::set<std::string> ModelNodes::blocksAt(const Node& own, bool withEffects) const {
     std::set<std::string> blocks;
     for (const Node& n : nodes_) {
-        if (own == nullptr || n.signature != own->signature || n.potential != own->potential) continue;
+        if (n.signature != own.signature || n.potential != own.potential) continue;
         for (const Member& m : n.members)
-            if (!m.isEffect) blocks.insert(m.connector.substr(0, m.connector.rfind('.')));
+            if (withEffects || !m.isEffect) blocks.insert(m.connector.substr(0, m.connector.rfind('.')));
     }
-    return blocks.size();
+    return blocks;
 }
 
 std::vector<EffectPlace> ModelNodes::specialisePlaces(const EffectClass& effect,

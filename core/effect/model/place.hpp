@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -72,7 +73,10 @@ private:
 
     std::vector<EffectPlace> attachPlaces(const std::string& signature) const;
     std::vector<EffectPlace> insertPlaces(const std::string& signature) const;
+    /// Whether a block turns something else into what flows at its one connector of this kind.
     bool isSource(const std::string& connector, const std::string& signature) const;
+    /// Blocks that meet at the potential of a node.
+    std::set<std::string> blocksAt(const Node& own, bool withEffects) const;
     /// Whether one block joins the two.
     bool areNeighbours(const Node& a, const Node& b) const;
     /// Pairs of nodes that no block joins.

@@ -1,7 +1,6 @@
 #include "core/effect/search/indicate.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
 
 #include "core/effect/judge/judgement.hpp"

@@ -82,7 +82,7 @@ std::vector<std::string> textRows(const matvar_t& variable) {
                 wide.append(bytes + (column * height + row) * size, std::min<std::size_t>(size, 2));
             text = size == 1 ? wide : decodeText(wide);
         }
-        if (!isUtf8(text)) text = latin1ToUtf8(text);
+        text = inUtf8(text);
         text = text.substr(0, text.find('\0'));
         while (!text.empty() && text.back() == ' ') text.pop_back();
         rows.push_back(std::move(text));

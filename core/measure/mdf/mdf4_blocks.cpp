@@ -45,7 +45,7 @@ std::string Blocks4::text(std::uint64_t address) {
         return {};
     }
     const std::string_view raw = found->data.part(0, textLimit).terminatedText();
-    std::string text = isUtf8(raw) ? std::string(raw) : latin1ToUtf8(raw);
+    std::string text = inUtf8(raw);
     return isXml ? commentText(text) : text;
 }
 

@@ -207,8 +207,7 @@ std::string textOf(ValueLayout::Type type, ByteView value) {
         default:
             break;
     }
-    const std::string_view text = value.terminatedText();
-    return isUtf8(text) ? std::string(text) : latin1ToUtf8(text);
+    return inUtf8(value.terminatedText());
 }
 
 }  // namespace analogon::mdf

@@ -1,9 +1,9 @@
 #include "core/measure/open/read_table.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 
+#include "core/base/file_fault.hpp"
+#include "core/measure/csv_dialect.hpp"
 #include "core/measure/open/open_recording.hpp"
 #include "core/measure/text/text_recording.hpp"
 
@@ -15,13 +15,6 @@ std::size_t valuesOf(const MeasurementFile& recording) {
     std::size_t count = 0;
     for (const RecordedGroup& group : recording.groups) count += group.samples * group.channels.size();
     return count;
-}
-
-std::vector<BlankCell> blanksOf(const std::vector<double>& values) {
-    std::vector<BlankCell> blanks;
-    for (std::size_t row = 0; row < values.size(); ++row)
-        if (!std::isfinite(values[row])) blanks.push_back({static_cast<std::uint32_t>(row), 0});
-    return blanks;
 }
 
 /// From the groups of a binary file to tables.
@@ -95,13 +88,11 @@ private:
     }
 
     void tellUnread() {
-        Diagnostic note = fileError(
+        told_.push_back(asWarning(fileError(
             phrase("this file is large: {} of its channels, which the study does not name, are left unread and are not "
                    "looked at as causes",
                    unread_),
-            source_->file, 0, 0, phrase("Map what may be a cause, or export the recording with fewer channels."));
-        note.severity = Severity::Warning;
-        told_.push_back(std::move(note));
+            source_->file, 0, 0, phrase("Map what may be a cause, or export the recording with fewer channels."))));
     }
 
     std::shared_ptr<const MeasurementFile> source_;
@@ -112,10 +103,8 @@ private:
 };
 
 Diagnostic needless(const std::filesystem::path& file, const std::string& format) {
-    Diagnostic note = fileError(
-        phrase("\"read\" tells how a text is written, and this is {}: it has no effect", format), file.string());
-    note.severity = Severity::Warning;
-    return note;
+    return asWarning(fileError(phrase("\"read\" tells how a text is written, and this is {}: it has no effect", format),
+                               file.string()));
 }
 
 }  // namespace
@@ -125,9 +114,7 @@ Outcome<Table> readTable(const std::filesystem::path& file, const ReadOptions& o
     const Outcome<bool> isText = isTextRecording(file);
     if (!isText) return isText.diagnostics();
     if (*isText || options.encoding.starts_with("utf-16")) {
-        std::string ending = file.extension().string();
-        std::transform(ending.begin(), ending.end(), ending.begin(),
-                       [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+        const std::string ending = inLowerCase(file.extension().string());
         ReadOptions told = options;
         if (!told.separator && (ending == ".tsv" || ending == ".tab")) told.separator = '\t';
         return readTextTables(file, told);

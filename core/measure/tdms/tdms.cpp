@@ -127,9 +127,7 @@ private:
                                                       .part(4 * piece.count + begin, end < begin ? 0 : end - begin)
                                                       .text();
                     taken += text.size();
-                    texts.push_back(taken > textLimit
-                                        ? std::nullopt
-                                        : std::optional(isUtf8(text) ? std::string(text) : latin1ToUtf8(text)));
+                    texts.push_back(taken > textLimit ? std::nullopt : std::optional(inUtf8(text)));
                     begin = end;
                 }
             }

@@ -50,7 +50,7 @@ public:
         }
         const std::string_view text = bytes_.part(at_, length).text();
         at_ += length;
-        return isUtf8(text) ? std::string(text) : latin1ToUtf8(text);
+        return inUtf8(text);
     }
     TimePoint takeTime() {
         const TimePoint time = timePointAt(bytes_, at_, isBigEndian_);

@@ -5,17 +5,13 @@
 #include <cmath>
 #include <map>
 
-#include "core/base/limits.hpp"
 #include "core/base/unit.hpp"
-#include "core/base/visible.hpp"
 #include "core/measure/column_header.hpp"
 #include "core/measure/text/remark.hpp"
 
 namespace analogon {
 
 namespace {
-
-std::string cited(const std::string& text) { return shortened(text, limits::quotedBytes); }
 
 bool namesUnit(const std::string& name) {
     const std::string key = plainKey(name);
@@ -48,8 +44,9 @@ Diagnostics applyUnits(RawTable& raw, std::size_t from, std::size_t to) {
     std::vector<std::string> units;
     for (const auto& word : words) {
         const std::string unit = word ? readUnitCell(*word) : std::string();
+        if (std::find(units.begin(), units.end(), unit) != units.end()) continue;
         if (unit.empty() || !isKnownUnit(unit)) return {};
-        if (std::find(units.begin(), units.end(), unit) == units.end()) units.push_back(unit);
+        units.push_back(unit);
     }
     if (units.empty()) return {};
     Column& column = raw.table.columns[to];

@@ -45,11 +45,17 @@ SampleRow sampleRowOf(const TextLine& line, char separator) {
     row.cells = std::move(split.cells);
     row.openQuote = split.openQuote;
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
-        if (!isUtf8(row.cells[i].text)) row.cells[i].text = latin1ToUtf8(row.cells[i].text);
+        row.cells[i].text = inUtf8(row.cells[i].text);
         row.kinds.push_back(kindOf(row.cells[i].text));
         if (!row.cells[i].text.empty()) row.filled = i + 1;
     }
     return row;
+}
+
+std::size_t widest(const SampledRows& sample) {
+    std::size_t most = 0;
+    for (std::size_t r = sample.begin; r < sample.end; ++r) most = std::max(most, sample.rows[r].filled);
+    return most;
 }
 
 bool isValue(CellKind kind) {

@@ -44,6 +44,9 @@ struct SampledRows {
     int otherBegin{}, otherEnd{};  // lines of another block of the same shape with a header behind it; 0: none
 };
 
+/// Cells of the longest row of data.
+std::size_t widest(const SampledRows& sample);
+
 /// The separator under which the most cells are numbers in rows of the same length.
 SampledRows sampledRows(const TextHead& head);
 

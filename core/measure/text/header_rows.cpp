@@ -52,12 +52,6 @@ bool namesATime(const SampleRow& row) {
                        [](const CsvCell& cell) { return namesTime(readColumnHeader(cell.text).name); });
 }
 
-std::size_t widest(const SampledRows& sample) {
-    std::size_t most = 0;
-    for (std::size_t r = sample.begin; r < sample.end; ++r) most = std::max(most, sample.rows[r].filled);
-    return most;
-}
-
 bool holdsValues(const SampleRow& row) { return std::any_of(row.kinds.begin(), row.kinds.end(), isValue); }
 
 void refill(SampleRow& row) {
@@ -145,7 +139,7 @@ SampleRow rejoined(const SampleRow& row, std::size_t width) {
 /// Units alone: their names were left out ("second,Volt").
 bool isUnitsAlone(const SampleRow& row) {
     const std::string first = row.cells.empty() ? std::string() : readUnitCell(row.cells[0].text);
-    if (first.size() < 2 || !areConvertible(first, "s") || areConvertible(first, "Hz")) return false;
+    if (first.size() < 2 || !areConvertible(first, "s")) return false;
     return row.filled > 1 && std::all_of(row.cells.begin(), row.cells.end(), [](const CsvCell& cell) {
                return cell.text.empty() || isKnownUnit(readUnitCell(cell.text));
            });

@@ -10,17 +10,15 @@
 #include "core/base/file_fault.hpp"
 #include "core/base/limits.hpp"
 #include "core/base/unit.hpp"
-#include "core/base/visible.hpp"
 #include "core/measure/column_header.hpp"
 #include "core/measure/text/header_rows.hpp"
+#include "core/measure/text/remark.hpp"
 #include "core/measure/text/time_format.hpp"
 #include "core/measure/time_name.hpp"
 
 namespace analogon {
 
 namespace {
-
-std::string cited(std::string_view text) { return shortened(std::string(text), limits::quotedBytes); }
 
 class LayoutFinder {
 public:
@@ -98,11 +96,7 @@ private:
         return {};
     }
 
-    std::size_t width() const {
-        std::size_t most = 0;
-        for (std::size_t r = rows_.begin; r < rows_.end; ++r) most = std::max(most, rows_.rows[r].filled);
-        return std::max<std::size_t>(most, 1);
-    }
+    std::size_t width() const { return std::max<std::size_t>(widest(rows_), 1); }
 
     void nameColumns() {
         if (!header_.names) {
@@ -155,18 +149,15 @@ private:
 
     void readPreamble() {
         PreambleReader reader(layout_.columns.size(), layout_.marks.decimal.value_or('.'));
-        for (std::size_t i = 0; i < header_.first && i < rows_.rows.size(); ++i) {
-            reader.add(rows_.rows[i]);
-            ++layout_.preambleLines;
-        }
+        for (std::size_t i = 0; i < header_.first && i < rows_.rows.size(); ++i) reader.add(rows_.rows[i]);
         // those above the header are among the lines in front of it
         const bool hasHeader = header_.first < rows_.rows.size();
         for (const SampleRow& row : header_.keys)
             if (hasHeader && row.line.number > rows_.rows[header_.first].line.number) reader.add(row);
         const int data = rows_.begin < rows_.rows.size() ? rows_.rows[rows_.begin].line.number : 0;
         for (const TextLine& comment : rows_.comments)
-            if (comment.number < data) reader.addComment(comment.text, comment.number);
-        for (const auto& [key, value] : header_.facts) reader.addPair(key.text, value.text, layout_.headerLine);
+            if (comment.number < data) reader.addComment(comment.text);
+        for (const auto& [key, value] : header_.facts) reader.addPair(key.text, value.text);
         layout_.facts = reader.facts();
         if (!header_.names) takeNamesOfPreamble();
     }

@@ -29,8 +29,7 @@ struct Layout {
     int linesBefore{};     // lines in front of it
     int headerLine{};      // of the names; 0: there are none
     int unitsLine{};       // of the units row; 0: there is none
-    std::size_t preambleLines{};
-    bool arePadded{};  // rows may end early: what is missing is empty
+    bool arePadded{};      // rows may end early: what is missing is empty
     Diagnostics warnings;
 };
 

@@ -69,6 +69,10 @@ constexpr std::array<std::string_view, 22> dateKeys{
     "beginn",         "startdatum",   "recorded",     "recording start", "start of recording",
     "start datetime", "start"};
 
+bool namesFact(const std::string& key) {
+    return isOneOf(key, intervalKeys) || isOneOf(key, startKeys) || isOneOf(key, rateKeys);
+}
+
 /// Values of another kind that begin with the same words ("10 kSa/s").
 std::string usualUnit(std::string_view unit) {
     const std::string text(withoutBlanks(unit));
@@ -94,16 +98,13 @@ std::string plainKey(std::string_view text) {
     return key;
 }
 
-bool isFactKey(std::string_view text) {
-    const std::string key = plainKey(text);
-    return isOneOf(key, intervalKeys) || isOneOf(key, startKeys) || isOneOf(key, rateKeys);
-}
+bool isFactKey(std::string_view text) { return namesFact(plainKey(text)); }
 
 bool isKeyOfPreamble(const SampleRow& row) {
     if (row.filled < 2) return false;
     const std::string key = plainKey(row.cells[0].text);
     const bool isValue = row.kinds[1] == CellKind::Number || row.kinds[1] == CellKind::Quantity;
-    if (isOneOf(key, intervalKeys) || isOneOf(key, rateKeys) || isOneOf(key, startKeys)) return isValue;
+    if (namesFact(key)) return isValue;
     if (isOneOf(key, dateKeys)) return row.kinds[1] == CellKind::Stamp;
     if (isOneOf(key, timeUnitKeys)) return true;
     return isOneOf(key, unitKeys);
@@ -116,7 +117,7 @@ std::optional<std::pair<std::string_view, std::string_view>> keyAndValue(std::st
     return std::pair{withoutBlanks(text.substr(0, mark)), withoutBlanks(text.substr(mark + 1))};
 }
 
-std::optional<ToldNumber> PreambleReader::number(std::string_view key, std::string_view value, int line) const {
+std::optional<ToldNumber> PreambleReader::number(std::string_view key, std::string_view value) const {
     value = withoutBlanks(value);
     std::size_t end = std::min(value.find_first_not_of("0123456789.,+-eE"), value.size());
     if (end > 0 && end < value.size() && (value[end - 1] == 'e' || value[end - 1] == 'E')) --end;
@@ -125,16 +126,16 @@ std::optional<ToldNumber> PreambleReader::number(std::string_view key, std::stri
         if (read.kind != CellValue::Kind::Number) continue;
         std::string unit = usualUnit(value.substr(end));
         if (unit.empty()) unit = usualUnit(readColumnHeader(withoutBlanks(key)).unit);
-        return ToldNumber{read.value, unit, line};
+        return ToldNumber{read.value, unit};
     }
     return std::nullopt;
 }
 
-bool PreambleReader::addNumber(std::string_view key, std::string_view value, int line) {
+bool PreambleReader::addNumber(std::string_view key, std::string_view value) {
     const std::string plain = plainKey(key);
     const bool isInterval = isOneOf(plain, intervalKeys), isRate = isOneOf(plain, rateKeys);
     if (!isInterval && !isRate && !isOneOf(plain, startKeys)) return false;
-    const std::optional<ToldNumber> told = number(key, value, line);
+    const std::optional<ToldNumber> told = number(key, value);
     if (!told) return false;
     if (!isInterval && !isRate) {
         if (!facts_.start) facts_.start = told;
@@ -142,8 +143,7 @@ bool PreambleReader::addNumber(std::string_view key, std::string_view value, int
     }
     if (!(told->value > 0)) return true;
     // "Interval: 100 Hz" is a rate, "rate: 10 ms" an interval
-    const bool isPerTime =
-        told->unit.empty() ? isRate : areConvertible(told->unit, "Hz") && !areConvertible(told->unit, "s");
+    const bool isPerTime = told->unit.empty() ? isRate : areConvertible(told->unit, "Hz");
     std::optional<ToldNumber>& fact = isPerTime ? facts_.rate : facts_.interval;
     if (fact && fact->value != told->value) facts_.hasSeveralIntervals = true;
     if (!fact) fact = told;
@@ -160,8 +160,8 @@ bool PreambleReader::addStart(const std::string& key, std::string_view value) {
     return true;
 }
 
-bool PreambleReader::addPair(std::string_view key, std::string_view value, int line) {
-    if (addNumber(key, value, line)) return true;
+bool PreambleReader::addPair(std::string_view key, std::string_view value) {
+    if (addNumber(key, value)) return true;
     const std::string plain = plainKey(key);
     if (addStart(plain, withoutBlanks(value))) return true;
     if (!isOneOf(plain, timeUnitKeys) || value.empty()) return false;
@@ -182,24 +182,24 @@ void PreambleReader::add(const SampleRow& row) {
     const std::string_view first = row.cells[0].text;
     const std::string key = plainKey(first);
     if (row.filled == 1) {
-        if (const auto pair = keyAndValue(first)) addPair(pair->first, pair->second, row.line.number);
+        if (const auto pair = keyAndValue(first)) addPair(pair->first, pair->second);
         return;
     }
     if (isOneOf(key, unitKeys)) return addByColumn(row, facts_.units);
     if (isOneOf(key, commentKeys)) return addByColumn(row, facts_.comments);
-    if (addNumber(first, row.cells[1].text, row.line.number)) {
-        for (std::size_t i = 2; i < row.filled; ++i) addNumber(first, row.cells[i].text, row.line.number);
+    if (addNumber(first, row.cells[1].text)) {
+        for (std::size_t i = 2; i < row.filled; ++i) addNumber(first, row.cells[i].text);
         return;
     }
-    if (addPair(first, row.cells[1].text, row.line.number)) return;
+    if (addPair(first, row.cells[1].text)) return;
     for (const CsvCell& cell : row.cells)
-        if (const auto pair = keyAndValue(cell.text)) addPair(pair->first, pair->second, row.line.number);
+        if (const auto pair = keyAndValue(cell.text)) addPair(pair->first, pair->second);
 }
 
-void PreambleReader::addComment(std::string_view line, int number) {
+void PreambleReader::addComment(std::string_view line) {
     const std::size_t first = line.find_first_not_of(" \t#%/;");
     if (first == std::string_view::npos) return;
-    if (const auto pair = keyAndValue(line.substr(first))) addPair(pair->first, pair->second, number);
+    if (const auto pair = keyAndValue(line.substr(first))) addPair(pair->first, pair->second);
 }
 
 }  // namespace analogon

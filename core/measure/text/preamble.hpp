@@ -13,7 +13,6 @@ namespace analogon {
 struct ToldNumber {
     double value{};
     std::string unit;  // empty: none given
-    int line{};
 };
 
 struct PreambleFacts {
@@ -40,16 +39,16 @@ public:
     PreambleReader(std::size_t columns, char decimal) : columns_(columns), decimal_(decimal) {}
 
     void add(const SampleRow& row);
-    void addComment(std::string_view line, int number);
+    void addComment(std::string_view line);
     /// One key with one value: "t0 = -0.002". False where the key says nothing about the table.
-    bool addPair(std::string_view key, std::string_view value, int line);
+    bool addPair(std::string_view key, std::string_view value);
     const PreambleFacts& facts() const { return facts_; }
 
 private:
-    bool addNumber(std::string_view key, std::string_view value, int line);
+    bool addNumber(std::string_view key, std::string_view value);
     bool addStart(const std::string& key, std::string_view value);
     void addByColumn(const SampleRow& row, std::vector<std::string>& texts) const;
-    std::optional<ToldNumber> number(std::string_view key, std::string_view value, int line) const;
+    std::optional<ToldNumber> number(std::string_view key, std::string_view value) const;
 
     std::size_t columns_;
     char decimal_;

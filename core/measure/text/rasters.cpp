@@ -4,9 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/limits.hpp"
 #include "core/base/unit.hpp"
-#include "core/base/visible.hpp"
 #include "core/measure/join.hpp"
 #include "core/measure/text/column_meaning.hpp"
 #include "core/measure/text/remark.hpp"
@@ -16,17 +14,6 @@
 namespace analogon {
 
 namespace {
-
-bool rises(const std::vector<double>& values) {
-    double first = NAN, last = -INFINITY;
-    for (const double value : values) {
-        if (std::isnan(value)) continue;
-        if (value < last) return false;
-        if (std::isnan(first)) first = value;
-        last = value;
-    }
-    return last > first;
-}
 
 /// The same rows, and everywhere the same distance.
 bool isSameRaster(const Column& a, const Column& b) {
@@ -79,8 +66,7 @@ TextGroup cutGroup(const RawTable& raw, const std::vector<std::vector<StatusText
     for (std::size_t i = begin; i < end; ++i) {
         const Column& from = raw.table.columns[i];
         Column column{from.name, from.unit, kept(from.values, rows), {}, from.header, from.line, from.position};
-        for (std::size_t row = 0; row < column.values.size(); ++row)
-            if (!std::isfinite(column.values[row])) column.blanks.push_back({static_cast<std::uint32_t>(row), 0});
+        column.blanks = blanksOf(column.values);
         group.table.columns.push_back(std::move(column));
         group.kinds.push_back(raw.kinds[i]);
         group.words.push_back(kept(raw.words[i], rows));
@@ -127,10 +113,9 @@ std::vector<TextGroup> groupsOf(RawTable raw, const std::map<std::string, std::s
     std::vector<std::vector<StatusText>> statuses = readSwitches(raw);
     for (std::size_t i = 0; i < statuses.size(); ++i)
         if (!statuses[i].empty())
-            told.push_back(
-                doubt(phrase("the words '{}' and '{}' in column '{}' are read as 0 and 1", statuses[i][0].text,
-                             statuses[i][1].text, shortened(raw.table.columns[i].name, limits::quotedBytes)),
-                      raw.table.file));
+            told.push_back(doubt(phrase("the words '{}' and '{}' in column '{}' are read as 0 and 1",
+                                        statuses[i][0].text, statuses[i][1].text, cited(raw.table.columns[i].name)),
+                                 raw.table.file));
     const std::optional<std::size_t> time = timeColumn(raw.table, raw.kinds);
     std::vector<TextGroup> groups;
     const std::vector<std::size_t> times = time ? timesOf(raw, *time) : std::vector<std::size_t>{};

@@ -1,11 +1,18 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "core/base/diagnostic.hpp"
+#include "core/base/file_fault.hpp"
+#include "core/base/limits.hpp"
+#include "core/base/visible.hpp"
 
 namespace analogon {
+
+/// A name or a cell of a file as a message tells it.
+inline std::string cited(std::string_view text) { return shortened(text, limits::quotedBytes); }
 
 /// Something that was found out about a file: no fault and no doubt.
 inline Diagnostic remark(Text message, const std::string& file, int line = 0, Text hint = {}) {
@@ -16,9 +23,7 @@ inline Diagnostic remark(Text message, const std::string& file, int line = 0, Te
 
 /// Something that is doubtful.
 inline Diagnostic doubt(Text message, const std::string& file, int line = 0, Text hint = {}) {
-    Diagnostic told = fileError(std::move(message), file, line, 0, std::move(hint));
-    told.severity = Severity::Warning;
-    return told;
+    return asWarning(fileError(std::move(message), file, line, 0, std::move(hint)));
 }
 
 }  // namespace analogon

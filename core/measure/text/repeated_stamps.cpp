@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/limits.hpp"
 #include "core/base/median.hpp"
-#include "core/base/visible.hpp"
 #include "core/measure/text/remark.hpp"
 #include "core/measure/text/time_column.hpp"
 
@@ -27,8 +25,6 @@ std::vector<Run> runsOf(const std::vector<double>& stamps) {
     }
     return runs;
 }
-
-std::string cited(const std::string& text) { return shortened(text, limits::quotedBytes); }
 
 /// All runs but the first and the last are as long as each other, and their stamps follow by one step: the stamps are
 /// those of an even raster, rounded to that step.

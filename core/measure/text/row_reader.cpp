@@ -15,6 +15,7 @@
 #include "core/base/unit.hpp"
 #include "core/base/visible.hpp"
 #include "core/measure/encoding.hpp"
+#include "core/measure/text/remark.hpp"
 #include "core/measure/text/time_format.hpp"
 
 namespace analogon {
@@ -77,8 +78,6 @@ private:
         faults_ = {std::move(diagnostic)};
         return false;
     }
-
-    static std::string quoted(std::string_view text) { return shortened(text, limits::quotedBytes); }
 
     bool openQuote(const CsvRow& row) {
         return fault(phrase("a quotation mark is opened and not closed on its line"), line_.number, row.openQuote,
@@ -215,18 +214,18 @@ private:
 
     bool readStampCell(std::size_t index, const CsvCell& cell) {
         std::vector<Stamp>& stamps = raw_.stamps[index];
-        if (kindOf(cell.text) == CellKind::Blank) {
+        const std::optional<Stamp> stamp = readStampBy(cell.text, options_.timeFormat);
+        if (!stamp && kindOf(cell.text) == CellKind::Blank) {
             stamps.emplace_back();
             return true;
         }
-        const std::optional<Stamp> stamp = readStampBy(cell.text, options_.timeFormat);
         if (!stamp)
-            return fault(phrase("'{}' in column '{}' is no date or clock", quoted(cell.text),
-                                quoted(table().columns[index].name)),
-                         line_.number, cell.position,
-                         phrase("Say how they are written in the study: \"read\": {{\"time_format\": \"%d.%m.%Y "
-                                "%H:%M:%S\"}}."),
-                         line_.text);
+            return fault(
+                phrase("'{}' in column '{}' is no date or clock", cited(cell.text), cited(table().columns[index].name)),
+                line_.number, cell.position,
+                phrase("Say how they are written in the study: \"read\": {{\"time_format\": \"%d.%m.%Y "
+                       "%H:%M:%S\"}}."),
+                line_.text);
         stamps.push_back(*stamp);
         return true;
     }
@@ -236,8 +235,8 @@ private:
         Column& column = table().columns[index];
         if (!quantity) {
             if (kindOf(cell.text) == CellKind::Blank) return readNumberCell(index, cell);
-            return fault(phrase("'{}' in column '{}' is no number with a unit, as the cells above it",
-                                quoted(cell.text), quoted(column.name)),
+            return fault(phrase("'{}' in column '{}' is no number with a unit, as the cells above it", cited(cell.text),
+                                cited(column.name)),
                          line_.number, cell.position, phrase("Write the unit in the header and numbers in the cells."),
                          line_.text);
         }
@@ -249,8 +248,8 @@ private:
         if (unit == column.unit) return true;
         const Outcome<UnitConversion> convert = convertUnit(unit, column.unit);
         if (!convert)
-            return fault(phrase("the cells of column '{}' are in '{}' and in '{}'", quoted(column.name),
-                                quoted(column.unit), quoted(unit)),
+            return fault(phrase("the cells of column '{}' are in '{}' and in '{}'", cited(column.name),
+                                cited(column.unit), cited(unit)),
                          line_.number, cell.position, phrase("Export the column in one unit."), line_.text);
         column.values.back() = (*convert)(column.values.back());
         return true;
@@ -321,9 +320,9 @@ private:
         const char other = decimal_ == ',' ? '.' : ',';
         if (decimal_ && isNumeric(cell.text) && readCell(cell.text, other).kind != CellValue::Kind::Text)
             return fault(other == ',' ? phrase("'{}' in column '{}' has a decimal comma, line {} has a decimal point",
-                                               quoted(cell.text), quoted(column), decimalLine_)
+                                               cited(cell.text), cited(column), decimalLine_)
                                       : phrase("'{}' in column '{}' has a decimal point, line {} has a decimal comma",
-                                               quoted(cell.text), quoted(column), decimalLine_),
+                                               cited(cell.text), cited(column), decimalLine_),
                          line_.number, cell.position, phrase("Write the whole file with one decimal mark."),
                          line_.text);
         const auto& columns = layout_.columns;
@@ -338,11 +337,9 @@ private:
             hint = phrase("A unit stands in the cell: write it in the header and numbers in the cells.");
         else if (cell.text.find(',') != std::string::npos && cell.text.find('.') != std::string::npos)
             hint = phrase("Marks between thousands cannot be read: write 1234.5.");
-        return fault(phrase("'{}' in column '{}' is not a number", shortened(cell.text, 60), quoted(column)),
+        return fault(phrase("'{}' in column '{}' is not a number", shortened(cell.text, 60), cited(column)),
                      line_.number, cell.position, std::move(hint), line_.text);
     }
-
-    std::string inUtf8(std::string_view text) const { return isUtf8(text) ? std::string(text) : latin1ToUtf8(text); }
 
     /// Instruments write 9.9E37 where a value is beyond their range or there is none (SCPI).
     void takeOverflowsOut() {
@@ -372,7 +369,7 @@ private:
             if (lines.empty()) continue;
             std::vector<std::string> first;
             for (std::size_t k = 0; k < std::min(shown, lines.size()); ++k) first.push_back(std::to_string(lines[k]));
-            const std::string name = quoted(table().columns[i].name);
+            const std::string name = cited(table().columns[i].name);
             Text message =
                 lines.size() <= shown
                     ? phrase("column '{}' was beyond the range of its instrument in line {}", name, listed(first))
@@ -391,11 +388,7 @@ private:
             const bool isEmpty = raw_.kinds.back() != CellKind::Words && raw_.kinds.back() != CellKind::Stamp &&
                                  last.blanks.size() == last.values.size();
             if (!isUnnamed || !isEmpty) return;
-            table().columns.pop_back();
-            raw_.kinds.pop_back();
-            raw_.stamps.pop_back();
-            raw_.words.pop_back();
-            raw_.beyond.pop_back();
+            raw_.erase(table().columns.size() - 1);
         }
     }
 
@@ -424,6 +417,23 @@ private:
 };
 
 }  // namespace
+
+void RawTable::erase(std::size_t column) {
+    const auto eraseIn = [at = static_cast<std::ptrdiff_t>(column)](auto& of) { of.erase(of.begin() + at); };
+    eraseIn(table.columns);
+    eraseIn(kinds);
+    eraseIn(stamps);
+    eraseIn(words);
+    eraseIn(beyond);
+}
+
+void RawTable::insertFront(Column column) {
+    table.columns.insert(table.columns.begin(), std::move(column));
+    kinds.insert(kinds.begin(), CellKind::Number);
+    stamps.insert(stamps.begin(), std::vector<Stamp>{});
+    words.insert(words.begin(), std::vector<std::optional<std::string>>{});
+    beyond.insert(beyond.begin(), std::vector<int>{});
+}
 
 Outcome<RawTable> readRows(std::string_view text, const std::string& name, const Layout& layout,
                            const ReadOptions& options) {

@@ -20,6 +20,10 @@ struct RawTable {
     std::vector<std::vector<std::optional<std::string>>> words;  // empty: an empty cell
     std::vector<std::vector<int>> beyond;                        // lines in which the instrument was out of its range
     char thousands{};                                            // a mark between thousands that came up among the rows
+
+    void erase(std::size_t column);
+    /// Of numbers.
+    void insertFront(Column column);
 };
 
 /// Faulty cells and rows of another length are faults with line and column. Empty cells and NaN are read as NaN (a

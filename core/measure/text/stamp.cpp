@@ -102,7 +102,6 @@ void readHalf(StampParts& parts, Stamp& stamp) {
         isDotted || ((word.starts_with("am") || word.starts_with("pm")) && (word.size() < 3 || !isLetter(word[2])));
     const std::int64_t hours = stamp.nanoseconds / hour;
     if (!isHalf || hours < 1 || hours > 12) return;
-    stamp.isTwelveHours = true;
     if (word.front() == 'a' && hours == 12) stamp.nanoseconds -= 12 * hour;
     if (word.front() == 'p' && hours != 12) stamp.nanoseconds += 12 * hour;
     ahead.cut(isDotted ? 4 : 2);

@@ -17,7 +17,6 @@ struct Stamp {
     std::array<std::int16_t, 3> date{};  // the three numbers as they stand; months by name are put to their number
     std::uint8_t orders{};               // the orders that are possible, a bit each; 0: there is no date
     bool hasClock{};
-    bool isTwelveHours{};        // with AM or PM
     bool hasTwoFields{};         // 10:30: hours and minutes, or minutes and seconds
     bool hasFraction{};          // decimals behind the seconds
     std::int16_t zone{noZone};   // [min] east of Greenwich

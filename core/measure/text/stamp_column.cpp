@@ -7,9 +7,7 @@
 #include <limits>
 
 #include "core/base/file_fault.hpp"
-#include "core/base/limits.hpp"
 #include "core/base/median.hpp"
-#include "core/base/visible.hpp"
 #include "core/measure/text/remark.hpp"
 #include "core/measure/text/time_format.hpp"
 #include "core/measure/text/zone_clock.hpp"
@@ -21,8 +19,6 @@ namespace {
 
 constexpr std::int64_t second = 1'000'000'000, hour = 3600 * second, day = 24 * hour;
 constexpr std::int64_t none = std::numeric_limits<std::int64_t>::min();
-
-std::string cited(const std::string& text) { return shortened(text, limits::quotedBytes); }
 
 bool isTold(const Stamp& stamp) { return stamp.hasDate() || stamp.hasClock; }
 
@@ -48,15 +44,6 @@ Traits traitsOf(const std::vector<Stamp>& stamps) {
         if (stamp.hasDate()) traits.orders &= stamp.orders;
     }
     return traits;
-}
-
-void remove(RawTable& raw, std::size_t column) {
-    const auto at = static_cast<std::ptrdiff_t>(column);
-    raw.table.columns.erase(raw.table.columns.begin() + at);
-    raw.kinds.erase(raw.kinds.begin() + at);
-    raw.stamps.erase(raw.stamps.begin() + at);
-    raw.words.erase(raw.words.begin() + at);
-    raw.beyond.erase(raw.beyond.begin() + at);
 }
 
 bool holdsDates(const RawTable& raw, std::size_t column) {
@@ -103,7 +90,7 @@ void joinDateAndClock(RawTable& raw, Diagnostics& told) {
         told.push_back(remark(phrase("the time is that of columns '{}' and '{}' together",
                                      cited(raw.table.columns[i].name), cited(raw.table.columns[*clock].name)),
                               raw.table.file));
-        remove(raw, i);
+        raw.erase(i);
         return;
     }
 }
@@ -115,7 +102,8 @@ void addMilliseconds(RawTable& raw, Diagnostics& told) {
         const Column& column = raw.table.columns[i + 1];
         const std::string name = inLowerCase(column.name);
         const bool isNamed = name == "ms" || name == "msec" || name.starts_with("millisec") ||
-                             name.starts_with("millisek") || (column.unit == "ms" && name.starts_with("c"));
+                             name.starts_with("millisek") ||
+                             (column.unit == "ms" && column.header.empty() && name.starts_with("c"));
         if (!isNamed || traitsOf(raw.stamps[i]).anyFraction) continue;
         const auto isPart = [](double value) { return value >= 0 && value < 1000; };
         if (!std::all_of(column.values.begin(), column.values.end(), isPart)) continue;
@@ -126,7 +114,7 @@ void addMilliseconds(RawTable& raw, Diagnostics& told) {
         told.push_back(remark(phrase("the milliseconds in column '{}' belong to the time in '{}'", cited(column.name),
                                      cited(raw.table.columns[i].name)),
                               raw.table.file));
-        remove(raw, i + 1);
+        raw.erase(i + 1);
         return;
     }
 }
@@ -366,11 +354,11 @@ void putSeconds(RawTable& raw, std::size_t index, const std::vector<std::int64_t
 
 }  // namespace
 
-Outcome<StampedStart> makeSeconds(RawTable& raw, const ReadOptions& options) {
+Outcome<std::string> makeSeconds(RawTable& raw, const ReadOptions& options) {
     Diagnostics told;
     joinDateAndClock(raw, told);
     addMilliseconds(raw, told);
-    StampedStart start;
+    std::string start;
     std::int64_t firstDate = none, firstClock = none;
     std::vector<std::pair<std::size_t, StampColumn>> columns;
     for (std::size_t i = 0; i < raw.kinds.size(); ++i) {
@@ -378,7 +366,7 @@ Outcome<StampedStart> makeSeconds(RawTable& raw, const ReadOptions& options) {
         StampColumn& column = columns.emplace_back(i, StampColumn(raw, i, options)).second;
         if (Diagnostics faults = column.read(); !faults.empty()) return faults;
         told.insert(told.end(), column.remarks.begin(), column.remarks.end());
-        if (start.text.empty()) start.text = column.start();
+        if (start.empty()) start = column.start();
         const std::int64_t first = firstOf(column.moments());
         std::int64_t& zero = column.isAbsolute() ? firstDate : firstClock;
         if (first != none && !column.countsFromStart() && (zero == none || first < zero)) zero = first;

@@ -10,14 +10,10 @@
 /// Dates and clocks of a table become numbers.
 namespace analogon {
 
-/// What the start of the recording is by its stamps.
-struct StampedStart {
-    std::string text;  // ISO 8601; empty: the file does not tell, or in two ways
-};
-
 /// Joins a date with the clock beside it, adds a column of milliseconds to it, and replaces each column of stamps by
 /// seconds: since the first one, or as they stand where they count from a start. What can be read in two ways that
-/// differ is a fault that names both.
-Outcome<StampedStart> makeSeconds(RawTable& raw, const ReadOptions& options);
+/// differ is a fault that names both. Told is the start of the recording by its stamps, as ISO 8601; empty: the file
+/// does not tell it, or in two ways.
+Outcome<std::string> makeSeconds(RawTable& raw, const ReadOptions& options);
 
 }  // namespace analogon

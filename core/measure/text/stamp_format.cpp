@@ -109,7 +109,6 @@ private:
     bool half() {
         const std::string word = inLowerCase(parts_.letters());
         if ((word != "am" && word != "pm") || hours_ > 12) return false;
-        stamp_.isTwelveHours = true;
         half_ = word == "pm" ? (hours_ == 12 ? 0 : 12) : (hours_ == 12 ? -12 : 0);
         return true;
     }

@@ -21,16 +21,15 @@ namespace analogon {
 namespace {
 
 Diagnostics checkOptions(const ReadOptions& options, const std::string& file) {
-    constexpr std::string_view separators = ",;|\t ", decimals = ".,", thousands = ".,' ";
     const auto isOf = [](std::optional<char> mark, std::string_view known) {
         return !mark || known.find(*mark) != std::string_view::npos;
     };
     const auto wrong = [&](const char* key, const Text& what) {
         return Diagnostics{fileError(phrase("\"{}\" of \"read\" is not known here", key), file, 0, 0, what)};
     };
-    if (!isOf(options.separator, separators)) return wrong("separator", phrase("It is , ; | a tab or a blank."));
-    if (!isOf(options.decimal, decimals)) return wrong("decimal", phrase("It is . or ,"));
-    if (!isOf(options.thousands, thousands)) return wrong("thousands", phrase("It is . , ' or a blank."));
+    if (!isOf(options.separator, knownSeparators)) return wrong("separator", phrase("It is , ; | a tab or a blank."));
+    if (!isOf(options.decimal, knownDecimals)) return wrong("decimal", phrase("It is . or ,"));
+    if (!isOf(options.thousands, knownThousands)) return wrong("thousands", phrase("It is . , ' or a blank."));
     if (!options.encoding.empty() && !decodeText("", options.encoding))
         return wrong("encoding", phrase("It is utf-8, utf-16le, utf-16be, windows-1252 or iso-8859-1."));
     return {};
@@ -90,14 +89,14 @@ Outcome<TextFile> readPlainTable(std::string_view text, const std::string& name,
     Diagnostics meaning = applyUnitColumns(*raw);
     if (hasError(meaning)) return meaning;
     append(told, std::move(meaning));
-    const Outcome<StampedStart> start = makeSeconds(*raw, options);
+    const Outcome<std::string> start = makeSeconds(*raw, options);
     if (!start) return start.diagnostics();
     append(told, start.diagnostics());
     append(told, addCountedTime(*raw, layout->facts, options));
 
     TextFile file;
     file.format = "text";
-    file.start = start->text.empty() ? startOf(layout->facts) : start->text;
+    file.start = start->empty() ? startOf(layout->facts) : *start;
     file.found = described(*layout);
     if (!isUtf8(text.substr(0, layout->offset))) file.found += phrase(", letters of Windows-1252");
     file.groups = groupsOf(std::move(*raw), comments, told);

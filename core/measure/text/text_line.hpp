@@ -15,8 +15,6 @@ public:
     explicit LineReader(std::string_view text, int before = 0) : rest_(text), number_(before) {}
 
     bool next(TextLine& line);
-    /// What was not taken yet.
-    std::string_view rest() const { return rest_; }
 
 private:
     std::string_view rest_;

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/limits.hpp"
 #include "core/base/median.hpp"
 #include "core/base/unit.hpp"
-#include "core/base/visible.hpp"
 #include "core/measure/text/remark.hpp"
 #include "core/measure/text/time_format.hpp"
 #include "core/measure/time_name.hpp"
@@ -14,19 +12,6 @@
 namespace analogon {
 
 namespace {
-
-std::string cited(const std::string& text) { return shortened(text, limits::quotedBytes); }
-
-bool rises(const std::vector<double>& values) {
-    double first = NAN, last = -INFINITY;
-    for (const double value : values) {
-        if (std::isnan(value)) continue;
-        if (value < last) return false;
-        if (std::isnan(first)) first = value;
-        last = value;
-    }
-    return last > first;
-}
 
 bool repeats(const std::vector<double>& values) {
     for (std::size_t i = 1; i < values.size(); ++i)
@@ -52,8 +37,7 @@ bool countsByOne(const Column& column) {
 /// In seconds: the unit beside it, that of the time axis, or seconds.
 double seconds(const ToldNumber& told, const std::string& timeUnit) {
     for (const std::string& unit : {told.unit, timeUnit})
-        if (const auto convert = convertUnit(unit, "s"); !unit.empty() && convert && !areConvertible(unit, "Hz"))
-            return (*convert)(told.value);
+        if (const auto convert = convertUnit(unit, "s")) return (*convert)(told.value);
     return told.value;
 }
 
@@ -68,14 +52,21 @@ std::optional<double> toldInterval(const PreambleFacts& facts) {
 void insertTime(RawTable& raw, std::vector<double> values) {
     std::string name = "time";
     while (raw.table.find(name)) name += '_';
-    raw.table.columns.insert(raw.table.columns.begin(), Column{name, "s", std::move(values), {}});
-    raw.kinds.insert(raw.kinds.begin(), CellKind::Number);
-    raw.stamps.insert(raw.stamps.begin(), std::vector<Stamp>{});
-    raw.words.insert(raw.words.begin(), std::vector<std::optional<std::string>>{});
-    raw.beyond.insert(raw.beyond.begin(), std::vector<int>{});
+    raw.insertFront(Column{name, "s", std::move(values), {}});
 }
 
 }  // namespace
+
+bool rises(const std::vector<double>& values) {
+    double first = NAN, last = -INFINITY;
+    for (const double value : values) {
+        if (std::isnan(value)) continue;
+        if (value < last) return false;
+        if (std::isnan(first)) first = value;
+        last = value;
+    }
+    return last > first;
+}
 
 std::optional<std::size_t> timeColumn(const Table& table, const std::vector<CellKind>& kinds) {
     std::optional<std::size_t> best;
@@ -83,8 +74,7 @@ std::optional<std::size_t> timeColumn(const Table& table, const std::vector<Cell
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const Column& column = table.columns[i];
         if (!kinds.empty() && kinds[i] == CellKind::Words) continue;
-        const bool hasUnit =
-            !column.unit.empty() && areConvertible(column.unit, "s") && !areConvertible(column.unit, "Hz");
+        const bool hasUnit = areConvertible(column.unit, "s");
         if (!hasUnit && !column.unit.empty()) continue;
         const int name = namesTime(column.name) ? 4 : holdsTime(column.name) ? 3 : 0;
         int rank = 2 * (name + (hasUnit ? 2 : 0));

@@ -12,6 +12,9 @@
 /// Which column of a table is its time, and what is made of one that is written badly.
 namespace analogon {
 
+/// Never falls and ends above its beginning; what is missing is passed over.
+bool rises(const std::vector<double>& values);
+
 /// The column of rising values that is a time by its unit or its name: the plainest name of those that rise strictly.
 std::optional<std::size_t> timeColumn(const Table& table, const std::vector<CellKind>& kinds);
 

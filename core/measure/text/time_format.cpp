@@ -14,8 +14,7 @@ std::optional<double> intervalOf(std::string_view timeFormat) {
     if (value.kind != CellValue::Kind::Number || !(value.value > 0)) return std::nullopt;
     const std::string unit(withoutBlanks(text.substr(end)));
     if (unit.empty()) return value.value;
-    if (const auto seconds = convertUnit(unit, "s"); seconds && !areConvertible(unit, "Hz"))
-        return (*seconds)(value.value);
+    if (const auto seconds = convertUnit(unit, "s")) return (*seconds)(value.value);
     if (const auto hertz = convertUnit(unit, "Hz")) return 1 / (*hertz)(value.value);
     return std::nullopt;
 }

@@ -10,6 +10,7 @@
 #include "core/archive/archive.hpp"
 #include "core/archive/zip_directory.hpp"
 #include "core/study/run.hpp"
+#include "tests/core/archive/archive_place.hpp"
 #include "tests/tree.hpp"
 
 namespace analogon {
@@ -25,14 +26,8 @@ void put(const fs::path& file, const std::string& text) {
     std::ofstream(file, std::ios::binary) << text;
 }
 
-class ArchiveReach : public testing::Test {
+class ArchiveReach : public ArchivePlace {
 protected:
-    void SetUp() override {
-        auto made = TemporaryDirectory::make();
-        ASSERT_TRUE(made);
-        holder = *made;
-        root = holder->path();
-    }
     /// A study of a gain whose block comes from libraries: a package within it, a package beside it, a file elsewhere.
     fs::path study(const std::string& libraries) const {
         const fs::path at = root / "study";
@@ -70,9 +65,6 @@ protected:
         const Eigen::VectorXd& y = run->finding.final.experiments.at(0).outputs.at(0).simulated;
         return {y.begin(), y.end()};
     }
-
-    std::shared_ptr<const TemporaryDirectory> holder;
-    fs::path root;
 };
 
 /// Of each member of study.json that is a path; what lies elsewhere is a file of whoever opens the archive.
@@ -175,8 +167,7 @@ TEST_F(ArchiveReach, IsToldByItsEntries) {
     put(root / "from/a", "a file");
     put(root / "from/b/c", "below what will be a file");
     ASSERT_TRUE(zipDirectory(root / "from", root / "a.analogon"));
-    std::ifstream stream(root / "a.analogon", std::ios::binary);
-    std::string bytes((std::istreambuf_iterator<char>(stream)), {});
+    std::string bytes = bytesOf(root / "a.analogon");
     for (std::size_t at = 0; (at = bytes.find("b/c", at)) != std::string::npos;) bytes[at] = 'a';
     put(root / "a.analogon", bytes);
     for (const Diagnostics& faults : {openStudy(root / "a.analogon").diagnostics(),

@@ -12,6 +12,7 @@
 #include "core/archive/archive_limits.hpp"
 #include "core/archive/zip_directory.hpp"
 #include "core/study/run.hpp"
+#include "tests/core/archive/archive_place.hpp"
 #include "tests/kills.hpp"
 #include "tests/tree.hpp"
 
@@ -20,26 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string bytesOf(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-class Archive : public testing::Test {
+class Archive : public ArchivePlace {
 protected:
-    void SetUp() override {
-        auto made = TemporaryDirectory::make();
-        ASSERT_TRUE(made);
-        holder = *made;
-        root = holder->path();
-    }
     Study example() const {
         Outcome<Study> study = readStudy(ANALOGON_ROOT "/examples/lambda-sensor-heating");
         EXPECT_TRUE(study) << format(study.diagnostics());
         return std::move(*study);
     }
-    std::shared_ptr<const TemporaryDirectory> holder;
-    fs::path root;
 };
 
 TEST_F(Archive, ReadsBackWhatItWrote) {

@@ -69,15 +69,19 @@ TEST_F(FullDisk, LeavesNoNewDirectory) {
 TEST_F(FullDisk, LeavesAnArchiveAsItWasWhereTemporaryFilesHaveNoRoomEither) {
     const fs::path file = place / "a.analogon";
     ASSERT_TRUE(saveStudy(one, file));
-    const char* const before = std::getenv("TMPDIR");
-    const std::string elsewhere = before ? before : "";
+    const char* const usual = std::getenv("TMPDIR");
+    const std::string elsewhere = usual ? usual : "";
     setenv("TMPDIR", place.c_str(), 1);
     bool isNew = false;
+    std::string before = bytesOf(file);
     fill([&] { return saveStudy(isNew ? one : other, file); },
          [&](bool isWritten) {
+             const std::string now = bytesOf(file);
+             EXPECT_EQ(now != before, isWritten);
+             before = now;
              if (isWritten) isNew = !isNew;
          });
-    before ? setenv("TMPDIR", elsewhere.c_str(), 1) : unsetenv("TMPDIR");
+    usual ? setenv("TMPDIR", elsewhere.c_str(), 1) : unsetenv("TMPDIR");
     const auto opened = openStudy(file);
     ASSERT_TRUE(opened) << format(opened.diagnostics());
     EXPECT_EQ(isOther(opened->study), isNew);

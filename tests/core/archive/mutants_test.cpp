@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "core/archive/archive.hpp"
+#include "tests/core/archive/archive_place.hpp"
 #include "tests/tree.hpp"
 
 /// Archives that are nearly one: their bytes, the fields of their lists and the texts inside changed at random. Each
@@ -11,11 +12,6 @@ namespace analogon {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string bytesOf(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// Fields of a zip file that a reader relies on: numbers of 2 and 4 bytes behind the signatures of its three records
 /// (PKWARE APPNOTE 4.3.7, 4.3.12, 4.3.16).
@@ -38,13 +34,11 @@ std::string withOtherFields(std::string bytes, unsigned number) {
     return bytes;
 }
 
-class Mutants : public testing::Test {
+class Mutants : public ArchivePlace {
 protected:
     void SetUp() override {
-        auto made = TemporaryDirectory::make();
-        ASSERT_TRUE(made);
-        holder = *made;
-        root = holder->path();
+        ArchivePlace::SetUp();
+        if (HasFatalFailure()) return;
         fs::create_directories(root / "study");
         std::ofstream(root / "study" / "study.json")
             << R"({"format": "analogon-study-1", "class": "M", "experiments": [{"name": "x", "role": "fit", "file": "a.csv",
@@ -82,8 +76,6 @@ protected:
         return opened.hasValue() && unpacked.hasValue();
     }
 
-    std::shared_ptr<const TemporaryDirectory> holder;
-    fs::path root;
     std::string sound;
 };
 

@@ -13,11 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string bytesOf(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 TEST(FileStep, CopiesAFileWithItsRightsToANewPlaceAlone) {
     const fs::path place = fs::temp_directory_path() / ("file-step-test-" + std::to_string(getpid()));
     fs::create_directories(place);

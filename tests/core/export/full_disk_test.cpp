@@ -22,10 +22,6 @@ protected:
         other.models["model.mo"] += std::string(100, '\n') + "// other\n";
         other.parameters["heater.R"].value = 3.25;
     }
-    static std::string bytesOf(const fs::path& file) {
-        std::ifstream stream(file, std::ios::binary);
-        return {std::istreambuf_iterator<char>(stream), {}};
-    }
     /// `write(whether the other one)` writes two versions in turn; where it fails, the file is as it was.
     template <class Write, class IsWhole>
     void expectOldOrNew(const fs::path& file, const Write& write, const IsWhole& isWhole, std::uint64_t step) {

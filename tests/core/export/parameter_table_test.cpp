@@ -16,7 +16,6 @@ namespace analogon {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 ParameterTable sample() {
     return {"Drive",

@@ -42,11 +42,18 @@ std::shared_ptr<const Table> recording() {
     return file;
 }
 
-RasterRequest request(Interpolation ofCommand = Interpolation::Hold) {
+/// An output, and an input of which nothing is told.
+RasterRequest ofOneInput() {
     RasterRequest wanted;
     wanted.time = {"t", {}};
     wanted.outputs = {{"y", {}}};
-    wanted.inputs = {{{"u", {}}, Interpolation::Automatic}, {{"on", {}}, ofCommand}};
+    wanted.inputs = {{{"u", {}}, Interpolation::Automatic}};
+    return wanted;
+}
+
+RasterRequest request(Interpolation ofCommand = Interpolation::Hold) {
+    RasterRequest wanted = ofOneInput();
+    wanted.inputs.push_back({{"on", {}}, ofCommand});
     return wanted;
 }
 
@@ -100,10 +107,7 @@ TEST(CommonRaster, StampsThatDifferByRoundingAreOneMoment) {
 TEST(CommonRaster, WhereAnInputIsNotKnownTheRecordingEndsAndThatIsSaid) {
     auto file = group(1, "a", {0, 1, 2, 3, 4}, "y", {1, 2, 3, 4, 5});
     file->others = {group(2, "b", {0.5, 3.5}, "u", {1, 2})};
-    RasterRequest wanted;
-    wanted.time = {"t", {}};
-    wanted.outputs = {{"y", {}}};
-    wanted.inputs = {{{"u", {}}, Interpolation::Automatic}};
+    const RasterRequest wanted = ofOneInput();
     const Outcome<std::shared_ptr<const Table>> table = onCommonRaster(file, wanted);
     ASSERT_TRUE(table);
     EXPECT_THAT((*table)->find("t")->values, ElementsAre(1, 2, 3));
@@ -134,10 +138,7 @@ TEST(CommonRaster, ARasterCanBeThatOfAChannelOrOfEqualSteps) {
 TEST(CommonRaster, AnInputThatIsFasterThanTheRasterIsTold) {
     auto file = group(1, "a", {0, 1, 2}, "y", {1, 2, 3});
     file->others = {group(2, "b", {0, 0.5, 1, 1.5, 2}, "u", {0, 5, 0, 5, 0})};
-    RasterRequest wanted;
-    wanted.time = {"t", {}};
-    wanted.outputs = {{"y", {}}};
-    wanted.inputs = {{{"u", {}}, Interpolation::Automatic}};
+    const RasterRequest wanted = ofOneInput();
     const Outcome<std::shared_ptr<const Table>> table = onCommonRaster(file, wanted);
     ASSERT_TRUE(table);
     ASSERT_EQ(table.diagnostics().size(), 1u);
@@ -148,10 +149,7 @@ TEST(CommonRaster, AnInputThatIsFasterThanTheRasterIsTold) {
 TEST(CommonRaster, GapsOfAnInputAreBridgedWhereTheStudySaysHow) {
     auto file = group(1, "a", {0, 1, 2}, "y", {1, none, 3});
     file->others = {group(2, "b", {0, 1, 2}, "u", {0, none, 4})};
-    RasterRequest wanted;
-    wanted.time = {"t", {}};
-    wanted.outputs = {{"y", {}}};
-    wanted.inputs = {{{"u", {}}, Interpolation::Automatic}};
+    RasterRequest wanted = ofOneInput();
     wanted.raster = {Raster::Kind::Steps, {}, 1};
     const Outcome<std::shared_ptr<const Table>> fault = onCommonRaster(file, wanted);
     ASSERT_FALSE(fault);
@@ -168,10 +166,7 @@ TEST(CommonRaster, GapsOfAnInputAreBridgedWhereTheStudySaysHow) {
 TEST(CommonRaster, StampsThatFallAreAFaultAndThoseOfAJumpOfAnInputAreNone) {
     auto file = group(1, "a", {0, 2, 1}, "y", {1, 2, 3});
     file->others = {group(2, "b", {0, 1, 1, 2}, "u", {0, 0, 5, 5})};
-    RasterRequest wanted;
-    wanted.time = {"t", {}};
-    wanted.outputs = {{"y", {}}};
-    wanted.inputs = {{{"u", {}}, Interpolation::Automatic}};
+    const RasterRequest wanted = ofOneInput();
     const Outcome<std::shared_ptr<const Table>> falls = onCommonRaster(file, wanted);
     ASSERT_FALSE(falls);
     EXPECT_THAT(falls.diagnostics()[0].message.english(), HasSubstr("goes back in 1 of 3 rows"));

@@ -5,25 +5,14 @@
 
 #include <cmath>
 
+#include "tests/core/simulate/pulses.hpp"
 #include "tests/core/simulate/text_models.hpp"
 
 namespace analogon {
 namespace {
 
-SampledInputs pulses(int count, double step) {
-    SampledInputs inputs;
-    inputs.values.resize(1, count);
-    for (int k = 0; k < count; ++k) {
-        inputs.time.push_back(k * step);
-        const int phase = k % 400;
-        inputs.values(0, k) = phase < 150 ? 0.1 : phase < 200 ? 0.1 - 0.003 * (phase - 150) : -0.05;
-    }
-    return inputs;
-}
-
-double differenceInRanges(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-    return (a - b).cwiseAbs().maxCoeff() / (b.maxCoeff() - b.minCoeff());
-}
+using test::differenceInRanges;
+using test::pulses;
 
 /// A pendulum that is driven and a body that warms up: the one turns on through a gap, the other forgets it.
 const char* const pendulumText = R"(

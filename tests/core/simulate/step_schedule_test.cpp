@@ -5,10 +5,14 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "tests/core/simulate/pulses.hpp"
 #include "tests/core/simulate/text_models.hpp"
 
 namespace analogon {
 namespace {
+
+using test::differenceInRanges;
+using test::pulses;
 
 /// A driven rotor on a spring with sharp dry friction: it sticks, breaks loose and slips.
 const char* const rotorText = R"(
@@ -29,17 +33,6 @@ equation
 end Rotor;
 )";
 
-SampledInputs pulses(int count, double step) {
-    SampledInputs inputs;
-    inputs.values.resize(1, count);
-    for (int k = 0; k < count; ++k) {
-        inputs.time.push_back(k * step);
-        const int phase = k % 400;
-        inputs.values(0, k) = phase < 150 ? 0.1 : phase < 200 ? 0.1 - 0.003 * (phase - 150) : -0.05;
-    }
-    return inputs;
-}
-
 struct Rotor {
     SystemPtr system = test::compileText(rotorText, "Rotor", {"J", "c", "tau_c"});
     SampledInputs inputs = pulses(2000, 0.002);
@@ -55,10 +48,6 @@ struct Rotor {
     }
 };
 
-double gapInRanges(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-    return (a - b).cwiseAbs().maxCoeff() / (b.maxCoeff() - b.minCoeff());
-}
-
 TEST(StepSchedule, PutsItsStepsWhereTheModelNeedsThem) {
     const Rotor rotor;
     for (const Execution execution : {Execution::Fastest, Execution::Interpreted}) {
@@ -67,14 +56,14 @@ TEST(StepSchedule, PutsItsStepsWhereTheModelNeedsThem) {
         ASSERT_TRUE(plan.steps);
         EXPECT_LE(plan.errorEstimate, 1e-5);
         const Trajectory fine = simulateGrid(task, {GridMethod::Esdirk, 64, 0.0});
-        EXPECT_LT(gapInRanges(simulateGrid(task, plan).outputs, fine.outputs), 2e-5);
+        EXPECT_LT(differenceInRanges(simulateGrid(task, plan).outputs, fine.outputs), 2e-5);
         // All intervals alike at the same error: several times the work.
         int substeps = 1;
-        while (gapInRanges(simulateGrid(task, {GridMethod::Esdirk, substeps, 0.0}).outputs, fine.outputs) > 2e-5)
+        while (differenceInRanges(simulateGrid(task, {GridMethod::Esdirk, substeps, 0.0}).outputs, fine.outputs) > 2e-5)
             substeps *= 2;
         int explicitly = 1;
-        while (
-            !(gapInRanges(simulateGrid(task, {GridMethod::RungeKutta4, explicitly, 0.0}).outputs, fine.outputs) < 2e-5))
+        while (!(differenceInRanges(simulateGrid(task, {GridMethod::RungeKutta4, explicitly, 0.0}).outputs,
+                                    fine.outputs) < 2e-5))
             explicitly *= 2;
         EXPECT_LT(2.0 * plan.work(), std::min(12.0 * substeps, 1.0 * explicitly));
     }
@@ -214,7 +203,7 @@ TEST(StepSchedule, TakesAnyNumberOfStepsInAnInterval) {
     const Trajectory y = simulateGrid(task, planOf(steps));
     ASSERT_FALSE(y.failure.failed);
     const Trajectory fine = simulateGrid(task, {GridMethod::Esdirk, 64, 0.0});
-    EXPECT_LT(gapInRanges(y.outputs, fine.outputs), 2e-5);
+    EXPECT_LT(differenceInRanges(y.outputs, fine.outputs), 2e-5);
 }
 
 TEST(StepSchedule, OfAnotherRecordingGivesItsMostDemandingSteps) {

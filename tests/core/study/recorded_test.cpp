@@ -17,7 +17,6 @@ using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsNan;
-using testing::MdfChannel;
 using ::testing::Pointwise;
 using testing::putMdf;
 
@@ -217,7 +216,6 @@ TEST_F(RecordedFiles, WhatIsToldOfATextIsTakenForIt) {
 
 TEST_F(RecordedFiles, TwoExperimentsMayReadOneFileInTwoWays) {
     put("run.csv", "t,u,T,i\n0,1,300,1\n1,2,300,2\n2,3,300,3\n");
-    put("model.mo", "");
     putHeater();
     const std::string channels = R"("inputs": {"u": "u", "T_amb": {"column": "T", "unit": "K"}},
         "outputs": {"i": "i"})";

@@ -11,11 +11,6 @@ using namespace analogon;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
-static std::string contentOf(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 using StudyFiles = analogon::testing::StudyTest;
 
 TEST_F(StudyFiles, AreReadFromTheDirectoryOrItsStudyJson) {
@@ -263,7 +258,7 @@ TEST_F(StudyFiles, NameEveryMeasurementSoThatItIsFoundAgain) {
     const Study sound = read();
     const fs::path elsewhere = directory_ / "elsewhere";
     fs::create_directories(elsewhere);
-    const std::string content = contentOf(directory_ / "train.csv");
+    const std::string content = get(directory_ / "train.csv");
     for (const auto& [name, kept] :
          std::vector<std::pair<std::string, std::string>>{{"pr\xfc"
                                                            "fung.csv",
@@ -285,7 +280,7 @@ TEST_F(StudyFiles, NameEveryMeasurementSoThatItIsFoundAgain) {
         const Outcome<Study> again = readStudy(directory_ / "out");
         ASSERT_TRUE(again) << format(again.diagnostics());
         EXPECT_EQ(again->experiments.front().file, kept);
-        EXPECT_EQ(contentOf(directory_ / "out" / kept), content);
+        EXPECT_EQ(get(directory_ / "out" / kept), content);
         EXPECT_EQ(again->models, sound.models);
         fs::remove_all(directory_ / "out");
     }

@@ -8,6 +8,9 @@
 #include <random>
 #include <set>
 
+#include "tests/core/effect/heated_board.hpp"
+#include "tests/core/effect/left_by.hpp"
+
 namespace analogon {
 namespace {
 
@@ -44,15 +47,6 @@ Eigen::VectorXd wave(Eigen::Index n, double turns) {
     return (2 * std::numbers::pi * turns / static_cast<double>(n) *
             Eigen::ArrayXd::LinSpaced(n, 0, static_cast<double>(n - 1)))
         .sin();
-}
-
-/// What a fit of these columns leaves of a residual.
-Linearisation leftBy(const Eigen::MatrixXd& columns, const Eigen::VectorXd& residual) {
-    Linearisation l;
-    l.ok = true;
-    l.jacobian = columns;
-    l.residuals = OrthogonalProjector(columns)(residual);
-    return l;
 }
 
 Prediction predicted(const std::vector<int>& lengths, const Eigen::MatrixXd& without, const Eigen::MatrixXd& with,
@@ -125,6 +119,58 @@ TEST(Prediction, IsInPercentOfTheRangeOfEachOutput) {
     EXPECT_NEAR(p.errorPercentBefore, 2, 1e-9) << "1 of a range of 50";
     EXPECT_NEAR(p.errorPercentAfter, 0, 1e-3);
     EXPECT_NEAR(p.removed(), 1, 1e-3);
+}
+
+/// A model of the board whose losses are fitted, held against one that has them too large, beside the same noise.
+class Refits : public testing::Test {
+protected:
+    static NullModel fitted(const EstimationTask& task, const std::vector<Eigen::VectorXd>& noise) {
+        const NoiseLevel level = noise.empty() ? NoiseLevel::Estimate : NoiseLevel::Keep;
+        Outcome<NullModel> model = fitNull(Variant{task, {}, {}}, noise, level, {}, {});
+        EXPECT_TRUE(model) << format(model.diagnostics());
+        return model ? std::move(*model) : NullModel{};
+    }
+    struct Both {
+        NullModel without, with;
+    };
+    static Both both(const EstimationTask& task) {
+        NullModel with = fitted(task, {});
+        std::string text = boardText;
+        for (std::size_t at; (at = text.find("G=0.1")) != std::string::npos;) text.replace(at, 5, "G=0.2");
+        EstimationTask given = taskOf(text, "Board");
+        given.parameters = task.parameters;
+        given.parameters.resize(2);  // the capacities alone
+        given.recordings = task.recordings;
+        return {fitted(given, with.noise), std::move(with)};
+    }
+    static Prediction refitted(const Both& models) {
+        const std::optional<Prediction> found = predictByRefits(models.without, models.with, {}, {});
+        EXPECT_TRUE(found);
+        return found.value_or(Prediction{});
+    }
+};
+
+TEST_F(Refits, PredictAsTheFirstOrderDoesNearTheOptimum) {
+    const Both models = both(heatedBoard(0, 0));
+    const Prediction exact = refitted(models), linear = predict(models.without, models.with.fit);
+    EXPECT_TRUE(isClearlyBetter(exact));
+    EXPECT_EQ(exact.blocks, 5);
+    EXPECT_EQ(exact.betterIn, 5);
+    EXPECT_NEAR(exact.errorPercentAfter, linear.errorPercentAfter, 0.02 * linear.errorPercentAfter);
+    EXPECT_NEAR(exact.errorPercentBefore, linear.errorPercentBefore, 0.2 * linear.errorPercentBefore);
+}
+
+/// Each recording keeps its own noise, whatever stands before it.
+TEST_F(Refits, DoNotDependOnRecordingsThatOnlyValidate) {
+    const EstimationTask task = heatedBoard(0.02, 0, {0.01, 2});
+    EstimationTask behind = task;
+    Recording check = task.recordings.front();
+    check.name = "check";
+    check.role = Role::Validate;
+    behind.recordings.insert(behind.recordings.begin(), check);
+    const Prediction alone = refitted(both(task)), second = refitted(both(behind));
+    EXPECT_NEAR(second.errorPercentBefore, alone.errorPercentBefore, 1e-6 * alone.errorPercentBefore);
+    EXPECT_NEAR(second.errorPercentAfter, alone.errorPercentAfter, 1e-6 * alone.errorPercentAfter);
 }
 
 }  // namespace

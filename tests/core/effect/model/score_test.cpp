@@ -9,6 +9,7 @@
 #include "core/effect/model/null_model.hpp"
 #include "core/residual/noise.hpp"
 #include "core/residual/quantisation.hpp"
+#include "tests/core/effect/left_by.hpp"
 
 namespace analogon {
 namespace {
@@ -198,15 +199,6 @@ TEST(NoiseThreshold, GrowsWithTheNumberOfUnlikeCandidates) {
     const double one = noiseThreshold(alike, 0, 0.99, 1);
     EXPECT_NEAR(one, 6.63, 1.0);  // chi-square with one degree of freedom at 99 %
     EXPECT_GT(noiseThreshold(unlike, 0, 0.99, 1), one + 4);
-}
-
-/// What a fit of these columns leaves of a residual.
-Linearisation leftBy(const Eigen::MatrixXd& columns, const Eigen::VectorXd& residual) {
-    Linearisation l;
-    l.ok = true;
-    l.jacobian = columns;
-    l.residuals = OrthogonalProjector(columns)(residual);
-    return l;
 }
 
 TEST(HeldOutGain, IsNearOneForATrueEffectAndNegativeForAFalseOne) {

@@ -107,6 +107,18 @@ TEST(Exchange, TakesTheRivalThatExplainsMore) {
     EXPECT_EQ(node.steps.front().alternatives.front().kind, "sensor.delay");
 }
 
+/// Equals that may each take the place of the other do so once.
+TEST(Visited, KnowsWhereANodeHasStood) {
+    WarmSearch of(laggingBody(3));
+    const Node bare{of.base, {}}, lag = chosen(of, "sensor.lag"), delay = chosen(of, "sensor.delay");
+    Visited visited(lag);
+    EXPECT_FALSE(visited.add(lag));
+    EXPECT_TRUE(visited.add(delay));
+    EXPECT_FALSE(visited.add(delay));
+    EXPECT_FALSE(visited.add(lag));
+    EXPECT_TRUE(visited.add(bare));
+}
+
 TEST(Exchange, LeavesANodeAloneThatHasTheBest) {
     WarmSearch of(laggingBody(3));
     Node node = chosen(of, "sensor.lag");

@@ -309,6 +309,13 @@ TEST(TextFile, AddsAColumnOfMilliseconds) {
     EXPECT_THAT(timeOf(file), ElementsAre(0, 0.5, 1));
 }
 
+TEST(TextFile, LeavesAChannelInMillisecondsBesideAClockAsItIs) {
+    const TextFile file =
+        read("Time,CycleTime [ms]\n2020-01-01 10:00:00,10\n2020-01-01 10:00:01,12\n2020-01-01 10:00:02,11\n");
+    EXPECT_THAT(timeOf(file), ElementsAre(0, 1, 2));
+    EXPECT_THAT(column(file, "CycleTime").values, ElementsAre(10, 12, 11));
+}
+
 TEST(TextFile, AsksForTheOrderOfDayAndMonthWhereItMatters) {
     // within one day either order gives the same time
     EXPECT_THAT(timeOf(read("Time,T\n03/04/2024 10:00:00,1\n03/04/2024 10:00:01,2\n")), ElementsAre(0, 1));
