@@ -10,6 +10,7 @@
 
 #include "core/base/guard.hpp"
 #include "core/base/stop.hpp"
+#include "core/base/work.hpp"
 
 namespace analogon {
 
@@ -26,8 +27,9 @@ void parallelFor(int count, int threads, const std::function<void(int)>& body) {
     std::atomic<int> next{0};
     std::exception_ptr fault;
     std::mutex guard;
-    const auto work = [&, stop = stopInForce()] {
+    const auto work = [&, stop = stopInForce(), steps = workInForce()] {
         const StopScope scope(stop);
+        const WorkScope counted(steps);
         for (int i = next++; i < count; i = next++) {
             try {
                 body(i);

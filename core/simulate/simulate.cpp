@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/base/stop.hpp"
+#include "core/base/work.hpp"
 #include "core/simulate/all_finite.hpp"
 #include "core/simulate/grid.hpp"
 #include "core/simulate/input_slots.hpp"
@@ -191,6 +192,7 @@ Trajectory simulateGrid(const SimulationTask& task, const GridPlan& plan, const 
     if (plan.steps && plan.steps->size() + 1 != task.inputs->time.size()) run.plan.steps = nullptr;
     run.keepStates = task.keepStates;
     run.sink = sink;
+    countWork(run.plan.work() * static_cast<double>(task.inputs->time.size() * (1 + task.directions.cols())));
     return explained(runGrid(dynamics, *task.inputs, run, options, progress), dynamics);
 }
 
@@ -216,6 +218,7 @@ Trajectory simulateAdaptive(const SimulationTask& task, const SimulationOptions&
     const StopScope scope(progress.stopToken());
     SystemDynamics dynamics(task, true);
     if (!dynamics.isReady()) return unready(task, Engine::Adaptive, dynamics);
+    countWork(12.0 * static_cast<double>(task.inputs->time.size() * (1 + task.directions.cols())));
     return explained(runAdaptive(dynamics, *task.inputs, task.keepStates, options, progress), dynamics);
 }
 

@@ -153,7 +153,7 @@ std::vector<Law> likelyLaws(const NullModel& null, int before, const SimulationO
     parallelFor(static_cast<int>(probes.size()), threads, [&](int k) {
         const auto i = static_cast<std::size_t>(k);
         if (progress.stopRequested()) return;
-        if (const std::optional<Eigen::MatrixXd> columns = probes[i].traces(false, simulation, progress))
+        if (const std::optional<Eigen::MatrixXd> columns = probes[i].traces(simulation, progress))
             sets[i] = likeliestSets(null, probes[i].terms(), *columns);
     });
     std::vector<Likely> likely, ofSensors;

@@ -63,26 +63,21 @@ const LawQuantity& LawProbe::addOwn(LawQuantity quantity, std::string expression
 
 const LawQuantity& LawProbe::addForeign(LawQuantity quantity) { return foreign_.emplace_back(std::move(quantity)); }
 
-std::optional<Eigen::MatrixXd> LawProbe::traces(bool perExperiment, const SimulationOptions& simulation,
-                                                const Progress& progress) const {
+std::optional<Eigen::MatrixXd> LawProbe::traces(const SimulationOptions& simulation, const Progress& progress) const {
     if (terms_.empty()) return std::nullopt;
-    const auto all = static_cast<Eigen::Index>(terms_.size());
-    const int experiments = perExperiment ? static_cast<int>(recordingsOf(null_->variant.task, Role::Fit).size()) : 1;
-    Eigen::MatrixXd columns(null_->fit.optimum.residuals.size(), experiments * all);
+    Eigen::MatrixXd columns(null_->fit.optimum.residuals.size(), static_cast<Eigen::Index>(terms_.size()));
     for (std::size_t begin = 0; begin < terms_.size(); begin += mostAtOnce) {
         std::vector<std::size_t> some(std::min(mostAtOnce, terms_.size() - begin));
         std::iota(some.begin(), some.end(), begin);
-        const std::optional<Eigen::MatrixXd> part = tracesOf(some, experiments, simulation, progress);
+        const std::optional<Eigen::MatrixXd> part = tracesOf(some, simulation, progress);
         if (!part) return std::nullopt;
-        const auto count = static_cast<Eigen::Index>(some.size());
-        for (int e = 0; e < experiments; ++e)
-            columns.middleCols(e * all + static_cast<Eigen::Index>(begin), count) = part->middleCols(e * count, count);
+        columns.middleCols(static_cast<Eigen::Index>(begin), part->cols()) = *part;
     }
     return columns;
 }
 
-/// The columns of these terms, those of an experiment together; of 1, they are those of all.
-std::optional<Eigen::MatrixXd> LawProbe::tracesOf(const std::vector<std::size_t>& some, int experiments,
+/// The columns of these terms.
+std::optional<Eigen::MatrixXd> LawProbe::tracesOf(const std::vector<std::size_t>& some,
                                                   const SimulationOptions& simulation, const Progress& progress) const {
     const std::string name = className(0);
     const std::string text = classText(name, some);
@@ -93,13 +88,11 @@ std::optional<Eigen::MatrixXd> LawProbe::tracesOf(const std::vector<std::size_t>
     Outcome<Variant> wired = withEffect(variant, effect(name, some), site_.place, {});
     if (!wired) return std::nullopt;
     std::vector<FitParameter> free;
-    for (int e = 0; e < experiments; ++e)
-        for (std::size_t i = 0; i < some.size(); ++i) {
-            FitParameter p;
-            p.name = wired->effects.back().instance + "." + coefficient(i);
-            if (experiments > 1) p.experiment = e;
-            free.push_back(std::move(p));
-        }
+    for (std::size_t i = 0; i < some.size(); ++i) {
+        FitParameter p;
+        p.name = wired->effects.back().instance + "." + coefficient(i);
+        free.push_back(std::move(p));
+    }
     Outcome<PreparedTask> held = prepareHeld(*wired, free, null_->noise);
     if (!held) return std::nullopt;
     const Eigen::VectorXd off = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(free.size()));

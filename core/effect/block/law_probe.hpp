@@ -52,9 +52,8 @@ public:
     std::vector<Term>& terms() { return terms_; }
     const std::vector<Term>& terms() const { return terms_; }
 
-    /// Traces of all terms at coefficients 0, in units of the noise. `perExperiment`: each has coefficients of its own.
-    std::optional<Eigen::MatrixXd> traces(bool perExperiment, const SimulationOptions& simulation,
-                                          const Progress& progress) const;
+    /// Traces of all terms at coefficients 0, in units of the noise.
+    std::optional<Eigen::MatrixXd> traces(const SimulationOptions& simulation, const Progress& progress) const;
 
     /// The law of these terms; its class has this number among those of its kind.
     Law law(const std::vector<std::size_t>& chosen, int number) const;
@@ -65,8 +64,8 @@ private:
         std::string expression;
     };
 
-    std::optional<Eigen::MatrixXd> tracesOf(const std::vector<std::size_t>& some, int experiments,
-                                            const SimulationOptions& simulation, const Progress& progress) const;
+    std::optional<Eigen::MatrixXd> tracesOf(const std::vector<std::size_t>& some, const SimulationOptions& simulation,
+                                            const Progress& progress) const;
     std::string className(int number) const;
     std::string unitOf(const Term& term) const;
     bool uses(const std::vector<std::size_t>& chosen, const std::string& name) const;

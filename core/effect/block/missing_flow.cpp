@@ -25,7 +25,40 @@ std::vector<Term> hats(double begin, double end, int pieces) {
     return terms;
 }
 
+/// The rows of a residual that belong to a recording.
+struct Rows {
+    Eigen::Index begin{}, end{};
+};
+
+std::map<int, Rows> rowsOfRecordings(const std::vector<ResidualChannel>& channels) {
+    std::map<int, Rows> rows;
+    for (const ResidualChannel& c : channels) {
+        Rows& own = rows.try_emplace(c.experiment, Rows{c.begin, c.end}).first->second;
+        own = {std::min<Eigen::Index>(own.begin, c.begin), std::max<Eigen::Index>(own.end, c.end)};
+    }
+    return rows;
+}
+
+/// An error of one sensor shows on its channel and nowhere else: hats over its samples.
+ResponseBlock errorOfSensor(const ResidualChannel& channel, int pieces) {
+    const int count = channel.end - channel.begin;
+    ResponseBlock block{channel.experiment, channel.begin, Eigen::MatrixXd::Zero(count, pieces + 1)};
+    for (int row = 0; row < count; ++row) {
+        const double at = static_cast<double>(row) * pieces / std::max(1, count - 1);
+        const int k = std::min(pieces - 1, static_cast<int>(at));
+        block.columns(row, k) = 1 - (at - k);
+        block.columns(row, k + 1) = at - k;
+    }
+    return block;
+}
+
 }  // namespace
+
+const ResponseBlock* FlowResponse::of(int recording) const {
+    const auto found =
+        std::find_if(blocks.begin(), blocks.end(), [&](const ResponseBlock& b) { return b.recording == recording; });
+    return found != blocks.end() ? &*found : nullptr;
+}
 
 std::vector<FlowResponse> flowResponses(const NullModel& null, int pieces, const SimulationOptions& simulation,
                                         const Progress& progress, const std::set<std::string>& wanted) {
@@ -38,32 +71,25 @@ std::vector<FlowResponse> flowResponses(const NullModel& null, int pieces, const
     const std::vector<int> fitted = recordingsOf(null.variant.task, Role::Fit);
     Range time;
     for (const int r : fitted) time.take(rangeOf(null.variant.task.recordings[static_cast<std::size_t>(r)].time));
+    const std::map<int, Rows> rows = rowsOfRecordings(null.channels);
     for (const ModelNodes::FlowNode& node : nodes->flowNodes()) {
         if (progress.stopRequested()) return responses;
         if (!isWanted(node.place.at)) continue;
         LawProbe probe(null, siteOf(node));
         probe.terms() = hats(time.low, time.high, pieces);
-        std::optional<Eigen::MatrixXd> columns = probe.traces(fitted.size() > 1, simulation, progress);
-        if (columns && columns->allFinite()) responses.push_back({probe.place().at, true, std::move(*columns)});
+        // no recording feels what happens in another: the rows of each are the responses to its own pieces
+        const std::optional<Eigen::MatrixXd> columns = probe.traces(simulation, progress);
+        if (!columns || !columns->allFinite()) continue;
+        FlowResponse response{probe.place().at, true, {}};
+        for (const auto& [recording, own] : rows)
+            response.blocks.push_back({recording, own.begin, columns->middleRows(own.begin, own.end - own.begin)});
+        responses.push_back(std::move(response));
     }
-    // an error of one sensor shows on its channel and nowhere else
-    std::map<int, Eigen::MatrixXd> ofOutput;
-    for (const ResidualChannel& c : null.channels) {
-        Eigen::MatrixXd& columns = ofOutput[c.output];
-        const Eigen::Index before = columns.cols();
-        columns.conservativeResize(null.fit.optimum.residuals.size(), before + pieces + 1);
-        columns.rightCols(pieces + 1).setZero();
-        const int count = c.end - c.begin;
-        for (int row = 0; row < count; ++row) {
-            const double at = static_cast<double>(row) * pieces / std::max(1, count - 1);
-            const int k = std::min(pieces - 1, static_cast<int>(at));
-            columns(c.begin + row, before + k) = 1 - (at - k);
-            columns(c.begin + row, before + k + 1) = at - k;
-        }
-    }
-    for (auto& [output, columns] : ofOutput) {
-        std::string place = std::string(outputPrefix) + held->system->outputs()[static_cast<std::size_t>(output)].name;
-        if (isWanted(place)) responses.push_back({std::move(place), false, std::move(columns)});
+    std::map<int, FlowResponse> ofOutput;
+    for (const ResidualChannel& c : null.channels) ofOutput[c.output].blocks.push_back(errorOfSensor(c, pieces));
+    for (auto& [output, response] : ofOutput) {
+        response.place = std::string(outputPrefix) + held->system->outputs()[static_cast<std::size_t>(output)].name;
+        if (isWanted(response.place)) responses.push_back(std::move(response));
     }
     return responses;
 }

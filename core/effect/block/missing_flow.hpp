@@ -9,12 +9,21 @@
 
 namespace analogon {
 
+/// What the hats of an unknown course over one recording do there; outside of these rows of the residual they do
+/// nothing.
+struct ResponseBlock {
+    int recording{};          // among those that are fitted
+    Eigen::Index begin{};     // its first row of the residual
+    Eigen::MatrixXd columns;  // rows from there on x hats, evenly over the time
+};
+
 /// What an unknown flow at one node does to the residual, or an unknown error of one sensor.
 struct FlowResponse {
-    std::string place;  // a connector, or "output y"
-    bool isFlow{};      // at a node
-    Eigen::MatrixXd
-        columns;  // rows of the residual x hats of the flow, evenly over the time; of each recording its own
+    std::string place;                  // a connector, or "output y"
+    bool isFlow{};                      // at a node
+    std::vector<ResponseBlock> blocks;  // of each recording that it is felt in, in their order
+
+    const ResponseBlock* of(int recording) const;  // nullptr: none
 };
 
 /// The responses of the nodes and outputs that are `wanted` (empty: all), each flow piecewise linear with as many

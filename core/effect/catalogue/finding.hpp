@@ -83,6 +83,7 @@ struct Prediction {
     double errorPercentBefore{}, errorPercentAfter{};  // root mean square, of the range of each output
     int blocks{}, betterIn{};                          // parts that were left out, and those in which it is better
     bool areRecordings{};                              // the parts are whole recordings
+    int clearlyIn{};                                   // parts in which it is better by a good part of the error
 
     /// Share of the error of what was left out.
     double removed() const { return errorPercentBefore > 0 ? 1 - errorPercentAfter / errorPercentBefore : 0; }

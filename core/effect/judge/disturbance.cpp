@@ -1,7 +1,6 @@
 #include "core/effect/judge/disturbance.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,20 +19,11 @@ using namespace threshold::disturbance;
 namespace {
 
 constexpr int piecesOfADisturbance = 100;
-constexpr double correlations[] = {0.2, 0.8, 0.97};         // of neighbouring pieces
 constexpr double leastVariance = 1e-3, varianceFactor = 3;  // of the flow's strongest trace, in units of the noise
 constexpr int varianceSteps = 24;
 constexpr int mostRounds = 10, stepsARound = 3;
 // mean square that a sensor's error may leave on the other outputs, in units of the noise and as a share of all
 constexpr double leastInformation = 1e-10;  // of the best known direction of the parameters
-
-/// Root of the correlation of pieces that follow each other by a first-order Markov process.
-Eigen::MatrixXd correlationRoot(Eigen::Index count, double neighbours) {
-    Eigen::MatrixXd c(count, count);
-    for (Eigen::Index i = 0; i < count; ++i)
-        for (Eigen::Index j = 0; j < count; ++j) c(i, j) = std::pow(neighbours, static_cast<double>(std::abs(i - j)));
-    return Eigen::LLT<Eigen::MatrixXd>(c).matrixL();
-}
 
 }  // namespace
 
@@ -43,83 +33,49 @@ Disturbance::Disturbance(const NullModel& model, const SimulationOptions& simula
                   piecesOfADisturbance) {}
 
 Disturbance::Disturbance(std::vector<ResidualChannel> channels, std::vector<FlowResponse> responses, int pieces)
-    : channels_(std::move(channels)), responses_(std::move(responses)), pieces_(pieces) {
-    if (!responses_.empty()) settled_.root.resize(responses_.front().columns.rows(), 0);
-    settled_.sources = sourcesBeside();
+    : channels_(std::move(channels)), settled_{SettledFlows(std::move(responses), pieces)} {
+    seekSources();
 }
 
-std::vector<Disturbance::Source> Disturbance::sourcesBeside() const {
+void Disturbance::seekSources() {
     std::vector<Source> sources;
-    const Eigen::Index count = pieces_ + 1;
-    for (std::size_t i = 0; i < responses_.size(); ++i) {
-        const auto isHere = [&](const Flow& f) { return f.response == i; };
-        if (std::any_of(settled_.flows.begin(), settled_.flows.end(), isHere)) continue;
-        const Eigen::MatrixXd& columns = responses_[i].columns;
-        const Eigen::MatrixXd weighed = besideSettled(columns);
-        const Eigen::Index all = columns.cols();
-        std::vector<Eigen::MatrixXd> squares;  // of each recording: no flow is felt in another
-        for (Eigen::Index k = 0; k + count <= all; k += count)
-            squares.emplace_back(columns.middleCols(k, count).transpose() * weighed.middleCols(k, count));
-        for (std::size_t c = 0; c < std::size(correlations); ++c) {
-            const Eigen::MatrixXd root = correlationRoot(count, correlations[c]);
-            Source source{i, c, Eigen::MatrixXd::Zero(all, all), Eigen::VectorXd::Zero(all)};
-            for (std::size_t e = 0; e < squares.size(); ++e) {
-                stopPoint();
-                const Eigen::Index k = static_cast<Eigen::Index>(e) * count;
-                const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(root.transpose() * squares[e] * root);
-                source.turn.block(k, k, count, count) = root * eigen.eigenvectors();
-                source.squares.segment(k, count) = eigen.eigenvalues().cwiseMax(0);
-            }
-            if (source.squares.maxCoeff() > 0) sources.push_back(std::move(source));
-        }
+    for (std::size_t i = 0; i < responses().size(); ++i) {
+        if (settled_.flows.has(i)) continue;
+        for (std::size_t c = 0; c < SettledFlows::correlations; ++c)
+            if (std::optional<Source> source = settled_.flows.source(i, c)) sources.push_back(std::move(*source));
     }
-    return sources;
-}
-
-Eigen::MatrixXd Disturbance::besideSettled(const Eigen::MatrixXd& columns) const {
-    if (settled_.flows.empty()) return columns;
-    return columns - settled_.root * (settled_.root.transpose() * columns);
+    settled_.sources = std::make_shared<const std::vector<Source>>(std::move(sources));
 }
 
 Disturbance::Flow Disturbance::flowOf(const Metric& metric) const {
     return {sourceOf(metric).response, sourceOf(metric).correlation, metric.variance};
 }
 
-/// Settles one flow more, of those that can still be sought.
-void Disturbance::add(const Flow& flow) {
-    const auto source = std::find_if(settled_.sources.begin(), settled_.sources.end(), [&](const Source& s) {
-        return s.response == flow.response && s.correlation == flow.correlation;
-    });
-    if (source == settled_.sources.end()) return;
-    // (B + q A C A')^-1 = B^-1 - B^-1 A T q/(1 + q s) T' A' B^-1 where T turns A' B^-1 A into its diagonal s
-    const Eigen::MatrixXd more = besideSettled(responses_[flow.response].columns) * source->turn *
-                                 source->part(flow.variance).cwiseSqrt().asDiagonal();
-    Eigen::MatrixXd root(more.rows(), settled_.root.cols() + more.cols());
-    root << settled_.root, more;
-    settled_.root = std::move(root);
-    settled_.spread += source->spread(flow.variance);
-    settled_.flows.push_back(flow);
-    settled_.sources = sourcesBeside();
+/// Settles these flows as well.
+void Disturbance::add(const std::vector<Flow>& flows) {
+    for (const Flow& flow : flows) settled_.flows.add(flow);
+    seekSources();
 }
 
 void Disturbance::settle(const Eigen::VectorXd& residuals, std::size_t most) {
     const Settled none = settled_;
     Metric best = likeliest(residuals);
-    while (best.source >= 0 && settled_.flows.size() + 1 < std::min(most, responses_.size())) {
+    while (best.source >= 0 && settled_.flows.count() + 1 < std::min(most, responses().size())) {
         Settled before = settled_;
-        add(flowOf(best));
+        add({flowOf(best)});
         Metric next = likeliest(residuals);
         if (next.source < 0 || !(next.misfit < best.misfit - leastOfAPlace)) {
             settled_ = std::move(before);
             return;
         }
         // each was found beside fewer than there are now
-        for (std::size_t count = settled_.flows.size(), i = 0; i < count; ++i) {
-            std::vector<Flow> flows(settled_.flows.begin() + 1, settled_.flows.end());
+        for (std::size_t count = settled_.flows.count(), i = 0; i < count; ++i) {
+            std::vector<Flow> flows;
+            for (std::size_t k = 1; k < count; ++k) flows.push_back(settled_.flows.flow(k));
             flows.push_back(flowOf(next));
             Settled now = std::move(settled_);
             settled_ = none;
-            for (const Flow& f : flows) add(f);
+            add(flows);
             const Metric again = likeliest(residuals);
             if (again.source < 0) {
                 settled_ = std::move(now);
@@ -133,7 +89,8 @@ void Disturbance::settle(const Eigen::VectorXd& residuals, std::size_t most) {
 
 std::set<std::string> Disturbance::settledPlaces() const {
     std::set<std::string> places;
-    for (const Flow& f : settled_.flows) places.insert(responses_[f.response].place);
+    for (std::size_t f = 0; f < settled_.flows.count(); ++f)
+        places.insert(responses()[settled_.flows.flow(f).response].place);
     return places;
 }
 
@@ -162,9 +119,13 @@ Eigen::VectorXd follow(const Eigen::MatrixXd& products, double damping) {
 
 /// Mean square of what is left of the samples at which a disturbance does not show, where the parameters follow them.
 double leftElsewhere(const Linearisation& model, const FlowResponse& response) {
+    std::vector<bool> isFelt(static_cast<std::size_t>(model.residuals.size()));
+    for (const ResponseBlock& block : response.blocks)
+        for (Eigen::Index i = 0; i < block.columns.rows(); ++i)
+            if (!block.columns.row(i).isZero(0)) isFelt[static_cast<std::size_t>(block.begin + i)] = true;
     std::vector<Eigen::Index> rows;
-    for (Eigen::Index i = 0; i < response.columns.rows(); ++i)
-        if (response.columns.row(i).isZero(0)) rows.push_back(i);
+    for (std::size_t i = 0; i < isFelt.size(); ++i)
+        if (!isFelt[i]) rows.push_back(static_cast<Eigen::Index>(i));
     if (rows.empty()) return 0;
     const Eigen::VectorXd there = model.residuals(rows);
     const Eigen::VectorXd left = OrthogonalProjector(Eigen::MatrixXd(model.jacobian(rows, Eigen::all)))(there);
@@ -180,38 +141,35 @@ double misfitOf(double sumOfSquares, double rows) {
 template <class Visit>
 void Disturbance::visit(const Eigen::MatrixXd& both, const Visit& each) const {
     stopPoint();
-    const Eigen::MatrixXd weighed = besideSettled(both);
-    const Eigen::MatrixXd plain = both.transpose() * weighed;
-    each(Metric{}, plain);
+    const SettledFlows::Projected beside = settled_.flows.project(both);
+    each(Metric{}, beside.inner);
     Eigen::MatrixXd pieces;
-    for (std::size_t s = 0; s < settled_.sources.size(); ++s) {
+    for (std::size_t s = 0; s < settled_.sources->size(); ++s) {
         stopPoint();
-        const Source& source = settled_.sources[s];
-        if (s == 0 || source.response != settled_.sources[s - 1].response)
-            pieces = responses_[source.response].columns.transpose() * weighed;
-        const Eigen::MatrixXd onto = source.turn.transpose() * pieces;
+        const Source& source = (*settled_.sources)[s];
+        if (s == 0 || source.response != (*settled_.sources)[s - 1].response)
+            pieces = settled_.flows.pieces(beside, source.response);
+        const Eigen::MatrixXd onto = source.turned(pieces);
         Metric metric{static_cast<int>(s), leastVariance / source.squares.maxCoeff()};
         for (int k = 0; k < varianceSteps; ++k, metric.variance *= varianceFactor)
             // (I + q A A')^-1 = I - A q/(1 + q s) A' where A'A is diagonal, s
-            each(metric, plain - onto.transpose() * source.part(metric.variance).asDiagonal() * onto);
+            each(metric, beside.inner - onto.transpose() * source.part(metric.variance).asDiagonal() * onto);
     }
 }
 
 Eigen::MatrixXd Disturbance::products(const Eigen::MatrixXd& both, const Metric& metric) const {
-    const Eigen::MatrixXd weighed = besideSettled(both);
-    Eigen::MatrixXd result = both.transpose() * weighed;
-    if (metric.source < 0) return result;
+    SettledFlows::Projected beside = settled_.flows.project(both);
+    if (metric.source < 0) return std::move(beside.inner);
     const Source& source = sourceOf(metric);
-    const Eigen::MatrixXd onto = source.turn.transpose() * (responses_[source.response].columns.transpose() * weighed);
-    result -= onto.transpose() * source.part(metric.variance).asDiagonal() * onto;
-    return result;
+    const Eigen::MatrixXd onto = source.turned(settled_.flows.pieces(beside, source.response));
+    return beside.inner - onto.transpose() * source.part(metric.variance).asDiagonal() * onto;
 }
 
 double Disturbance::misfit(const Eigen::MatrixXd& products, const Metric& metric, double rows) const {
     double sumOfSquares = products(0, 0);
     if (products.cols() > 1) sumOfSquares += products.col(0).tail(products.cols() - 1).dot(follow(products, 0));
     const double spread = metric.source < 0 ? 0 : sourceOf(metric).spread(metric.variance);
-    return misfitOf(sumOfSquares, rows) + settled_.spread + spread;
+    return misfitOf(sumOfSquares, rows) + settled_.flows.spread() + spread;
 }
 
 Disturbance::Metric Disturbance::leastMisfit(const Eigen::MatrixXd& both) const {
@@ -235,7 +193,7 @@ std::map<std::string, double> Disturbance::leastMisfits(const Linearisation& mod
     std::map<std::string, double> least;
     visit(both, [&](const Metric& metric, const Eigen::MatrixXd& products) {
         const double m = misfit(products, metric, static_cast<double>(both.rows()));
-        const std::string place = metric.source < 0 ? std::string() : responses_[sourceOf(metric).response].place;
+        const std::string place = metric.source < 0 ? std::string() : responses()[sourceOf(metric).response].place;
         double& there = least.try_emplace(place, m).first->second;
         there = std::min(there, m);
     });
@@ -258,7 +216,7 @@ std::vector<std::string> Disturbance::likeliestPlaces(const Linearisation& model
     ofPlace[""] -= leastOfAPlace;
     const double all = model.residuals.squaredNorm() / static_cast<double>(model.residuals.size());
     std::set<std::string> flows;
-    for (const FlowResponse& r : responses_) {
+    for (const FlowResponse& r : responses()) {
         if (r.isFlow) flows.insert(r.place);
         if (!r.isFlow && leftElsewhere(model, r) > std::max(mostElsewhere, shareElsewhere * all))
             ofPlace.erase(r.place);
@@ -292,12 +250,13 @@ Eigen::VectorXd Disturbance::gradient(const Linearisation& model, const Metric& 
 }
 
 double Disturbance::independentShare(const Eigen::VectorXd& residuals, const Metric& metric) const {
-    Eigen::VectorXd rest = besideSettled(residuals);
+    const SettledFlows& flows = settled_.flows;
+    Eigen::VectorXd rest = flows.weighed(residuals);
     if (metric.source >= 0) {
         const Source& source = sourceOf(metric);
-        const Eigen::MatrixXd& columns = responses_[source.response].columns;
-        const Eigen::VectorXd onto = source.turn.transpose() * (columns.transpose() * rest);
-        rest -= besideSettled(columns * (source.turn * source.part(metric.variance).cwiseProduct(onto)));
+        const Eigen::VectorXd onto = source.turned(flows.pieces(flows.project(residuals), source.response));
+        const Eigen::VectorXd pieces = source.piecesOf(source.part(metric.variance).cwiseProduct(onto));
+        rest -= flows.weighed(flows.felt(source.response, pieces, rest.size()));
     }
     return effectiveCount(channels_, rest) / static_cast<double>(rest.size());
 }

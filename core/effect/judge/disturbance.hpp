@@ -1,11 +1,12 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "core/effect/block/missing_flow.hpp"
+#include "core/effect/judge/settled_flows.hpp"
 #include "core/effect/thresholds.hpp"
 
 namespace analogon {
@@ -57,36 +58,21 @@ public:
     double independentShare(const Eigen::VectorXd& residuals, const Metric& metric) const;
 
 private:
-    struct Source {
-        std::size_t response{};
-        std::size_t correlation{};
-        Eigen::MatrixXd turn;     // from the pieces to amplitudes that are independent and whose traces are orthogonal
-        Eigen::VectorXd squares;  // squared lengths of these traces
-
-        Eigen::VectorXd part(double variance) const { return variance / (1 + variance * squares.array()); }
-        double spread(double variance) const { return (variance * squares.array()).log1p().sum(); }
-    };
-    /// A flow that is settled.
-    struct Flow {
-        std::size_t response{};
-        std::size_t correlation{};
-        double variance{};
+    using Flow = SettledFlows::Flow;
+    using Source = SettledFlows::Source;
+    /// The flows that are settled, and what a further one is sought among: at their responses' order, without those of
+    /// the flows.
+    struct Settled {
+        SettledFlows flows;
+        std::shared_ptr<const std::vector<Source>> sources{};
     };
     const Source& sourceOf(const Metric& metric) const {
-        return settled_.sources[static_cast<std::size_t>(metric.source)];
+        return (*settled_.sources)[static_cast<std::size_t>(metric.source)];
     }
+    const std::vector<FlowResponse>& responses() const { return settled_.flows.responses(); }
     Flow flowOf(const Metric& metric) const;
-    /// The flows that are settled, and what a further one is sought among.
-    struct Settled {
-        std::vector<Flow> flows;
-        Eigen::MatrixXd root;         // W of B^-1 = I - W W'; no columns: I
-        double spread{};              // ln of the determinant of B
-        std::vector<Source> sources;  // in the order of the responses, without those of the flows
-    };
-    /// B^-1 of columns.
-    Eigen::MatrixXd besideSettled(const Eigen::MatrixXd& columns) const;
-    std::vector<Source> sourcesBeside() const;
-    void add(const Flow& flow);
+    void seekSources();
+    void add(const std::vector<Flow>& flows);
     /// Visits every metric: f(metric, products of the columns of `both` in it).
     template <class Visit>
     void visit(const Eigen::MatrixXd& both, const Visit& each) const;
@@ -97,8 +83,6 @@ private:
     std::map<std::string, double> leastMisfits(const Linearisation& model) const;
 
     std::vector<ResidualChannel> channels_;
-    std::vector<FlowResponse> responses_;
-    int pieces_{};
     Settled settled_;
 };
 

@@ -25,28 +25,66 @@ Eigen::VectorXd percentOfRange(const std::vector<ResidualChannel>& channels, Eig
     return scale;
 }
 
+/// Sums of squares [% squared] of a part that was left out: of what its own mean leaves, and of what each model does.
+struct PartErrors {
+    double rows{}, aboutMean{}, before{}, after{};
+};
+
 /// Sums up what is found of one part after the other.
 class PredictionSum {
 public:
-    /// Sums of squares [% squared] of a part.
-    void add(double before, double after) {
-        before_ += before;
-        after_ += after;
+    void add(const PartErrors& part) {
+        const auto [rows, aboutMean, before, after] = part;
+        parts_.push_back(part);
         ++found_.blocks;
         found_.betterIn += after < before ? 1 : 0;
+        found_.clearlyIn += std::sqrt(after) < (1 - leastRemoved) * std::sqrt(before) ? 1 : 0;
     }
-    Prediction of(Eigen::Index rows, bool areRecordings) {
-        const double count = std::max<double>(1, static_cast<double>(rows));
-        found_.errorPercentBefore = std::sqrt(before_ / count);
-        found_.errorPercentAfter = std::sqrt(after_ / count);
+    Prediction of(bool areRecordings) {
+        // What neither foretells better than its own mean would, as the one recording of a sign of the torque, is large
+        // by chance in the one or the other, and would decide alone.
+        const auto isForetold = [](const PartErrors& p) { return std::min(p.before, p.after) < p.aboutMean; };
+        const bool isAny = areRecordings && std::any_of(parts_.begin(), parts_.end(), isForetold);
+        PartErrors sum;
+        for (const PartErrors& p : parts_) {
+            if (isAny && !isForetold(p)) continue;
+            sum.rows += p.rows;
+            sum.before += p.before;
+            sum.after += p.after;
+        }
+        found_.errorPercentBefore = std::sqrt(sum.before / std::max(1.0, sum.rows));
+        found_.errorPercentAfter = std::sqrt(sum.after / std::max(1.0, sum.rows));
         found_.areRecordings = areRecordings;
         return found_;
     }
 
 private:
-    double before_{}, after_{};
+    std::vector<PartErrors> parts_;
     Prediction found_;
 };
+
+/// Sum of squares about their mean.
+double squaresAboutMean(const std::vector<double>& values) {
+    double sum = 0, squares = 0;
+    for (const double v : values) sum += v;
+    const double mean = values.empty() ? 0 : sum / static_cast<double>(values.size());
+    for (const double v : values) squares += (v - mean) * (v - mean);
+    return squares;
+}
+
+/// What its own mean leaves of a part, each channel with its own. [% squared]
+double aboutMeanOf(const std::vector<ResidualChannel>& channels, const std::vector<Eigen::Index>& rows,
+                   const Eigen::VectorXd& percent) {
+    double squares = 0;
+    for (const ResidualChannel& c : channels) {
+        std::vector<double> values;
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            if (rows[i] >= c.begin && rows[i] < c.end && c.measured.size() > 0)
+                values.push_back(c.measured[rows[i] - c.begin] * percent[static_cast<Eigen::Index>(i)]);
+        squares += squaresAboutMean(values);
+    }
+    return squares;
+}
 
 int recordingsIn(const std::vector<ResidualChannel>& channels) {
     int last = -1;
@@ -90,9 +128,10 @@ Prediction predict(const NullModel& without, const FitResult& with) {
     for (const std::vector<Eigen::Index>& rows : partsLeftOut(without.channels)) {
         const LeftOutPart part = heldOut.part(rows);
         const Eigen::VectorXd percent = scale(rows);
-        sum.add(part.without.cwiseProduct(percent).squaredNorm(), part.with.cwiseProduct(percent).squaredNorm());
+        sum.add({static_cast<double>(rows.size()), aboutMeanOf(without.channels, rows, percent),
+                 part.without.cwiseProduct(percent).squaredNorm(), part.with.cwiseProduct(percent).squaredNorm()});
     }
-    return sum.of(before.residuals.size(), Cut(recordingsIn(without.channels)).areWhole);
+    return sum.of(Cut(recordingsIn(without.channels)).areWhole);
 }
 
 namespace {
@@ -123,26 +162,41 @@ Variant withoutPart(const Variant& variant, const Cut& cut, int part) {
     return rest;
 }
 
-/// Sum of squares, in percent of the range of each output, of a part that the model is fitted without; negative: it
-/// cannot be.
-double squaresLeftOut(const FittedAlone& model, const Cut& cut, int part, const FitOptions& options,
-                      const Progress& progress) {
+/// A part of the simulated outputs, in percent of the range of each.
+struct PartLeftOut {
+    double rows{}, aboutMean{}, squares{};
+};
+
+PartLeftOut partOf(const ModelState& state, const Cut& cut, int part) {
+    PartLeftOut found;
+    for (std::size_t e = 0; e < state.experiments.size(); ++e)
+        for (const OutputState& o : state.experiments[e].outputs) {
+            const double range = rangeOf(o.measured).width();
+            std::vector<double> measured;
+            for (Eigen::Index k = 0; range > 0 && k < o.measured.size(); ++k) {
+                if (std::isnan(o.measured[k]) || cut.partOf(static_cast<int>(e), k, o.measured.size()) != part)
+                    continue;
+                measured.push_back(100 * o.measured[k] / range);
+                found.squares += std::pow(100 * (o.measured[k] - o.simulated[k]) / range, 2);
+            }
+            found.rows += static_cast<double>(measured.size());
+            found.aboutMean += squaresAboutMean(measured);
+        }
+    return found;
+}
+
+/// A part that the model is fitted without; nothing where it cannot be.
+std::optional<PartLeftOut> leftOutByRefit(const FittedAlone& model, const Cut& cut, int part, const FitOptions& options,
+                                          const Progress& progress) {
     const Outcome<NullModel> rest =
         fitNull(withoutPart(model.variant, cut, part), model.noise, NoiseLevel::Keep, options, progress);
-    if (!rest) return -1;
+    if (!rest) return std::nullopt;
     Variant whole = model.variant;
     whole.values = rest->variant.values;
     const Outcome<ModelState> state = stateOf(whole, rest->fit, options.simulation, progress, Detail::Errors);
-    if (!state) return -1;
-    double squares = 0;
-    for (std::size_t e = 0; e < state->experiments.size(); ++e)
-        for (const OutputState& o : state->experiments[e].outputs) {
-            const double range = rangeOf(o.measured).width();
-            for (Eigen::Index k = 0; range > 0 && k < o.measured.size(); ++k)
-                if (!std::isnan(o.measured[k]) && cut.partOf(static_cast<int>(e), k, o.measured.size()) == part)
-                    squares += std::pow(100 * (o.measured[k] - o.simulated[k]) / range, 2);
-        }
-    return std::isfinite(squares) ? squares : -1;
+    if (!state) return std::nullopt;
+    const PartLeftOut found = partOf(*state, cut, part);
+    return std::isfinite(found.squares) ? std::optional(found) : std::nullopt;
 }
 
 }  // namespace
@@ -153,18 +207,20 @@ std::optional<Prediction> predictByRefits(const NullModel& without, const NullMo
     const Cut cut(static_cast<int>(before.variant.task.recordings.size()));
     PredictionSum sum;
     for (int part = 0; part < cut.parts(); ++part) {
-        const double squaresBefore = squaresLeftOut(before, cut, part, options, progress),
-                     squaresAfter = squaresLeftOut(after, cut, part, options, progress);
-        if (squaresBefore < 0 || squaresAfter < 0) return std::nullopt;
-        sum.add(squaresBefore, squaresAfter);
+        const auto left = leftOutByRefit(before, cut, part, options, progress),
+                   leftWith = leftOutByRefit(after, cut, part, options, progress);
+        if (!left || !leftWith) return std::nullopt;
+        sum.add({left->rows, left->aboutMean, left->squares, leftWith->squares});
     }
-    return sum.of(without.fit.optimum.residuals.size(), cut.areWhole);
+    return sum.of(cut.areWhole);
 }
 
 bool isClearlyBetter(const Prediction& prediction) {
     const double most = prediction.areRecordings ? mostOfRecordings : mostOfParts;
-    // parts of one recording hang together: as in a sign test, half a part is taken off (5 of 5, 8 of 10)
-    const double better = prediction.areRecordings ? prediction.betterIn : prediction.betterIn - 0.5;
+    // Of whole recordings each must bear it out by itself: where one cannot be foretold without the others (its sign of
+    // a torque is in no other), that one alone would decide. Parts of one recording hang together: as in a sign test,
+    // half a part is taken off (5 of 5, 8 of 10).
+    const double better = prediction.areRecordings ? prediction.clearlyIn : prediction.betterIn - 0.5;
     const double least =
         prediction.blocks > partsOfARecording || prediction.areRecordings ? leastRemoved : leastRemovedOfOne;
     return prediction.removed() > least && better >= most * prediction.blocks;

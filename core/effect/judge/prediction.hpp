@@ -18,7 +18,8 @@ Prediction predict(const NullModel& without, const FitResult& with);
 std::optional<Prediction> predictByRefits(const NullModel& without, const NullModel& with, const FitOptions& options,
                                           const Progress& progress);
 
-/// Whether a model predicts clearly better: by a good part of the error of what was left out, in most of the parts.
+/// Whether a model predicts clearly better: by a good part of the error of what was left out, and in most of the parts;
+/// where these are whole recordings, by a good part in each of them.
 bool isClearlyBetter(const Prediction& prediction);
 
 /// Rows of a residual that are left out together, by part.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/work.hpp"
 #include "core/effect/course/courses.hpp"
 #include "core/effect/judge/node.hpp"
 #include "core/effect/reading/readings.hpp"
@@ -70,6 +71,7 @@ public:
     SearchContext(const EstimationTask& task, const DiscoverOptions& options, const Progress& progress);
 
     const DiscoverOptions options;
+    WorkCount simulated;
     WorkLimit work;
     const Progress progress;  // stops at the limit of the work, too
     FitOptions fit;           // of what is only searched: integrated as exactly as the noise asks for

@@ -43,7 +43,8 @@ void tell(const Journal& journal, const std::string& step, const std::string& ke
                 {{"before", p.errorPercentBefore},
                  {"after", p.errorPercentAfter},
                  {"blocks", static_cast<double>(p.blocks)},
-                 {"better_in", static_cast<double>(p.betterIn)}},
+                 {"better_in", static_cast<double>(p.betterIn)},
+                 {"clearly_in", static_cast<double>(p.clearlyIn)}},
                 verdict);
 }
 
@@ -65,6 +66,7 @@ void keepWhatPredicts(SearchContext& search, Node& node) {
             const PlacedEffect& placed = node.null.variant.effects[i];
             std::optional<NullModel> rest = without(search, node.null, i);
             if (!rest) continue;
+            seekFromTheStart(search, search.readings.searched, *rest);
             const Prediction prediction = predict(*rest, node.null.fit);
             const bool isClear = isClearlyBetter(prediction) && !isAtBound(placed, node.null.fit);
             tell(search.journal, "predict", keyOf(placed.effect, placed.place), prediction, isClear ? "kept" : "asked");
@@ -89,6 +91,7 @@ void confirm(SearchContext& search, Node& node) {
         const PlacedEffect& placed = node.null.variant.effects[i];
         std::optional<NullModel> rest;
         if (node.steps[i].prediction) rest = without(search, node.null, i);
+        if (rest) seekFromTheStart(search, search.readings.searched, *rest);
         std::optional<Prediction> exact;
         if (rest) exact = predictByRefits(*rest, node.null, search.fit, search.progress);
         if (!exact) {
@@ -179,6 +182,7 @@ std::optional<Node> withChoice(SearchContext& search, const Node& node, const Ro
     next.null = std::move(*fitted);
     next.steps.push_back(std::move(step));
     sharpen(search, next);
+    seekFromTheStart(search, search.readings.searched, next.null);
     const Outcome<NullModel> before = besideNoiseOf(search, node.null, next.null);
     if (!before || search.progress.stopRequested()) return std::nullopt;
     Prediction prediction = predict(*before, next.null.fit);
@@ -244,6 +248,7 @@ std::optional<Node> namesOf(SearchContext& search, const Node& node, const Node&
     if (effects.size() == proved) return std::nullopt;
     std::optional<NullModel> fitted = refittedWith(search, end.null, effects);
     if (!fitted) return std::nullopt;
+    seekFromTheStart(search, search.readings.searched, *fitted);
     names.null = std::move(*fitted);
     return names;
 }

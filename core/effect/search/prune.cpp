@@ -180,11 +180,14 @@ bool dropUnmissed(SearchContext& search, const NullModel& last, Node& node) {
     for (std::size_t i = 0; i < node.steps.size() && !search.progress.stopRequested(); ++i) {
         search.say("remove", phrase("{} at {}", last.variant.effects[i].effect.kind, last.variant.effects[i].place.at),
                    -1);
-        const std::optional<NullModel> rest = withoutOnAll(search, last, i);
+        std::optional<NullModel> rest = withoutOnAll(search, last, i);
         if (!rest) continue;
+        if (node.steps[i].prediction) seekFromTheStart(search, search.readings.full, *rest);
         const Acceptance missed = examine(*rest, last.fit, static_cast<int>(last.variant.effects[i].freed.size()), 0);
         if (std::optional<Prediction>& indicated = node.steps[i].prediction) {
             indicated = predict(*rest, last.fit);
+            if (!isClearlyBetter(*indicated))  // the first order may not reach as far as a whole recording asks for
+                if (const auto exact = predictByRefits(*rest, last, search.fit, search.progress)) indicated = exact;
             if (isClearlyBetter(*indicated)) {
                 tellErrorWithout(search, node.steps[i], *rest);
                 continue;
@@ -195,7 +198,9 @@ bool dropUnmissed(SearchContext& search, const NullModel& last, Node& node) {
             tellErrorWithout(search, node.steps[i], *rest);
         } else if (missed.evidence < leastEvidence) {
             least = i;
-            why = phrase("on all samples instead of means of them: {}", whyRefused(missed, 0));
+            const std::optional<Prediction>& indicated = node.steps[i].prediction;
+            why = phrase("on all samples instead of means of them: {}",
+                         indicated ? predictsNoBetter(*indicated) : whyRefused(missed, 0));
             leastEvidence = missed.evidence;
         }
     }

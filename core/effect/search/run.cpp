@@ -24,6 +24,7 @@
 #include "core/effect/search/recordings.hpp"
 #include "core/effect/search/redraw.hpp"
 #include "core/effect/search/starts.hpp"
+#include "core/effect/search/without.hpp"
 
 namespace analogon {
 
@@ -44,6 +45,7 @@ Outcome<Finding> Run::run() {
     Outcome<Finding> finding = found();
     if (!finding) return finding;
     finding->seconds = secondsSince(begin);
+    search_.journal.add("work", "", {{"steps", search_.simulated.done()}, {"of_fit", fitWork_}}, "counted");
     search_.journal.finding(*finding);
     return finding;
 }
@@ -147,6 +149,7 @@ Outcome<Done> Run::tellAsGiven() {
     keepAsInterrupted();
     keepSoFar(search_, {});
     search_.journal.model("null fit", end_.base, "base");
+    fitWork_ = search_.simulated.done();
     search_.fit.simulation.relativeTolerance = toleranceBeside(end_.base, simulation.relativeTolerance);
     return Done{};
 }
@@ -290,6 +293,9 @@ Outcome<Done> Run::fitAtLast() {
             end_.finding.final = std::move(*found);
             return Done{};
         }
+        if (isOther &&
+            std::any_of(node.steps.begin(), node.steps.end(), [](const Step& step) { return step.prediction; }))
+            seekFromTheStart(search_, readings.full, *fitted);
         Outcome<ModelState> after = stateOf(fitted->variant, fitted->fit, exact.simulation, search_.progress);
         if (!after) return after.diagnostics();
         if (dropIndistinct(search_, *fitted, *after, node)) continue;

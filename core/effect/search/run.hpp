@@ -41,6 +41,7 @@ private:
         FitResult fit;  // without its optimum
     };
     AsGiven asGiven_;
+    double fitWork_{};  // until the model as given was fitted
     Ending end_;
 };
 

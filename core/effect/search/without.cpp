@@ -21,10 +21,11 @@ bool isHeld(const PlacedEffect& placed, const std::string& parameter) {
                         [&](const FitParameter& p) { return p.name == placed.instance + "." + parameter; });
 }
 
-/// The model with these effects instead, on the samples of `on`, beside the same noise.
+/// The model with these effects instead, from these values, on the samples of `on`, beside the same noise.
 std::optional<NullModel> refitted(const Variant& on, const NullModel& model, const std::vector<PlacedEffect>& effects,
-                                  const FitOptions& options, const Progress& progress) {
-    Outcome<Variant> variant = withEffects(on, effects, model.variant.values);
+                                  const std::vector<ParameterValue>& values, const FitOptions& options,
+                                  const Progress& progress) {
+    Outcome<Variant> variant = withEffects(on, effects, values);
     if (!variant) return std::nullopt;
     variant->plans = model.variant.plans;
     Outcome<NullModel> fitted = fitNull(*variant, model.noise, NoiseLevel::Keep, options, progress);
@@ -36,7 +37,14 @@ std::optional<NullModel> refitted(const Variant& on, const NullModel& model, con
 
 std::optional<NullModel> refittedWith(const SearchContext& search, const NullModel& null,
                                       const std::vector<PlacedEffect>& effects) {
-    return refitted(search.readings.searched, null, effects, search.fit, search.progress);
+    return refitted(search.readings.searched, null, effects, null.variant.values, search.fit, search.progress);
+}
+
+void seekFromTheStart(const SearchContext& search, const Variant& given, NullModel& model) {
+    std::optional<NullModel> other =
+        refitted(given, model, model.variant.effects, given.values, search.fit, search.progress);
+    if (other && !search.progress.stopRequested() && other->sumOfSquares() < model.sumOfSquares())
+        model = std::move(*other);
 }
 
 std::optional<NullModel> without(const SearchContext& search, const NullModel& null, std::size_t effect) {
@@ -56,7 +64,8 @@ std::optional<NullModel> without(const SearchContext& search, const NullModel& n
 }
 
 std::optional<NullModel> withoutOnAll(const SearchContext& search, const NullModel& last, std::size_t effect) {
-    return refitted(search.readings.full, last, allBut(last.variant.effects, effect), search.fit, search.progress);
+    return refitted(search.readings.full, last, allBut(last.variant.effects, effect), last.variant.values, search.fit,
+                    search.progress);
 }
 
 bool takeOut(SearchContext& search, Node& node, std::size_t effect, const Text& why) {

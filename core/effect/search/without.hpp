@@ -14,6 +14,10 @@ class SearchContext;
 std::optional<NullModel> refittedWith(const SearchContext& search, const NullModel& null,
                                       const std::vector<PlacedEffect>& effects);
 
+/// Looks for a better optimum of a model from where the model as given (`given`, on the same samples) begins: beside
+/// effects that are gone, or were not there yet, the parameters may have come to a valley that no descent leads out of.
+void seekFromTheStart(const SearchContext& search, const Variant& given, NullModel& model);
+
 /// The model refitted with one effect taken out. A whole number that another holds may only have been right beside it.
 std::optional<NullModel> without(const SearchContext& search, const NullModel& null, std::size_t effect);
 

@@ -17,7 +17,7 @@ constexpr int rows = 3000, pieces = 100;
 /// One channel, and one node whose flow is felt with a delay of first order, as a heat flow by a body.
 class OneNode : public testing::Test {
 protected:
-    OneNode() : disturbance_({channel()}, {{"body.port", true, responses()}}, pieces) {}
+    OneNode() : disturbance_({channel()}, {{"body.port", true, {{0, 0, responses()}}}}, pieces) {}
 
     static ResidualChannel channel() {
         ResidualChannel c{0, 0, 0, rows, std::vector<int>(rows)};
@@ -115,11 +115,9 @@ TEST_F(OneNode, IsAsLikelyInEachOfTwoEqualRecordings) {
     second.experiment = 1;
     second.begin = rows;
     second.end = 2 * rows;
-    Eigen::MatrixXd inBoth = Eigen::MatrixXd::Zero(2 * rows, 2 * felt.cols());
-    inBoth.topLeftCorner(rows, felt.cols()) = inBoth.bottomRightCorner(rows, felt.cols()) = felt;
     Eigen::VectorXd twice(2 * rows);
     twice << residual, residual;
-    const Disturbance both({channel(), second}, {{"body.port", true, inBoth}}, pieces);
+    const Disturbance both({channel(), second}, {{"body.port", true, {{0, 0, felt}, {1, rows, felt}}}}, pieces);
     const double once = disturbance_.likeliest(residual).misfit;
     EXPECT_LT(once, rows * std::log(residual.squaredNorm() / rows) - 100) << "it is there";
     EXPECT_NEAR(both.likeliest(twice).misfit, 2 * once, 1e-6 * std::abs(once));
@@ -132,7 +130,8 @@ TEST_F(OneNode, IsNotTheOnlyPlaceWhereAnotherFeelsTheSame) {
     model.residuals = noise() + 5 * through(wandering());
     model.jacobian = Eigen::MatrixXd::Ones(rows, 1);
     const auto placesWith = [&](const Eigen::MatrixXd& other, bool isFlow) {
-        const Disturbance both({channel()}, {{"body.port", true, felt}, {"gear.port", isFlow, other}}, pieces);
+        const Disturbance both({channel()},
+                               {{"body.port", true, {{0, 0, felt}}}, {"gear.port", isFlow, {{0, 0, other}}}}, pieces);
         const std::vector<std::string> places = both.likeliestPlaces(model);
         return std::set<std::string>(places.begin(), places.end());
     };
@@ -149,16 +148,16 @@ protected:
         far.output = 1;
         far.begin = rows;
         far.end = 2 * rows;
-        const Eigen::MatrixXd felt = responses(), none = Eigen::MatrixXd::Zero(rows, pieces + 1);
+        const Eigen::MatrixXd felt = responses();
         Eigen::MatrixXd hats(rows, pieces + 1), later(rows, pieces + 1);
         for (int j = 0; j <= pieces; ++j) {
             for (int k = 0; k < rows; ++k) hats(k, j) = std::max(0.0, 1 - std::abs(1.0 * k * pieces / (rows - 1) - j));
             later.col(j) = through(felt.col(j));
         }
         return {{near, far},
-                {{"body.port", true, stacked(felt, later)},
-                 {"output near", false, stacked(hats, none)},
-                 {"output far", false, stacked(none, hats)}},
+                {{"body.port", true, {{0, 0, stacked(felt, later)}}},
+                 {"output near", false, {{0, 0, hats}}},
+                 {"output far", false, {{0, rows, hats}}}},
                 pieces};
     }
 

@@ -112,6 +112,33 @@ TEST(Prediction, IsAskedOfWholeRecordingsWhereThereAreSeveral) {
     EXPECT_TRUE(isClearlyBetter(predicted({300, 300, 300}, none, effect, left + gaussian(3 * n, 1))));
 }
 
+/// A recording in which it does much would decide alone, if the others did not have to bear it out, too.
+TEST(Prediction, OfAnEffectThatOnlyOneRecordingShowsIsNotClear) {
+    const Eigen::Index n = 300;
+    const Eigen::VectorXd w = wave(n, 7);
+    Eigen::VectorXd effect(3 * n), left(3 * n);
+    effect << 10 * w, 0.25 * w, 0.25 * w;
+    left = 3 * effect + gaussian(3 * n, 1);
+    const Prediction p = predicted({300, 300, 300}, Eigen::MatrixXd::Zero(3 * n, 0), effect, left);
+    EXPECT_GT(p.removed(), 0.5);
+    EXPECT_LT(p.clearlyIn, 2);
+    EXPECT_FALSE(isClearlyBetter(p));
+}
+
+/// What neither model foretells says nothing of the one or the other, and leaves the others to decide.
+TEST(Prediction, IsNotDecidedByARecordingThatNeitherForetells) {
+    const Eigen::Index n = 300;
+    const Eigen::VectorXd w = wave(n, 7);
+    Eigen::VectorXd effect(3 * n), left(3 * n);
+    effect << w, w, w;
+    left << 5 * w, 5 * w, 5 * w + 40 * wave(n, 3);  // the range is 50, of a deviation of 14
+    const Prediction p = predicted({300, 300, 300}, Eigen::MatrixXd::Zero(3 * n, 0), effect, left + gaussian(3 * n, 1));
+    EXPECT_EQ(p.blocks, 3);
+    EXPECT_EQ(p.clearlyIn, 2);
+    EXPECT_GT(p.removed(), 0.5);
+    EXPECT_TRUE(isClearlyBetter(p));
+}
+
 TEST(Prediction, IsInPercentOfTheRangeOfEachOutput) {
     const Eigen::Index n = 400;
     Eigen::VectorXd left = Eigen::VectorXd::Ones(n);

@@ -98,13 +98,14 @@ TEST(FlowResponses, AreThoseOfEachPieceOfAFlow) {
     const std::vector<FlowResponse> responses = flowResponses(null, pieces, {}, {});
     const auto ofFlow = std::find_if(responses.begin(), responses.end(), [](const auto& r) { return r.isFlow; });
     ASSERT_TRUE(ofFlow != responses.end());
-    const Eigen::MatrixXd& columns = ofFlow->columns;
-    ASSERT_EQ(columns.rows(), 2 * samples);
-    ASSERT_EQ(columns.cols(), 2 * (pieces + 1));
+    ASSERT_EQ(ofFlow->blocks.size(), 2u);
     for (int run = 0; run < 2; ++run) {
-        const Eigen::MatrixXd own = columns.middleCols(run * (pieces + 1), pieces + 1);
-        EXPECT_EQ(own.middleRows((1 - run) * samples, samples).norm(), 0) << "nothing is felt in the other recording";
-        const Eigen::MatrixXd felt = own.middleRows(run * samples, samples);
+        const ResponseBlock& block = ofFlow->blocks[static_cast<std::size_t>(run)];
+        EXPECT_EQ(block.recording, run);
+        EXPECT_EQ(block.begin, run * samples);
+        const Eigen::MatrixXd& felt = block.columns;
+        ASSERT_EQ(felt.rows(), samples) << "nothing is felt in the other recording";
+        ASSERT_EQ(felt.cols(), pieces + 1);
         const double noise = null.noise[static_cast<std::size_t>(run)][0];
         for (int k = 0; k < samples; ++k)
             EXPECT_NEAR(-felt.row(k).sum() * noise, (1 - std::exp(-interval * k * G / capacity)) / G, 1e-4) << k;
