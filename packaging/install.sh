@@ -5,7 +5,7 @@
 build_packages=(
     build-essential cmake ninja-build pkg-config
     qt6-base-dev libqt6opengl6-dev qt6-svg-dev libgl1-mesa-dev
-    libquazip1-qt6-dev libeigen3-dev libsundials-dev libnlopt-cxx-dev libceres-dev libmatio-dev
+    libquazip1-qt6-dev libeigen3-dev libsundials-dev libsuitesparse-dev libnlopt-cxx-dev libceres-dev libmatio-dev
     nlohmann-json3-dev libfmt-dev libcli11-dev libboost-math-dev libudunits2-dev
     libasmjit-dev libblas-dev liblapack-dev
     zlib1g-dev libgtest-dev libgmock-dev fonts-dejavu-core

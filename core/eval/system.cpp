@@ -17,6 +17,7 @@
 #include "core/eval/recurrence.hpp"
 #include "core/eval/row_code.hpp"
 #include "core/eval/senseless.hpp"
+#include "core/eval/state_pattern.hpp"
 #include "core/eval/system_builder.hpp"
 
 namespace analogon {
@@ -49,6 +50,14 @@ struct System::Impl {
     const Observation& observe() const {
         std::call_once(observeOnce, [this] { observation = buildObservation(programs); });
         return observation;
+    }
+
+    mutable std::once_flag patternOnce;
+    mutable std::optional<StatePattern> pattern;
+
+    const StatePattern* statePattern() const {
+        std::call_once(patternOnce, [this] { pattern = statePatternOf(programs); });
+        return pattern ? &*pattern : nullptr;
     }
 
     std::shared_ptr<const void> identity = std::make_shared<char>();
@@ -133,6 +142,7 @@ bool System::isDifferentiated(int input) const {
     return i < differentiated.size() && differentiated[i] != 0;
 }
 bool System::isLinearTimeInvariant() const { return impl_->programs.isLinearTimeInvariant; }
+const StatePattern* System::statePattern() const { return impl_->statePattern(); }
 bool System::isSmooth() const {
     const auto isPlain = [](const Instruction& i) {
         switch (i.opcode) {

@@ -13,6 +13,7 @@
 namespace analogon {
 
 struct CCode;
+struct StatePattern;
 
 /// A named quantity of the compiled system.
 struct SignalInfo {
@@ -183,6 +184,9 @@ public:
     /// x' affine in x and u (input derivatives and delayed values are entries of u), with coefficients that are
     /// constant for fixed p, and free of time: the exact recurrence applies.
     bool isLinearTimeInvariant() const;
+
+    /// Where df/dx may differ from 0; null: it is small, or full.
+    const StatePattern* statePattern() const;
 
     /// Whether the rates are made of operations without kinks, jumps or thresholds (a steep tanh counts as one).
     bool isSmooth() const;

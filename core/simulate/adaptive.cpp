@@ -3,7 +3,9 @@
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
 #include <sunlinsol/sunlinsol_dense.h>
+#include <sunlinsol/sunlinsol_klu.h>
 #include <sunmatrix/sunmatrix_dense.h>
+#include <sunmatrix/sunmatrix_sparse.h>
 
 #include <algorithm>
 #include <chrono>
@@ -18,6 +20,7 @@
 #include "core/simulate/moving_jump.hpp"
 #include "core/simulate/sample_recorder.hpp"
 #include "core/simulate/sliding.hpp"
+#include "core/simulate/state_jacobian.hpp"
 
 namespace analogon {
 
@@ -89,7 +92,10 @@ public:
         x_.resize(n);
         dx_.resize(n * K);
         dxdot_.resize(n * K);
-        jacobian_.resize(n * n);
+        // What holds the state between the two sides of a switch couples states that the model does not.
+        if (dynamics.pattern() && dynamics.shape().roots == 0)
+            sparse_ = std::make_unique<StepPattern>(*dynamics.pattern());
+        jacobian_.resize(sparse_ ? dynamics.pattern()->entries() : n * n);
     }
 
     void execute() {
@@ -546,6 +552,8 @@ private:
 
     static int derivatives(double t, N_Vector y, N_Vector ydot, void* self);
     static int jacobian(double t, N_Vector y, N_Vector fy, SUNMatrix J, void* self, N_Vector, N_Vector, N_Vector);
+    bool sparseJacobian(double t, const double* x, double* rates, SUNMatrix J);
+    bool makeLinearSolver();
     static int sensitivityRates(int count, double t, N_Vector y, N_Vector ydot, N_Vector* yS, N_Vector* ySdot,
                                 void* self, N_Vector, N_Vector);
     static int rootFunctions(double t, N_Vector y, double* values, void* self);
@@ -562,6 +570,7 @@ private:
     MovingJumps moving_;
     std::chrono::steady_clock::time_point started_;
     std::vector<double> u_, du_, x_, dx_, dxdot_, jacobian_, sampleX_, sampleDx_;
+    std::unique_ptr<StepPattern> sparse_;  // null: full matrices
     std::vector<double> stops_, jumps_;
     bool hasMoved_{};     // the tangents in dx_, at a jump that depends on the parameters
     int lastInterval_{};  // of the piece under way, where inputs are held
@@ -595,6 +604,7 @@ int AdaptivePass::jacobian(double t, N_Vector y, N_Vector, SUNMatrix J, void* se
     auto& pass = *static_cast<AdaptivePass*>(self);
     pass.slotsAt(t, nullptr);
     const double* const x = N_VGetArrayPointer(y);
+    if (pass.sparse_) return pass.sparseJacobian(t, x, N_VGetArrayPointer(scratch), J) ? 0 : 1;
     const bool isKnown =
         pass.sliding_.isActive()
             ? pass.sliding_.jacobian(t, x, pass.jacobian_.data())
@@ -606,6 +616,27 @@ int AdaptivePass::jacobian(double t, N_Vector y, N_Vector, SUNMatrix J, void* se
         }
     }
     return 0;
+}
+
+/// The solver clears the matrix with its pattern before.
+bool AdaptivePass::sparseJacobian(double t, const double* x, double* rates, SUNMatrix J) {
+    if (!dynamics_.sparseJacobian(t, x, u_.data(), rates, jacobian_.data())) return false;
+    std::copy(sparse_->starts.begin(), sparse_->starts.end(), SM_INDEXPTRS_S(J));
+    std::copy(sparse_->rows.begin(), sparse_->rows.end(), SM_INDEXVALS_S(J));
+    for (std::size_t e = 0; e < jacobian_.size(); ++e) SM_DATA_S(J)[sparse_->places[e]] = jacobian_[e];
+    return true;
+}
+
+bool AdaptivePass::makeLinearSolver() {
+    if (sparse_) {
+        const auto entries = static_cast<sunindextype>(sparse_->rows.size());
+        matrix_.reset(SUNSparseMatrix(n_, n_, entries, CSC_MAT, context_.get()));
+        solver_.reset(SUNLinSol_KLU(y_.get(), matrix_.get(), context_.get()));
+    } else {
+        matrix_.reset(SUNDenseMatrix(n_, n_, context_.get()));
+        solver_.reset(SUNLinSol_Dense(y_.get(), matrix_.get(), context_.get()));
+    }
+    return matrix_ && solver_;
 }
 
 int AdaptivePass::sensitivityRates(int count, double t, N_Vector y, N_Vector, N_Vector* yS, N_Vector* ySdot, void* self,
@@ -641,8 +672,7 @@ bool AdaptivePass::setUp() {
     context_.reset(context);
     y_.reset(N_VNew_Serial(n_, context));
     std::copy(x_.begin(), x_.end(), N_VGetArrayPointer(y_.get()));
-    matrix_.reset(SUNDenseMatrix(n_, n_, context));
-    solver_.reset(SUNLinSol_Dense(y_.get(), matrix_.get(), context));
+    if (!makeLinearSolver()) return false;
     cvodes_.reset(CVodeCreate(CV_BDF, context));
     void* const memory = cvodes_.get();
     if (!memory) return false;

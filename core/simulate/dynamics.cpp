@@ -17,10 +17,21 @@ std::span<double> view(double* data, int count) {
     return data ? std::span<double>(data, static_cast<std::size_t>(count)) : std::span<double>{};
 }
 
+/// Entries by a pattern into the first columns of a row-major matrix with `stride` numbers a row.
+void spread(const StatePattern& pattern, const std::vector<double>& entries, double* to, int stride) {
+    const int n = pattern.states();
+    for (int i = 0; i < n; ++i) std::fill_n(to + static_cast<std::ptrdiff_t>(i) * stride, n, 0.0);
+    for (int j = 0; j < n; ++j)
+        for (auto e = static_cast<std::size_t>(pattern.starts[static_cast<std::size_t>(j)]);
+             e < static_cast<std::size_t>(pattern.starts[static_cast<std::size_t>(j) + 1]); ++e)
+            to[static_cast<std::ptrdiff_t>(pattern.rows[e]) * stride + j] = entries[e];
+}
+
 }  // namespace
 
 SystemDynamics::SystemDynamics(const SimulationTask& task, bool withDirections)
     : system_(*task.system),
+      pattern_(system_.statePattern()),
       execution_(task.execution),
       parameters_(task.parameters),
       held_(task.inputs->held),
@@ -100,27 +111,35 @@ bool SystemDynamics::derivatives(double t, const double* x, const double* dx, co
 SystemDynamics::Partials& SystemDynamics::partials(std::unique_ptr<Partials>& slot, int parameterDirections) {
     if (slot) return *slot;
     slot = std::make_unique<Partials>();
-    const int n = shape_.states, K = parameterDirections;
-    const auto width = static_cast<std::size_t>(n + K);
-    slot->width = n + K;
-    slot->workspace = system_.workspace(n + K, execution_);
+    const int n = shape_.states, K = parameterDirections, columns = pattern_ ? pattern_->groups : n;
+    const auto width = static_cast<std::size_t>(columns + K);
+    slot->width = columns + K;
+    slot->workspace = system_.workspace(columns + K, execution_);
     std::vector<double> seeds(parameters_.size() * width, 0.0);
     for (std::size_t i = 0; i < parameters_.size(); ++i) {
         for (int k = 0; k < K; ++k) {
-            seeds[i * width + static_cast<std::size_t>(n + k)] =
+            seeds[i * width + static_cast<std::size_t>(columns + k)] =
                 directions_[i * static_cast<std::size_t>(K) + static_cast<std::size_t>(k)];
         }
     }
     noted(system_.setParameters(slot->workspace, parameters_, seeds), slot->workspace);
     slot->stateSeeds.assign(static_cast<std::size_t>(n) * width, 0.0);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) slot->stateSeeds[i * width + i] = 1.0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i)
+        slot->stateSeeds[i * width + (pattern_ ? static_cast<std::size_t>(pattern_->groupOf[i]) : i)] = 1.0;
     slot->slotSeeds.assign(static_cast<std::size_t>(shape_.slots) * width, 0.0);
+    if (pattern_) slot->rates.resize(static_cast<std::size_t>(n) * width);
     return *slot;
 }
 
 bool SystemDynamics::jacobian(double t, const double* x, const double* u, double* xdot, double* jacobian) {
     if (isStopped()) return false;
     const int n = shape_.states;
+    if (pattern_) {
+        std::vector<double> entries(pattern_->entries());
+        if (!sparseJacobian(t, x, u, xdot, entries.data())) return false;
+        spread(*pattern_, entries, jacobian, n);
+        return true;
+    }
     Partials& p = partials(byState_, 0);
     return noted(system_.derivatives(p.workspace, t, view(x, n), p.stateSeeds, view(u, shape_.slots), {}, view(xdot, n),
                                      view(jacobian, n * n)),
@@ -130,16 +149,67 @@ bool SystemDynamics::jacobian(double t, const double* x, const double* u, double
 bool SystemDynamics::linearised(double t, const double* x, const double* u, const double* du, double* xdot,
                                 double* result) {
     if (isStopped()) return false;
-    const int n = shape_.states, m = shape_.slots, K = shape_.directions;
-    Partials& p = partials(byStateAndParameter_, K);
-    std::span<const double> slotSeeds;
-    if (du) {
-        for (int i = 0; i < m; ++i) std::copy_n(du + i * K, K, p.slotSeeds.data() + i * p.width + n);
-        slotSeeds = p.slotSeeds;
+    const int n = shape_.states, K = shape_.directions;
+    if (pattern_) {
+        std::vector<double> entries(pattern_->entries()), held(static_cast<std::size_t>(n * K));
+        if (!sparseLinearised(t, x, u, du, xdot, entries.data(), held.data())) return false;
+        spread(*pattern_, entries, result, n + K);
+        for (int i = 0; i < n; ++i)
+            std::copy_n(held.data() + static_cast<std::ptrdiff_t>(i) * K, K,
+                        result + static_cast<std::ptrdiff_t>(i) * (n + K) + n);
+        return true;
     }
-    return noted(system_.derivatives(p.workspace, t, view(x, n), p.stateSeeds, view(u, m), slotSeeds, view(xdot, n),
-                                     view(result, n * p.width)),
+    Partials& p = partials(byStateAndParameter_, K);
+    const double* const slotSeeds = seedSlots(p, du);
+    return noted(system_.derivatives(p.workspace, t, view(x, n), p.stateSeeds, view(u, shape_.slots),
+                                     view(slotSeeds, shape_.slots * p.width), view(xdot, n), view(result, n * p.width)),
                  p.workspace);
+}
+
+/// Null: the slots do not depend on the parameters.
+const double* SystemDynamics::seedSlots(Partials& p, const double* du) {
+    if (!du) return nullptr;
+    const int K = shape_.directions;
+    for (int i = 0; i < shape_.slots; ++i) std::copy_n(du + i * K, K, p.slotSeeds.data() + i * p.width + (p.width - K));
+    return p.slotSeeds.data();
+}
+
+/// No two columns of a group have a row in common: what a group makes of a rate is of one of them alone.
+void SystemDynamics::takeEntries(const Partials& p, double* entries) const {
+    for (std::size_t j = 0; j < pattern_->groupOf.size(); ++j)
+        for (auto e = static_cast<std::size_t>(pattern_->starts[j]);
+             e < static_cast<std::size_t>(pattern_->starts[j + 1]); ++e)
+            entries[e] = p.rates[static_cast<std::size_t>(pattern_->rows[e]) * static_cast<std::size_t>(p.width) +
+                                 static_cast<std::size_t>(pattern_->groupOf[j])];
+}
+
+bool SystemDynamics::sparseJacobian(double t, const double* x, const double* u, double* xdot, double* entries) {
+    if (isStopped()) return false;
+    const int n = shape_.states;
+    Partials& p = partials(byState_, 0);
+    if (!noted(system_.derivatives(p.workspace, t, view(x, n), p.stateSeeds, view(u, shape_.slots), {}, view(xdot, n),
+                                   p.rates),
+               p.workspace))
+        return false;
+    takeEntries(p, entries);
+    return true;
+}
+
+bool SystemDynamics::sparseLinearised(double t, const double* x, const double* u, const double* du, double* xdot,
+                                      double* entries, double* held) {
+    if (isStopped()) return false;
+    const int n = shape_.states, K = shape_.directions;
+    Partials& p = partials(byStateAndParameter_, K);
+    const double* const slotSeeds = seedSlots(p, du);
+    if (!noted(system_.derivatives(p.workspace, t, view(x, n), p.stateSeeds, view(u, shape_.slots),
+                                   view(slotSeeds, shape_.slots * p.width), view(xdot, n), p.rates),
+               p.workspace))
+        return false;
+    takeEntries(p, entries);
+    for (int i = 0; i < n; ++i)
+        std::copy_n(p.rates.data() + static_cast<std::ptrdiff_t>(i) * p.width + (p.width - K), K,
+                    held + static_cast<std::ptrdiff_t>(i) * K);
+    return true;
 }
 
 bool SystemDynamics::outputs(double t, const double* x, const double* u, double* y, double* taps) {

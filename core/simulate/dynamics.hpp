@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/eval/state_pattern.hpp"
 #include "core/eval/system.hpp"
 #include "core/simulate/simulate.hpp"
 
@@ -45,6 +46,18 @@ public:
     /// Values and, row-major n x (n + K), df/dx followed by the K tangents with the states held.
     virtual bool linearised(double t, const double* x, const double* u, const double* du, double* xdot,
                             double* partials) = 0;
+    /// Where df/dx may differ from 0; null: it is small, or full.
+    virtual const StatePattern* pattern() const { return nullptr; }
+    /// Values and df/dx by its pattern.
+    virtual bool sparseJacobian(double /*t*/, const double* /*x*/, const double* /*u*/, double* /*xdot*/,
+                                double* /*entries*/) {
+        return false;
+    }
+    /// The same with the K tangents with the states held, n x K.
+    virtual bool sparseLinearised(double /*t*/, const double* /*x*/, const double* /*u*/, const double* /*du*/,
+                                  double* /*xdot*/, double* /*entries*/, double* /*held*/) {
+        return false;
+    }
     virtual bool outputs(double t, const double* x, const double* u, double* y, double* taps) = 0;
     virtual bool outputs(double t, const double* x, const double* dx, const double* u, const double* du, double* y,
                          double* dy, double* taps, double* dtaps) = 0;
@@ -108,6 +121,10 @@ public:
     bool jacobian(double t, const double* x, const double* u, double* xdot, double* jacobian) override;
     bool linearised(double t, const double* x, const double* u, const double* du, double* xdot,
                     double* partials) override;
+    const StatePattern* pattern() const override { return pattern_; }
+    bool sparseJacobian(double t, const double* x, const double* u, double* xdot, double* entries) override;
+    bool sparseLinearised(double t, const double* x, const double* u, const double* du, double* xdot, double* entries,
+                          double* held) override;
     bool outputs(double t, const double* x, const double* u, double* y, double* taps) override;
     bool outputs(double t, const double* x, const double* dx, const double* u, const double* du, double* y, double* dy,
                  double* taps, double* dtaps) override;
@@ -146,19 +163,24 @@ public:
     bool failedToSolve() const override { return failed_ && system_.failedToSolve(*failed_); }
 
 private:
-    /// A workspace whose directions are the n states (identity, added by dx) and then the parameters' own.
+    /// A workspace whose directions are the n states (identity, added by dx), or the groups of those that no rate tells
+    /// apart, and then the parameters' own.
     struct Partials {
         Workspace workspace;
         std::vector<double> stateSeeds;  // n x width
         std::vector<double> slotSeeds;   // slots x width
+        std::vector<double> rates;       // n x width, where states are grouped
         int width{};
     };
     Partials& partials(std::unique_ptr<Partials>& slot, int parameterDirections);
+    void takeEntries(const Partials& partials, double* entries) const;
+    const double* seedSlots(Partials& partials, const double* du);
     bool noted(bool ok, const Workspace& workspace);
     bool isStopped() const { return stop_.stop_requested(); }
     Workspace& stepping() { return shape_.directions > 0 ? tangents_ : values_; }
 
     const System& system_;
+    const StatePattern* pattern_{};
     Execution execution_{};
     std::vector<double> parameters_;
     std::vector<double> directions_;  // parameters x K, row-major

@@ -31,13 +31,12 @@ const Esdirk::Tableau& Esdirk::tableau() {
 }
 
 Esdirk::Esdirk(Dynamics& dynamics, InputSlots& slots, const SimulationOptions& options)
-    : dynamics_(dynamics), slots_(slots) {
+    : dynamics_(dynamics), slots_(slots), jacobian_(dynamics) {
     const Dynamics::Shape& shape = dynamics.shape();
     n_ = shape.states;
     K_ = shape.directions;
     // Far below the discretisation error: a misfit must be smooth in the parameters.
     tolerance_ = std::clamp(1e-4 * options.relativeTolerance, 1e-13, 1e-8);
-    factors_.resize(n_);
     const auto n = static_cast<std::size_t>(n_), K = static_cast<std::size_t>(K_);
     u_.resize(static_cast<std::size_t>(shape.slots));
     if (slots.hasTangents()) du_.resize(static_cast<std::size_t>(shape.slots) * K);
@@ -46,9 +45,7 @@ Esdirk::Esdirk(Dynamics& dynamics, InputSlots& slots, const SimulationOptions& o
     }
     scale_.resize(n);
     forgetScale();
-    jacobian_.resize(n * n);
     slopes_.resize(stages * n);
-    partials_.resize(n * (n + K));
     for (std::vector<double>* v : {&tangentBase_, &endTangents_, &savedDx_}) v->resize(n * K);
     tangentSlopes_.resize(stages * n * K);
 }
@@ -128,33 +125,26 @@ bool Esdirk::attempt(int interval, double t, double h, const double* x, const do
 
 /// (I - hg J) dX = dBase + hg F, with F the derivative of f at held states; then dSlope = (dX - dBase) / hg.
 bool Esdirk::stageTangents(int stage, double t, double hg) {
-    const auto n = static_cast<std::size_t>(n_), K = static_cast<std::size_t>(K_), width = n + K;
-    if (!dynamics_.linearised(t, stage_.data(), u_.data(), du_.empty() ? nullptr : du_.data(), slope_.data(),
-                              partials_.data())) {
+    const auto n = static_cast<std::size_t>(n_), K = static_cast<std::size_t>(K_);
+    if (!jacobian_.linearise(t, stage_.data(), u_.data(), du_.empty() ? nullptr : du_.data(), slope_.data())) {
         reason_ = "not finite";
         return false;
     }
-    if (!factorise(partials_.data(), static_cast<int>(width), hg)) return false;
+    if (!factorise(hg)) return false;
     for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t k = 0; k < K; ++k) {
-            endTangents_[i * K + k] = tangentBase_[i * K + k] + hg * partials_[i * width + n + k];
-        }
+        const double* const held = jacobian_.held(static_cast<int>(i));
+        for (std::size_t k = 0; k < K; ++k) endTangents_[i * K + k] = tangentBase_[i * K + k] + hg * held[k];
     }
-    factors_.solve(endTangents_.data(), K_);
+    jacobian_.solve(endTangents_.data(), K_);
     double* slopes = tangentSlopes_.data() + static_cast<std::size_t>(stage) * n * K;
     for (std::size_t i = 0; i < n * K; ++i) slopes[i] = (endTangents_[i] - tangentBase_[i]) / hg;
     return true;
 }
 
-bool Esdirk::factorise(const double* jacobian, int stride, double hg) {
-    double* m = factors_.matrix();
-    for (int j = 0; j < n_; ++j) {
-        for (int i = 0; i < n_; ++i) m[j * n_ + i] = (i == j ? 1.0 : 0.0) - hg * jacobian[i * stride + j];
-    }
-    hasFactors_ = factors_.factorise();
-    factorsFor_ = hg;
-    if (!hasFactors_) reason_ = "singular Jacobian";
-    return hasFactors_;
+bool Esdirk::factorise(double hg) {
+    if (jacobian_.factorise(hg)) return true;
+    reason_ = "singular Jacobian";
+    return false;
 }
 
 double Esdirk::scaledNorm(const double* v) const {
@@ -185,14 +175,14 @@ int Esdirk::largestDefect() const {
 /// monotonicity: Deuflhard 2004, section 3.1).
 double Esdirk::defect(double hg, const double* stage, const double* slope, double* out) const {
     for (std::size_t i = 0; i < scale_.size(); ++i) out[i] = base_[i] + hg * slope[i] - stage[i];
-    factors_.solve(out, 1);
+    jacobian_.solve(out, 1);
     return scaledNorm(out);
 }
 
 bool Esdirk::solveStage(double t, double hg) {
     if (n_ == 0) return true;
     std::copy(stage_.begin(), stage_.end(), savedX_.begin());
-    if (hasFactors_ && factorsFor_ == hg && simplifiedNewton(t, hg)) return true;
+    if (jacobian_.hasFactors(hg) && simplifiedNewton(t, hg)) return true;
     std::copy(savedX_.begin(), savedX_.end(), stage_.begin());
     return dampedNewton(t, hg);
 }
@@ -215,12 +205,12 @@ bool Esdirk::simplifiedNewton(double t, double hg) {
 
 bool Esdirk::dampedNewton(double t, double hg) {
     reason_ = "no convergence of an implicit step";
-    if (!dynamics_.jacobian(t, stage_.data(), u_.data(), slope_.data(), jacobian_.data())) {
+    if (!jacobian_.evaluate(t, stage_.data(), u_.data(), slope_.data())) {
         reason_ = "not finite";
         return false;
     }
     for (int iteration = 0; iteration < 60; ++iteration) {
-        if (!factorise(jacobian_.data(), n_, hg)) return false;
+        if (!factorise(hg)) return false;
         const double size = defect(hg, stage_.data(), slope_.data(), delta_.data());
         culprit_ = largestDefect();
         if (!std::isfinite(size)) return false;
@@ -241,7 +231,7 @@ bool Esdirk::dampedNewton(double t, double hg) {
         // At the limit of rounding nothing gets better: close enough is converged.
         if (!isAccepted) return size <= 1e3 * tolerance_;
         stage_ = trial_;
-        if (!dynamics_.jacobian(t, stage_.data(), u_.data(), slope_.data(), jacobian_.data())) {
+        if (!jacobian_.evaluate(t, stage_.data(), u_.data(), slope_.data())) {
             reason_ = "not finite";
             return false;
         }

@@ -10,6 +10,7 @@
 #include "core/simulate/gap_steps.hpp"
 #include "core/simulate/input_slots.hpp"
 #include "core/simulate/plan_ladder.hpp"
+#include "core/simulate/state_jacobian.hpp"
 #include "core/simulate/step_schedule.hpp"
 
 namespace analogon {
@@ -205,20 +206,18 @@ private:
         constexpr int places = 50;
         constexpr double reach = 0.5;  // of the 2.8 at which the method fails
         const auto n = static_cast<std::size_t>(dynamics_.shape().states);
-        std::vector<double> xdot(n), jacobian(n * n), scratch(n * n),
-            u(static_cast<std::size_t>(dynamics_.shape().slots));
+        std::vector<double> xdot(n), u(static_cast<std::size_t>(dynamics_.shape().slots));
+        StateJacobian jacobian(dynamics_);
         InputSlots slots(dynamics_, inputs_);
         for (int i = 0; i < places; ++i) {
             const int k = static_cast<int>(static_cast<long>(i) * (sampleCount_ - 2) / (places - 1));
             if (isGap(k)) continue;
             const double t = inputs_.time[static_cast<std::size_t>(k)];
             slots.atSample(k, u.data());
-            if (!dynamics_.jacobian(t, surveyRun_.states.col(k).data(), u.data(), xdot.data(), jacobian.data()))
-                return false;
+            if (!jacobian.evaluate(t, surveyRun_.states.col(k).data(), u.data(), xdot.data())) return false;
             const double h = inputs_.time[static_cast<std::size_t>(k) + 1] - t;
             const double enough = (1.0 - 1e-9) * reach / h;
-            if (!(spectralRadius(jacobian.data(), scratch.data(), static_cast<int>(n), enough) * h <= reach))
-                return false;
+            if (!(jacobian.radius(enough) * h <= reach)) return false;
         }
         return true;
     }

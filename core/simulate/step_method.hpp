@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
-#include "core/simulate/dense_factors.hpp"
 #include "core/simulate/dynamics.hpp"
 #include "core/simulate/input_slots.hpp"
+#include "core/simulate/state_jacobian.hpp"
 
 namespace analogon {
 
@@ -67,7 +67,7 @@ private:
     bool solveStage(double t, double hg);
     bool simplifiedNewton(double t, double hg);
     bool dampedNewton(double t, double hg);
-    bool factorise(const double* jacobian, int stride, double hg);
+    bool factorise(double hg);
     double defect(double hg, const double* stage, const double* slope, double* out) const;
     double scaledNorm(const double* v) const;
     int largestDefect() const;
@@ -78,14 +78,11 @@ private:
     InputSlots& slots_;
     int n_{}, K_{};
     double tolerance_{};
-    DenseFactors factors_;
-    bool hasFactors_{};
-    double factorsFor_{};  // h * g of the factors
+    StateJacobian jacobian_;
     std::vector<double> u_, du_;
     std::vector<double> scale_;  // largest magnitude of each state so far, since the last gap of the recording
     int interval_{-1};           // of the last step
     std::vector<double> base_, stage_, slope_, delta_, trial_, trialSlope_, trialDelta_;
-    std::vector<double> jacobian_, partials_;
     std::vector<double> slopes_;                       // stages x n
     std::vector<double> tangentBase_, tangentSlopes_;  // n x K, stages x n x K
     std::vector<double> endTangents_, savedX_, savedDx_;

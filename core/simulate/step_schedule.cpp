@@ -11,6 +11,7 @@
 #include "core/base/stopwatch.hpp"
 #include "core/simulate/gap_steps.hpp"
 #include "core/simulate/interval_stepper.hpp"
+#include "core/simulate/state_jacobian.hpp"
 
 namespace analogon {
 
@@ -23,7 +24,13 @@ namespace {
 /// matrix * matrix. Size 0: of any n.
 template <int Size>
 void square(const double* __restrict matrix, double* __restrict to, int n) {
-    if constexpr (Size > 0) n = Size;
+    if constexpr (Size == 0) {
+        using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+        const Eigen::Map<const RowMajor> a(matrix, n, n);
+        Eigen::Map<RowMajor>(to, n, n).noalias() = a * a;
+        return;
+    }
+    n = Size;
     std::fill_n(to, n * n, 0.0);
     for (int i = 0; i < n; ++i)
         for (int k = 0; k < n; ++k)
@@ -84,10 +91,10 @@ public:
           progress_(progress),
           tolerance_(tolerance),
           implicitCost_(costOfImplicitStep(dynamics)),
+          jacobian_(dynamics),
           count_(static_cast<int>(inputs.time.size())),
           n_(static_cast<std::size_t>(dynamics.shape().states)) {
         for (std::vector<double>* v : {&x_, &coarse_, &fine_, &other_}) v->resize(n_);
-        for (std::vector<double>* v : {&jacobian_, &scratch_}) v->resize(n_ * n_);
         u_.resize(static_cast<std::size_t>(dynamics.shape().slots));
         if (!comparesStates()) gaps_ = gaps.intervals();
     }
@@ -167,12 +174,11 @@ private:
     bool interval(IntervalStepper& stepper, int k) {
         Found& found = found_[static_cast<std::size_t>(k)];
         // u_ holds the inputs at the begin of the interval.
-        if (!dynamics_.jacobian(time(k), x_.data(), u_.data(), coarse_.data(), jacobian_.data())) return false;
+        if (!jacobian_.evaluate(time(k), x_.data(), u_.data(), coarse_.data())) return false;
         // One step is stable wherever a bound says so: how much less the eigenvalues are does not matter then.
         const double length = time(k + 1) - time(k);
         const double enough = (1.0 - 1e-9) * kStableReach / length;
-        const double radius = spectralRadius(jacobian_.data(), scratch_.data(), static_cast<int>(n_), enough);
-        const double stable = std::ceil(radius * length / kStableReach);
+        const double stable = std::ceil(jacobian_.radius(enough) * length / kStableReach);
         found.stable = static_cast<int>(std::clamp(stable, 1.0, 1e6));
         if (found.stable <= 2.0 * implicitCost_ && resolve(stepper, k, false, found)) return true;
         if (!resolve(stepper, k, true, found)) return false;
@@ -338,10 +344,11 @@ private:
     const SimulationOptions& options_;
     const Progress& progress_;
     double tolerance_{}, implicitCost_{};
+    StateJacobian jacobian_;
     int count_{};
     std::size_t n_{};
     int guess_[2]{1, 1};  // substeps to begin with: explicit, implicit
-    std::vector<double> x_, coarse_, fine_, other_, jacobian_, scratch_, u_;
+    std::vector<double> x_, coarse_, fine_, other_, u_;
     std::vector<Found> found_;
     Eigen::VectorXd stateRanges_, outputRanges_;
     Eigen::VectorXd lowest_, highest_;             // states
