@@ -301,6 +301,18 @@ bool iterate(const NonlinearBlock& block, NewtonIteration& newton, Registers& r)
     return false;
 }
 
+/// Tangents of a single unknown, whose equation was evaluated last at its solution: dz = -dr / (dr/dz). Where the
+/// solution moves infinitely fast (w of k*w*abs(w) = tau at standstill) the slope counts as 0, as with the root at 0.
+void moveOne(const NonlinearBlock& block, Registers& r, int mode) {
+    const auto lanes = static_cast<std::size_t>(r.lanes);
+    const double slope = r.values[block.jacobian[0]];
+    const bool moves = block.activeOf[0][static_cast<std::size_t>(mode)] != 0 && slope != 0 && std::isfinite(slope);
+    const double inverse = moves ? -1 / slope : 0;
+    const double* const d = tangentsAt(r, block.residuals[0]);
+    double* const to = tangentsAt(r, block.unknowns[0]);
+    for (std::size_t k = 0; k < lanes; ++k) to[k] = moves ? inverse * d[k] : 0;
+}
+
 }  // namespace
 
 bool solveLinear(const LinearBlock& block, Registers& r, int mode) {
@@ -349,6 +361,11 @@ bool solveNonlinear(std::size_t number, const ProgramTables& tables, Registers& 
         r.hasGuess[block.guess + i] = 1;
     }
     if (mode < 0 || !block.active[static_cast<std::size_t>(mode)]) return true;
+    if (n == 1) {
+        body.tangents();
+        moveOne(block, r, mode);
+        return true;
+    }
 
     // Implicit function theorem: J dz = -(partial derivatives of the residuals along the directions).
     const bool isRegular = newton.factoriseHere();
@@ -365,13 +382,8 @@ bool solveNonlinear(std::size_t number, const ProgramTables& tables, Registers& 
         }
     }
     if (!isRegular && anyMoves) {
-        if (n > 1) {
-            fail(r, block.names.front());
-            return false;
-        }
-        // The solution moves infinitely fast (w of k*w*abs(w) = tau at standstill); as with the root at 0 the
-        // slope counts as 0.
-        std::fill_n(r.rows.data(), lanes, 0.0);
+        fail(r, block.names.front());
+        return false;
     }
     if (isRegular) substitute({r.matrix.data(), n * n}, {r.pivots.data(), n}, r.rows.data(), r.lanes, r.lanes);
     for (std::size_t i = 0; i < n; ++i) std::copy_n(r.rows.data() + i * lanes, lanes, tangentsAt(r, block.unknowns[i]));

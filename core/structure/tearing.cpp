@@ -9,6 +9,7 @@
 #include "core/base/limits.hpp"
 #include "core/base/stop.hpp"
 #include "core/flat/dependent_nodes.hpp"
+#include "core/structure/quadratic.hpp"
 #include "core/structure/rewrite.hpp"
 #include "core/structure/solution_order.hpp"
 
@@ -272,6 +273,14 @@ Outcome<SolutionBlock> ComponentSolver::remainder() {
     for (const ExpressionId r : block.expressions) most = std::max(most, depends_(r));
     if (most == Dependence::None) return noInfluence();
     block.isLinear = most == Dependence::Linear;
+    if (!block.isLinear && block.unknowns.size() == 1) {
+        if (const auto solved = quadraticSolution(system_, depends_, block.expressions[0], block.unknowns[0])) {
+            block.isExplicit = true;
+            block.expressions = {*solved};
+            block.torn.clear();
+            return block;
+        }
+    }
     if (!block.isLinear && block.unknowns.size() > limits::nonlinearUnknowns)
         throw LimitReached(tooLarge(limits::nonlinearUnknowns));
     for (const ExpressionId r : block.expressions) {
