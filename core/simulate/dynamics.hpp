@@ -86,6 +86,8 @@ public:
     virtual bool stepOver(const double* /*rows*/, std::int64_t /*count*/) { return false; }
     virtual std::shared_ptr<const void> identity() const { return nullptr; }  // of the system
 
+    /// Whether df/dx is the same everywhere and at all times.
+    virtual bool isLinear() const { return false; }
     /// Whether the rates have no kinks, jumps or thresholds.
     virtual bool isSmooth() const { return false; }
 
@@ -156,6 +158,7 @@ public:
         return !isStopped() && system_.stepOver(stepping(), rows, count);
     }
     std::shared_ptr<const void> identity() const override { return system_.identity(); }
+    bool isLinear() const override { return system_.isLinearTimeInvariant(); }
     bool isSmooth() const override { return system_.isSmooth(); }
     int observedCount() const override { return static_cast<int>(handles_.size()); }
     bool observed(double t, const double* x, const double* u, double* values) override;

@@ -5,6 +5,12 @@
 
 namespace analogon {
 
+namespace {
+
+constexpr double kRoundingOfStep = 1e-13;  // of what a Newton step changes
+
+}  // namespace
+
 const Esdirk::Tableau& Esdirk::tableau() {
     static const Tableau table = [] {
         // L-stability of a stiffly accurate method of this shape fixes g; Newton from nearby.
@@ -195,6 +201,8 @@ bool Esdirk::simplifiedNewton(double t, double hg) {
         const double size = defect(hg, stage_.data(), slope_.data(), delta_.data());
         if (!std::isfinite(size) || (iteration > 0 && size > 0.25 * last && size > tolerance_)) return false;
         for (std::size_t i = 0; i < delta_.size(); ++i) stage_[i] += delta_[i];
+        // One step solves what is linear, but for the rounding of its length.
+        if (jacobian_.isConstant() && kRoundingOfStep * size <= tolerance_) return true;
         // The error left is about size * rate / (1 - rate).
         const double rate = iteration > 0 && last > 0.0 ? size / last : 1.0;
         if (size <= tolerance_ || rate * size <= 0.5 * tolerance_) return true;

@@ -11,6 +11,7 @@ namespace analogon {
 
 namespace {
 
+constexpr double kAlike = 1e-12;  // relative difference of two lengths of a step that are the same but for rounding
 constexpr int kMostSquared = 40;  // states with which the square of a full matrix costs no more than its powers' action
 
 }  // namespace
@@ -43,22 +44,26 @@ StateJacobian::StateJacobian(Dynamics& dynamics)
         dense_.resize(n_);
         return;
     }
+    isConstant_ = dynamics.isLinear();
     entries_.resize(pattern_->entries());
     held_.resize(n * K);
+    if (isConstant_) still_.resize(n * K);
     step_ = std::make_unique<StepPattern>(*pattern_);
     matrix_.resize(step_->rows.size());
 }
 
 bool StateJacobian::evaluate(double t, const double* x, const double* u, double* xdot) {
     stride_ = n_;
-    return pattern_ ? dynamics_.sparseJacobian(t, x, u, xdot, entries_.data())
-                    : dynamics_.jacobian(t, x, u, xdot, entries_.data());
+    if (!pattern_) return dynamics_.jacobian(t, x, u, xdot, entries_.data());
+    if (isKnown()) return dynamics_.derivatives(t, x, u, xdot);
+    return isEvaluated_ = dynamics_.sparseJacobian(t, x, u, xdot, entries_.data());
 }
 
 bool StateJacobian::linearise(double t, const double* x, const double* u, const double* du, double* xdot) {
     stride_ = n_ + K_;
-    return pattern_ ? dynamics_.sparseLinearised(t, x, u, du, xdot, entries_.data(), held_.data())
-                    : dynamics_.linearised(t, x, u, du, xdot, entries_.data());
+    if (!pattern_) return dynamics_.linearised(t, x, u, du, xdot, entries_.data());
+    if (isKnown() && K_ > 0) return dynamics_.derivatives(t, x, still_.data(), u, du, xdot, held_.data());
+    return isEvaluated_ = dynamics_.sparseLinearised(t, x, u, du, xdot, entries_.data(), held_.data());
 }
 
 bool StateJacobian::factorise(double c) {
@@ -73,7 +78,9 @@ bool StateJacobian::factorise(double c) {
 }
 
 bool StateJacobian::factoriseSparse(double c) {
-    if (!hasFactors(c)) {
+    if (hasFactors(c)) {
+        if (isConstant_) return true;
+    } else {
         inForce_ = next_;
         next_ = (next_ + 1) % kept_.size();
     }
@@ -92,7 +99,7 @@ bool StateJacobian::factoriseSparse(double c) {
 bool StateJacobian::hasFactors(double c) {
     if (!pattern_) return hasDense_ && denseFor_ == c;
     for (std::size_t i = 0; i < kept_.size(); ++i) {
-        if (!kept_[i].factors || kept_[i].c != c) continue;
+        if (!kept_[i].factors || std::abs(kept_[i].c - c) > kAlike * std::abs(c)) continue;
         inForce_ = i;
         return true;
     }

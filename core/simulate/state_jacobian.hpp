@@ -20,12 +20,15 @@ struct StepPattern {
 
 /// df/dx at a point and the factors of I - c df/dx that implicit steps solve with: full matrices where the model is
 /// small or full, else by the pattern of the model (Dynamics::pattern), so that a chain costs as much as it is long.
-/// With a pattern the factors of the last few c are kept side by side: steps of several lengths take turns.
+/// With a pattern the factors of the last few c are kept side by side: steps of several lengths take turns. Those of a
+/// linear model are found once for each c, as is df/dx.
 class StateJacobian {
 public:
     explicit StateJacobian(Dynamics& dynamics);
 
     bool isSparse() const { return pattern_ != nullptr; }
+    /// Whether factors of any point serve at every other.
+    bool isConstant() const { return isConstant_; }
     /// The rates into xdot, and df/dx.
     bool evaluate(double t, const double* x, const double* u, double* xdot);
     /// The same with the tangents of the rates along K directions with the states held.
@@ -38,7 +41,8 @@ public:
 
     /// Factors of I - c df/dx. False: singular.
     bool factorise(double c);
-    /// Whether there are factors for this c, of this point or an earlier one; they are in force then.
+    /// Whether there are factors for this c (but for rounding), of this point or an earlier one; they are in force
+    /// then.
     bool hasFactors(double c);
     /// With the factors in force, in place: `width` right-hand sides, row-major n x width.
     void solve(double* b, int width) const;
@@ -55,6 +59,7 @@ private:
     };
 
     bool factoriseSparse(double c);
+    bool isKnown() const { return isConstant_ && isEvaluated_; }
     double radiusByVector(double enough);
     double leastNorm();
     void multiply(const std::vector<double>& x, std::vector<double>& to) const;
@@ -62,9 +67,10 @@ private:
     Dynamics& dynamics_;
     int n_{}, K_{}, stride_{};
     const StatePattern* pattern_{};
-    std::vector<double> entries_;  // by the pattern; else row-major with `stride_` numbers a row
-    std::vector<double> held_;     // n x K, with a pattern
-    std::vector<double> scratch_;
+    bool isConstant_{}, isEvaluated_{};
+    std::vector<double> entries_;          // by the pattern; else row-major with `stride_` numbers a row
+    std::vector<double> held_;             // n x K, with a pattern
+    std::vector<double> scratch_, still_;  // still_: states that do not move, n x K
 
     bool hasDense_{};
     double denseFor_{};

@@ -12,17 +12,17 @@
 namespace analogon {
 namespace {
 
-/// A rod of n cells with radiation at its end: tridiagonal but not linear; the first cell is heated.
-std::string rodText(int n, double stiffness) {
+/// A rod of n cells, the first of them heated: tridiagonal, and not linear where its end radiates.
+std::string rodText(int n, double stiffness, bool radiates = true) {
     std::string text = "model Rod\n  input Real q;\n  output Real first;\n  output Real last;\n";
     text += fmt::format("  parameter Real g = {};\n  parameter Real c = 2;\n  parameter Real e = 0.1;\n", stiffness);
     std::string equations = "equation\n  first = T1;\n" + fmt::format("  last = T{};\n", n);
     for (int i = 1; i <= n; ++i) {
         text += fmt::format("  Real T{}(start = 3, fixed = true);\n", i);
-        equations += fmt::format("  c*der(T{}) = {}{}{};\n", i,
-                                 i == 1 ? std::string("q") : fmt::format("g*(T{} - T{})", i - 1, i),
-                                 i < n ? fmt::format(" + g*(T{} - T{})", i + 1, i) : std::string(),
-                                 i == n ? fmt::format(" - e*(T{}^4 - 81)", n) : std::string());
+        equations += fmt::format(
+            "  c*der(T{}) = {}{}{};\n", i, i == 1 ? std::string("q") : fmt::format("g*(T{} - T{})", i - 1, i),
+            i < n ? fmt::format(" + g*(T{} - T{})", i + 1, i) : std::string(),
+            i == n ? fmt::format(" - e*(T{}{})", n, radiates ? "^4 - 81" : " - 3") : std::string());
     }
     return text + equations + "end Rod;\n";
 }
@@ -38,8 +38,9 @@ SampledInputs heating(int count, double step) {
 }
 
 struct Rod {
-    explicit Rod(int n, double stiffness = 50, int samples = 200)
-        : system(test::compileText(rodText(n, stiffness), "Rod", {"g", "c", "e"})), inputs(heating(samples, 0.1)) {
+    explicit Rod(int n, double stiffness = 50, bool radiates = true)
+        : system(test::compileText(rodText(n, stiffness, radiates), "Rod", {"g", "c", "e"})),
+          inputs(heating(200, 0.1)) {
         task.system = system.get();
         task.inputs = &inputs;
         task.parameters = test::ownParameters(*system);
@@ -151,6 +152,23 @@ TEST(StateJacobian, ImplicitStepsAndTheirTangentsAreThoseOfTheFullMatrix) {
     EXPECT_LE((a.outputs - b.outputs).cwiseAbs().maxCoeff(), 1e-9);
     for (std::size_t o = 0; o < a.tangents.size(); ++o)
         EXPECT_LE((a.tangents[o] - b.tangents[o]).cwiseAbs().maxCoeff(), 1e-8 * b.tangents[o].cwiseAbs().maxCoeff());
+}
+
+TEST(StateJacobian, OfALinearModelIsFoundOnceAndItsStepsAreThoseOfTheFullMatrix) {
+    Rod rod(20, 500, false);
+    rod.alongAll();
+    SystemDynamics dynamics(rod.task, true), other(rod.task, true);
+    ASSERT_TRUE(dynamics.isLinear());
+    Full full(other);
+    GridRun run;
+    run.plan = {GridMethod::Esdirk, 3, 0.0};
+    const Trajectory a = runGrid(dynamics, rod.inputs, run), b = runGrid(full, rod.inputs, run);
+    ASSERT_FALSE(a.failure.failed) << a.failure.reason;
+    ASSERT_FALSE(b.failure.failed) << b.failure.reason;
+    EXPECT_LE((a.outputs - b.outputs).cwiseAbs().maxCoeff(), 1e-9);
+    for (std::size_t o = 0; o < a.tangents.size(); ++o)
+        EXPECT_LE((a.tangents[o] - b.tangents[o]).cwiseAbs().maxCoeff(), 1e-8 * b.tangents[o].cwiseAbs().maxCoeff());
+    EXPECT_LE(3 * dynamics.evaluations(), 2 * other.evaluations());
 }
 
 TEST(StateJacobian, GridAndAdaptiveEngineAgreeOnALongStiffChain) {
