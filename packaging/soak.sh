@@ -15,7 +15,7 @@ seeds=${1:-20} events=${2:-50000} sequences=${3:-2000} kills=${4:-3000} interrup
 install_missing "${build_packages[@]}"
 say "Building with the sanitizers in build/asan, and plainly in build/release"
 cmake --preset asan
-cmake --build --preset asan --target test_ui test_study test_archive
+cmake --build --preset asan --target test_ui test_study test_archive test_measure
 cmake --preset release
 cmake --build --preset release --target test_ui test_archive test_study test_base test_app test_export
 
@@ -65,6 +65,16 @@ nearly=(
     "mutants-study test_study Mutants.OfStudiesEndInATaskOrInMessages"
     "mutants-model test_study Mutants.OfModelsEndInATaskOrInMessages"
     "mutants-table test_study Mutants.OfMeasurementsEndInATaskOrInMessages"
+    "mutants-text test_measure RecordingMutants.OfTextEndInValuesOrInMessages"
+    "mutants-mdf4 test_measure RecordingMutants.OfMdf4EndInValuesOrInMessages"
+    "mutants-mdf3 test_measure RecordingMutants.OfMdf3EndInValuesOrInMessages"
+    "mutants-tdms test_measure RecordingMutants.OfTdmsEndInValuesOrInMessages"
+    "mutants-mat4 test_measure RecordingMutants.OfMatlab4EndInValuesOrInMessages"
+    "mutants-mat5 test_measure RecordingMutants.OfMatlab5EndInValuesOrInMessages"
+    "mutants-mat7 test_measure RecordingMutants.OfMatlab7EndInValuesOrInMessages"
+    "mutants-mat73 test_measure RecordingMutants.OfMatlab73EndInValuesOrInMessages"
+    "mutants-xlsx test_measure RecordingMutants.OfArchivesOfSheetsEndInValuesOrInMessages"
+    "mutants-sheets test_measure RecordingMutants.OfSheetsEndInValuesOrInMessages"
     "mutants-archive test_archive Mutants.OfArchivesEndInAStudyOrInMessages"
     "mutants-archived test_archive Mutants.InArchivesEndInAStudyOrInMessages"
 )

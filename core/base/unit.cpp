@@ -100,6 +100,17 @@ constexpr std::array wordAliases{
     Replacement{"kgm", "kg.m"},
     Replacement{"pct", "percent"},
     Replacement{"‰", "0.001"},
+    Replacement{"VDC", "V"},
+    Replacement{"Vdc", "V"},
+    Replacement{"mVDC", "mV"},
+    Replacement{"mVdc", "mV"},
+    Replacement{"Vac", "V"},
+    Replacement{"VAC", "V"},
+    Replacement{"Vrms", "V"},
+    Replacement{"Adc", "A"},
+    Replacement{"mAdc", "mA"},
+    Replacement{"Aac", "A"},
+    Replacement{"Arms", "A"},
 };
 
 // Words with their exponent that must not be read as (word)^exponent.

@@ -57,6 +57,20 @@ std::string quotedWords(std::string text) {
     return '"' + text + '"';
 }
 
+/// The letters that tools for DCM read, ISO 8859-1: what it does not have is written with those that it has.
+std::string inLatin1(const std::string& text) {
+    static const std::vector<std::pair<QString, QString>> written{
+        {QStringLiteral("\u2126"), "Ohm"},  {QStringLiteral("\u03A9"), "Ohm"}, {QStringLiteral("\u03BC"), QChar(0xB5)},
+        {QStringLiteral("\u2013"), "-"},    {QStringLiteral("\u2014"), "-"},   {QStringLiteral("\u2212"), "-"},
+        {QStringLiteral("\u2018"), "'"},    {QStringLiteral("\u2019"), "'"},   {QStringLiteral("\u201C"), "'"},
+        {QStringLiteral("\u201D"), "'"},    {QStringLiteral("\u201E"), "'"},   {QStringLiteral("\u2026"), "..."},
+        {QStringLiteral("\u2264"), "<="},   {QStringLiteral("\u2265"), ">="},  {QStringLiteral("\u0394"), "Delta "},
+        {QStringLiteral("\u03D1"), "theta"}};
+    QString plain = words(text);
+    for (const auto& [from, to] : written) plain.replace(from, to);
+    return plain.toLatin1().toStdString();
+}
+
 std::string dcmText(const ParameterTable& table) {
     std::string text = fmt::format("* {}: the parameters of {}\n\nKONSERVIERUNG_FORMAT 2.0\n", said, table.className);
     for (const ParameterRow& row : table.rows) {
@@ -65,7 +79,7 @@ std::string dcmText(const ParameterTable& table) {
         if (!row.unit.empty()) text += fmt::format("   EINHEIT_W {}\n", quotedWords(row.unit));
         text += fmt::format("   WERT {}\nEND\n", row.value);
     }
-    return words(text).toLatin1().toStdString();
+    return inLatin1(text);
 }
 
 /// A document that is written while the writer lives.

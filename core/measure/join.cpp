@@ -18,7 +18,7 @@ struct Measured {
 Measured measuredOf(const Trace& trace) {
     Measured measured;
     for (std::size_t i = 0; i < trace.stamps.size(); ++i) {
-        if (std::isnan(trace.values[i]) || std::isnan(trace.stamps[i])) continue;
+        if (!std::isfinite(trace.values[i]) || !std::isfinite(trace.stamps[i])) continue;
         measured.stamps.push_back(trace.stamps[i]);
         measured.values.push_back(trace.values[i]);
     }
@@ -36,17 +36,6 @@ std::vector<double> unitedStamps(std::span<const Trace> traces) {
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
     return all;
-}
-
-std::vector<double> measuredAt(const Trace& output, std::span<const double> stamps) {
-    const Measured measured = measuredOf(output);
-    std::vector<double> values(stamps.size(), gap);
-    std::size_t behind = 0;  // the first sample after the stamp
-    for (std::size_t i = 0; i < stamps.size(); ++i) {
-        while (behind < measured.stamps.size() && measured.stamps[behind] <= stamps[i]) ++behind;
-        if (behind > 0 && measured.stamps[behind - 1] == stamps[i]) values[i] = measured.values[behind - 1];
-    }
-    return values;
 }
 
 std::vector<double> courseAt(const Trace& input, std::span<const double> stamps, Course course) {

@@ -3,7 +3,8 @@
 #include <span>
 #include <vector>
 
-/// Channels of several rasters beside each other on one. Stamps never fall; a value that is NaN was not measured.
+/// Channels of several rasters beside each other on one. Stamps never fall; a value that is not finite was not
+/// measured.
 namespace analogon {
 
 struct Trace {
@@ -16,10 +17,6 @@ enum class Course { Linear, Held };
 
 /// The stamps at which any of the channels was measured, in order, each once.
 std::vector<double> unitedStamps(std::span<const Trace> traces);
-
-/// An output at the stamps: what was measured at each, NaN where nothing was. It is never resampled. Where a stamp
-/// repeats, its last value.
-std::vector<double> measuredAt(const Trace& output, std::span<const double> stamps);
 
 /// An input at the stamps, its gaps bridged. Where a stamp repeats (a jump), the value behind the jump. NaN before its
 /// first sample, and behind its last one unless it is held: nothing is extrapolated.

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/diagnostic.hpp"
 #include "core/measure/table.hpp"
 
 namespace analogon {

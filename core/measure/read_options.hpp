@@ -19,7 +19,8 @@ struct ReadOptions {
     std::optional<std::size_t> skip;    // lines before the header that are not looked at
     std::optional<std::size_t> header;  // rows of the header behind them, units included; 0: none
     std::optional<bool> hasUnitsRow;    // "units"
-    std::string timeFormat;  // "%d.%m.%Y %H:%M:%S" or "dd.MM.yyyy HH:mm:ss"; or how the rows follow: "0.001 s", "1 kHz"
+    std::string timeFormat;  // "%d.%m.%Y %H:%M:%S" or "dd.MM.yyyy HH:mm:ss"; or how the rows follow: "0.001 s",
+                             // "1 kHz"; or the unit of a time that has none: "d"
     std::string timeZone;    // of stamps that have none: "Europe/Berlin", "+02:00", "UTC"
     std::string encoding;    // "utf-8", "utf-16le", "utf-16be", "windows-1252", "iso-8859-1"
 

@@ -1,15 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "core/base/outcome.hpp"
-#include "core/measure/read_options.hpp"
 
 namespace analogon {
 
@@ -83,17 +79,6 @@ struct Table {
     /// Whether columns of it are left in the file: it has very many values.
     bool hasUnread() const;
 };
-
-/// How a text is written; everything not told is found out from the file.
-using CsvOptions = ReadOptions;
-
-/// Reads a table that is written as text, by its structure: lines in front of it, up to four rows of header, units in
-/// brackets (`T [degC]`, `T (degC)`, `T in degC`), in a row or in the cells, any usual separator, decimal mark,
-/// encoding and way to write the time. What can be read in two ways that differ, faulty cells and ragged rows are
-/// faults with row and column. Empty cells and NaN are read as NaN (a channel that is mapped decides whether that is a
-/// fault); columns of words are left aside; several rasters are put on the stamps of all.
-Outcome<Table> readCsv(const std::filesystem::path& file, const CsvOptions& options = {});
-Outcome<Table> readCsvText(std::string_view text, const std::string& name, const CsvOptions& options = {});
 
 /// Comma-separated text of a table, headers as `name [unit]`; reads back as the same values.
 std::string writeCsv(const Table& table);

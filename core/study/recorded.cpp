@@ -1,5 +1,7 @@
 #include "core/study/recorded.hpp"
 
+#include "core/measure/channel_place.hpp"
+
 namespace analogon {
 
 std::string tableKey(const StudyExperiment& experiment) {
@@ -29,6 +31,23 @@ std::shared_ptr<const Table> shownTable(const Tables& tables, const StudyExperim
     if (!file) return nullptr;
     const Outcome<std::shared_ptr<const Table>> joined = recordedTable(tables, experiment);
     return joined ? *joined : nullptr;
+}
+
+void findTime(const Tables& tables, StudyExperiment& experiment) {
+    const std::shared_ptr<const Table> file = fileTable(tables, experiment);
+    if (!experiment.isTimeOfFile || !file) return;
+    const auto take = [&](const Table& group) {
+        if (!group.time) return false;
+        experiment.timeColumn = group.columns[*group.time].name;
+        experiment.timeGroup = file->others.empty() ? GroupName{} : group.columns[*group.time].groupName();
+        return true;
+    };
+    for (const auto* mappings : {&experiment.outputs, &experiment.inputs})
+        for (const auto& [signal, mapping] : *mappings)
+            if (const auto places = placesOf(*file, mapping.channel()); places.size() == 1 && take(*places[0].group))
+                return;
+    for (const Table* const group : tablesOf(*file))
+        if (take(*group)) return;
 }
 
 std::set<std::string> namedChannels(const Study& study, const StudyExperiment& experiment) {

@@ -37,6 +37,7 @@ struct StudyExperiment {
     GroupName timeGroup{};  // of the time column, where its name alone does not tell
     ReadOptions read{};     // how a text is written
     Raster raster{};
+    bool isTimeOfFile{};  // the study does not name its time: it is the one that the file tells
 };
 
 struct StudyParameter {

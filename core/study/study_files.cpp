@@ -134,6 +134,7 @@ Outcome<Study> readFolder(const fs::path& file, const StudyFolder& folder) {
         }
     }
     if (!faults.empty()) return faults;
+    for (StudyExperiment& experiment : study.experiments) findTime(study.tables, experiment);
     return {std::move(study), std::move(warnings)};
 }
 

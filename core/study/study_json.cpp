@@ -222,7 +222,10 @@ private:
 
     void readTimeName(const Node& owner, StudyExperiment& experiment, Json& kept) {
         const Node time = owner.member("time");
-        if (!time) return missing(owner, "time");
+        if (!time) {
+            experiment.isTimeOfFile = true;
+            return;
+        }
         const ChannelName name = readChannelName(time, kept, "time");
         experiment.timeColumn = name.column;
         experiment.timeGroup = name.group;

@@ -81,8 +81,8 @@ Json startJson(const StudyStart& start) {
 Json experimentJson(const StudyExperiment& experiment) {
     Json json{{"name", experiment.name},
               {"role", experiment.role == Role::Fit ? "fit" : "validate"},
-              {"file", experiment.file},
-              {"time", channelJson({experiment.timeColumn, experiment.timeGroup})}};
+              {"file", experiment.file}};
+    if (!experiment.isTimeOfFile) json["time"] = channelJson({experiment.timeColumn, experiment.timeGroup});
     if (experiment.read != ReadOptions{}) json["read"] = readJson(experiment.read);
     if (experiment.raster.kind != Raster::Kind::Outputs) json["raster"] = rasterJson(experiment.raster);
     if (experiment.range) json["range"] = Json::array({experiment.range->first, experiment.range->second});

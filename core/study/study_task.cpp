@@ -281,6 +281,13 @@ private:
     std::optional<Cut> cutToRange(const std::shared_ptr<const Table>& whole, const StudyExperiment& experiment,
                                   const std::string& pointer) {
         const Table& table = *whole;
+        if (experiment.timeColumn.empty()) {
+            fault(pointer,
+                  phrase("experiment '{}': neither the study nor '{}' tells which column is the time", experiment.name,
+                         experiment.file),
+                  phrase("Name it: \"time\": \"…\"."));
+            return std::nullopt;
+        }
         if (!hasTime(table, experiment, pointer + "/time")) return std::nullopt;
         if (!experiment.range) return Cut{whole, whole, 0};
         const auto [first, last] = usedRows(table, experiment);

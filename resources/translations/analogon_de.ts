@@ -5486,6 +5486,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Der Kopf steht hier noch einmal: Teilen Sie die Datei vor dieser Zeile, sie enthält zwei Aufzeichnungen.</translation>
     </message>
     <message>
+        <source>Another table seems to begin here: keep one in the file, or export each recording to a file of its own.</source>
+        <translation>Hier scheint eine weitere Tabelle zu beginnen: Lassen Sie eine in der Datei, oder exportieren Sie jede Aufzeichnung in eine eigene Datei.</translation>
+    </message>
+    <message>
+        <source>the lines from here on are no rows of the table and are left out: '{}' stands in front</source>
+        <translation>die Zeilen von hier an gehören nicht zur Tabelle und werden ausgelassen: vorn steht „{}“</translation>
+    </message>
+    <message>
         <source>A unit stands in the cell: write it in the header and numbers in the cells.</source>
         <translation>In der Zelle steht eine Einheit: Schreiben Sie sie in den Kopf und Zahlen in die Zellen.</translation>
     </message>
@@ -5494,12 +5502,12 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>die Zahlen in Spalte „{}“ werden als {} seit 1970 gelesen: Es ist keine Einheit angegeben</translation>
     </message>
     <message>
-        <source>the time in column '{}' begins at {:.9g} and has no unit: it is taken for seconds, and may be days</source>
-        <translation>die Zeit in Spalte „{}“ beginnt bei {:.9g} und hat keine Einheit: Sie wird in Sekunden gelesen, und es könnten Tage sein</translation>
+        <source>the time in column '{}' begins at {:.9g} and has no unit: these may be seconds or days</source>
+        <translation>die Zeit in Spalte „{}“ beginnt bei {:.9g} und hat keine Einheit: Es können Sekunden oder Tage sein</translation>
     </message>
     <message>
-        <source>Give its unit in the header.</source>
-        <translation>Geben Sie ihre Einheit im Kopf an.</translation>
+        <source>Say it in the study: "read": {{"time_format": "s"}} or {{"time_format": "d"}}.</source>
+        <translation>Geben Sie es in der Studie an: "read": {{"time_format": "s"}} oder {{"time_format": "d"}}.</translation>
     </message>
     <message>
         <source>the words '{}' and '{}' in column '{}' are read as 0 and 1</source>
@@ -5778,14 +5786,6 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>{} Spalten ohne Einheit, zuerst {}</translation>
     </message>
     <message>
-        <source>this file holds several tables: {}</source>
-        <translation>diese Datei enthält mehrere Tabellen: {}</translation>
-    </message>
-    <message>
-        <source>Name the one that is meant with "group" beside the column, or keep one table in the file.</source>
-        <translation>Nennen Sie die gemeinte mit "group" bei der Spalte, oder lassen Sie eine Tabelle in der Datei.</translation>
-    </message>
-    <message>
         <source>the lines in front of the table tell {:.6g} s between two rows, the column '{}' has {:.6g} s</source>
         <translation>die Zeilen vor der Tabelle nennen {:.6g} s zwischen zwei Zeilen, die Spalte „{}“ hat {:.6g} s</translation>
     </message>
@@ -6054,6 +6054,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>das Archiv ist beschädigt: es lässt sich nicht öffnen</translation>
     </message>
     <message>
+        <source>the archive is damaged: its part '{}' cannot be read as it was written</source>
+        <translation>das Archiv ist beschädigt: sein Teil „{}“ lässt sich nicht so lesen, wie er geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>copy it again from where it was saved</source>
+        <translation>kopieren Sie es erneut von dort, wo es gespeichert wurde</translation>
+    </message>
+    <message>
         <source>no Excel workbook is in this archive</source>
         <translation>in diesem Archiv ist keine Excel-Mappe</translation>
     </message>
@@ -6168,6 +6176,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>experiment '{}': there is no file '{}'</source>
         <translation>Versuch „{}“: Es gibt keine Datei „{}“</translation>
+    </message>
+    <message>
+        <source>experiment '{}': neither the study nor '{}' tells which column is the time</source>
+        <translation>Experiment „{}“: weder die Studie noch „{}“ sagt, welche Spalte die Zeit ist</translation>
+    </message>
+    <message>
+        <source>Name it: "time": "…".</source>
+        <translation>Nennen Sie sie: "time": "…".</translation>
     </message>
     <message>
         <source>the measurement is neither on disk nor in the study</source>

@@ -43,6 +43,7 @@
 #include <random>
 
 #include "core/archive/archive.hpp"
+#include "core/measure/text/text_recording.hpp"
 #include "tests/ui/panels_fixture.hpp"
 #include "tests/ui/sample_finding.hpp"
 #include "ui/canvas/block_item.hpp"
@@ -623,7 +624,7 @@ TEST_F(Panels, ShowsTheResidualFromThreeSidesAndExports) {
         EXPECT_GT(QFileInfo(file).size(), 1000) << name;
     }
     EXPECT_FALSE(QImage(directory.filePath("r.png")).isNull());
-    const Outcome<Table> numbers = readCsv(directory.filePath("r.csv").toStdString());
+    const Outcome<Table> numbers = readTextTables(directory.filePath("r.csv").toStdString(), {});
     ASSERT_TRUE(numbers) << format(numbers.diagnostics());
     EXPECT_EQ(numbers->rows(), document().before()->experiments.front().time.size());
     EXPECT_TRUE(numbers->find("i_mod measured"));

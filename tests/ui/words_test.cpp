@@ -21,6 +21,7 @@
 #include "core/base/unit.hpp"
 #include "core/flat/flat_model.hpp"
 #include "core/measure/table.hpp"
+#include "core/measure/text/text_recording.hpp"
 #include "core/structure/structure.hpp"
 #include "core/study/generate.hpp"
 #include "core/study/study.hpp"
@@ -135,7 +136,7 @@ TEST_F(GermanWords, DocumentBlocksAndLeaveTheirFormulas) {
 }
 
 TEST_F(GermanWords, NameFaultsOfARecordingAndOfAStudy) {
-    const Outcome<Table> table = readCsvText("t;u\n0;1\n1;abc\n", "run.csv");
+    const Outcome<Table> table = textTables("t;u\n0;1\n1;abc\n", "run.csv");
     ASSERT_FALSE(table);
     EXPECT_EQ(inWords(table.diagnostics().front().message), QString::fromUtf8("„abc“ in Spalte „u“ ist keine Zahl"));
     const Outcome<Study> study =
@@ -176,7 +177,7 @@ TEST_F(GermanWords, SayWhatAGeneratedStudyAssumes) {
     const Outcome<Library> library = builtInLibrary();
     ASSERT_TRUE(library);
     const auto table = [](const char* text) {
-        Outcome<Table> read = readCsvText(text, "run.csv");
+        Outcome<Table> read = textTables(text, "run.csv");
         EXPECT_TRUE(read);
         return std::make_shared<const Table>(std::move(*read));
     };

@@ -177,7 +177,7 @@ void ImportPanel::show(const QString& path) {
 }
 
 void ImportPanel::read() {
-    CsvOptions options;
+    ReadOptions options;
     const QString separator = separator_->currentData().toString(), decimal = decimal_->currentData().toString();
     if (!separator.isEmpty()) options.separator = separator.front().toLatin1();
     if (!decimal.isEmpty()) options.decimal = decimal.front().toLatin1();

@@ -120,7 +120,8 @@ private:
         group.dataGroup = stored_.dataGroups.size() - 1;
         stored_.dataGroups.back().bytesOfId[group.id] = group.dataBytes;
         RecordedGroup recorded;
-        recorded.name = text(block3->link(12));
+        recorded.name = text(block3->link(12));  // a comment, whose first line names what was recorded
+        recorded.name.resize(std::min(recorded.name.find_first_of("\r\n"), recorded.name.size()));
         stored_.recordGroups.push_back(group);
         stored_.channels.emplace_back();
         recording_.groups.push_back(std::move(recorded));

@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include "core/base/outcome.hpp"
 #include "core/base/progress.hpp"
 #include "core/measure/read_options.hpp"
 #include "core/measure/table.hpp"

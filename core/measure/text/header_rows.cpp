@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 #include "core/base/unit.hpp"
 #include "core/measure/column_header.hpp"
@@ -20,12 +21,25 @@ bool isBracketed(std::string_view text) {
            ((text.front() == '[' && text.back() == ']') || (text.front() == '(' && text.back() == ')'));
 }
 
-/// No measured value, and units: all in brackets, or half of what stands there, or a time in front. "1" and "-" stand
-/// for no dimension.
-bool isUnitsRow(const SampleRow& row) {
-    std::size_t told = 0, known = 0, bracketed = 0;
+/// By column, whether the first rows of data hold words or dates there, which have no unit.
+std::vector<bool> columnsOfWords(const SampledRows& sample) {
+    std::vector<bool> areWords;
+    for (std::size_t r = sample.begin; r < std::min(sample.end, sample.begin + 20); ++r) {
+        const std::vector<CellKind>& kinds = sample.rows[r].kinds;
+        if (areWords.size() < kinds.size()) areWords.resize(kinds.size());
+        for (std::size_t i = 0; i < kinds.size(); ++i)
+            if (kinds[i] == CellKind::Words || kinds[i] == CellKind::Stamp) areWords[i] = true;
+    }
+    return areWords;
+}
+
+/// No measured value, and units: all in brackets, or half of what stands over numbers, or a time in front. "1" and "-"
+/// stand for no dimension.
+bool isUnitsRow(const SampleRow& row, const std::vector<bool>& areWords) {
+    std::size_t told = 0, overNumbers = 0, known = 0, bracketed = 0;
     bool isTimeFirst = false;
-    for (const CsvCell& cell : row.cells) {
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+        const CsvCell& cell = row.cells[i];
         if (cell.text.empty()) continue;
         const std::string unit = readUnitCell(cell.text);
         const bool isBare = unit.empty() || unit == "1" || unit == "-";
@@ -33,11 +47,26 @@ bool isUnitsRow(const SampleRow& row) {
         ++told;
         bracketed += isBracketed(cell.text);
         const bool isKnown = !isBare && isKnownUnit(unit);
-        known += isKnown;
         isTimeFirst = isTimeFirst || (told == 1 && isKnown && areConvertible(unit, "s"));
+        if (i < areWords.size() && areWords[i]) continue;
+        ++overNumbers;
+        known += isKnown;
     }
     if (told > 0 && bracketed == told) return true;
-    return known > 0 && (isTimeFirst || 2 * known >= told);
+    return isTimeFirst || (known > 0 && 2 * known >= overNumbers);
+}
+
+/// The same setting in every cell ("SR=100"), or one moment: no names and no units.
+bool isOfSettings(const SampleRow& row, const SampleRow& data) {
+    if (row.filled < 2 || row.kinds == data.kinds) return false;
+    std::set<std::string_view> distinct;
+    for (std::size_t i = 0; i < row.filled; ++i) {
+        if (row.cells[i].text.empty()) continue;
+        const bool isSetting = row.kinds[i] == CellKind::Stamp || row.cells[i].text.find('=') != std::string::npos;
+        if (!isSetting) return false;
+        distinct.insert(row.cells[i].text);
+    }
+    return distinct.size() == 1;
 }
 
 std::size_t distinctCells(const SampleRow& row) {
@@ -85,14 +114,25 @@ void takeFacts(std::vector<SampleRow>& rows, std::size_t width, HeaderRows& head
     for (SampleRow& row : rows) refill(row);
 }
 
-/// Of rows of words the one with the names: as many different ones as there are, a time among them, the upper one.
-std::size_t rowOfNames(const std::vector<SampleRow>& rows) {
+/// Of rows of words the one with the names: as many different ones as there are, a time among them, the upper one;
+/// above all the one that is called so, where keys stand in front of the rows.
+std::size_t rowOfNames(const std::vector<SampleRow>& rows, bool areKeyed) {
     std::size_t best = 0;
     for (std::size_t i = 1; i < rows.size(); ++i) {
-        const auto rank = [&](std::size_t r) { return std::pair(distinctCells(rows[r]), namesATime(rows[r])); };
+        const auto rank = [&](std::size_t r) {
+            const bool isCalledSo = areKeyed && !rows[r].cells.empty() && isKeyOfNames(rows[r].cells[0].text);
+            return std::tuple(isCalledSo, distinctCells(rows[r]), namesATime(rows[r]));
+        };
         if (rank(i) > rank(best)) best = i;
     }
     return best;
+}
+
+/// Nothing stands in the first column: keys of the rows above do.
+bool isFirstEmpty(const SampledRows& sample) {
+    for (std::size_t r = sample.begin; r < sample.end; ++r)
+        if (sample.rows[r].kinds.empty() || sample.rows[r].kinds[0] != CellKind::Blank) return false;
+    return sample.begin < sample.end;
 }
 
 /// A word and numbers: names only where the numbers count channels ("x-axis,1,2"), else a key and its values.
@@ -148,8 +188,10 @@ bool isUnitsAlone(const SampleRow& row) {
 /// The rows above the data that may be header, from top to bottom.
 std::vector<SampleRow> rowsAbove(const SampledRows& sample, HeaderRows& header) {
     const std::size_t width = widest(sample);
+    const std::vector<bool> areWords = columnsOfWords(sample);
     std::vector<SampleRow> rows;
     bool hasNames = false;
+    int below = 0;  // the line of the row that was looked at before
     header.first = sample.begin;
     for (std::size_t i = sample.begin; i-- > 0 && rows.size() < mostRows;) {
         const SampleRow& row = sample.rows[i];
@@ -157,20 +199,23 @@ std::vector<SampleRow> rowsAbove(const SampledRows& sample, HeaderRows& header) 
             if (!rows.empty()) break;
             continue;
         }
-        if (isKeyOfPreamble(row) || (rows.empty() && isKeyWithNumbers(row))) {
+        const bool isApart = row.line.number + 1 < below;
+        below = row.line.number;
+        const bool isSettings = sample.begin < sample.end && isOfSettings(row, sample.rows[sample.begin]);
+        if (isKeyOfPreamble(row) || isSettings || (rows.empty() && isKeyWithNumbers(row))) {
             header.keys.push_back(row);
             continue;
         }
         if (rows.empty()) {
             if (row.filled == 1 && width > 1) break;  // a title
         } else {
-            const bool isApart = sample.rows[i].line.number + 1 < rows.back().line.number;
             const bool fits = row.filled > 1 && row.filled <= std::max(rows.back().cells.size(), width) + 2 &&
                               row.filled + 1 >= width;
+            const bool isPair = row.filled == 2 && width > 2 && row.kinds[0] == CellKind::Words;  // a key and its value
             const bool mayHoldValues = !hasNames && !isKeyWithNumbers(row);  // numbers of channels over their units
-            if (!fits || (holdsValues(row) && !mayHoldValues) || (isApart && hasNames)) break;
+            if (!fits || isPair || (holdsValues(row) && !mayHoldValues) || (isApart && hasNames)) break;
         }
-        hasNames = hasNames || !isUnitsRow(row);
+        hasNames = hasNames || !isUnitsRow(row, areWords);
         const bool isOfBlanks = sample.separator == ' ' && row.filled != width;
         rows.push_back(isOfBlanks ? rejoined(row, width) : row);
         header.first = i;
@@ -217,14 +262,15 @@ HeaderRows findHeader(const SampledRows& sample, const ReadOptions& options) {
         header.units = rows[0];
         return header;
     }
+    const std::vector<bool> areWords = columnsOfWords(sample);
     const bool mayHaveUnits = options.hasUnitsRow.value_or(rows.size() > 1) && rows.size() > 1;
     for (std::size_t i = rows.size(); mayHaveUnits && i-- > 0;) {
-        if (!isUnitsRow(rows[i]) && !(options.hasUnitsRow && i + 1 == rows.size())) continue;
+        if (!isUnitsRow(rows[i], areWords) && !(options.hasUnitsRow && i + 1 == rows.size())) continue;
         header.units = rows[i];
         rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(i));
         break;
     }
-    const std::size_t names = options.header ? 0 : rowOfNames(rows);
+    const std::size_t names = options.header ? 0 : rowOfNames(rows, isFirstEmpty(sample));
     header.names = rows[names];
     rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(names));
     header.descriptions = std::move(rows);

@@ -20,6 +20,20 @@ namespace analogon {
 
 namespace {
 
+bool namesRemarks(std::string_view name) {
+    constexpr std::array<std::string_view, 10> names{"comment", "comments",  "remark",     "remarks",   "note",
+                                                     "notes",   "kommentar", "kommentare", "bemerkung", "bemerkungen"};
+    return std::find(names.begin(), names.end(), plainKey(name)) != names.end();
+}
+
+/// Words in a row of units that say what the cells hold and are no unit.
+bool namesNoUnit(std::string_view word) {
+    constexpr std::array<std::string_view, 14> words{"value",  "values", "wert",   "werte",  "text",
+                                                     "string", "number", "signal", "double", "float64",
+                                                     "uint16", "int16",  "bool",   "boolean"};
+    return std::find(words.begin(), words.end(), plainKey(word)) != words.end();
+}
+
 class LayoutFinder {
 public:
     LayoutFinder(std::string_view text, const std::string& file, const ReadOptions& options)
@@ -105,7 +119,10 @@ private:
         }
         const SampleRow& names = *header_.names;
         layout_.headerLine = names.line.number;
-        const std::size_t count = std::max(names.filled, std::min(width(), names.cells.size()));
+        std::size_t count = std::max(names.filled, std::min(width(), names.cells.size()));
+        // a column of remarks in which nothing stands may have no cells in the rows
+        for (; count > width() && rows_.begin < rows_.end && namesRemarks(names.cells[count - 1].text); --count)
+            ++layout_.remarks;
         for (std::size_t i = 0; i < count; ++i) {
             const CsvCell& cell = names.cells[i];
             ColumnHeader header = readColumnHeader(cell.text);
@@ -152,8 +169,8 @@ private:
         for (std::size_t i = 0; i < header_.first && i < rows_.rows.size(); ++i) reader.add(rows_.rows[i]);
         // those above the header are among the lines in front of it
         const bool hasHeader = header_.first < rows_.rows.size();
-        for (const SampleRow& row : header_.keys)
-            if (hasHeader && row.line.number > rows_.rows[header_.first].line.number) reader.add(row);
+        for (auto row = header_.keys.rbegin(); row != header_.keys.rend(); ++row)  // from top to bottom
+            if (hasHeader && row->line.number > rows_.rows[header_.first].line.number) reader.add(*row);
         const int data = rows_.begin < rows_.rows.size() ? rows_.rows[rows_.begin].line.number : 0;
         for (const TextLine& comment : rows_.comments)
             if (comment.number < data) reader.addComment(comment.text);
@@ -188,7 +205,7 @@ private:
         const std::string unit = readUnitCell(text);
         if (unit.empty()) return;
         const bool holdsNumbers = column.kind == CellKind::Number || column.kind == CellKind::Quantity;
-        if (!isKnownUnit(unit) && (countsRows(index) || !holdsNumbers))
+        if (!isKnownUnit(unit) && (countsRows(index) || !holdsNumbers || namesNoUnit(unit)))
             column.comment = unit;
         else
             column.unit = unit;

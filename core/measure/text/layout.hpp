@@ -25,11 +25,12 @@ struct Layout {
     NumberMarks marks;
     std::vector<LayoutColumn> columns;
     PreambleFacts facts;
-    std::size_t offset{};  // of the first row of data
-    int linesBefore{};     // lines in front of it
-    int headerLine{};      // of the names; 0: there are none
-    int unitsLine{};       // of the units row; 0: there is none
-    bool arePadded{};      // rows may end early: what is missing is empty
+    std::size_t offset{};   // of the first row of data
+    int linesBefore{};      // lines in front of it
+    int headerLine{};       // of the names; 0: there are none
+    int unitsLine{};        // of the units row; 0: there is none
+    std::size_t remarks{};  // columns behind the last one that may hold remarks, and have no cells in most rows
+    bool arePadded{};       // rows may end early: what is missing is empty
     Diagnostics warnings;
 };
 

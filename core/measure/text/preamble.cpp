@@ -98,6 +98,13 @@ std::string plainKey(std::string_view text) {
     return key;
 }
 
+bool isKeyOfNames(std::string_view text) {
+    constexpr std::array<std::string_view, 14> keys{
+        "name",      "names", "channel name", "channel names", "signal",    "signal name", "trace name",
+        "tracename", "kanal", "channel",      "channels",      "parameter", "messstelle",  "channel label"};
+    return isOneOf(plainKey(text), keys);
+}
+
 bool isFactKey(std::string_view text) { return namesFact(plainKey(text)); }
 
 bool isKeyOfPreamble(const SampleRow& row) {
@@ -170,11 +177,16 @@ bool PreambleReader::addPair(std::string_view key, std::string_view value) {
 }
 
 void PreambleReader::addByColumn(const SampleRow& row, std::vector<std::string>& texts) const {
-    texts.resize(columns_);
     const bool isPaired = columns_ >= 4 && row.filled >= 3 && row.cells[0].text == row.cells[2].text;
     const std::size_t shift = row.filled == columns_ + 1 ? 1 : 0;
+    // one value for several columns tells nothing of any ("unit,ms")
+    if (columns_ > 2 && row.filled == 2) return;
+    texts.resize(columns_);
     for (std::size_t i = isPaired ? 1 : 1 - shift; i < columns_; i += isPaired ? 2 : 1)
-        if (i + shift < row.cells.size() && texts[i].empty()) texts[i] = row.cells[i + shift].text;
+        if (i + shift < row.cells.size() && texts[i].empty()) {
+            const auto pair = keyAndValue(row.cells[i + shift].text);  // "CH1:V"
+            texts[i] = pair ? std::string(pair->second) : row.cells[i + shift].text;
+        }
 }
 
 void PreambleReader::add(const SampleRow& row) {

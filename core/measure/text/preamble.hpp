@@ -31,6 +31,9 @@ std::string plainKey(std::string_view text);
 /// Whether a cell of the header is the name of a fact and not of a column ("Increment", "Start").
 bool isFactKey(std::string_view text);
 
+/// The key of a row of names ("Name", "Kanal").
+bool isKeyOfNames(std::string_view text);
+
 /// A key of the preamble with its values, though it is as long as the rows of the table.
 bool isKeyOfPreamble(const SampleRow& row);
 

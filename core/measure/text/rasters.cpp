@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/unit.hpp"
-#include "core/measure/join.hpp"
 #include "core/measure/text/column_meaning.hpp"
 #include "core/measure/text/remark.hpp"
 #include "core/measure/text/time_column.hpp"
@@ -139,47 +137,6 @@ std::vector<TextGroup> groupsOf(RawTable raw, const std::map<std::string, std::s
         tellSwitches(group, told);
     }
     return groups;
-}
-
-Table joined(std::vector<TextGroup> groups) {
-    Table table;
-    table.file = groups.front().table.file;
-    if (groups.size() == 1) {
-        TextGroup& group = groups.front();
-        for (std::size_t i = 0; i < group.kinds.size(); ++i)
-            if (group.kinds[i] != CellKind::Words) table.columns.push_back(std::move(group.table.columns[i]));
-        table.lines = std::move(group.table.lines);
-        return table;
-    }
-    const Column& first = groups.front().table.columns[*groups.front().time];
-    std::vector<std::vector<double>> stamps;
-    std::vector<Trace> traces;
-    for (const TextGroup& group : groups) {
-        const Column& time = group.table.columns[*group.time];
-        std::vector<double> own = time.values;
-        if (const auto convert = convertUnit(time.unit, first.unit); convert && time.unit != first.unit)
-            for (double& stamp : own) stamp = (*convert)(stamp);
-        stamps.push_back(std::move(own));
-    }
-    for (const std::vector<double>& own : stamps) traces.push_back({own, own});
-    const std::vector<double> all = unitedStamps(traces);
-    table.columns.push_back({first.name, first.unit, all, {}, first.header, first.line, first.position});
-    std::map<double, int> lines;
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-        const TextGroup& group = groups[g];
-        for (std::size_t row = 0; row < stamps[g].size(); ++row) lines.emplace(stamps[g][row], group.table.lines[row]);
-        for (std::size_t i = 0; i < group.kinds.size(); ++i) {
-            if (i == group.time || group.kinds[i] == CellKind::Words) continue;
-            const Column& from = group.table.columns[i];
-            Column column{from.name, from.unit,    measuredAt({stamps[g], from.values}, all), {}, from.header,
-                          from.line, from.position};
-            for (std::size_t row = 0; row < all.size(); ++row)
-                if (std::isnan(column.values[row])) column.blanks.push_back({static_cast<std::uint32_t>(row), 0});
-            table.columns.push_back(std::move(column));
-        }
-    }
-    for (const double stamp : all) table.lines.push_back(lines[stamp]);
-    return table;
 }
 
 }  // namespace analogon

@@ -12,7 +12,4 @@ namespace analogon {
 /// time on its left. What is made of the stamps, and what is odd about them, is added to `told`.
 std::vector<TextGroup> groupsOf(RawTable raw, const std::map<std::string, std::string>& comments, Diagnostics& told);
 
-/// All groups as one table over the stamps of all: at a stamp of another raster a channel was not measured.
-Table joined(std::vector<TextGroup> groups);
-
 }  // namespace analogon

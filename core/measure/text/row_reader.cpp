@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -15,12 +14,21 @@
 #include "core/base/unit.hpp"
 #include "core/base/visible.hpp"
 #include "core/measure/encoding.hpp"
+#include "core/measure/plain_number.hpp"
 #include "core/measure/text/remark.hpp"
+#include "core/measure/text/tidy_columns.hpp"
 #include "core/measure/text/time_format.hpp"
 
 namespace analogon {
 
 namespace {
+
+/// A cell of a row that is read the fast way: what it holds is told by its column.
+struct PlainCell {
+    double number{};
+    Stamp stamp;
+    std::string_view text;
+};
 
 /// Reads the rows of one text, from the first row of data to its end.
 class RowReader {
@@ -43,8 +51,6 @@ public:
         raw_.stamps.resize(table().columns.size());
         raw_.words.resize(table().columns.size());
         raw_.beyond.resize(table().columns.size());
-        areNumbers_ = std::all_of(raw_.kinds.begin(), raw_.kinds.end(),
-                                  [](CellKind kind) { return kind == CellKind::Number || kind == CellKind::Blank; });
         decimalLine_ = layout.linesBefore + 1;
         if (!options.thousands) raw_.thousands = layout.marks.thousands;
     }
@@ -54,7 +60,9 @@ public:
         if (!hasMemory()) return faults_;
         reserve();
         while (hasLine_ && !isAtEnd_) {
-            if (!isEmptyLine(line_.text) && !isComment(line_.text, separator_) && !readRow()) return faults_;
+            const bool isEmpty = isEmptyLine(line_.text);
+            if (!isEmpty && !isComment(line_.text, separator_) && !readRow()) return faults_;
+            isBehindGap_ = isEmpty;
             advance();
         }
         if (table().lines.empty())
@@ -118,27 +126,55 @@ private:
         return true;
     }
 
-    /// The fast way: unquoted finite numbers with a decimal point. False, and nothing kept, for anything else.
+    /// The fast way: unquoted finite numbers, stamps and words. False, and nothing kept, for anything else.
     bool readPlainRow() {
-        if (decimal_ == ',' || separator_ == ' ' || !areNumbers_) return false;
+        if (separator_ == ' ') return false;
         const char* at = line_.text.data();
         const char* const end = at + line_.text.size();
         const std::size_t count = table().columns.size();
-        numbers_.resize(count);
+        cells_.resize(count);
         for (std::size_t i = 0; i < count; ++i) {
             while (at != end && *at == ' ') ++at;
-            const auto [stop, code] = std::from_chars(at, end, numbers_[i]);
-            if (code != std::errc{} || !std::isfinite(numbers_[i])) return false;
-            // the first mark decides what marks mean: by the slow way
-            if (!decimal_ && std::memchr(at, '.', static_cast<std::size_t>(stop - at))) return false;
-            at = stop;
+            at = readPlainCell(i, at, end);
+            if (!at) return false;
             while (at != end && *at == ' ') ++at;
             const bool isLast = i + 1 == count;
+            while (isLast && at != end && (*at == separator_ || *at == ' ')) ++at;  // empty cells behind the last one
             if (isLast ? at != end : at == end || *at != separator_) return false;
             ++at;
         }
-        for (std::size_t i = 0; i < count; ++i) table().columns[i].values.push_back(numbers_[i]);
+        for (std::size_t i = 0; i < count; ++i) keepPlainCell(i);
         return true;
+    }
+
+    /// Where the cell ends; null: it takes a closer look.
+    const char* readPlainCell(std::size_t index, const char* at, const char* end) {
+        PlainCell& cell = cells_[index];
+        const CellKind kind = raw_.kinds[index];
+        // the first mark decides what marks mean: by the slow way
+        if (kind == CellKind::Number || kind == CellKind::Blank)
+            return readPlainNumber(at, end, decimal_.value_or('\0'), cell.number);
+        if (kind == CellKind::Quantity || at == end || *at == '"') return nullptr;
+        const void* const mark = std::memchr(at, separator_, static_cast<std::size_t>(end - at));
+        const char* const stop = mark ? static_cast<const char*>(mark) : end;
+        cell.text = withoutBlanks({at, static_cast<std::size_t>(stop - at)});
+        if (cell.text.empty()) return nullptr;
+        if (kind == CellKind::Stamp) {
+            const std::optional<Stamp> stamp = readStampBy(cell.text, options_.timeFormat);
+            if (!stamp) return nullptr;
+            cell.stamp = *stamp;
+        }
+        return stop;
+    }
+
+    void keepPlainCell(std::size_t index) {
+        const CellKind kind = raw_.kinds[index];
+        if (kind == CellKind::Stamp)
+            raw_.stamps[index].push_back(cells_[index].stamp);
+        else if (kind == CellKind::Words)
+            raw_.words[index].emplace_back(inUtf8(cells_[index].text));
+        else
+            table().columns[index].values.push_back(cells_[index].number);
     }
 
     bool readAnyRow() {
@@ -146,6 +182,7 @@ private:
         if (row.openQuote) return openQuote(row);
         const std::size_t count = table().columns.size();
         while (row.cells.size() > count && row.cells.back().text.empty()) row.cells.pop_back();
+        if (row.cells.size() > count && row.cells.size() <= count + layout_.remarks) row.cells.resize(count);
         if (row.cells.size() < count && layout_.arePadded && !isWordAlone(row))
             row.cells.resize(count, {"", static_cast<int>(line_.text.size()) + 1, false});
         if (row.cells.size() != count) {
@@ -153,6 +190,7 @@ private:
             return ragged(row);
         }
         if (isEmptyRow(row)) return isLeftOut_ = true;
+        if (isBehindGap_ && isFooter(row)) return isAtEnd_ = true;
         for (std::size_t i = 0; i < count; ++i)
             if (!readCellOf(i, row.cells[i])) return false;
         return true;
@@ -181,6 +219,23 @@ private:
         return true;
     }
 
+    /// Rows of another table behind an empty line ("Min,0.1"): words in front to the end of the text, over numbers.
+    bool isFooter(const CsvRow& first) {
+        constexpr std::size_t most = 20;
+        const auto isWord = [](const CsvRow& row) { return kindOf(row.cells.front().text) == CellKind::Words; };
+        if (table().lines.empty() || raw_.kinds.front() == CellKind::Words || !isWord(first)) return false;
+        LineReader ahead = lines_;
+        std::size_t count = 0;
+        for (TextLine line; ahead.next(line);)
+            if (!isEmptyLine(line.text) && (++count > most || !isWord(splitCsvRow(line.text, separator_))))
+                return false;
+        warnings_.push_back(asWarning(
+            fileError(phrase("the lines from here on are no rows of the table and are left out: '{}' stands in front",
+                             cited(first.cells.front().text)),
+                      table().file, line_.number)));
+        return true;
+    }
+
     bool readCellOf(std::size_t index, const CsvCell& cell) {
         CellKind& kind = raw_.kinds[index];
         if (kind == CellKind::Blank && !cell.text.empty()) {
@@ -205,7 +260,6 @@ private:
         Column& column = table().columns[index];
         if (column.values.size() > column.blanks.size()) return;
         raw_.kinds[index] = kind;
-        areNumbers_ = false;
         if (kind == CellKind::Words) raw_.words[index].resize(column.values.size());
         if (kind == CellKind::Stamp) raw_.stamps[index].resize(column.values.size());
         column.values.clear();
@@ -333,6 +387,10 @@ private:
         if (isHeader)
             hint =
                 phrase("The header stands here again: split the file in front of this line, it holds two recordings.");
+        else if (isBehindGap_ && kindOf(cell.text) == CellKind::Words)
+            hint = phrase(
+                "Another table seems to begin here: keep one in the file, or export each recording to a file of its "
+                "own.");
         else if (readQuantity(cell.text))
             hint = phrase("A unit stands in the cell: write it in the header and numbers in the cells.");
         else if (cell.text.find(',') != std::string::npos && cell.text.find('.') != std::string::npos)
@@ -341,61 +399,9 @@ private:
                      line_.number, cell.position, std::move(hint), line_.text);
     }
 
-    /// Instruments write 9.9E37 where a value is beyond their range or there is none (SCPI).
-    void takeOverflowsOut() {
-        constexpr double overflow = 9.9e37, none = 9.91e37;
-        for (std::size_t i = 0; i < table().columns.size(); ++i) {
-            std::vector<double>& values = table().columns[i].values;
-            bool isAny = false;
-            for (const double value : values) isAny = isAny || std::abs(value) == overflow || std::abs(value) == none;
-            if (!isAny) continue;
-            std::vector<BlankCell>& blanks = table().columns[i].blanks;
-            for (std::size_t row = 0; row < values.size(); ++row) {
-                if (std::abs(values[row]) != overflow && std::abs(values[row]) != none) continue;
-                values[row] = std::numeric_limits<double>::quiet_NaN();
-                blanks.push_back({static_cast<std::uint32_t>(row), 0});
-                raw_.beyond[i].push_back(table().lines[row]);
-            }
-            std::sort(blanks.begin(), blanks.end(),
-                      [](const BlankCell& a, const BlankCell& b) { return a.row < b.row; });
-            std::sort(raw_.beyond[i].begin(), raw_.beyond[i].end());
-        }
-    }
-
-    void tellBeyond() {
-        constexpr std::size_t shown = 3;
-        for (std::size_t i = 0; i < table().columns.size(); ++i) {
-            const std::vector<int>& lines = raw_.beyond[i];
-            if (lines.empty()) continue;
-            std::vector<std::string> first;
-            for (std::size_t k = 0; k < std::min(shown, lines.size()); ++k) first.push_back(std::to_string(lines[k]));
-            const std::string name = cited(table().columns[i].name);
-            Text message =
-                lines.size() <= shown
-                    ? phrase("column '{}' was beyond the range of its instrument in line {}", name, listed(first))
-                    : phrase("column '{}' was beyond the range of its instrument in {} rows, first in lines {}", name,
-                             lines.size(), listed(first));
-            warnings_.push_back(asWarning(fileError(std::move(message), table().file, lines.front(), 0,
-                                                    phrase("These cells are taken for not measured."))));
-        }
-    }
-
-    /// Columns without a name in which nothing stands are what a mark at the end of each row makes.
-    void dropEmptyLastColumns() {
-        while (table().columns.size() > 1) {
-            const Column& last = table().columns.back();
-            const bool isUnnamed = last.name == fmt::format("c{}", table().columns.size()) && last.unit.empty();
-            const bool isEmpty = raw_.kinds.back() != CellKind::Words && raw_.kinds.back() != CellKind::Stamp &&
-                                 last.blanks.size() == last.values.size();
-            if (!isUnnamed || !isEmpty) return;
-            raw_.erase(table().columns.size() - 1);
-        }
-    }
-
     void finish() {
-        takeOverflowsOut();
-        tellBeyond();
-        dropEmptyLastColumns();
+        Diagnostics told = tidyColumns(raw_);
+        warnings_.insert(warnings_.end(), told.begin(), told.end());
         if (raw_.thousands != 0)
             warnings_.push_back(asWarning(fileError(
                 phrase("'{}' is read as a mark between thousands", std::string(1, raw_.thousands)), table().file)));
@@ -404,7 +410,7 @@ private:
     std::string_view text_;
     LineReader lines_;
     TextLine line_;
-    bool hasLine_{}, isAtEnd_{}, isLeftOut_{}, areNumbers_{};
+    bool hasLine_{}, isAtEnd_{}, isLeftOut_{}, isBehindGap_{};
     char separator_{','};
     std::optional<char> decimal_;
     char thousands_{};
@@ -412,7 +418,7 @@ private:
     const Layout& layout_;
     const ReadOptions& options_;
     RawTable raw_;
-    std::vector<double> numbers_;
+    std::vector<PlainCell> cells_;
     Diagnostics faults_, warnings_;
 };
 

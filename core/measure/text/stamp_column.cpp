@@ -103,7 +103,7 @@ void addMilliseconds(RawTable& raw, Diagnostics& told) {
         const std::string name = inLowerCase(column.name);
         const bool isNamed = name == "ms" || name == "msec" || name.starts_with("millisec") ||
                              name.starts_with("millisek") ||
-                             (column.unit == "ms" && column.header.empty() && name.starts_with("c"));
+                             (column.unit == "ms" && column.name == fmt::format("c{}", i + 2));  // it has no name
         if (!isNamed || traitsOf(raw.stamps[i]).anyFraction) continue;
         const auto isPart = [](double value) { return value >= 0 && value < 1000; };
         if (!std::all_of(column.values.begin(), column.values.end(), isPart)) continue;
@@ -371,8 +371,7 @@ Outcome<std::string> makeSeconds(RawTable& raw, const ReadOptions& options) {
         std::int64_t& zero = column.isAbsolute() ? firstDate : firstClock;
         if (first != none && !column.countsFromStart() && (zero == none || first < zero)) zero = first;
     }
-    const bool isFormatTold = !options.timeFormat.empty() && !intervalOf(options.timeFormat);
-    if (columns.empty() && isFormatTold)
+    if (columns.empty() && isStampFormat(options.timeFormat))
         return fileError(phrase("no column is a time of the form '{}'", cited(options.timeFormat)), raw.table.file, 0,
                          0,
                          phrase("\"time_format\" is written as \"%d.%m.%Y %H:%M:%S\", or as the time between two rows: "

@@ -93,6 +93,7 @@ Outcome<TextFile> readPlainTable(std::string_view text, const std::string& name,
     if (!start) return start.diagnostics();
     append(told, start.diagnostics());
     append(told, addCountedTime(*raw, layout->facts, options));
+    applyToldUnit(*raw, options);
 
     TextFile file;
     file.format = "text";
@@ -100,6 +101,7 @@ Outcome<TextFile> readPlainTable(std::string_view text, const std::string& name,
     file.found = described(*layout);
     if (!isUtf8(text.substr(0, layout->offset))) file.found += phrase(", letters of Windows-1252");
     file.groups = groupsOf(std::move(*raw), comments, told);
+    if (hasError(told)) return told;
     return {std::move(file), std::move(told)};
 }
 

@@ -8,8 +8,11 @@ bool LineReader::next(TextLine& line) {
     if (rest_.empty()) return false;
     const char* const begin = rest_.data();
     const char* const end = begin + rest_.size();
-    const char* stop = static_cast<const char*>(std::memchr(begin, '\n', rest_.size()));
-    if (!stop) stop = end;
+    if (feed_ < begin || !feed_) {  // looked for once, though many lines end before it with CR
+        feed_ = static_cast<const char*>(std::memchr(begin, '\n', rest_.size()));
+        if (!feed_) feed_ = end;
+    }
+    const char* stop = feed_;
     if (const void* const cr = std::memchr(begin, '\r', static_cast<std::size_t>(stop - begin)))
         stop = static_cast<const char*>(cr);
     line = {std::string_view(begin, static_cast<std::size_t>(stop - begin)), ++number_};

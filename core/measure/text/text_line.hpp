@@ -18,6 +18,7 @@ public:
 
 private:
     std::string_view rest_;
+    const char* feed_{};  // the next line feed, or the end
     int number_{};
 };
 

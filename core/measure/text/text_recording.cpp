@@ -96,16 +96,20 @@ Diagnostics warningsOf(const Diagnostics& all) {
 
 }  // namespace
 
-Outcome<Table> readTextTables(const std::filesystem::path& file, const ReadOptions& options) {
-    const Outcome<std::string> bytes = readRegularFile(file);
-    if (!bytes) return bytes.diagnostics();
-    Outcome<TextFile> read = readTextFile(*bytes, file.string(), options);
+Outcome<Table> textTables(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+    Outcome<TextFile> read = readTextFile(bytes, name, options);
     if (!read) return read.diagnostics();
     const bool isAlone = read->groups.size() == 1;
     Table first = tableOf(std::move(read->groups.front()), 1, isAlone);
     for (std::size_t i = 1; i < read->groups.size(); ++i)
         first.others.push_back(std::make_shared<const Table>(tableOf(std::move(read->groups[i]), i + 1, isAlone)));
     return {std::move(first), warningsOf(read.diagnostics())};
+}
+
+Outcome<Table> readTextTables(const std::filesystem::path& file, const ReadOptions& options) {
+    const Outcome<std::string> bytes = readRegularFile(file);
+    if (!bytes) return bytes.diagnostics();
+    return textTables(*bytes, file.string(), options);
 }
 
 Outcome<MeasurementFile> openTextOf(std::string_view bytes, const std::string& name, const ReadOptions& options) {
@@ -130,25 +134,6 @@ Outcome<MeasurementFile> openText(const std::filesystem::path& file, const ReadO
     const Outcome<std::string> bytes = readRegularFile(file);
     if (!bytes) return bytes.diagnostics();
     return openTextOf(*bytes, file.string(), options);
-}
-
-Outcome<Table> readCsvText(std::string_view text, const std::string& name, const ReadOptions& options) {
-    Outcome<TextFile> read = readTextFile(text, name, options);
-    if (!read) return read.diagnostics();
-    if (read->groups.size() > 1 && !read->groups.front().name.empty()) {
-        std::vector<std::string> names;
-        for (const TextGroup& group : read->groups) names.push_back(group.name);
-        return fileError(
-            phrase("this file holds several tables: {}", listed(names)), name, 0, 0,
-            phrase("Name the one that is meant with \"group\" beside the column, or keep one table in the file."));
-    }
-    return {joined(std::move(read->groups)), warningsOf(read.diagnostics())};
-}
-
-Outcome<Table> readCsv(const std::filesystem::path& file, const ReadOptions& options) {
-    const Outcome<std::string> bytes = readRegularFile(file);
-    if (!bytes) return bytes.diagnostics();
-    return readCsvText(*bytes, file.string(), options);
 }
 
 }  // namespace analogon

@@ -12,7 +12,12 @@ namespace analogon {
 Outcome<MeasurementFile> openText(const std::filesystem::path& file, const ReadOptions& options = {});
 Outcome<MeasurementFile> openTextOf(std::string_view bytes, const std::string& name, const ReadOptions& options = {});
 
-/// The same as tables, each group over its own raster.
+/// Reads a table that is written as text, by its structure: lines in front of it, up to four rows of header, units in
+/// brackets (`T [degC]`, `T (degC)`, `T in degC`), in a row or in the cells, any usual separator, decimal mark,
+/// encoding and way to write the time. What can be read in two ways that differ, faulty cells and ragged rows are
+/// faults with row and column. Empty cells and NaN are read as NaN (a channel that is mapped decides whether that is a
+/// fault); columns of words are left aside; of several groups each is a table over its own raster.
+Outcome<Table> textTables(std::string_view bytes, const std::string& name, const ReadOptions& options = {});
 Outcome<Table> readTextTables(const std::filesystem::path& file, const ReadOptions& options);
 
 }  // namespace analogon

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/file_fault.hpp"
 #include "core/base/median.hpp"
 #include "core/base/unit.hpp"
 #include "core/measure/text/remark.hpp"
@@ -139,6 +140,12 @@ Diagnostics addCountedTime(RawTable& raw, const PreambleFacts& facts, const Read
     return {remark(std::move(made), file)};
 }
 
+void applyToldUnit(RawTable& raw, const ReadOptions& options) {
+    const std::optional<std::string> unit = timeUnitOf(options.timeFormat);
+    const std::optional<std::size_t> time = unit ? timeColumn(raw.table, raw.kinds) : std::nullopt;
+    if (time && raw.table.columns[*time].unit.empty()) raw.table.columns[*time].unit = *unit;
+}
+
 Diagnostics nameCountedUnit(Table& table, std::size_t time) {
     Column& column = table.columns[time];
     if (!column.unit.empty() || column.values.size() < 2) return {};
@@ -154,10 +161,11 @@ Diagnostics nameCountedUnit(Table& table, std::size_t time) {
         }
     const bool mayBeDays = (first > 30'000 && first < 70'000) || (first > 700'000 && first < 760'000);
     if (mayBeDays && step < 0.2 && first != std::floor(first))
-        return {doubt(
-            phrase("the time in column '{}' begins at {:.9g} and has no unit: it is taken for seconds, and may be days",
+        return {fileError(
+            phrase("the time in column '{}' begins at {:.9g} and has no unit: these may be seconds or days",
                    cited(column.name), first),
-            table.file, table.lines.front(), phrase("Give its unit in the header."))};
+            table.file, table.lines.front(), 0,
+            phrase("Say it in the study: \"read\": {{\"time_format\": \"s\"}} or {{\"time_format\": \"d\"}}."))};
     return {};
 }
 

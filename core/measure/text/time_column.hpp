@@ -26,8 +26,11 @@ Diagnostics addCountedTime(RawTable& raw, const PreambleFacts& facts, const Read
 /// that goes on evenly are spread over their gap. What can be a jump or a fault stays as it is.
 Diagnostics mendRepeatedStamps(Table& table, std::size_t time);
 
+/// A time without a unit gets the one that "time_format" tells.
+void applyToldUnit(RawTable& raw, const ReadOptions& options);
+
 /// A time without a unit whose numbers are those of a known count of milliseconds, microseconds or nanoseconds since
-/// 1970 gets that unit; what may be days is told.
+/// 1970 gets that unit; what may be seconds or days is a fault.
 Diagnostics nameCountedUnit(Table& table, std::size_t time);
 
 /// What is odd about the course of the stamps: pauses.

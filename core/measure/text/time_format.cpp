@@ -19,8 +19,18 @@ std::optional<double> intervalOf(std::string_view timeFormat) {
     return std::nullopt;
 }
 
+std::optional<std::string> timeUnitOf(std::string_view timeFormat) {
+    const std::string unit(withoutBlanks(timeFormat));
+    const bool isUnit = !unit.empty() && areConvertible(unit, "s") && unit != "1";
+    return isUnit ? std::optional(unit) : std::nullopt;
+}
+
+bool isStampFormat(std::string_view timeFormat) {
+    return !timeFormat.empty() && !intervalOf(timeFormat) && !timeUnitOf(timeFormat);
+}
+
 std::optional<Stamp> readStampBy(std::string_view text, const std::string& timeFormat) {
-    if (timeFormat.empty() || intervalOf(timeFormat)) return readStamp(text);
+    if (!isStampFormat(timeFormat)) return readStamp(text);
     if (std::optional<Stamp> whole = readStamp(text, timeFormat)) return whole;
     const std::size_t blank = timeFormat.find_first_of(" T");
     if (blank == std::string::npos) return std::nullopt;
@@ -29,7 +39,7 @@ std::optional<Stamp> readStampBy(std::string_view text, const std::string& timeF
 }
 
 bool isOfTimeFormat(std::string_view text, const std::string& timeFormat) {
-    return !timeFormat.empty() && !intervalOf(timeFormat) && readStampBy(text, timeFormat).has_value();
+    return isStampFormat(timeFormat) && readStampBy(text, timeFormat).has_value();
 }
 
 }  // namespace analogon

@@ -24,11 +24,21 @@ public:
         if (isOpen_) xml.setDevice(&file_);
     }
     bool isOpen() const { return isOpen_; }
+    /// Behind damage the parser would wait for more, which an archive never gives.
+    bool isAtEnd() const { return xml.atEnd() || xml.hasError(); }
     /// The next element that begins; false at the end, or where the XML is damaged.
     bool next() {
-        while (!xml.atEnd())
+        while (!isAtEnd())
             if (xml.readNext() == QXmlStreamReader::StartElement) return true;
         return false;
+    }
+    /// Read to its end, with the checksum that the archive tells.
+    bool isWhole() {
+        if (xml.hasError()) return false;
+        while (!file_.atEnd() && !file_.read(1 << 16).isEmpty()) {
+        }
+        file_.close();
+        return file_.getZipError() == UNZ_OK;
     }
     QString attribute(const char* name) const { return xml.attributes().value(QLatin1String(name)).toString(); }
 
@@ -81,6 +91,7 @@ public:
                 if (part.xml.name() == QLatin1String("sheet"))
                     sheets.emplace_back(part.attribute("name"), targets[part.attribute("r:id")]);
             }
+            check(part, "xl/workbook.xml");
         }
         readSharedTexts();
         readStyles();
@@ -92,6 +103,10 @@ public:
             readSheet(path, sheet);
             read.push_back(std::move(sheet));
         }
+        if (!damaged_.isEmpty())
+            return fileError(phrase("the archive is damaged: its part '{}' cannot be read as it was written",
+                                    damaged_.toStdString()),
+                             file_, 0, 0, phrase("copy it again from where it was saved"));
         return read;
     }
 
@@ -100,7 +115,7 @@ private:
     static std::string richText(Part& part) {
         QString text;
         int depth = 1;
-        while (depth > 0 && !part.xml.atEnd()) {
+        while (depth > 0 && !part.isAtEnd()) {
             const auto token = part.xml.readNext();
             if (token == QXmlStreamReader::StartElement) {
                 if (part.xml.name() == QLatin1String("t")) {
@@ -122,6 +137,7 @@ private:
         if (!part.isOpen()) return;
         while (part.next() && shared_.size() < mostSharedTexts)
             if (part.xml.name() == QLatin1String("si")) shared_.push_back(richText(part));
+        if (shared_.size() < mostSharedTexts) check(part, "xl/sharedStrings.xml");
     }
 
     void readStyles() {
@@ -129,7 +145,7 @@ private:
         if (!part.isOpen()) return;
         std::map<int, QString> codes;
         bool isWithin = false;
-        while (!part.xml.atEnd()) {
+        while (!part.isAtEnd()) {
             const auto token = part.xml.readNext();
             const bool isList = part.xml.name() == QLatin1String("cellXfs");
             if (isList && token != QXmlStreamReader::Characters) isWithin = token == QXmlStreamReader::StartElement;
@@ -144,6 +160,11 @@ private:
                               : isDateFormat(id, code) ? Cell::Kind::Date
                                                        : Cell::Kind::Number);
         }
+        check(part, "xl/styles.xml");
+    }
+
+    void check(Part& part, const QString& name) {
+        if (damaged_.isEmpty() && !part.isWhole()) damaged_ = name;
     }
 
     void readSheet(const QString& path, Sheet& sheet) {
@@ -173,6 +194,7 @@ private:
                 ++cells_;
             }
         }
+        check(part, path);
     }
 
     static std::uint32_t columnOf(const QString& reference, std::uint32_t next) {
@@ -190,7 +212,7 @@ private:
         const std::size_t style = part.attribute("s").toUInt();
         QString value;
         bool hasInline = false;
-        while (!part.xml.atEnd()) {
+        while (!part.isAtEnd()) {
             const auto token = part.xml.readNext();
             if (token == QXmlStreamReader::EndElement && part.xml.name() == QLatin1String("c")) break;
             if (token != QXmlStreamReader::StartElement) continue;
@@ -224,6 +246,7 @@ private:
 
     std::string file_;
     QuaZip archive_;
+    QString damaged_;  // the first part that is; empty: none
     std::vector<std::string> shared_;
     std::vector<Cell::Kind> styles_;
     double dateShift_{};

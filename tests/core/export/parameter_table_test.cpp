@@ -100,6 +100,13 @@ TEST(ParameterTable, DcmHasAFixedValueForEach) {
     EXPECT_THAT(text, HasSubstr("FESTWERT rotor.J\n   EINHEIT_W \"kg.m2\"\n   WERT 0.3333333333333333\nEND\n"));
 }
 
+TEST(ParameterTable, DcmKeepsTheMeaningOfLettersThatItDoesNotHave) {
+    ParameterTable table = sample();
+    table.rows = {{"R", "m\xCE\xA9", "W\xC3\xA4rme \xE2\x80\x93 \xCE\xBCm", 1, {}, {}, false}};
+    const std::string text = parameterText(table, ParameterFormat::Dcm);
+    EXPECT_THAT(text, HasSubstr("LANGNAME \"W\xE4rme - \xB5m\"\n   EINHEIT_W \"mOhm\""));
+}
+
 TEST(ParameterTable, CdfxHasAnInstanceForEach) {
     const std::string text = parameterText(sample(), ParameterFormat::Cdfx);
     EXPECT_THAT(text, HasSubstr("<CATEGORY>CDF20</CATEGORY>"));

@@ -6,6 +6,7 @@
 
 #include "core/fit/fit.hpp"
 #include "core/measure/table.hpp"
+#include "core/measure/text/text_recording.hpp"
 #include "tests/core/simulate/text_models.hpp"
 
 // Fits of differential equations whose optimum is certified to many digits, in the manner of the NIST reference data.
@@ -28,7 +29,7 @@ std::optional<Certified> certified(const std::string& name, const char* model, c
     if (!fs::exists(folder / (name + ".json"))) return std::nullopt;
     Certified result;
     std::ifstream(folder / (name + ".json")) >> result.facts;
-    const Outcome<Table> table = readCsv(folder / (name + ".csv"));
+    const Outcome<Table> table = readTextTables(folder / (name + ".csv"), {});
     EXPECT_TRUE(table);
     if (!table) return std::nullopt;
     FitExperiment experiment;

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "core/measure/text/text_recording.hpp"
+
 using namespace analogon;
 using testing::DoubleNear;
 using testing::ElementsAre;
@@ -14,7 +16,7 @@ using testing::Not;
 namespace {
 
 Table table(std::string_view text) {
-    Outcome<Table> out = readCsvText(text, "run.csv");
+    Outcome<Table> out = textTables(text, "run.csv");
     EXPECT_TRUE(out.hasValue()) << format(out.diagnostics());
     return out ? *out : Table{};
 }

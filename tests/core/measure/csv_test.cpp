@@ -11,6 +11,7 @@
 #include "core/measure/channel.hpp"
 #include "core/measure/open/read_table.hpp"
 #include "core/measure/table.hpp"
+#include "core/measure/text/text_recording.hpp"
 
 using namespace analogon;
 using testing::ElementsAre;
@@ -18,14 +19,14 @@ using testing::HasSubstr;
 
 namespace {
 
-Table read(std::string_view text, const CsvOptions& options = {}) {
-    Outcome<Table> table = readCsvText(text, "test.csv", options);
+Table read(std::string_view text, const ReadOptions& options = {}) {
+    Outcome<Table> table = textTables(text, "test.csv", options);
     EXPECT_TRUE(table.hasValue()) << format(table.diagnostics());
     return table ? *table : Table{};
 }
 
 Diagnostic faultOf(std::string_view text) {
-    const Outcome<Table> table = readCsvText(text, "test.csv");
+    const Outcome<Table> table = textTables(text, "test.csv");
     EXPECT_FALSE(table.hasValue());
     return table ? Diagnostic{} : table.diagnostics().front();
 }
@@ -45,7 +46,7 @@ TEST(Csv, IsNotReadToItsEndWhereItIsStopped) {
     std::stop_source source;
     source.request_stop();
     const StopScope scope(source.get_token());
-    EXPECT_THROW(static_cast<void>(readCsvText("t [s],u\n0,1\n1,2\n", "long.csv", {})), Stopped);
+    EXPECT_THROW(static_cast<void>(textTables("t [s],u\n0,1\n1,2\n", "long.csv", {})), Stopped);
 }
 
 TEST(Csv, ReadsUnitsInEveryUsualWriting) {
@@ -99,7 +100,7 @@ TEST(Csv, ReadsQuotedCellsAndDecimalCommasInThem) {
 }
 
 TEST(Csv, NamesColumnsOfAFileWithoutHeader) {
-    const Outcome<Table> table = readCsvText("0,1\n0.1,2\n", "test.csv");
+    const Outcome<Table> table = textTables("0,1\n0.1,2\n", "test.csv");
     ASSERT_TRUE(table.hasValue());
     EXPECT_THAT(table->names(), ElementsAre("c1", "c2"));
     ASSERT_EQ(table.diagnostics().size(), 1u);
@@ -107,7 +108,7 @@ TEST(Csv, NamesColumnsOfAFileWithoutHeader) {
 }
 
 TEST(Csv, RenamesDuplicatesWithAWarning) {
-    const Outcome<Table> table = readCsvText("time,u,u,u_2\n0,1,2,3\n", "test.csv");
+    const Outcome<Table> table = textTables("time,u,u,u_2\n0,1,2,3\n", "test.csv");
     ASSERT_TRUE(table.hasValue());
     EXPECT_THAT(table->names(), ElementsAre("time", "u", "u_2", "u_2_2"));
     EXPECT_EQ(table.diagnostics().size(), 2u);
@@ -182,7 +183,7 @@ TEST(Csv, ReadsMarksBetweenThousandsThatCanBeNothingElse) {
 }
 
 TEST(Csv, ObeysGivenOptions) {
-    CsvOptions options;
+    ReadOptions options;
     options.separator = ';';
     options.decimal = ',';
     options.hasUnitsRow = true;
@@ -217,7 +218,7 @@ TEST(Csv, ReadsAMillionValuesFast) {
 }
 
 TEST(Csv, NamesTheFileThatCannotBeOpened) {
-    const Outcome<Table> table = readCsv("/nowhere/at all.csv");
+    const Outcome<Table> table = readTextTables("/nowhere/at all.csv", {});
     ASSERT_FALSE(table.hasValue());
     EXPECT_EQ(table.diagnostics()[0].place.file, "/nowhere/at all.csv");
 }
@@ -275,12 +276,12 @@ TEST(Csv, KeepsItsMessagesShort) {
     EXPECT_LT(format(cell).size(), 1000u);
     std::string same = "t";
     for (int i = 0; i < 10000; ++i) same += ",a";
-    const Outcome<Table> table = readCsvText(same + "\n", "test.csv");
+    const Outcome<Table> table = textTables(same + "\n", "test.csv");
     EXPECT_LT(format(table.diagnostics()).size(), 2000u);
 }
 
 TEST(Csv, TellsOfManyColumnsOfOneNameInOneSentence) {
-    const Outcome<Table> table = readCsvText("t,a,a,a,a,a,a,a,a\n0,1,2,3,4,5,6,7,8\n", "test.csv");
+    const Outcome<Table> table = textTables("t,a,a,a,a,a,a,a,a\n0,1,2,3,4,5,6,7,8\n", "test.csv");
     ASSERT_TRUE(table);
     ASSERT_EQ(table.diagnostics().size(), 6u);
     EXPECT_EQ(table.diagnostics().back().message, "2 further columns have the name of another one");

@@ -19,9 +19,11 @@ TEST(Join, UnitesTheStampsOfWhatWasMeasured) {
     EXPECT_THAT(unitedStamps(traces), ElementsAre(0, 0.25, 0.5));
 }
 
-TEST(Join, AnOutputIsNeverResampled) {
-    const std::vector<double> stamps{0, 1, 1.7}, values{5, 6, 7};
-    EXPECT_THAT(measuredAt({stamps, values}, fast), ElementsAre(5, IsNan(), 6, IsNan(), IsNan()));
+TEST(Join, WhatIsBeyondAllNumbersWasNotMeasured) {
+    const std::vector<double> stamps{0, 1, 2}, values{1, INFINITY, 3};
+    const std::vector<Trace> traces{{stamps, values}};
+    EXPECT_THAT(unitedStamps(traces), ElementsAre(0, 2));
+    EXPECT_THAT(courseAt(traces[0], stamps, Course::Linear), ElementsAre(1, 2, 3));
 }
 
 TEST(Join, AnInputRunsStraightFromSampleToSampleAndNotBeyond) {

@@ -7,13 +7,15 @@
 #include <cmath>
 #include <random>
 
+#include "core/measure/text/text_recording.hpp"
+
 namespace analogon {
 namespace {
 
 using testing::HasSubstr;
 
 Diagnostics told(const std::string& text) {
-    const Outcome<Table> table = readCsvText(text, "test.csv");
+    const Outcome<Table> table = textTables(text, "test.csv");
     EXPECT_TRUE(table) << format(table.diagnostics());
     if (!table) return {};
     std::vector<const Column*> used;

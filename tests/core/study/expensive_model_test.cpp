@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "core/base/guard.hpp"
+#include "core/measure/text/text_recording.hpp"
 #include "core/study/run.hpp"
 #include "core/study/study.hpp"
 
@@ -31,7 +32,7 @@ Study studyOf(const std::string& model, int samples) {
     study->modelFile = "model.mo";
     std::string rows = "t [s],u [1],y [1]\n";
     for (int k = 0; k < samples; ++k) rows += std::to_string(0.1 * k) + (k % 2 == 0 ? ",0,0\n" : ",1,0.1\n");
-    Outcome<Table> table = readCsvText(rows, "e.csv");
+    Outcome<Table> table = textTables(rows, "e.csv");
     EXPECT_TRUE(table) << format(table.diagnostics());
     study->tables["e.csv"] = std::make_shared<const Table>(std::move(*table));
     return std::move(*study);

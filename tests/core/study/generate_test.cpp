@@ -4,6 +4,7 @@
 
 #include "core/flat/flat_model.hpp"
 #include "core/measure/open/read_table.hpp"
+#include "core/measure/text/text_recording.hpp"
 #include "core/study/column_guess.hpp"
 #include "core/study/start_guess.hpp"
 #include "mdf_recording.hpp"
@@ -18,7 +19,7 @@ using ::testing::HasSubstr;
 namespace {
 
 std::shared_ptr<const Table> tableOf(const std::string& text, const std::string& name = "run.csv") {
-    Outcome<Table> table = readCsvText(text, name);
+    Outcome<Table> table = textTables(text, name);
     EXPECT_TRUE(table.hasValue()) << format(table.diagnostics());
     return std::make_shared<const Table>(table ? *table : Table{});
 }

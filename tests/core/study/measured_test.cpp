@@ -1,3 +1,4 @@
+#include "core/measure/text/text_recording.hpp"
 #include "core/study/measured.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@ namespace analogon {
 namespace {
 
 std::shared_ptr<const Table> tableOf(const char* text) {
-    const Outcome<Table> table = readCsvText(text, "run.csv");
+    const Outcome<Table> table = textTables(text, "run.csv");
     EXPECT_TRUE(table) << format(table.diagnostics());
     return std::make_shared<const Table>(*table);
 }

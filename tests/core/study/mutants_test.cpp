@@ -1,5 +1,6 @@
 #include "tests/mutants.hpp"
 
+#include "core/measure/text/text_recording.hpp"
 #include "core/study/study.hpp"
 
 /// Studies that are nearly one. Each must end in a task or in messages.
@@ -37,7 +38,7 @@ bool goesThrough(const std::string& json, const std::string& model, const std::s
         return false;
     }
     study->models["model.mo"] = model;
-    Outcome<Table> read = readCsvText(table, "train.csv");
+    Outcome<Table> read = textTables(table, "train.csv");
     if (!read) {
         EXPECT_LT(format(read.diagnostics()).size(), 20000u);
         return false;

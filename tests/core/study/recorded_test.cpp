@@ -17,6 +17,7 @@ using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsNan;
+using ::testing::Not;
 using ::testing::Pointwise;
 using testing::putMdf;
 
@@ -132,6 +133,21 @@ TEST_F(RecordedFiles, AnMdfFileWithThreeRastersIsARecording) {
     ASSERT_EQ(r.spares.size(), 1u);
     EXPECT_EQ(r.spares[0].name, "mode");
     EXPECT_THAT(r.spares[0].values, ElementsAre(0, 0, 1, 1, 1));
+}
+
+TEST_F(RecordedFiles, TheTimeIsThatOfTheFileWhereTheStudyNamesNone) {
+    putThreeRasters();
+    const std::string channels = R"("inputs": {"u": "u", "T_amb": {"column": "T_air", "interpolation": "hold"}},
+        "outputs": {"i": "i"})";
+    putStudy(R"("file": "run.mf4", )" + channels);
+    EXPECT_THAT(recording().time, ElementsAre(0, 1, 1.25, 2, 3));
+    EXPECT_EQ(read().experiments[0].timeColumn, "t_1");  // of the group of its output
+    EXPECT_THAT(studyJson(read()), Not(HasSubstr("\"time\"")));
+    put("run.csv", "u [mV],Zeit [ms],T_air [degC],i [mA]\n0,0,20,0\n500,500,20,167\n1000,1000,21,333\n");
+    putStudy(R"("file": "run.csv", )" + channels);
+    EXPECT_THAT(recording().time, ElementsAre(0, 0.5, 1));
+    put("run.csv", "u [mV],T_air [degC],i [mA]\n0,20,0\n500,20,167\n1000,21,333\n");
+    EXPECT_THAT(format(estimationTask(read()).diagnostics()), HasSubstr("tells which column is the time"));
 }
 
 TEST_F(RecordedFiles, AStateIsHeldUnlessTheStudyAsksForLines) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/measure/text/text_recording.hpp"
 #include "core/study/run.hpp"
 #include "core/study/study.hpp"
 
@@ -28,7 +29,7 @@ Study lag(double unitOfInput, double unitOfOutput, double k) {
         const double t = 0.05 * i, wiggle = 0.001 * ((i * 7919) % 13 - 6);
         rows += fmt::format("{},{},{}\n", t, unitOfInput, unitOfOutput * (2 * (1 - std::exp(-t / 1.5)) + wiggle));
     }
-    Outcome<Table> table = readCsvText(rows, "step.csv");
+    Outcome<Table> table = textTables(rows, "step.csv");
     EXPECT_TRUE(table) << format(table.diagnostics());
     study->tables["step.csv"] = std::make_shared<const Table>(std::move(*table));
     return std::move(*study);

@@ -5,6 +5,7 @@
 
 #include "core/measure/open/open_recording.hpp"
 #include "core/measure/table.hpp"
+#include "core/measure/text/text_recording.hpp"
 
 /// Files as instruments write them, with what is known of each; passed over where they are not at hand.
 namespace analogon {
@@ -116,7 +117,7 @@ TEST(FieldFiles, KeepTheSecondRasterOfAFile) {
 
 TEST(FieldFiles, HaveAnEvenTimeWhereItsDigitsAreTooFew) {
     if (!fs::exists(folder())) GTEST_SKIP() << "the files are not at hand";
-    const Outcome<Table> table = readCsv(folder() / "28-time-with-too-few-digits/ds1042c.csv");
+    const Outcome<Table> table = readTextTables(folder() / "28-time-with-too-few-digits/ds1042c.csv", {});
     ASSERT_TRUE(table);
     const std::vector<double>& time = table->columns[0].values;
     EXPECT_NEAR(time.back() - time.front(), 399 * 5e-6, 1e-8);

@@ -146,6 +146,84 @@ TEST(TextFile, ReadsKeysWithoutAHeaderAndAnEmptyFirstColumn) {
     EXPECT_THAT(column(file, "CH1").values, ElementsAre(1.5, 1.6, 1.7));
 }
 
+TEST(TextFile, AKeyWithOneValueTellsNothingOfSeveralColumns) {
+    const TextFile file = read("Interval unit,ms\nunit,ms\nDevice,ABC\nTime,Voltage,Current\n0,1,2\n1,2,3\n2,3,4\n");
+    EXPECT_THAT(names(file), ElementsAre("Time", "Voltage", "Current"));
+    EXPECT_EQ(column(file, "Voltage").unit, "");
+    EXPECT_THAT(file.groups[0].comments, ElementsAre("", "", ""));
+}
+
+TEST(TextFile, AChannelInMillisecondsBesideAClockKeepsItsNameFromAPreamble) {
+    const TextFile file =
+        read("Name,Zeit,cycle,U\nEinheit,hh:mm:ss,ms,V\n,10:00:00,10,1\n,10:00:01,12,2\n,10:00:02,11,3\n");
+    EXPECT_THAT(names(file), ElementsAre("Zeit", "cycle", "U"));
+    EXPECT_THAT(column(file, "cycle").values, ElementsAre(10, 12, 11));
+}
+
+TEST(TextFile, TakesUnitsBelowTheNamesThoughColumnsOfWordsHaveNone) {
+    const TextFile file = read(
+        "Number,Date&Time,ms,CH1,CH2,Alarm1,Alarm2,Out\nNO.,Time,ms,V,degC,A1,A2,A3\n"
+        "1,2024/06/15 10:30:00,0,+12.0,+20.0,LL,LL,LL\n2,2024/06/15 10:30:00,100,+12.1,+20.1,LL,LL,LL\n");
+    EXPECT_EQ(column(file, "CH1").unit, "V");
+    EXPECT_EQ(column(file, "CH2").unit, "degC");
+    EXPECT_THAT(timeOf(file), ElementsAre(0, 0.1));
+}
+
+TEST(TextFile, FindsNamesAboveUnitsAndSettings) {
+    const TextFile file = read(
+        "CATMAN\nChannels: 2\n\nTime  1 - default\tForce\ns\tkN\n15.06.2024 10:30:00\t15.06.2024 10:30:00\n"
+        "SR=10\tSR=10\n0,0\t1,5\n0,1\t2,5\n0,2\t3,5\n");
+    EXPECT_THAT(names(file), ElementsAre("Time  1 - default", "Force"));
+    EXPECT_EQ(column(file, "Force").unit, "kN");
+    EXPECT_THAT(timeOf(file), ElementsAre(0, 0.1, 0.2));
+}
+
+TEST(TextFile, ReadsRowsOfTheHeaderByTheKeysInFrontOfThem) {
+    const TextFile file = read(
+        "Name;Time;n_Mot;M_Mot\nDescription;Messzeit;Drehzahl;Moment\nUnit;s;1/min;Nm\nSource;ETAS;CAN;CAN\n"
+        ";0,0;900,5;1,1\n;0,1;901,5;1,2\n");
+    EXPECT_THAT(names(file), ElementsAre("Time", "n_Mot", "M_Mot"));
+    EXPECT_EQ(column(file, "M_Mot").unit, "Nm");
+    EXPECT_EQ(file.groups[0].comments[1], "Drehzahl; CAN");
+}
+
+TEST(TextFile, AColumnOfRemarksMayHaveNoCells) {
+    const std::string head = "X_Value\tU\tI\tComment\n";
+    EXPECT_THAT(names(read(head + "0\t1\t2\n1\t3\t4\n2\t5\t6\tmarker\n3\t7\t8\n")), ElementsAre("X_Value", "U", "I"));
+    const TextFile counted = read("Delta_X\t0.5\t0.5\n" + head + "\t1\t2\n\t3\t4\n\t5\t6\n");
+    EXPECT_THAT(names(counted), ElementsAre("time", "U", "I"));
+    EXPECT_THAT(timeOf(counted), ElementsAre(0, 0.5, 1));
+    EXPECT_THAT(faultOf("a\tb\tc\td\n0\t1\t2\n1\t3\t4\n"), HasSubstr("3 cells, the header has 4"));
+}
+
+TEST(TextFile, TakesUnitsOfChannelsFromKeysWithTheirNames) {
+    const TextFile file =
+        read("Vertical Units,CH1:V,CH2:A\nHorizontal Units,s\nSource,CH1,CH2\nSecond,Value,Value\n-0.1,1,2\n0,3,4\n");
+    EXPECT_EQ(column(file, "CH1").unit, "V");
+    EXPECT_EQ(column(file, "CH2").unit, "A");
+}
+
+TEST(TextFile, TellsTheStartThatStandsBelowTheNames) {
+    EXPECT_EQ(read("\"TraceName\",\"CH1\"\n\"VUnit\",\"V\"\n\"HResolution\",1.0E-03\n\"Date\",\"2024/06/15\"\n"
+                   "\"Time\",\"10:30:00.5\"\n\n,1.5\n,2.5\n,3.5\n")
+                  .start,
+              "2024-06-15T10:30:00.5");
+}
+
+TEST(TextFile, LeavesRowsOfFiguresBehindTheTableAside) {
+    const std::string table = "Time [s],U [V]\n0,1\n1,2\n2,3\n";
+    EXPECT_THAT(timeOf(read(table + "\nMin,1\nMax,3\n")), ElementsAre(0, 1, 2));
+    EXPECT_THAT(told(table + "\nMin,1\nMax,3\n"), HasSubstr("are left out"));
+    EXPECT_THAT(faultOf(table + "x,1\n"), HasSubstr("'x'"));
+    EXPECT_THAT(faultOf(table + "\nChannels,2\nX,Y\n0,1\n1,2\n"), HasSubstr("Another table"));
+}
+
+TEST(TextFile, ReadsLinesThatEndWithAReturnAloneInOnePass) {
+    std::string text = "t,u\r";
+    for (int i = 0; i < 200'000; ++i) text += std::to_string(i) + ",1\r";
+    EXPECT_EQ(timeOf(read(text)).size(), 200'000u);
+}
+
 TEST(TextFile, ReadsColumnsThatBlanksPartWithUnitsInTheHeader) {
     const TextFile file = read("Time (s)   Motor speed (rpm)   T (degC)\n0.0   1500.5   20\n0.1   1501.5   21\n");
     EXPECT_THAT(names(file), ElementsAre("Time", "Motor speed", "T"));
@@ -390,7 +468,16 @@ TEST(TextFile, KnowsCountsSince1970) {
     const std::string text = "timestamp,u\n1718440200000,1\n1718440200010,2\n1718440200020,3\n";
     EXPECT_EQ(column(read(text), "timestamp").unit, "ms");
     EXPECT_THAT(told(text), HasSubstr("are taken for ms since 1970"));
-    EXPECT_THAT(told("Time,u\n45458.4375,1\n45458.43751,2\n45458.43752,3\n"), HasSubstr("may be days"));
+}
+
+TEST(TextFile, AsksWhetherATimeIsInSecondsOrDays) {
+    const std::string text = "Time,u\n45458.4375,1\n45458.43751,2\n45458.43752,3\n";
+    EXPECT_THAT(faultOf(text), HasSubstr("may be seconds or days"));
+    ReadOptions options;
+    options.timeFormat = "d";
+    EXPECT_EQ(column(read(text, options), "Time").unit, "d");
+    options.timeFormat = "s";
+    EXPECT_EQ(column(read(text, options), "Time").unit, "s");
 }
 
 TEST(TextFile, SaysWhereTheHeaderStandsAgain) {
@@ -410,12 +497,10 @@ TEST(TextFile, PairsEachChannelWithTheTimeOnItsLeft) {
     EXPECT_THAT(timeOf(file, 1), ElementsAre(3, 23));
     EXPECT_THAT(column(file, "Motor.Temp", 1).values, ElementsAre(25, 25.4));
     EXPECT_EQ(column(file, "Motor.Temp", 1).unit, "degC");
-    // one table for a study: what was not measured at a stamp is a gap
-    const Outcome<Table> table = readCsvText(text, "test.csv");
+    const Outcome<Table> table = textTables(text, "test.csv");
     ASSERT_TRUE(table);
-    EXPECT_THAT(table->find("Time")->values, ElementsAre(0, 3, 5, 10, 15, 23));
-    EXPECT_EQ(table->find("Motor.Temp")->blanks.size(), 4u);
-    EXPECT_EQ(table->find("Motor.Temp")->values[1], 25);
+    ASSERT_EQ(table->others.size(), 1u);
+    EXPECT_THAT(table->others[0]->find("Motor.Temp")->values, ElementsAre(25, 25.4));
 }
 
 TEST(TextFile, KeepsBlankCellsOfTwoRasters) {
@@ -454,9 +539,9 @@ TEST(TextFile, ReadsTablesOfTheModelicaLibrary) {
     EXPECT_THAT(column(file, "c2").values, ElementsAre(1, 2, 3));
     const std::string two = "#1\ndouble a(2,2)\n0 1\n1 2\ndouble b(2,2)\n0 3\n1 4\n";
     EXPECT_EQ(read(two).groups.size(), 2u);
-    const Outcome<Table> table = readCsvText(two, "test.csv");
-    ASSERT_FALSE(table);
-    EXPECT_THAT(format(table.diagnostics()), HasSubstr("a and b"));
+    const Outcome<Table> table = textTables(two, "test.csv");
+    ASSERT_TRUE(table);
+    EXPECT_EQ(table->others.at(0)->columns.at(1).group, "b");
     EXPECT_THAT(faultOf("#1\ndouble a(3,2)\n0 1\n1 2\n"), HasSubstr("ends after 4 of 6"));
 }
 
@@ -508,7 +593,7 @@ TEST(TextFile, OutlivesEveryMutant) {
                           group.table.lines.size())
                     << text;
             }
-        static_cast<void>(readCsvText(text, "mutant.csv"));
+        static_cast<void>(textTables(text, "mutant.csv"));
     }
 }
 
