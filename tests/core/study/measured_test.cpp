@@ -1,9 +1,10 @@
-#include "core/measure/text/text_recording.hpp"
 #include "core/study/measured.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "core/measure/text/text_recording.hpp"
 
 namespace analogon {
 namespace {
