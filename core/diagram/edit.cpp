@@ -454,9 +454,10 @@ std::set<std::uint32_t> ModelEdit::placesOf(std::string_view variable, bool also
     for (const Component& c : definition_->components) names.visit(c);
     for (const syntax::Extends& base : definition_->bases)
         for (const Modification& m : base.modifications) names.visit(m);
-    for (const syntax::EquationSection& section : definition_->equationSections)
-        for (const Equation& equation : section.equations)
-            if (alsoInConnections || equation.kind != Equation::Kind::Connect) names.visit(equation);
+    for (const auto* sections : {&definition_->equationSections, &definition_->algorithmSections})
+        for (const syntax::EquationSection& section : *sections)
+            for (const Equation& equation : section.equations)
+                if (alsoInConnections || equation.kind != Equation::Kind::Connect) names.visit(equation);
     std::set<std::uint32_t> places;
     for (const syntax::Name* name : names.found)
         if (name->parts.front().identifier == variable) places.insert(name->parts.front().span.begin);

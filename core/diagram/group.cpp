@@ -335,9 +335,10 @@ private:
             if (!isInside(c.name)) names.visit(c);
         for (const syntax::Extends& base : definition_.bases)
             for (const Modification& m : base.modifications) names.visit(m);
-        for (const syntax::EquationSection& section : definition_.equationSections)
-            for (const Equation& e : section.equations)
-                if (e.kind != Equation::Kind::Connect) names.visit(e);
+        for (const auto* sections : {&definition_.equationSections, &definition_.algorithmSections})
+            for (const syntax::EquationSection& section : *sections)
+                for (const Equation& e : section.equations)
+                    if (e.kind != Equation::Kind::Connect) names.visit(e);
         for (const syntax::Name* used : names.found)
             if (isInside(used->parts.front().identifier)) {
                 const std::uint32_t at = used->parts.front().span.begin;

@@ -33,8 +33,9 @@ private:
             for (const Modification& m : e.modifications) visit(m);
         }
         for (const Component& component : c.components) visit(component);
-        for (const syntax::EquationSection& s : c.equationSections)
-            for (const Equation& e : s.equations) visit(e);
+        for (const auto* sections : {&c.equationSections, &c.algorithmSections})
+            for (const syntax::EquationSection& s : *sections)
+                for (const Equation& e : s.equations) visit(e);
         if (c.isShort) names_.push_back(c.shortBase);
         for (const Modification& m : c.shortModifications) visit(m);
         if (c.constrainedBy) names_.push_back(*c.constrainedBy);

@@ -16,7 +16,11 @@ using Kind = syntax::Equation::Kind;
 void Equations::translateAll() {
     for (std::size_t c = 0; c < work_.components.size() && !work_.messages.full(); ++c) {
         Instance& instance = *work_.components[c];
-        for (const Instance::Part& part : instance.parts)
+        for (const Instance::Part& part : instance.parts) {
+            for (const auto& section : part.definition->algorithmSections)
+                work_.messages.error(section.isInitial ? phrase("initial algorithm sections are not supported")
+                                                       : phrase("algorithm sections are not supported"),
+                                     section.keyword, phrase("write the relations as equations"));
             for (const auto& section : part.definition->equationSections) {
                 found_.clear();
                 isInitial_ = section.isInitial;
@@ -25,6 +29,7 @@ void Equations::translateAll() {
                 std::ranges::move(found_, std::back_inserter(target));
                 if (!isInitial_) instance.equations += static_cast<int>(found_.size());
             }
+        }
     }
 }
 
@@ -54,6 +59,12 @@ void Equations::translate(const syntax::Equation& equation, const Scope& scope) 
             return loop(equation, 0, scope);
         case Kind::Call:
             return assertion(equation, scope);
+        case Kind::When:
+            return work_.messages.error(
+                phrase("when equations are not supported"), equation.keyword,
+                phrase("a relation outside noEvent already is an event: write the equation with if"));
+        default:  // statements stand in algorithms
+            return;
     }
 }
 

@@ -96,6 +96,12 @@ void Instantiator::collect(Instance& instance, const LibraryClass& definition, c
     }
     if (instance.parts.size() > mostBases)
         return work_.messages.fatal(phrase("'{}' inherits too many classes", instance.className), tree.nameSpan);
+    if (tree.extendsItself)
+        return work_.messages.error(phrase("\"{} extends\" not supported", keyword(tree.restriction)), tree.nameSpan,
+                                    phrase("give the class a name of its own and inherit with \"extends Base(…);\""));
+    if (tree.external)
+        return work_.messages.error(phrase("external functions are not supported"), tree.external->span,
+                                    phrase("write the relation as equations"));
     path.push_back(&definition);
     work_.keepSource(tree);
     const Scope scope{&instance, &definition};

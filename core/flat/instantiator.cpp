@@ -28,6 +28,14 @@ FlatVariability flatVariability(syntax::Variability variability) {
     }
 }
 
+/// A prefix of a declaration, where it stands.
+Span wordOf(const syntax::Component& component, std::string_view word) {
+    const auto at = component.clauseSpan.text().find(word);
+    if (at == std::string_view::npos) return component.nameSpan;
+    const auto begin = static_cast<std::uint32_t>(component.clauseSpan.begin + at);
+    return {component.clauseSpan.source, begin, static_cast<std::uint32_t>(begin + word.size())};
+}
+
 syntax::Variability stronger(syntax::Variability a, syntax::Variability b) {
     return static_cast<int>(a) > static_cast<int>(b) ? a : b;
 }
@@ -125,9 +133,14 @@ bool Instantiator::prepare(Instance& instance, Element& element) {
     const syntax::Component& declaration = *element.declaration;
     const syntax::Component& original = *element.original;
     if (original.isInner || original.isOuter) {
-        work_.messages.error(
-            phrase("'{}' of '{}' is not supported", original.isInner ? "inner" : "outer", declaration.name),
-            declaration.nameSpan, phrase("pass the value as a parameter or connect it"));
+        work_.messages.error(phrase("\"{}\" components are not supported", original.isInner ? "inner" : "outer"),
+                             wordOf(original, original.isInner ? "inner" : "outer"),
+                             phrase("connect the component explicitly"));
+        return false;
+    }
+    if (original.isStream) {
+        work_.messages.error(phrase("stream variables are not supported"), wordOf(original, "stream"),
+                             phrase("use a potential and a flow variable"));
         return false;
     }
     if (const auto& condition = declaration.condition ? declaration.condition : original.condition) {
@@ -273,6 +286,16 @@ bool Instantiator::mayContain(const Instance& instance, const Element& element) 
     if (instance.depth >= deepest) {
         work_.messages.error(phrase("components are nested more than {} deep at '{}'", deepest, name),
                              element.declaration->nameSpan);
+        return false;
+    }
+    if (tree.isOperator || tree.restriction == Restriction::Operator) {
+        work_.messages.error(phrase("operator classes are not supported"), element.declaration->typeSpan,
+                             phrase("write the relation as equations of a block"));
+        return false;
+    }
+    if (tree.isExpandable) {
+        work_.messages.error(phrase("expandable connectors are not supported"), element.declaration->typeSpan,
+                             phrase("list the variables in a plain connector"));
         return false;
     }
     if (!mayBeComponent(tree.restriction)) {

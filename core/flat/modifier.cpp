@@ -27,6 +27,9 @@ void addArguments(Modifier& target, const std::vector<syntax::Modification>& arg
                   Messages& messages);
 
 void addArgument(Modifier& target, const syntax::Modification& argument, const Scope& scope, Messages& messages) {
+    if (argument.isBreak)
+        return messages.error(phrase("\"break\" is not supported"), argument.span,
+                              phrase("inherit a class without the element instead"));
     Modifier* node = &target;
     for (const auto& part : argument.name.parts) node = &node->child(part.identifier);
     if (node == &target) return;

@@ -63,6 +63,21 @@ std::optional<Value> Translator::translateNested(const Expression& expression, c
             work_.messages.error(phrase("a list in parentheses is not a value here"), expression.span,
                                  phrase("write one equation for each member"));
             return std::nullopt;
+        case Kind::Matrix:
+            return matrix(expression, scope);
+        case Kind::Select:
+            return selected(expression, scope);
+        case Kind::Function:
+            work_.messages.error(phrase("functions as arguments are not supported"), expression.span,
+                                 phrase("write the relation as equations"));
+            return std::nullopt;
+        case Kind::Break:
+            work_.messages.error(phrase("\"break\" is not supported"), expression.span,
+                                 phrase("give the value itself"));
+            return std::nullopt;
+        case Kind::Empty:
+            work_.messages.error(phrase("a value is missing here"), expression.span);
+            return std::nullopt;
     }
     work_.messages.error(phrase("'{}' has a meaning in a subscript only", expression.span.text()), expression.span);
     return std::nullopt;
@@ -198,6 +213,78 @@ std::optional<Value> Translator::array(const Expression& expression, const Scope
         if (!part || !spend(part->size() + 1, operand.span) || !append(result, *part, operand.span))
             return std::nullopt;
     }
+    return result;
+}
+
+/// `(…)[2]`
+std::optional<Value> Translator::selected(const Expression& expression, const Scope& scope) {
+    const syntax::NamePart& part = expression.name.parts.front();
+    if (!part.identifier.empty()) {
+        work_.messages.error(phrase("'{}': a member of an expression is not supported", expression.span.text()),
+                             expression.span, phrase("name the record by a variable of its own"));
+        return std::nullopt;
+    }
+    auto value = translate(expression.operands[0], scope);
+    return value ? selectFromValue(std::move(*value), part.subscripts, scope, expression.span) : std::nullopt;
+}
+
+/// `[a, b; c, d]`: parts side by side in a row, rows below each other (section 10.4.2.1). A vector is a column.
+std::optional<Value> Translator::matrix(const Expression& expression, const Scope& scope) {
+    std::vector<Value> rows;
+    for (const Expression& row : expression.operands) {
+        std::vector<Value> parts;
+        for (const Expression& operand : row.operands) {
+            auto part = translate(operand, scope);
+            if (!part) return std::nullopt;
+            if (part->dimensions.size() > 2) {
+                work_.messages.error(phrase("'{}' has more than two dimensions and is no part of a matrix in brackets",
+                                            operand.span.text()),
+                                     operand.span);
+                return std::nullopt;
+            }
+            while (part->dimensions.size() < 2) part->dimensions.push_back(1);
+            parts.push_back(std::move(*part));
+        }
+        auto joined = concatenated(parts, 1, row.span);
+        if (!joined) return std::nullopt;
+        rows.push_back(std::move(*joined));
+    }
+    return concatenated(rows, 0, expression.span);
+}
+
+/// Arrays one behind the other along a dimension (0-based); the other sizes must agree.
+std::optional<Value> Translator::concatenated(const std::vector<Value>& parts, std::size_t along, const Span& span) {
+    Value result = parts.front();
+    for (std::size_t p = 1; p < parts.size(); ++p) {
+        const Value& part = parts[p];
+        const bool bothNumeric = part.isNumeric() && result.isNumeric();
+        bool fits = part.dimensions.size() == result.dimensions.size() &&
+                    (bothNumeric || (part.type == result.type && part.enumeration == result.enumeration));
+        for (std::size_t d = 0; fits && d < part.dimensions.size(); ++d)
+            fits = d == along || part.dimensions[d] == result.dimensions[d];
+        if (!fits) {
+            work_.messages.error(
+                phrase("{} and {} cannot stand side by side in one array", typeText(result), typeText(part)), span);
+            return std::nullopt;
+        }
+        result.dimensions[along] += part.dimensions[along];
+        if (part.type == FlatType::Real) result.type = FlatType::Real;
+    }
+    std::size_t outer = 1;
+    for (std::size_t d = 0; d < along; ++d) outer *= static_cast<std::size_t>(result.dimensions[d]);
+    if (!spend(elementCount(result.dimensions), span)) return std::nullopt;
+    result.elements.clear();
+    result.texts.clear();
+    for (std::size_t o = 0; o < outer; ++o)
+        for (const Value& part : parts) {
+            const auto count = static_cast<std::ptrdiff_t>(part.size() / std::max<std::size_t>(outer, 1));
+            const auto first = static_cast<std::ptrdiff_t>(o) * count;
+            if (part.type == FlatType::String)
+                result.texts.insert(result.texts.end(), part.texts.begin() + first, part.texts.begin() + first + count);
+            else
+                result.elements.insert(result.elements.end(), part.elements.begin() + first,
+                                       part.elements.begin() + first + count);
+        }
     return result;
 }
 

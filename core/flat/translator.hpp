@@ -83,6 +83,9 @@ private:
     std::optional<Value> array(const Expression& expression, const Scope& scope);
     std::optional<Value> comprehension(const Expression& expression, const Scope& scope, std::size_t outermost);
     bool append(Value& array, const Value& part, const Span& span);
+    std::optional<Value> selected(const Expression& expression, const Scope& scope);
+    std::optional<Value> matrix(const Expression& expression, const Scope& scope);
+    std::optional<Value> concatenated(const std::vector<Value>& parts, std::size_t along, const Span& span);
 
     Flattening& work_;
     std::vector<std::pair<std::string, Value>> iterators_;

@@ -163,6 +163,11 @@ void Instantiator::constrain(ResolvedType& type, Instance& instance, const std::
 std::optional<ResolvedType> Instantiator::followClass(const LibraryClass& definition, const Scope& scope, int depth) {
     const syntax::ClassDefinition& tree = *definition.definition;
     work_.keepSource(tree);
+    if (tree.isOpenEnumeration) {
+        work_.messages.error(phrase("open enumerations, \"(:)\", are not supported"), tree.nameSpan,
+                             phrase("list the literals"));
+        return std::nullopt;
+    }
     if (tree.isEnumeration) {
         ResolvedType type;
         type.isBuiltin = true;

@@ -37,6 +37,8 @@ const char* keyword(ClassDefinition::Restriction restriction) {
             return "class";
         case ClassDefinition::Restriction::Function:
             return "function";
+        case ClassDefinition::Restriction::Operator:
+            return "operator";
     }
     return "class";
 }

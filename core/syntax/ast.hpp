@@ -7,7 +7,7 @@
 
 #include "core/base/source.hpp"
 
-/// The tree of a Modelica text (Modelica 3.6, the subset of the contract). Every node has its span, so a
+/// The tree of a Modelica text (the whole grammar of Modelica 3.6, appendix A). Every node has its span, so a
 /// message can point at it and a text edit can replace it. Trees are immutable once parsed and shared.
 namespace analogon::syntax {
 
@@ -48,7 +48,12 @@ struct Expression {
         Range,      // operands: first, last or first, step, last
         Colon,      // `:` as a subscript
         End,        // `end` in a subscript
-        Tuple       // ( a, b )
+        Tuple,      // ( a, b )
+        Matrix,     // [ a, b; c, d ]: operands are the rows, each an Array
+        Function,   // function name(named…): a function with some of its arguments, as an argument
+        Select,     // (operands[0]) followed by subscripts or .member: the one part of name
+        Empty,      // nothing between the commas of (a, , b)
+        Break       // `break` as the value of a modification
     };
 
     Kind kind{Kind::Number};
@@ -80,6 +85,8 @@ struct Modification {
     std::shared_ptr<const Component> redeclaredComponent;    // redeclare T x(…)
     std::shared_ptr<const ClassDefinition> redeclaredClass;  // redeclare model M = …
     std::string description;
+    bool isBreak{};                         // extends B(break x): the element is left out
+    std::vector<Expression> brokenConnect;  // … break connect(a, b): the two connectors
     Span span;
 };
 
@@ -101,6 +108,7 @@ struct Component {
     Variability variability{Variability::Continuous};
     Causality causality{Causality::None};
     bool isFlow{};
+    bool isStream{};
     bool isProtected{};
     bool isFinal{};
     bool isReplaceable{};
@@ -132,13 +140,19 @@ struct Extends {
     Span span;  // with its `;`
 };
 
+/// An equation, or a statement of an algorithm.
 struct Equation {
     enum class Kind {
         Equality,  // left = right
         Connect,   // connect(left, right): both references
         If,        // branches, else branch has no condition
         For,       // iterators, body
-        Call       // assert(…), terminate(…): left is the call
+        When,      // branches, each with its condition
+        Call,      // assert(…), terminate(…): left is the call
+        Assign,    // left := right; left may be a tuple
+        While,     // the one branch
+        Break,
+        Return
     };
     struct Branch {
         std::optional<Expression> condition;
@@ -158,13 +172,24 @@ struct Equation {
     std::vector<Equation> body;
     std::string description;
     std::optional<Annotation> annotation;
-    Span span;  // with its `;`
+    Span keyword;  // the word it begins with, of those that begin with one
+    Span span;     // with its `;`
 };
 
 struct EquationSection {
     bool isInitial{};
     std::vector<Equation> equations;
-    Span keyword;  // `equation` or `initial equation`
+    Span keyword;  // `equation`, `initial equation`, `algorithm` or `initial algorithm`
+};
+
+/// `external "C" y = f(x) annotation(…);`
+struct External {
+    std::string language;  // empty: not given
+    std::optional<Expression> result;
+    std::string function;  // empty: the name of the class
+    std::vector<Expression> arguments;
+    std::optional<Annotation> annotation;
+    Span span;
 };
 
 struct Import {
@@ -175,7 +200,7 @@ struct Import {
 };
 
 struct ClassDefinition {
-    enum class Restriction { Model, Block, Connector, Record, Package, Type, Class, Function };
+    enum class Restriction { Model, Block, Connector, Record, Package, Type, Class, Function, Operator };
 
     Restriction restriction{Restriction::Model};
     bool isPartial{};
@@ -184,6 +209,13 @@ struct ClassDefinition {
     bool isReplaceable{};
     bool isRedeclare{};
     bool isProtected{};
+    bool isInner{};
+    bool isOuter{};
+    bool isOperator{};    // operator record, operator function
+    bool isExpandable{};  // connector
+    bool isPure{};        // function: written so
+    bool isImpure{};
+    bool extendsItself{};  // `model extends M`: the inherited class M with more
     std::string name;
     std::string description;
 
@@ -192,7 +224,10 @@ struct ClassDefinition {
     std::vector<Component> components;
     std::vector<std::shared_ptr<const ClassDefinition>> classes;
     std::vector<EquationSection> equationSections;
+    std::vector<EquationSection> algorithmSections;
+    std::optional<External> external;
     std::optional<Annotation> annotation;
+    Span restrictionSpan;  // the word that says the kind
 
     /// `type T = Base[dims](modifications)`, also `connector C = input Real`, `model M = N(…)`.
     bool isShort{};
@@ -204,6 +239,8 @@ struct ClassDefinition {
     std::vector<std::string> enumeration;              // type E = enumeration(…)
     std::vector<std::string> enumerationDescriptions;  // one per literal; may be empty texts
     bool isEnumeration{};
+    bool isOpenEnumeration{};               // enumeration(:)
+    std::vector<std::string> derivativeOf;  // function d = der(f, x, y): x, y; shortBase is f
 
     std::optional<Name> constrainedBy;  // of a replaceable class
     std::vector<Modification> constrainedByModifications;

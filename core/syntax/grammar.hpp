@@ -46,6 +46,8 @@ private:
     Component componentPrototype();
     void typePrefixes(Component& component);
     void declaration(Component& component, const Component& prototype);
+    void derivativeClass(ClassDefinition& definition);
+    Modification breakModification();
     void constrainingClause(std::optional<Name>& base, std::vector<Modification>& modifications);
     Text misspelt(Text otherwise, std::string_view word = {}) const;
     void checkDoubles(const ClassDefinition& definition);
@@ -55,15 +57,12 @@ private:
     bool closesClass() const;
     void restart() { inSubscript_ = false, annotationDepth_ = 0; }
 
-    // Refused constructs (grammar_refusal.cpp): one message each, the construct is skipped as a whole.
-    void refuse(Text message, Text hint);
-    bool refuseClassKind();
-    bool isBuiltinFunction() const;
-    std::shared_ptr<ClassDefinition> builtinFunction();
-    bool refuseSection();
-    void refuseElementPrefix();
-    void skipClass();
-    void skipAlgorithm();
+    // Algorithms and external functions (A.2.6, A.2.2; grammar_statement.cpp)
+    void statements(EquationSection& section);
+    Equation statement();
+    Equation simpleStatement();
+    std::vector<Equation> statementBody();
+    void externalClause(ClassDefinition& definition);
 
     // Equations (A.2.6)
     void equations(EquationSection& section);
@@ -71,8 +70,11 @@ private:
     bool atBlock() const;
     void skipBlock();
     Equation equation();
-    Equation ifEquation();
-    Equation forEquation();
+    enum class Body { Equations, Statements };
+    std::vector<Equation> body(Body of) { return of == Body::Equations ? equationBody() : statementBody(); }
+    Equation conditional(Equation::Kind kind, Body of);
+    Equation forLoop(Body of);
+    bool atBodyEnd() const;
     Equation connectEquation();
     Equation simpleEquation();
     std::vector<Equation> equationBody();
@@ -103,6 +105,9 @@ private:
     Expression braces();
     Expression matrix();
     Expression referenceOrCall();
+    Expression partialApplication();
+    Expression selection(Expression from, std::size_t begin);
+    void namedArgument(Expression& call);
     Expression call(Name name, std::size_t begin);
     void callArguments(Expression& call);
     void iterators(Expression& expression);

@@ -21,16 +21,18 @@ constexpr std::array restrictions{
     RestrictionWord{"model", Restriction::Model},         RestrictionWord{"block", Restriction::Block},
     RestrictionWord{"connector", Restriction::Connector}, RestrictionWord{"record", Restriction::Record},
     RestrictionWord{"package", Restriction::Package},     RestrictionWord{"type", Restriction::Type},
-    RestrictionWord{"class", Restriction::Class},
+    RestrictionWord{"class", Restriction::Class},         RestrictionWord{"function", Restriction::Function},
 };
 
 }  // namespace
 
-/// `[redeclare] [final] [replaceable]` before an element.
+/// `[redeclare] [final] [inner] [outer] [replaceable]` before an element.
 struct Grammar::ElementPrefixes {
     std::size_t begin{};  // index of the first word of the element
     bool isRedeclare{};
     bool isFinal{};
+    bool isInner{};
+    bool isOuter{};
     bool isReplaceable{};
 };
 
@@ -54,7 +56,6 @@ StoredDefinition Grammar::storedDefinition() {
                 cursor_.faultExpected(phrase("a class"),
                                       misspelt(phrase("a Modelica file holds classes: model A … end A;")));
             }
-            if (refuseClassKind()) continue;
             const auto definition = classDefinition();
             definition->isFinal = definition->isFinal || isFinal;
             cursor_.expectSemicolon([&] { return phrase("the class \"{}\"", definition->name); });
@@ -75,8 +76,8 @@ StoredDefinition Grammar::storedDefinition() {
 }
 
 bool Grammar::atClassDefinition() const {
-    static constexpr std::array<std::string_view, 6> others{"partial",  "encapsulated", "function",
-                                                            "operator", "expandable",   "impure"};
+    static constexpr std::array<std::string_view, 5> others{"partial", "encapsulated", "operator", "expandable",
+                                                            "impure"};
     if (cursor_.peek().kind != Token::Kind::Keyword) return false;
     const std::string_view word = cursor_.text();
     if (word == "pure") return !cursor_.at("(", 1);
@@ -88,6 +89,17 @@ bool Grammar::atClassDefinition() const {
 void Grammar::classPrefixes(ClassDefinition& definition) {
     definition.isEncapsulated = cursor_.take("encapsulated");
     definition.isPartial = cursor_.take("partial");
+    const std::size_t begin = cursor_.index();
+    definition.isPure = cursor_.take("pure");
+    definition.isImpure = !definition.isPure && cursor_.take("impure");
+    definition.isExpandable = cursor_.take("expandable");
+    definition.isOperator = cursor_.take("operator");
+    if (definition.isOperator && cursor_.atIdentifier()) {
+        definition.isOperator = false;
+        definition.restriction = Restriction::Operator;
+        definition.restrictionSpan = cursor_.spanFrom(begin);
+        return;
+    }
     const auto entry = std::find_if(restrictions.begin(), restrictions.end(),
                                     [&](const RestrictionWord& candidate) { return cursor_.at(candidate.word); });
     if (entry == restrictions.end()) {
@@ -95,27 +107,36 @@ void Grammar::classPrefixes(ClassDefinition& definition) {
     }
     definition.restriction = entry->restriction;
     cursor_.next();
+    definition.restrictionSpan = cursor_.spanFrom(begin);
+    const bool isFunction = entry->restriction == Restriction::Function;
+    if (((definition.isPure || definition.isImpure) && !isFunction) ||
+        (definition.isExpandable && entry->restriction != Restriction::Connector) ||
+        (definition.isOperator && !isFunction && entry->restriction != Restriction::Record)) {
+        cursor_.fault(phrase("\"{}\" is no kind of class", definition.restrictionSpan.text()),
+                      definition.restrictionSpan);
+    }
 }
 
 std::shared_ptr<ClassDefinition> Grammar::classDefinition() {
-    if (cursor_.at("function")) return builtinFunction();
     const Cursor::Nesting nesting(cursor_);
     const std::size_t begin = cursor_.index();
     auto definition = std::make_shared<ClassDefinition>();
     definition->source = cursor_.source();
     classPrefixes(*definition);
-    if (cursor_.at("extends")) {
-        refuse(phrase("\"{} extends\" not supported", keyword(definition->restriction)),
-               phrase("give the class a name of its own and inherit with \"extends Base(…);\""));
-        cursor_.next();
-        skipClass();
-        throw SyntaxFault{};
-    }
+    definition->extendsItself = cursor_.take("extends");
     const Token name =
         cursor_.expectIdentifier([&] { return phrase("the name of the {}", keyword(definition->restriction)); });
     definition->name = cursor_.textOf(name);
     definition->nameSpan = cursor_.spanOf(name);
-    if (cursor_.take("=")) {
+    if (definition->extendsItself) {
+        definition->shortModificationsSpan = cursor_.behind();
+        if (cursor_.at("(")) {
+            const std::size_t open = cursor_.index();
+            definition->shortModifications = classModification();
+            definition->shortModificationsSpan = cursor_.spanFrom(open);
+        }
+        longClass(*definition);
+    } else if (cursor_.take("=")) {
         shortClass(*definition);
     } else {
         longClass(*definition);
@@ -128,10 +149,8 @@ std::shared_ptr<ClassDefinition> Grammar::classDefinition() {
 void Grammar::shortClass(ClassDefinition& definition) {
     definition.isShort = true;
     if (cursor_.at("der")) {
-        cursor_.fault(phrase("classes by differentiation, \"= der(…)\", are not supported"), cursor_.here(),
-                      phrase("write the derivative as an equation"));
-    }
-    if (cursor_.at("enumeration")) {
+        derivativeClass(definition);
+    } else if (cursor_.at("enumeration")) {
         enumeration(definition);
     } else {
         if (cursor_.take("input"))
@@ -151,14 +170,26 @@ void Grammar::shortClass(ClassDefinition& definition) {
     definition.annotation = annotation();
 }
 
+/// `= der(f, x, y)`: the partial derivative of a function (section 12.7.2).
+void Grammar::derivativeClass(ClassDefinition& definition) {
+    cursor_.next();
+    cursor_.expect("(", "behind \"der\"");
+    definition.shortBase = typeName();
+    cursor_.expect(",", "behind the function that is differentiated");
+    do {
+        definition.derivativeOf.emplace_back(
+            cursor_.textOf(cursor_.expectIdentifier("the name of an input of the function")));
+    } while (cursor_.take(","));
+    cursor_.expect(")", "to close \"der\"");
+    definition.shortModificationsSpan = cursor_.behind();
+}
+
 void Grammar::enumeration(ClassDefinition& definition) {
     cursor_.next();
     definition.isEnumeration = true;
     cursor_.expect("(", "behind \"enumeration\"");
-    if (cursor_.at(":"))
-        cursor_.fault(phrase("open enumerations, \"(:)\", are not supported"), cursor_.here(),
-                      phrase("list the literals"));
-    while (!cursor_.at(")")) {
+    definition.isOpenEnumeration = cursor_.take(":");
+    while (!definition.isOpenEnumeration && !cursor_.at(")")) {
         const Token literal = cursor_.expectIdentifier("the name of a literal");
         definition.enumeration.emplace_back(cursor_.textOf(literal));
         definition.enumerationDescriptions.push_back(description());
@@ -212,7 +243,7 @@ void Grammar::recoverElement(std::size_t begin) {
 }
 
 void Grammar::section(ClassDefinition& definition, bool& isProtected) {
-    if (refuseSection()) return;
+    if (cursor_.at("external")) return externalClause(definition);
     if (cursor_.at("public") || cursor_.at("protected")) {
         isProtected = cursor_.at("protected");
         cursor_.next();
@@ -221,10 +252,16 @@ void Grammar::section(ClassDefinition& definition, bool& isProtected) {
     const std::size_t begin = cursor_.index();
     EquationSection result;
     result.isInitial = cursor_.take("initial");
-    cursor_.expect("equation", "here");
+    const bool isAlgorithm = cursor_.at("algorithm");
+    cursor_.next();
     result.keyword = cursor_.spanFrom(begin);
-    equations(result);
-    definition.equationSections.push_back(std::move(result));
+    if (isAlgorithm) {
+        statements(result);
+        definition.algorithmSections.push_back(std::move(result));
+    } else {
+        equations(result);
+        definition.equationSections.push_back(std::move(result));
+    }
 }
 
 void Grammar::classAnnotation(ClassDefinition& definition) {
@@ -266,8 +303,7 @@ void Grammar::element(ClassDefinition& definition, bool isProtected) {
     if (cursor_.take(";")) return;  // a stray `;` harms nobody
     const ElementPrefixes prefixes = elementPrefixes();
     if (atClassDefinition()) {
-        if (!refuseClassKind()) nestedClass(definition, prefixes, isProtected);
-        return;
+        return nestedClass(definition, prefixes, isProtected);
     }
     componentClause(definition, prefixes, isProtected);
 }
@@ -332,7 +368,8 @@ Grammar::ElementPrefixes Grammar::elementPrefixes() {
     prefixes.begin = cursor_.index();
     prefixes.isRedeclare = cursor_.take("redeclare");
     prefixes.isFinal = cursor_.take("final");
-    refuseElementPrefix();
+    prefixes.isInner = cursor_.take("inner");
+    prefixes.isOuter = cursor_.take("outer");
     prefixes.isReplaceable = cursor_.take("replaceable");
     return prefixes;
 }
@@ -343,6 +380,8 @@ void Grammar::nestedClass(ClassDefinition& definition, const ElementPrefixes& pr
     nested->isRedeclare = prefixes.isRedeclare;
     nested->isFinal = prefixes.isFinal;
     nested->isReplaceable = prefixes.isReplaceable;
+    nested->isInner = prefixes.isInner;
+    nested->isOuter = prefixes.isOuter;
     if (prefixes.isReplaceable) {
         constrainingClause(nested->constrainedBy, nested->constrainedByModifications);
         if (nested->description.empty()) nested->description = description();
@@ -363,10 +402,9 @@ void Grammar::typePrefixes(Component& component) {
         rank = to;
     };
     for (;; cursor_.next()) {
-        refuseElementPrefix();
-        if (cursor_.at("flow")) {
+        if (cursor_.at("flow") || cursor_.at("stream")) {
             advance(1);
-            component.isFlow = true;
+            (cursor_.at("flow") ? component.isFlow : component.isStream) = true;
         } else if (cursor_.at("discrete") || cursor_.at("parameter") || cursor_.at("constant")) {
             advance(2);
             component.variability = cursor_.at("discrete")    ? Variability::Discrete
@@ -425,6 +463,8 @@ void Grammar::componentClause(ClassDefinition& definition, const ElementPrefixes
     prototype.isFinal = prefixes.isFinal;
     prototype.isRedeclare = prefixes.isRedeclare;
     prototype.isReplaceable = prefixes.isReplaceable;
+    prototype.isInner = prefixes.isInner;
+    prototype.isOuter = prefixes.isOuter;
     std::vector<Component> clause;
     do {
         Component component = prototype;

@@ -67,14 +67,13 @@ bool Grammar::atSection() const {
 Equation Grammar::equation() {
     const Cursor::Nesting nesting(cursor_);
     const std::size_t begin = cursor_.index();
-    if (cursor_.at("when")) {
-        cursor_.fault(phrase("when equations are not supported"), cursor_.here(),
-                      phrase("a relation outside noEvent already is an event: write the equation with if"));
-    }
-    Equation result = cursor_.at("if")        ? ifEquation()
-                      : cursor_.at("for")     ? forEquation()
+    const Span word = cursor_.here();
+    Equation result = cursor_.at("if")        ? conditional(Equation::Kind::If, Body::Equations)
+                      : cursor_.at("when")    ? conditional(Equation::Kind::When, Body::Equations)
+                      : cursor_.at("for")     ? forLoop(Body::Equations)
                       : cursor_.at("connect") ? connectEquation()
                                               : simpleEquation();
+    result.keyword = word;
     result.description = description();
     result.annotation = annotation();
     cursor_.expectSemicolon("the equation");
@@ -89,10 +88,14 @@ void Grammar::endOf(std::string_view word) {
                               phrase("the innermost open block is \"{}\"", word));
 }
 
+bool Grammar::atBodyEnd() const {
+    return cursor_.atEnd() || cursor_.gaveUp() || atSection() || cursor_.at("end") || cursor_.at("else") ||
+           cursor_.at("elseif") || cursor_.at("elsewhen");
+}
+
 std::vector<Equation> Grammar::equationBody() {
     std::vector<Equation> body;
-    while (!cursor_.atEnd() && !cursor_.gaveUp() && !atSection() && !cursor_.at("end") && !cursor_.at("else") &&
-           !cursor_.at("elseif")) {
+    while (!atBodyEnd()) {
         const std::size_t begin = cursor_.index();
         try {
             body.push_back(equation());
@@ -103,23 +106,25 @@ std::vector<Equation> Grammar::equationBody() {
     return body;
 }
 
-Equation Grammar::ifEquation() {
+/// `if … then … elseif … then … else … end if`, `when … then … elsewhen … then … end when`, `while … loop … end while`
+Equation Grammar::conditional(Equation::Kind kind, Body of) {
+    const bool isWhen = kind == Equation::Kind::When, isWhile = kind == Equation::Kind::While;
     Equation result;
-    result.kind = Equation::Kind::If;
-    cursor_.expect("if", "here");
+    result.kind = kind;
+    cursor_.next();
     do {
         Equation::Branch branch;
         branch.condition = expression();
-        cursor_.expect("then", "behind the condition");
-        branch.body = equationBody();
+        cursor_.expect(isWhile ? "loop" : "then", "behind the condition");
+        branch.body = body(of);
         result.branches.push_back(std::move(branch));
-    } while (cursor_.take("elseif"));
-    if (cursor_.take("else")) result.branches.push_back({std::nullopt, equationBody()});
-    endOf("if");
+    } while (!isWhile && cursor_.take(isWhen ? "elsewhen" : "elseif"));
+    if (kind == Equation::Kind::If && cursor_.take("else")) result.branches.push_back({std::nullopt, body(of)});
+    endOf(isWhen ? "when" : isWhile ? "while" : "if");
     return result;
 }
 
-Equation Grammar::forEquation() {
+Equation Grammar::forLoop(Body of) {
     Equation result;
     result.kind = Equation::Kind::For;
     cursor_.expect("for", "here");
@@ -127,13 +132,14 @@ Equation Grammar::forEquation() {
         const std::size_t begin = cursor_.index();
         Equation::Iterator iterator;
         iterator.name = cursor_.textOf(cursor_.expectIdentifier("the name of an iterator"));
-        cursor_.expect("in", "behind the iterator", "say what it runs over: for i in 1:3 loop");
-        iterator.range = expression();
+        iterator.range.kind = Expression::Kind::Empty;  // for i loop: as far as the subscripts reach
+        iterator.range.span = cursor_.behind();
+        if (cursor_.take("in")) iterator.range = expression();
         iterator.span = cursor_.spanFrom(begin);
         result.iterators.push_back(std::move(iterator));
     } while (cursor_.take(","));
     cursor_.expect("loop", "behind the range");
-    result.body = equationBody();
+    result.body = body(of);
     endOf("for");
     return result;
 }

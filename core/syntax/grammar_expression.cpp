@@ -260,11 +260,6 @@ Expression Grammar::primary() {
     } else if (cursor_.at("if")) {
         cursor_.fault(phrase("an if expression within an expression needs parentheses"), cursor_.here(),
                       phrase("write a + (if b then c else d)"));
-    } else if (cursor_.at("break")) {
-        cursor_.fault(phrase("\"break\" is not supported"), cursor_.here(), phrase("give the value itself"));
-    } else if (cursor_.at("function")) {
-        cursor_.fault(phrase("functions as arguments are not supported"), cursor_.here(),
-                      phrase("write the relation as equations"));
     } else {
         cursor_.faultExpected(phrase("an expression"));
     }
@@ -333,20 +328,52 @@ Expression Grammar::parenthesised() {
     cursor_.expect("(", "here");
     std::vector<Expression> parts;
     do {
-        parts.push_back(expression());
+        if (cursor_.at(",") || cursor_.at(")")) {
+            Expression left;
+            left.kind = Expression::Kind::Empty;
+            left.span = cursor_.behind();
+            parts.push_back(std::move(left));
+        } else {
+            parts.push_back(expression());
+        }
     } while (cursor_.take(","));
     cursor_.expect(")", "to close the parenthesis");
     inSubscript_ = outer;
-    if (parts.size() == 1) {
+    if (parts.size() == 1 && parts.front().kind == Expression::Kind::Empty && !cursor_.at(":=") && !cursor_.at("="))
+        cursor_.fault(phrase("expected {}, found {}", phrase("an expression"), phrase("\"{:.60}\"", ")")),
+                      cursor_.spanFrom(begin));
+    if (parts.size() == 1 && parts.front().kind != Expression::Kind::Empty) {
         // The span takes the parentheses in, so that the span of an operation covers all of its text.
         parts.front().span = cursor_.spanFrom(begin);
-        return std::move(parts.front());
+        return selection(std::move(parts.front()), begin);
     }
     Expression tuple;
     tuple.kind = Expression::Kind::Tuple;
     tuple.operands = std::move(parts);
     tuple.span = cursor_.spanFrom(begin);
-    return tuple;
+    return selection(std::move(tuple), begin);
+}
+
+/// `(…)[2]`, `(…).re`
+Expression Grammar::selection(Expression from, std::size_t begin) {
+    const bool isMember = cursor_.at(".") && cursor_.atIdentifier(1);
+    if (!isMember && !cursor_.at("[")) return from;
+    NamePart part;
+    const std::size_t partBegin = cursor_.index();
+    if (isMember) {
+        cursor_.next();
+        part.identifier = cursor_.textOf(cursor_.next());
+    } else {
+        part.subscripts = subscripts();
+    }
+    part.span = cursor_.spanFrom(partBegin);
+    Expression result;
+    result.kind = Expression::Kind::Select;
+    result.operands.push_back(std::move(from));
+    result.name.span = part.span;
+    result.name.parts.push_back(std::move(part));
+    result.span = cursor_.spanFrom(begin);
+    return result;
 }
 
 Expression Grammar::braces() {
@@ -369,17 +396,13 @@ Expression Grammar::braces() {
     return array;
 }
 
-/// `[a, b; c, d]` concatenates, which needs the sizes of its parts. It is read (as {{a, b}, {c, d}}, which it is
-/// for scalars) only within annotations.
+/// `[a, b; c, d]` concatenates. Within annotations it is {{a, b}, {c, d}}, which it is for scalars.
 Expression Grammar::matrix() {
-    if (annotationDepth_ == 0) {
-        cursor_.fault(phrase("matrices in brackets are not supported"), cursor_.here(),
-                      phrase("write {{{{a, b}}, {{c, d}}}}"));
-    }
     const std::size_t begin = cursor_.index();
+    const bool outer = std::exchange(inSubscript_, false);
     cursor_.next();
     Expression rows;
-    rows.kind = Expression::Kind::Array;
+    rows.kind = annotationDepth_ == 0 ? Expression::Kind::Matrix : Expression::Kind::Array;
     do {
         Expression row;
         row.kind = Expression::Kind::Array;
@@ -390,6 +413,7 @@ Expression Grammar::matrix() {
         rows.operands.push_back(std::move(row));
     } while (cursor_.take(";"));
     cursor_.expect("]", "to close the matrix");
+    inSubscript_ = outer;
     rows.span = cursor_.spanFrom(begin);
     return rows;
 }
@@ -430,21 +454,44 @@ void Grammar::callArguments(Expression& call) {
     if (cursor_.at(")")) return;
     do {
         if (cursor_.atIdentifier() && cursor_.at("=", 1)) {
-            const std::size_t begin = cursor_.index();
-            NamedArgument argument;
-            argument.name = cursor_.textOf(cursor_.next());
-            cursor_.next();
-            argument.value = expression();
-            argument.span = cursor_.spanFrom(begin);
-            call.named.push_back(std::move(argument));
+            namedArgument(call);
         } else if (!call.named.empty()) {
             cursor_.fault(phrase("a positional argument behind a named one"), cursor_.here(),
                           phrase("give it a name as well"));
         } else {
-            call.operands.push_back(expression());
+            call.operands.push_back(cursor_.at("function") ? partialApplication() : expression());
         }
     } while (cursor_.take(","));
     if (call.operands.size() == 1 && call.named.empty() && cursor_.at("for")) iterators(call);
+}
+
+void Grammar::namedArgument(Expression& call) {
+    const std::size_t begin = cursor_.index();
+    NamedArgument argument;
+    argument.name = cursor_.textOf(cursor_.next());
+    cursor_.next();
+    argument.value = cursor_.at("function") ? partialApplication() : expression();
+    argument.span = cursor_.spanFrom(begin);
+    call.named.push_back(std::move(argument));
+}
+
+/// `function f(k = 1)` (section 12.4.2.1)
+Expression Grammar::partialApplication() {
+    const std::size_t begin = cursor_.index();
+    cursor_.next();
+    Expression result;
+    result.kind = Expression::Kind::Function;
+    result.name = typeName();
+    cursor_.expect("(", "behind the name of the function");
+    while (!cursor_.at(")")) {
+        if (!cursor_.atIdentifier() || !cursor_.at("=", 1))
+            cursor_.faultExpected(phrase("a named argument, such as \"k = 1\""));
+        namedArgument(result);
+        if (!cursor_.take(",")) break;
+    }
+    cursor_.expect(")", [&] { return phrase("to close the arguments of \"{}\"", result.name.text()); });
+    result.span = cursor_.spanFrom(begin);
+    return result;
 }
 
 void Grammar::iterators(Expression& expression) {

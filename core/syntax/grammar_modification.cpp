@@ -26,10 +26,8 @@ Modification Grammar::argument() {
     modification.isFinal = cursor_.take("final");
     modification.isReplaceable = cursor_.take("replaceable");
     if (cursor_.at("break")) {
-        cursor_.fault(phrase("\"break\" is not supported"), cursor_.here(),
-                      phrase("inherit a class without the element instead"));
-    }
-    if (isRedeclare || modification.isReplaceable) {
+        modification = breakModification();
+    } else if (isRedeclare || modification.isReplaceable) {
         modification = redeclaration(std::move(modification), isRedeclare);
     } else {
         if (!cursor_.atIdentifier()) {
@@ -56,13 +54,37 @@ void Grammar::modificationValue(Modification& modification) {
     }
     if (cursor_.at(":="))
         cursor_.fault(phrase("\":=\" is an assignment"), cursor_.here(), phrase("a value is given with \"=\""));
-    if (cursor_.take("=")) modification.value = expression();
+    if (!cursor_.take("=")) return;
+    if (cursor_.at("break")) {
+        Expression none;
+        none.kind = Expression::Kind::Break;
+        none.span = cursor_.here();
+        cursor_.next();
+        modification.value = std::move(none);
+    } else {
+        modification.value = expression();
+    }
+}
+
+/// `break x` or `break connect(a, b)`: what is not inherited (section 7.4).
+Modification Grammar::breakModification() {
+    Modification modification;
+    modification.isBreak = true;
+    cursor_.next();
+    if (cursor_.at("connect")) {
+        const Equation connection = connectEquation();
+        modification.brokenConnect = {connection.left, connection.right};
+        return modification;
+    }
+    const Token name = cursor_.expectIdentifier("the name of the element that is left out");
+    modification.name.parts.push_back({std::string(cursor_.textOf(name)), {}, cursor_.spanOf(name)});
+    modification.name.span = cursor_.spanOf(name);
+    return modification;
 }
 
 Modification Grammar::redeclaration(Modification modification, bool isRedeclare) {
     const std::size_t begin = cursor_.index();
     if (atClassDefinition()) {
-        if (refuseClassKind()) throw SyntaxFault{};
         const auto definition = classDefinition();
         if (!definition->isShort) {
             cursor_.fault(phrase("a redeclared class is given as \"M = Other\""), definition->nameSpan);

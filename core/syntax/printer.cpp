@@ -75,6 +75,7 @@ public:
         if (modification.each) out_ += "each ";
         if (modification.isFinal) out_ += "final ";
         if (modification.isReplaceable) out_ += "replaceable ";
+        if (modification.isBreak) return broken(modification);
         if (modification.redeclaredClass) return classHead(*modification.redeclaredClass);
         if (modification.redeclaredComponent) return componentBody(*modification.redeclaredComponent);
         name(modification.name);
@@ -112,13 +113,26 @@ public:
                 out_ += ')';
                 break;
             case Equation::Kind::If:
-                ifEquation(equation);
+            case Equation::Kind::When:
+            case Equation::Kind::While:
+                branches(equation);
                 break;
             case Equation::Kind::For:
                 forEquation(equation);
                 break;
             case Equation::Kind::Call:
                 expression(equation.left);
+                break;
+            case Equation::Kind::Assign:
+                expression(equation.left);
+                out_ += " := ";
+                expression(equation.right);
+                break;
+            case Equation::Kind::Break:
+                out_ += "break";
+                break;
+            case Equation::Kind::Return:
+                out_ += "return";
                 break;
         }
         description(equation.description);
@@ -129,6 +143,8 @@ public:
     void definition(const ClassDefinition& definition) {
         if (definition.isRedeclare) out_ += "redeclare ";
         if (definition.isFinal) out_ += "final ";
+        if (definition.isInner) out_ += "inner ";
+        if (definition.isOuter) out_ += "outer ";
         if (definition.isReplaceable) out_ += "replaceable ";
         classHead(definition);
     }
@@ -161,6 +177,13 @@ private:
     void modifications(const std::vector<Modification>& list) {
         out_ += '(';
         separated(list, [this](const Modification& item) { modification(item); });
+        out_ += ')';
+    }
+    void broken(const Modification& modification) {
+        out_ += "break ";
+        if (modification.brokenConnect.empty()) return name(modification.name);
+        out_ += "connect(";
+        expressions(modification.brokenConnect);
         out_ += ')';
     }
     void subscripts(const std::vector<Expression>& list) {
@@ -223,6 +246,22 @@ private:
                 out_ += '(';
                 expressions(e.operands);
                 out_ += ')';
+                return;
+            case Expression::Kind::Matrix:
+                return matrix(e);
+            case Expression::Kind::Function:
+                out_ += "function ";
+                return call(e);
+            case Expression::Kind::Select:
+                out_ += '(';
+                expression(e.operands[0]);
+                out_ += ')';
+                if (!e.name.parts[0].identifier.empty()) out_ += '.';
+                return name(e.name);
+            case Expression::Kind::Empty:
+                return;
+            case Expression::Kind::Break:
+                out_ += "break";
                 return;
         }
     }
@@ -295,6 +334,16 @@ private:
         out_ += ')';
     }
 
+    void matrix(const Expression& e) {
+        out_ += '[';
+        bool isFirst = true;
+        for (const Expression& row : e.operands) {
+            if (!std::exchange(isFirst, false)) out_ += "; ";
+            expressions(row.operands);
+        }
+        out_ += ']';
+    }
+
     void array(const Expression& e) {
         out_ += '{';
         expressions(e.operands);
@@ -325,14 +374,18 @@ private:
         out_.append(indentation_, ' ');
     }
 
-    void ifEquation(const Equation& equation) {
+    void branches(const Equation& equation) {
+        const bool isWhen = equation.kind == Equation::Kind::When, isWhile = equation.kind == Equation::Kind::While;
+        const char* const word = isWhen ? "when" : isWhile ? "while" : "if";
         bool isFirst = true;
         for (const Equation::Branch& branch : equation.branches) {
             if (!isFirst) newLine();
             if (branch.condition) {
-                out_ += isFirst ? "if " : "elseif ";
+                if (!isFirst) out_ += "else";
+                out_ += word;
+                out_ += ' ';
                 expression(*branch.condition);
-                out_ += " then";
+                out_ += isWhile ? " loop" : " then";
             } else {
                 out_ += "else";
             }
@@ -340,13 +393,15 @@ private:
             body(branch.body);
         }
         newLine();
-        out_ += "end if";
+        out_ += "end ";
+        out_ += word;
     }
 
     void forEquation(const Equation& equation) {
         out_ += "for ";
         separated(equation.iterators, [this](const Equation::Iterator& iterator) {
             out_ += iterator.name;
+            if (iterator.range.kind == Expression::Kind::Empty) return;
             out_ += " in ";
             expression(iterator.range);
         });
@@ -367,6 +422,7 @@ private:
 
     void componentBody(const Component& c) {
         if (c.isFlow) out_ += "flow ";
+        if (c.isStream) out_ += "stream ";
         switch (c.variability) {
             case Variability::Continuous:
                 break;
@@ -414,15 +470,18 @@ private:
     }
 
     void classHead(const ClassDefinition& definition) {
-        if (definition.restriction == ClassDefinition::Restriction::Function) {
-            out_ += definition.span.text();  // its algorithm has no tree
-            return;
-        }
         if (definition.isEncapsulated) out_ += "encapsulated ";
         if (definition.isPartial) out_ += "partial ";
+        if (definition.isPure) out_ += "pure ";
+        if (definition.isImpure) out_ += "impure ";
+        if (definition.isExpandable) out_ += "expandable ";
+        if (definition.isOperator) out_ += "operator ";
         out_ += keyword(definition.restriction);
         out_ += ' ';
+        if (definition.extendsItself) out_ += "extends ";
         out_ += definition.name;
+        if (definition.extendsItself && !definition.shortModifications.empty())
+            modifications(definition.shortModifications);
         if (definition.isShort) {
             shortClass(definition);
         } else {
@@ -435,11 +494,17 @@ private:
         out_ += " = ";
         if (definition.isEnumeration) {
             out_ += "enumeration(";
+            if (definition.isOpenEnumeration) out_ += ':';
             for (std::size_t i = 0; i < definition.enumeration.size(); ++i) {
                 if (i > 0) out_ += ", ";
                 out_ += definition.enumeration[i];
                 if (i < definition.enumerationDescriptions.size()) description(definition.enumerationDescriptions[i]);
             }
+            out_ += ')';
+        } else if (!definition.derivativeOf.empty()) {
+            out_ += "der(";
+            name(definition.shortBase);
+            for (const std::string& input : definition.derivativeOf) out_ += ", " + input;
             out_ += ')';
         } else {
             causality(definition.shortCausality);
@@ -468,7 +533,11 @@ private:
             newLine();
             component(one);
         }
-        for (const EquationSection& section : definition.equationSections) equationSection(section);
+        for (const EquationSection& one : definition.equationSections)
+            section(one, one.isInitial ? "initial equation" : "equation");
+        for (const EquationSection& one : definition.algorithmSections)
+            section(one, one.isInitial ? "initial algorithm" : "algorithm");
+        if (definition.external) external(*definition.external);
         if (definition.annotation) {
             newLine();
             out_ += "annotation";
@@ -518,8 +587,25 @@ private:
         out_ += ';';
     }
 
-    void equationSection(const EquationSection& section) {
-        sectionWord(section.isInitial ? "initial equation" : "equation");
+    void external(const External& external) {
+        sectionWord("external");
+        if (!external.language.empty()) out_ += ' ' + printString(external.language);
+        if (external.result) {
+            out_ += ' ';
+            expression(*external.result);
+            out_ += " =";
+        }
+        if (!external.function.empty()) {
+            out_ += ' ' + external.function + '(';
+            expressions(external.arguments);
+            out_ += ')';
+        }
+        annotation(external.annotation);
+        out_ += ';';
+    }
+
+    void section(const EquationSection& section, std::string_view word) {
+        sectionWord(word);
         for (const Equation& one : section.equations) {
             newLine();
             equation(one);

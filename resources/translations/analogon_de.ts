@@ -8390,6 +8390,82 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>zum Schließen der Liste von Importen</translation>
     </message>
     <message>
+        <source>&quot;{}&quot; is no kind of class</source>
+        <translation>&quot;{}&quot; ist keine Art von Klasse</translation>
+    </message>
+    <message>
+        <source>&quot;=&quot; is an equation</source>
+        <translation>&quot;=&quot; ist eine Gleichung</translation>
+    </message>
+    <message>
+        <source>a statement is written with &quot;:=&quot;</source>
+        <translation>eine Anweisung schreibt man mit &quot;:=&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;:=&quot; in the statement</source>
+        <translation>&quot;:=&quot; in der Anweisung</translation>
+    </message>
+    <message>
+        <source>the arguments of the external function</source>
+        <translation>die Argumente der externen Funktion</translation>
+    </message>
+    <message>
+        <source>a named argument, such as &quot;k = 1&quot;</source>
+        <translation>ein benanntes Argument, etwa &quot;k = 1&quot;</translation>
+    </message>
+    <message>
+        <source>behind &quot;der&quot;</source>
+        <translation>hinter &quot;der&quot;</translation>
+    </message>
+    <message>
+        <source>behind the function that is differentiated</source>
+        <translation>hinter der Funktion, die abgeleitet wird</translation>
+    </message>
+    <message>
+        <source>the name of an input of the function</source>
+        <translation>der Name eines Eingangs der Funktion</translation>
+    </message>
+    <message>
+        <source>to close &quot;der&quot;</source>
+        <translation>als Abschluss von &quot;der&quot;</translation>
+    </message>
+    <message>
+        <source>the name of the element that is left out</source>
+        <translation>der Name des Elements, das weggelassen wird</translation>
+    </message>
+    <message>
+        <source>behind the name of the function</source>
+        <translation>hinter dem Namen der Funktion</translation>
+    </message>
+    <message>
+        <source>the statement</source>
+        <translation>der Anweisung</translation>
+    </message>
+    <message>
+        <source>the external function</source>
+        <translation>der externen Funktion</translation>
+    </message>
+    <message>
+        <source>a value is missing here</source>
+        <translation>hier fehlt ein Wert</translation>
+    </message>
+    <message>
+        <source>'{}': a member of an expression is not supported</source>
+        <translation>'{}': ein Teil eines Ausdrucks wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>name the record by a variable of its own</source>
+        <translation>den Datensatz durch eine eigene Variable benennen</translation>
+    </message>
+    <message>
+        <source>'{}' has more than two dimensions and is no part of a matrix in brackets</source>
+        <translation>'{}' hat mehr als zwei Dimensionen und kann nicht Teil einer Matrix in eckigen Klammern sein</translation>
+    </message>
+    <message>
+        <source>{} and {} cannot stand side by side in one array</source>
+        <translation>{} und {} können nicht nebeneinander in einem Feld stehen</translation>
+    </message>
+    <message>
         <source>when equations are not supported</source>
         <translation>when-Gleichungen werden nicht unterstützt</translation>
     </message>
@@ -8468,10 +8544,6 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>behind the two connectors</source>
         <translation>hinter den beiden Konnektoren</translation>
-    </message>
-    <message>
-        <source>say what it runs over: for i in 1:3 loop</source>
-        <translation>sagen, worüber er läuft: for i in 1:3 loop</translation>
     </message>
     <message>
         <source>connect joins exactly two; chain more of them pairwise</source>
@@ -8562,14 +8634,6 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>fill(0.0, 0) schreiben oder das Feld weglassen</translation>
     </message>
     <message>
-        <source>matrices in brackets are not supported</source>
-        <translation>Matrizen in eckigen Klammern werden nicht unterstützt</translation>
-    </message>
-    <message>
-        <source>write {{{{a, b}}, {{c, d}}}}</source>
-        <translation>{{{{a, b}}, {{c, d}}}} schreiben</translation>
-    </message>
-    <message>
         <source>&quot;(&quot; behind &quot;{}&quot;</source>
         <translation>„(“ hinter „{}“</translation>
     </message>
@@ -8652,10 +8716,6 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>to close the modifications</source>
         <translation>zum Schließen der Modifikationen</translation>
-    </message>
-    <message>
-        <source>functions are not supported</source>
-        <translation>Funktionen werden nicht unterstützt</translation>
     </message>
     <message>
         <source>write the relation as equations of a block</source>

@@ -178,7 +178,6 @@ TEST(Expression, HintsAtWhatModelicaWrites) {
     EXPECT_EQ(faultOf("if a then b").hint, "an if expression needs a value for every case");
     EXPECT_EQ(faultOf("1 + if a then b else c").hint, "write a + (if b then c else d)");
     EXPECT_EQ(faultOf(".5").hint, "write 0.5");
-    EXPECT_EQ(faultOf("[1, 2; 3, 4]").hint, "write {{a, b}, {c, d}}");
     EXPECT_EQ(faultOf("2x").message, "\"2x\" is neither a number nor a name");
     EXPECT_EQ(faultOf("1e999").message, "the number is too large");
     EXPECT_EQ(faultOf("\"a\\qb\"").message, "unknown escape in a string");

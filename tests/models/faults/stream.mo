@@ -4,5 +4,6 @@ connector Port
   stream Real h;
 end Port;
 model M
+  Port port;
   Real x = 1;
 end M;
