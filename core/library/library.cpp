@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/text.hpp"
+#include "core/library/lazy_packages.hpp"
 #include "core/library/name_search.hpp"
 #include "core/library/package_loader.hpp"
 
@@ -40,9 +41,32 @@ bool isWithin(std::string_view name, std::string_view outer) {
     return name == outer || (name.size() > outer.size() && name.starts_with(outer) && name[outer.size()] == '.');
 }
 
+/// Whether packages lie in a directory that is none itself.
+bool holdsPackages(const fs::path& directory) {
+    std::error_code problem;
+    for (fs::directory_iterator entry(directory, problem), end; !problem && entry != end; entry.increment(problem)) {
+        std::error_code lost;
+        if (fs::exists(entry->path() / "package.mo", lost)) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
+Library Library::withDirectories(std::vector<fs::path> directories) const {
+    Library result = *this;
+    if (directories.empty()) return result;
+    if (lazy_) directories.insert(directories.end(), lazy_->directories().begin(), lazy_->directories().end());
+    result.lazy_ = std::make_shared<LazyPackages>(std::move(directories));
+    return result;
+}
+
+Diagnostics Library::lazyFaults() const { return lazy_ ? lazy_->faults() : Diagnostics(); }
+
 Outcome<Library> Library::withPath(const fs::path& path) const {
+    std::error_code problem;
+    if (fs::is_directory(path, problem) && !fs::exists(path / "package.mo", problem) && holdsPackages(path))
+        return withDirectories({path});
     PackageLoader loader;
     loader.load(path);
     if (hasError(loader.diagnostics())) return std::move(loader.diagnostics());
@@ -67,7 +91,7 @@ Outcome<Library> Library::withSources(const std::vector<SourcePtr>& sources) con
         next->add(std::move(loader.classes()));
     }
     if (!faults.empty()) return faults;
-    Library result;
+    Library result = *this;
     result.content_ = std::move(next);
     return {std::move(result), std::move(warnings)};
 }
@@ -80,7 +104,7 @@ const Library::Content& Library::content() const {
 Library Library::with(std::vector<LibraryClass> added) const {
     auto next = std::make_shared<Content>(content());
     next->add(std::move(added));
-    Library result;
+    Library result = *this;
     result.content_ = std::move(next);
     return result;
 }
@@ -120,7 +144,26 @@ std::size_t Library::Content::takeOut(const std::string& qualifiedName) {
 const LibraryClass* Library::find(std::string_view qualifiedName) const {
     const auto& classes = content().classes;
     const auto entry = classes.find(qualifiedName);
-    return entry == classes.end() ? nullptr : entry->second.get();
+    if (entry != classes.end()) return entry->second.get();
+    if (!lazy_) return nullptr;
+    const std::string_view root = qualifiedName.substr(0, qualifiedName.find('.'));
+    if (classes.contains(root)) return nullptr;  // a package of the study is whole
+    return lazy_->find(qualifiedName, usedVersion(root));
+}
+
+/// What an annotation uses(Package(version = "…")) of the study's own classes says; empty: nothing.
+std::string Library::usedVersion(std::string_view package) const {
+    for (const LibraryClass* one : classes()) {
+        if (!one->scope.empty() || !one->definition->annotation) continue;
+        const syntax::Modification* uses = one->definition->annotation->find("uses");
+        if (!uses) continue;
+        for (const syntax::Modification& used : uses->arguments) {
+            if (used.name.text() != package) continue;
+            for (const syntax::Modification& said : used.arguments)
+                if (said.name.text() == "version" && said.value) return said.value->text;
+        }
+    }
+    return {};
 }
 
 const LibraryClass* Library::lookup(const syntax::Name& name, std::string_view scope) const {
@@ -188,7 +231,8 @@ Outcome<Library> builtInLibrary() {
             return Outcome<Library>(error(phrase("there is no block library at {}", path.string()), {},
                                           phrase("let ANALOGON_LIBRARY name the folder that holds Analogon/package.mo, "
                                                  "or leave it unset")));
-        return Library().withPath(path);
+        Outcome<Library> own = Library().withPath(path);
+        return own ? Outcome<Library>(own->withDirectories(packageDirectories()), own.diagnostics()) : own;
     }();
     return library;
 }

@@ -12,6 +12,8 @@
 
 namespace analogon {
 
+class LazyPackages;
+
 /// A class with the full name it has in the library.
 struct LibraryClass {
     std::string qualifiedName;  // "Analogon.Mechanics.Inertia"
@@ -23,13 +25,19 @@ struct LibraryClass {
 /// file gives a new library that shares the trees of the old one, so it is cheap to copy and to vary.
 class Library {
 public:
-    /// Adds a package: a directory with package.mo (and package.order), or one .mo file.
+    /// Adds a package: a directory with package.mo (and package.order), or one .mo file. A directory that holds
+    /// packages is searched for them: what lies there is read when it is named, and classes() does not list it.
     Outcome<Library> withPath(const std::filesystem::path& path) const;
     /// Adds one text; a class of the same qualified name is replaced, with all it holds.
     Outcome<Library> withSource(SourcePtr source) const;
 
     /// Adds many texts: the same as one behind the other, but what is there already is copied once. Faults of all.
     Outcome<Library> withSources(const std::vector<SourcePtr>& sources) const;
+
+    /// Adds directories that hold packages; earlier ones are searched first.
+    Library withDirectories(std::vector<std::filesystem::path> directories) const;
+    /// What is wrong with the files of searched directories that were read so far.
+    Diagnostics lazyFaults() const;
 
     /// By its full name ("Analogon.Mechanics.Inertia"); null when unknown.
     const LibraryClass* find(std::string_view qualifiedName) const;
@@ -59,9 +67,11 @@ private:
         std::size_t takeOut(const std::string& qualifiedName);
     };
     const Content& content() const;
+    std::string usedVersion(std::string_view package) const;
     Library with(std::vector<LibraryClass> added) const;
 
     std::shared_ptr<const Content> content_;  // null: empty
+    std::shared_ptr<LazyPackages> lazy_;      // null: no directories are searched
 };
 
 /// The directory that holds `Analogon/package.mo`: what the environment variable ANALOGON_LIBRARY names, or else beside

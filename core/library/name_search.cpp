@@ -2,21 +2,9 @@
 
 #include <string>
 
+#include "core/library/lazy_packages.hpp"
+
 namespace analogon {
-
-namespace {
-
-/// "A.B" for "A.B.C", empty for "A". A dot within a quoted identifier does not count.
-std::string_view enclosing(std::string_view qualifiedName) {
-    bool isQuoted = false;
-    for (std::size_t i = qualifiedName.size(); i-- > 0;) {
-        if (qualifiedName[i] == '\'' && (i == 0 || qualifiedName[i - 1] != '\\')) isQuoted = !isQuoted;
-        if (qualifiedName[i] == '.' && !isQuoted) return qualifiedName.substr(0, i);
-    }
-    return {};
-}
-
-}  // namespace
 
 const LibraryClass* NameSearch::find(const syntax::Name& name, std::string_view scope) {
     if (name.parts.empty()) return nullptr;
@@ -33,7 +21,7 @@ const LibraryClass* NameSearch::findBase(const syntax::Name& name, const Library
 /// From the scope outward. `heir` is the class whose own base is being looked for.
 const LibraryClass* NameSearch::findFirst(std::string_view identifier, std::string_view scope,
                                           const LibraryClass* heir) {
-    for (; !scope.empty(); scope = enclosing(scope)) {
+    for (; !scope.empty(); scope = enclosingName(scope)) {
         if (const LibraryClass* found = nested(scope, identifier)) return found;
         const LibraryClass* here = library_.find(scope);
         if (!here) continue;  // `within` a package that is not loaded
@@ -72,18 +60,19 @@ const LibraryClass* NameSearch::inherited(const LibraryClass& in, std::string_vi
     return found;
 }
 
-/// Qualified imports win over `import A.*` (section 5.3.1).
+/// Qualified imports win over `import A.*` (section 5.3.1). What is imported is named from the top.
 const LibraryClass* NameSearch::imported(const LibraryClass& in, std::string_view identifier) {
-    const auto absolute = [](const syntax::Name& name) {
-        std::string text = name.text();
-        return name.absolute ? text.substr(1) : text;
+    const auto meant = [&](const syntax::Name& name) {
+        return findRest(library_.find(name.parts.front().identifier), name, 1);
     };
     for (const syntax::Import& clause : in.definition->imports) {
-        if (!clause.wildcard && clause.alias == identifier) return library_.find(absolute(clause.name));
+        if (!clause.wildcard && clause.alias == identifier) return meant(clause.name);
     }
     for (const syntax::Import& clause : in.definition->imports) {
         if (!clause.wildcard) continue;
-        if (const LibraryClass* found = nested(absolute(clause.name), identifier)) return found;
+        const LibraryClass* package = meant(clause.name);
+        const LibraryClass* found = package ? declaredOrInherited(*package, identifier) : nullptr;
+        if (found) return found;
     }
     return nullptr;
 }

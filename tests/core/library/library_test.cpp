@@ -351,6 +351,43 @@ TEST_F(BuiltInLibrary, IsReadOnceForAllThreads) {
     for (const LibraryClass* one : seen) EXPECT_EQ(one, seen[0]);
 }
 
+TEST_F(LibraryTest, ADirectoryOfPackagesIsReadByNeed) {
+    writePlant();
+    write("Broken/package.mo", "within ; package Broken Real x end Broken;");
+    write("Single.mo",
+          "within ; package Single import Plant.Interfaces.*; import D = Plant.Drives; model B end B; end Single;");
+    const auto read = Library().withPath(root_);
+    ASSERT_TRUE(read) << format(read.diagnostics());
+    EXPECT_TRUE(read->classes().empty());
+    EXPECT_EQ(found(read->find("Plant.Drives.Motor.Winding")), "Plant.Drives.Motor.Winding");
+    EXPECT_EQ(read->find("Plant.Drives.Motor")->scope, "Plant.Drives");
+    EXPECT_EQ(lookedUp(*read, "Interfaces.Port", "Plant.Drives.Motor"), "Plant.Interfaces.Port");
+    EXPECT_EQ(lookedUp(*read, "Port", "Single.B"), "Plant.Interfaces.Port");
+    EXPECT_EQ(lookedUp(*read, "D.Motor", "Single.B"), "Plant.Drives.Motor");
+    EXPECT_EQ(read->find("Plant.Nothing"), nullptr);
+    EXPECT_TRUE(read->lazyFaults().empty());
+    EXPECT_EQ(read->find("Broken"), nullptr);
+    ASSERT_FALSE(read->lazyFaults().empty());
+    EXPECT_EQ(read->lazyFaults().front().place.file, (root_ / "Broken/package.mo").string());
+    // a value: what is added afterwards sees the same directories
+    const auto more = read->withSource(sourceOf("model Own extends Plant.Top; end Own;"));
+    ASSERT_TRUE(more);
+    EXPECT_TRUE(more->isDerived("Own", "Plant.Top"));
+}
+
+TEST_F(LibraryTest, OfSeveralVersionsTheUsedOneIsTaken) {
+    for (const char* version : {"3.2.3", "4.0.0", "4.1.0", "10.0.0"})
+        write(std::string("Mo ") + version + "/package.mo",
+              std::string("within ; package Mo \"") + version + "\" end Mo;");
+    const auto versionOf = [&](const std::string& uses) {
+        const auto library =
+            Library().withDirectories({root_}).withSource(sourceOf("model A annotation (" + uses + "); end A;"));
+        return library ? library->find("Mo")->definition->description : std::string();
+    };
+    EXPECT_EQ(versionOf("uses(Mo(version=\"4.0.0\"))"), "4.0.0");
+    EXPECT_EQ(versionOf("uses(Other(version=\"4.0.0\"))"), "10.0.0");
+}
+
 TEST_F(BuiltInLibrary, LoadsQuickly) {
     auto best = std::chrono::steady_clock::duration::max();
     for (int run = 0; run < 5; ++run) {
