@@ -8391,19 +8391,19 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     </message>
     <message>
         <source>&quot;{}&quot; is no kind of class</source>
-        <translation>&quot;{}&quot; ist keine Art von Klasse</translation>
+        <translation>„{}“ ist keine Art von Klasse</translation>
     </message>
     <message>
         <source>&quot;=&quot; is an equation</source>
-        <translation>&quot;=&quot; ist eine Gleichung</translation>
+        <translation>„=“ ist eine Gleichung</translation>
     </message>
     <message>
         <source>a statement is written with &quot;:=&quot;</source>
-        <translation>eine Anweisung schreibt man mit &quot;:=&quot;</translation>
+        <translation>eine Anweisung schreibt man mit „:=“</translation>
     </message>
     <message>
         <source>&quot;:=&quot; in the statement</source>
-        <translation>&quot;:=&quot; in der Anweisung</translation>
+        <translation>„:=“ in der Anweisung</translation>
     </message>
     <message>
         <source>the arguments of the external function</source>
@@ -8411,11 +8411,11 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     </message>
     <message>
         <source>a named argument, such as &quot;k = 1&quot;</source>
-        <translation>ein benanntes Argument, etwa &quot;k = 1&quot;</translation>
+        <translation>ein benanntes Argument, etwa „k = 1“</translation>
     </message>
     <message>
         <source>behind &quot;der&quot;</source>
-        <translation>hinter &quot;der&quot;</translation>
+        <translation>hinter „der“</translation>
     </message>
     <message>
         <source>behind the function that is differentiated</source>
@@ -8427,7 +8427,7 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     </message>
     <message>
         <source>to close &quot;der&quot;</source>
-        <translation>als Abschluss von &quot;der&quot;</translation>
+        <translation>zum Schließen von „der“</translation>
     </message>
     <message>
         <source>the name of the element that is left out</source>

@@ -213,8 +213,8 @@ TEST_F(GermanWords, NameFaultsOfSyntax) {
               QString::fromUtf8("erwartet: „)“ zum Schließen der Modifikationen, gefunden: „;“"));
     EXPECT_EQ(said("model M\n  Real x;\nequation\n  x := 1;\nend M;\n"),
               QString::fromUtf8("„:=“ ist eine Zuweisung eines Algorithmus | eine Gleichung wird mit „=“ geschrieben"));
-    EXPECT_EQ(said("model M\n  Real x;\nequation\n  x = [1, 2];\nend N;\n"),
-              QString::fromUtf8("Matrizen in eckigen Klammern werden nicht unterstützt | {{a, b}, {c, d}} schreiben\n"
+    EXPECT_EQ(said("model M\n  Real x;\nalgorithm\n  x = 2;\nend N;\n"),
+              QString::fromUtf8("„=“ ist eine Gleichung | eine Anweisung schreibt man mit „:=“\n"
                                 "„M“ ist mit dem Namen „N“ abgeschlossen | „end M;“ schreiben"));
     EXPECT_EQ(said("model M\n  Real x;\nequation\n  if x > 0 then\n    x = 1;\nend M;\n"),
               QString::fromUtf8("erwartet: „if“ hinter „end“, gefunden: „M“ | der innerste offene Block ist „if“"));
