@@ -26,7 +26,7 @@ Variant alongRecorded(Variant variant, const std::vector<std::vector<double>>& s
     const PlacedEffect& placed = variant.effects.back();
     variant.task.imposed = ImposedVariable{placed.instance + "." + placed.effect.along, recordedName};
     std::size_t next = 0;
-    for (Recording& r : variant.task.recordings) {
+    for (Recording& r : variant.task.recordings.edit()) {
         Eigen::VectorXd course = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(r.time.size()));
         if (r.role == Role::Fit) {
             course = Eigen::Map<const Eigen::VectorXd>(simulated[next].data(), lead[next].size()) + lead[next];

@@ -73,7 +73,7 @@ std::optional<ChannelDependence> fitted(const NullModel& null, const Channel& ch
     Variant variant = null.variant;
     variant.task.change = ParameterChange{estimate.name, 0, inputName};
     for (std::size_t r = 0; r < variant.task.recordings.size(); ++r) {
-        Recording& recording = variant.task.recordings[r];
+        Recording& recording = variant.task.recordings.edit()[r];
         if (channel.values[r].size() == 0) continue;
         recording.addInput(inputName, channel.values[r]);
     }

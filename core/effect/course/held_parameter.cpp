@@ -33,8 +33,10 @@ Variant withFreed(Variant variant, const std::vector<FitParameter>& held) {
     for (const FitParameter& p : held) {
         std::erase_if(variant.task.parameters, [&](const FitParameter& fitted) { return fitted.name == p.name; });
         variant.task.parameters.push_back(p);
-        for (Recording& r : variant.task.recordings)
-            std::erase_if(r.starts, [&](const RecordingStart& s) { return s.parameter == p.name; });
+        const auto isIts = [&](const RecordingStart& s) { return s.parameter == p.name; };
+        if (std::any_of(variant.task.recordings.begin(), variant.task.recordings.end(),
+                        [&](const Recording& r) { return std::any_of(r.starts.begin(), r.starts.end(), isIts); }))
+            for (Recording& r : variant.task.recordings.edit()) std::erase_if(r.starts, isIts);
     }
     return variant;
 }

@@ -153,7 +153,7 @@ struct FittedAlone {
 /// Without the samples of a part.
 Variant withoutPart(const Variant& variant, const Cut& cut, int part) {
     Variant rest = variant;
-    std::vector<Recording>& recordings = rest.task.recordings;
+    std::vector<Recording>& recordings = rest.task.recordings.edit();
     for (int e = 0; e < static_cast<int>(recordings.size()); ++e) {
         Recording& r = recordings[static_cast<std::size_t>(e)];
         for (Eigen::Index k = 0; k < r.outputs.cols(); ++k)

@@ -97,7 +97,8 @@ std::vector<InputEdge> inputEdges(const EstimationTask& task) {
 }
 
 void place(EstimationTask& task, const std::vector<InputEdge>& edges) {
-    for (std::size_t r = 0; r < task.recordings.size(); ++r) place(task.recordings[r], static_cast<int>(r), edges);
+    for (std::size_t r = 0; r < task.recordings.size(); ++r)
+        place(task.recordings.edit()[r], static_cast<int>(r), edges);
 }
 
 void place(Recording& recording, int index, const std::vector<InputEdge>& edges) {

@@ -54,7 +54,7 @@ void thin(Recording& recording, int factor) {
 EstimationTask thinned(const EstimationTask& task, int factor) {
     EstimationTask shorter = task;
     if (factor < 2) return shorter;
-    for (Recording& r : shorter.recordings)
+    for (Recording& r : shorter.recordings.edit())
         if (r.role == Role::Fit) thin(r, factor);
     return shorter;
 }

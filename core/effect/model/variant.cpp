@@ -29,7 +29,7 @@ Outcome<EstimationTask> withText(const EstimationTask& task, std::string text) {
 
 /// Lets a recorded but unused channel drive a new top-level input of that unit (empty: of the channel's own).
 void connectSpare(EstimationTask& task, const std::string& spare, const std::string& input, const std::string& unit) {
-    for (Recording& r : task.recordings) {
+    for (Recording& r : task.recordings.edit()) {
         const auto channel =
             std::find_if(r.spares.begin(), r.spares.end(), [&](const SpareChannel& s) { return s.name == spare; });
         if (channel == r.spares.end()) continue;
@@ -162,7 +162,7 @@ namespace {
 void holdClocks(EstimationTask& task, const Variant& variant) {
     for (const FitParameter& p : variant.task.parameters) {
         if (!isClock(p.name)) continue;
-        for (Recording& r : task.recordings)
+        for (Recording& r : task.recordings.edit())
             for (RecordingClock& clock : r.clocks) {
                 if (clockOf(clock.output) != p.name) continue;
                 blankBeyond(r, clock.output, p.min, p.max);
@@ -186,12 +186,14 @@ Outcome<PreparedTask> prepareHeld(const Variant& variant, const std::vector<FitP
         if (v.experiment < 0 && !isFree(v.name) && !isClock(v.name)) kept.push_back(v.name);
     holdClocks(task, variant);
     const std::vector<int> fitted = recordingsOf(task, Role::Fit);
-    for (std::size_t e = 0; e < fitted.size(); ++e)
-        for (RecordingStart& s : task.recordings[static_cast<std::size_t>(fitted[e])].starts) {
+    for (std::size_t e = 0; e < fitted.size(); ++e) {
+        if (task.recordings[static_cast<std::size_t>(fitted[e])].starts.empty()) continue;
+        for (RecordingStart& s : task.recordings.edit()[static_cast<std::size_t>(fitted[e])].starts) {
             s.isFitted = false;
             for (const ParameterValue& v : variant.values)
                 if (v.experiment == static_cast<int>(e) && v.name == s.parameter) s.value = v.value;
         }
+    }
     Outcome<PreparedTask> prepared = prepare(task, noise, Role::Fit, kept);
     if (!prepared) return prepared;
     prepared->problem.knownPlans = variant.plans;

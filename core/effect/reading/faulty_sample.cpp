@@ -270,7 +270,7 @@ std::vector<FaultySamples> faultySamples(const std::vector<Recording>& recording
 
 void leaveOut(EstimationTask& task, const std::vector<FaultySamples>& faults) {
     for (const FaultySamples& f : faults) {
-        Recording& recording = task.recordings[static_cast<std::size_t>(f.recording)];
+        Recording& recording = task.recordings.edit()[static_cast<std::size_t>(f.recording)];
         const auto row = std::find(recording.outputNames.begin(), recording.outputNames.end(), f.output);
         if (row != recording.outputNames.end())
             recording.outputs.row(row - recording.outputNames.begin())

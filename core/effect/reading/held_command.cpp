@@ -33,7 +33,7 @@ std::vector<std::string> inputsOnLines(const EstimationTask& task) {
 /// Calls `use` with the row of each of these inputs in the fitted recordings.
 template <class Use>
 void forEach(EstimationTask& task, const std::vector<std::string>& inputs, Use use) {
-    for (Recording& r : task.recordings)
+    for (Recording& r : task.recordings.edit())
         for (Eigen::Index i = 0; i < r.inputs.rows(); ++i) {
             const std::string& name = r.inputNames[static_cast<std::size_t>(i)];
             if (std::find(inputs.begin(), inputs.end(), name) != inputs.end()) use(r, i);

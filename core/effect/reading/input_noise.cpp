@@ -37,7 +37,7 @@ Eigen::RowVectorXd filtered(const Eigen::RowVectorXd& signal, double noise) {
 std::vector<NoisyInput> quieten(EstimationTask& task) {
     std::vector<NoisyInput> found;
     for (std::size_t r = 0; r < task.recordings.size(); ++r) {
-        Recording& recording = task.recordings[r];
+        Recording& recording = task.recordings.edit()[r];
         if (recording.role != Role::Fit) continue;
         for (Eigen::Index i = 0; i < recording.inputs.rows(); ++i) {
             // what is held is what was commanded, not what was measured of it

@@ -160,7 +160,7 @@ bool MistakenUnit::concerns(const ChannelUnit& given) const {
 }
 
 EstimationTask readAsLikely(EstimationTask task, const MistakenUnit& mistake) {
-    for (const int r : mistake.recordings) readAsLikely(task.recordings[static_cast<std::size_t>(r)], mistake);
+    for (const int r : mistake.recordings) readAsLikely(task.recordings.edit()[static_cast<std::size_t>(r)], mistake);
     return task;
 }
 

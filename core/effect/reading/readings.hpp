@@ -17,8 +17,8 @@ namespace analogon {
 struct RedrawnInputs {
     std::vector<InputClock> clocks{};
     std::vector<InputEdge> edges{};
-    std::vector<Recording> stamped{};     // of the searched task, as they are without the clocks
-    std::vector<Recording> asRecorded{};  // of the full task, as they are without either; empty: nothing is redrawn
+    Recordings stamped{};     // of the searched task, as they are without the clocks
+    Recordings asRecorded{};  // of the full task, as they are without either; empty: nothing is redrawn
     std::optional<std::pair<double, double>> errorsOnTime{};  // [%] with both: fitted, validated (negative: none)
 };
 
@@ -34,9 +34,7 @@ struct Readings {
     bool takesAsGiven{};  // no recording is to be redrawn
 
     /// Those of the search before clocks were set or jumps placed.
-    const std::vector<Recording>& recordingsAsGiven() const {
-        return drawn.edges.empty() ? drawn.stamped : drawn.asRecorded;
-    }
+    const Recordings& recordingsAsGiven() const { return drawn.edges.empty() ? drawn.stamped : drawn.asRecorded; }
     void takeRecordingsAsGiven() {
         searched.task.recordings = recordingsAsGiven();
         full.task.recordings = drawn.asRecorded;

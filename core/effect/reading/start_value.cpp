@@ -154,7 +154,7 @@ std::vector<ToldStart> startsOfChecks(const EstimationTask& task, const ModelSta
 }
 
 void setFitted(EstimationTask& task, const ToldStart& start, bool isFitted) {
-    std::vector<RecordingStart>& starts = task.recordings[static_cast<std::size_t>(start.recording)].starts;
+    std::vector<RecordingStart>& starts = task.recordings.edit()[static_cast<std::size_t>(start.recording)].starts;
     for (RecordingStart& s : starts)
         if (s.parameter == start.parameter) {
             s.isFitted = isFitted;

@@ -155,7 +155,7 @@ Finding tellEnding(SearchContext& search, Ending end) {
     settleVerdicts(finding, finding.candidates);
 
     const bool isRedrawn = !readings.drawn.asRecorded.empty();
-    const std::vector<Recording>& recorded = isRedrawn ? readings.drawn.asRecorded : readings.full.task.recordings;
+    const Recordings& recorded = isRedrawn ? readings.drawn.asRecorded : readings.full.task.recordings;
     const std::vector<FaultySamples> unfitted = faultySamples(recorded, finding.final);
     const ModelState sound = withoutFaults(finding.final, unfitted);
     EstimationTask measured = readings.full.task;

@@ -31,7 +31,7 @@ void reportAsRecorded(SearchContext& search, const NullModel& null, ModelState& 
     if (search.readings.drawn.asRecorded.empty()) return;
     Variant plain = search.readings.full;
     for (std::size_t r = 0; r < search.readings.drawn.asRecorded.size(); ++r) {
-        Recording& recording = plain.task.recordings[r];
+        Recording& recording = plain.task.recordings.edit()[r];
         const Recording& from = search.readings.drawn.asRecorded[r];
         recording.time = from.time;
         recording.inputs = from.inputs;

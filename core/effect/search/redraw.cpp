@@ -62,7 +62,7 @@ std::optional<Late> findClocks(const SearchContext& search, const NullModel& nul
     if (search.readings.takesAsGiven || !search.readings.drawn.edges.empty() ||
         search.work.clockChanges >= mostClockChanges || hasProposal(null))
         return std::nullopt;
-    const std::vector<Recording>& stamped =
+    const Recordings& stamped =
         search.readings.drawn.clocks.empty() ? search.readings.searched.task.recordings : search.readings.drawn.stamped;
     search.say("reconsider", phrase("clocks of the inputs"), -1);
     const double interval = samplingInterval(null.variant.task);
@@ -79,7 +79,7 @@ std::optional<Late> findClocks(const SearchContext& search, const NullModel& nul
         groups = {groups[group]};
         Variant drawn = null.variant;
         drawn.values = there.variant.values;
-        analogon::setClocks(drawn.task.recordings, stamped, clocks);
+        analogon::setClocks(drawn.task.recordings.edit(), stamped, clocks);
         std::optional<Allowed> with = allowed(search, null, drawn, static_cast<int>(clocks.size()), threshold);
         const double before = found ? found->with.gain.effective : 0;
         if (!with || !with->gain.isSignificant || !(with->gain.effective > before)) break;
@@ -116,8 +116,8 @@ bool refitLate(SearchContext& search, NullModel& null, Late late) {
     if (search.readings.drawn.clocks.empty()) search.readings.drawn.stamped = search.readings.searched.task.recordings;
     if (search.readings.drawn.asRecorded.empty())
         search.readings.drawn.asRecorded = search.readings.full.task.recordings;
-    analogon::setClocks(search.readings.searched.task.recordings, search.readings.drawn.stamped, late.clocks);
-    analogon::setClocks(search.readings.full.task.recordings, search.readings.drawn.asRecorded, late.clocks);
+    analogon::setClocks(search.readings.searched.task.recordings.edit(), search.readings.drawn.stamped, late.clocks);
+    analogon::setClocks(search.readings.full.task.recordings.edit(), search.readings.drawn.asRecorded, late.clocks);
     search.readings.drawn.clocks = std::move(late.clocks);
     ++search.work.clockChanges;
     return true;
@@ -127,7 +127,7 @@ void holdUnneededClocks(SearchContext& search, NullModel& null) {
     if (search.readings.drawn.clocks.empty() || !search.readings.drawn.edges.empty() || search.progress.stopRequested())
         return;
     Variant variant = null.variant;
-    analogon::setClocks(variant.task.recordings, search.readings.drawn.stamped, {});
+    analogon::setClocks(variant.task.recordings.edit(), search.readings.drawn.stamped, {});
     Outcome<NullModel> stamped = fitNull(variant, null.noise, NoiseLevel::Keep, search.fit, search.progress);
     if (!stamped || search.progress.stopRequested()) return;
     const Acceptance missed = examine(*stamped, null.fit, static_cast<int>(search.readings.drawn.clocks.size()), 0);

@@ -63,9 +63,9 @@ EstimationTask ovenTask() {
     }
     task.recordings = {recording("cold", Role::Fit, 60, 285.0), recording("check", Role::Validate, 40, 320.0),
                        recording("hot", Role::Fit, 50, 330.0)};
-    task.recordings[0].starts = {{"T_start", 285.0, false}};
-    task.recordings[1].starts = {{"T_start", 320.0, false}};
-    task.recordings[2].starts = {{"T_start", 328.0, true}};
+    task.recordings.edit()[0].starts = {{"T_start", 285.0, false}};
+    task.recordings.edit()[1].starts = {{"T_start", 320.0, false}};
+    task.recordings.edit()[2].starts = {{"T_start", 328.0, true}};
     return task;
 }
 
@@ -107,7 +107,7 @@ TEST(Prepare, MakesAProblemThatFits) {
 
 TEST(Prepare, WeighsByTheNoiseAndTheWishOfTheStudy) {
     EstimationTask task = ovenTask();
-    task.recordings[0].weights[0] = 2.0;
+    task.recordings.edit()[0].weights[0] = 2.0;
     const std::vector<Eigen::VectorXd> noise(3, (Eigen::VectorXd(2) << 0.5, 0.0).finished());
     const Outcome<PreparedTask> prepared = prepare(task, noise);
     ASSERT_TRUE(prepared);
@@ -144,20 +144,20 @@ TEST(Prepare, NamesWhatIsWrong) {
     task.parameters[0].name = "fixedOne";
     EXPECT_THAT(faultOf(task), HasSubstr("fixedOne is final"));
     task = ovenTask();
-    task.recordings[2].starts[0].parameter = "T_begin";
+    task.recordings.edit()[2].starts[0].parameter = "T_begin";
     EXPECT_THAT(faultOf(task), HasSubstr("Oven has no parameter T_begin"));
     task = ovenTask();
-    task.recordings[0].inputNames[0] = "T_ambient";
+    task.recordings.edit()[0].inputNames[0] = "T_ambient";
     EXPECT_THAT(faultOf(task), HasSubstr("experiment 'cold': the model has no input T_ambient"));
     task = ovenTask();
-    task.recordings[0].outputNames[0] = "T_walls";
+    task.recordings.edit()[0].outputNames[0] = "T_walls";
     EXPECT_THAT(faultOf(task), HasSubstr("did you mean T_wall?"));
     task = ovenTask();
-    task.recordings[0].inputNames.pop_back();
-    task.recordings[0].inputs.conservativeResize(1, Eigen::NoChange);
+    task.recordings.edit()[0].inputNames.pop_back();
+    task.recordings.edit()[0].inputs.conservativeResize(1, Eigen::NoChange);
     EXPECT_THAT(faultOf(task), HasSubstr("experiment 'cold': input power has no channel"));
     task = ovenTask();
-    task.recordings[0].starts = {{"C", 4.0, false}};
+    task.recordings.edit()[0].starts = {{"C", 4.0, false}};
     EXPECT_THAT(faultOf(task), HasSubstr("C is fitted for all experiments and has a start of its own here"));
 }
 

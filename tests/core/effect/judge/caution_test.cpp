@@ -115,16 +115,16 @@ TEST(Caution, TellsWhereASensorStuck) {
     }
     task.recordings = {r};
     EXPECT_THAT(stuckReadings(task), IsEmpty());
-    task.recordings[0].outputs.row(0).segment(80, 30).setConstant(0.25);
+    task.recordings.edit()[0].outputs.row(0).segment(80, 30).setConstant(0.25);
     EXPECT_THAT(stuckReadings(task), ElementsAre(AllOf(HasSubstr("reads 0.25 from 80 s to 109 s without any change"),
                                                        HasSubstr("did the sensor or the logger stick?"))));
     for (const double end : {-1.5, 1.5}) {
-        task.recordings[0].outputs.row(0).segment(80, 30).setConstant(end);
+        task.recordings.edit()[0].outputs.row(0).segment(80, 30).setConstant(end);
         EXPECT_THAT(stuckReadings(task),
                     ElementsAre(HasSubstr("does the range of the sensor or the logger end there?")));
     }
-    for (int k = 0; k < samples; ++k) task.recordings[0].outputs(0, k) = std::round(2 * r.outputs(0, k));
-    task.recordings[0].outputs.row(0).segment(80, 30).setConstant(2);
+    for (int k = 0; k < samples; ++k) task.recordings.edit()[0].outputs(0, k) = std::round(2 * r.outputs(0, k));
+    task.recordings.edit()[0].outputs.row(0).segment(80, 30).setConstant(2);
     EXPECT_THAT(stuckReadings(task), IsEmpty()) << "a coarse converter often reads the same";
 }
 

@@ -70,9 +70,9 @@ TEST(InputEdges, AreDrawnByMoreSamplesWithoutMeasurements) {
 
 TEST(InputEdges, OfTwoInputsAddAsManySamplesWhereverTheyAre) {
     EstimationTask task = taskOf(stairs());
-    task.recordings[0].inputNames.push_back("v");
-    task.recordings[0].inputs.conservativeResize(2, Eigen::NoChange);
-    task.recordings[0].inputs.row(1) = 2 * task.recordings[0].inputs.row(0);
+    task.recordings.edit()[0].inputNames.push_back("v");
+    task.recordings.edit()[0].inputs.conservativeResize(2, Eigen::NoChange);
+    task.recordings.edit()[0].inputs.row(1) = 2 * task.recordings[0].inputs.row(0);
     for (const double part : {0.2, 0.5, 0.50001, 0.8}) {
         EstimationTask drawn = task;
         place(drawn, {{0, "u", 9, 0.5}, {0, "v", 9, part}});

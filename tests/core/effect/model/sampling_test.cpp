@@ -23,7 +23,7 @@ EstimationTask sampledAt(std::vector<double> time) {
 TEST(SamplingInterval, IsTheMedianOfTheFittedRecordings) {
     EXPECT_DOUBLE_EQ(samplingInterval(sampledAt({0, 1, 2, 3, 100})), 1);
     EstimationTask checked = sampledAt({0, 1, 2});
-    checked.recordings.front().role = Role::Validate;
+    checked.recordings.edit().front().role = Role::Validate;
     EXPECT_EQ(samplingInterval(checked), 0) << "nothing is fitted";
 }
 

@@ -98,8 +98,8 @@ struct Unfitted {
 Unfitted faultsBeside(const Recording& checked) {
     EstimationTask task = warmBody({{"body.C", "J/K", 3.5, 1, 10}, {"joint.G", "W/K", 0.25, 0.05, 1}});
     task.recordings = {heated(), checked};
-    task.recordings[1].name = "check";
-    task.recordings[1].role = Role::Validate;
+    task.recordings.edit()[1].name = "check";
+    task.recordings.edit()[1].role = Role::Validate;
     const Outcome<NullModel> null = fitNull({task, {}, {}}, {}, NoiseLevel::Estimate, {}, {});
     EXPECT_TRUE(null) << format(null.diagnostics());
     if (!null) return {};

@@ -95,13 +95,13 @@ TEST(PickUp, ExplainsMoreThanALateInputOnlyWhereItIsOne) {
     const auto leftByClocks = [](const NullModel& null, const EstimationTask& task) {
         std::size_t group = 0;
         Variant drawn = null.variant;
-        setClocks(drawn.task.recordings, task.recordings,
+        setClocks(drawn.task.recordings.edit(), task.recordings,
                   likeliestClocks(null, task.recordings, {}, {{"P"}}, FitOptions().simulation, {}, group));
         const std::optional<FitResult> fit = fitBeside(null, drawn, FitOptions(), {});
         return fit ? fit->optimum.residuals.squaredNorm() : -1;
     };
     EstimationTask picked = recordedLate(0);
-    picked.recordings[0].outputs += 0.8 * picked.recordings[0].inputs;
+    picked.recordings.edit()[0].outputs += 0.8 * picked.recordings[0].inputs;
     const NullModel pickUp = nullOf(picked);
     EXPECT_GT(explainedByPickUp(pickUp, {{"P", 1}}), pickUp.sumOfSquares() - leftByClocks(pickUp, picked));
     const EstimationTask late = recordedLate(1.5 * interval);
@@ -111,7 +111,7 @@ TEST(PickUp, ExplainsMoreThanALateInputOnlyWhereItIsOne) {
 
 TEST(ClockGroups, AreEachInputThatChangesAndAllTogether) {
     EstimationTask task = recordedLate(0);
-    Recording& r = task.recordings[0];
+    Recording& r = task.recordings.edit()[0];
     r.inputNames = {"P", "still", "Q"};
     r.inputs.conservativeResize(3, Eigen::NoChange);
     r.inputs.row(1).setConstant(3);

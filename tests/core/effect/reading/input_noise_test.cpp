@@ -35,7 +35,7 @@ TEST(InputNoise, IsTakenOutBetweenTheSteps) {
 
 TEST(InputNoise, LeavesValidationAndCleanInputsAlone) {
     EstimationTask clean = taskOf(command()), other = taskOf(command() + noise(0.05));
-    other.recordings[0].role = Role::Validate;
+    other.recordings.edit()[0].role = Role::Validate;
     EXPECT_TRUE(quieten(clean).empty());
     EXPECT_TRUE(quieten(other).empty());
     EXPECT_EQ(clean.recordings[0].inputs.row(0).transpose(), command());

@@ -9,8 +9,8 @@ namespace {
 
 TEST(StartValue, KeepsWhatARecordingWasToldWhenItIsFittedAndHeldAgain) {
     EstimationTask task;
-    task.recordings.resize(1);
-    task.recordings[0].starts = {{"T_start", 300, false}};
+    task.recordings.edit().resize(1);
+    task.recordings.edit()[0].starts = {{"T_start", 300, false}};
     const ToldStart ofAnother{0, 0, "T_start", 280};
     setFitted(task, ofAnother, true);
     EXPECT_TRUE(task.recordings[0].starts.at(0).isFitted);
@@ -23,7 +23,7 @@ TEST(StartValue, KeepsWhatARecordingWasToldWhenItIsFittedAndHeldAgain) {
 
 TEST(StartValue, BeginsWhatNoRecordingWasToldWhereTheModelDoes) {
     EstimationTask task;
-    task.recordings.resize(1);
+    task.recordings.edit().resize(1);
     setFitted(task, {0, 0, "rotor.w.start", 2}, true);
     ASSERT_EQ(task.recordings[0].starts.size(), 1u);
     EXPECT_TRUE(task.recordings[0].starts[0].isFitted);

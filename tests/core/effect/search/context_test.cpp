@@ -35,7 +35,7 @@ TEST(Stay, IsOfTheSameEffectsAtTheSameOptimum) {
 
 TEST(SearchContext, WorksOnMeansOfALongRecordAndReportsAllOfIt) {
     EstimationTask task = laggingBody(0);
-    Recording& r = task.recordings.front();
+    Recording& r = task.recordings.edit().front();
     const Eigen::Index samples = 13'000;
     r.time.resize(static_cast<std::size_t>(samples));
     for (std::size_t k = 0; k < r.time.size(); ++k) r.time[k] = 0.01 * static_cast<double>(k);
@@ -53,7 +53,7 @@ TEST(Readings, AreTakenAsGivenWithAllThatWasRedrawn) {
     readings.searched.task = readings.full.task = task;
     readings.drawn.stamped = readings.drawn.asRecorded = task.recordings;
     readings.drawn.clocks = {{"P", 0.5}};
-    setClocks(readings.searched.task.recordings, task.recordings, readings.drawn.clocks);
+    setClocks(readings.searched.task.recordings.edit(), task.recordings, readings.drawn.clocks);
     EXPECT_NE(readings.searched.task.recordings.front().inputs, task.recordings.front().inputs);
     readings.takeRecordingsAsGiven();
     EXPECT_EQ(readings.searched.task.recordings.front().inputs, task.recordings.front().inputs);

@@ -14,7 +14,7 @@ EstimationTask laggingBodyInADraught(double lag, double draught, unsigned seed =
     EstimationTask task = laggingBody(lag);
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;
-    Recording& r = task.recordings.front();
+    Recording& r = task.recordings.edit().front();
     double course = 0;
     for (Eigen::Index k = 0; k < r.outputs.cols(); ++k) {
         course = 0.98 * course + draught * normal(random);

@@ -39,7 +39,7 @@ TEST(FoundSoFar, IsToldWithTheRecordingsAsTheyWereReadThen) {
     reachTheLag(of);
     // another reading has been begun since, in which the inputs are redrawn
     of.search.readings.drawn.asRecorded = of.search.readings.full.task.recordings;
-    of.search.readings.drawn.asRecorded.front().outputs.array() += 1000;
+    of.search.readings.drawn.asRecorded.edit().front().outputs.array() += 1000;
     const Outcome<Finding> finding = foundSoFar(of.search, of.base);
     ASSERT_TRUE(finding);
     EXPECT_LT(errorPercentOf(finding->final, Role::Fit), 5);

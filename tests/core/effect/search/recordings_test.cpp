@@ -13,7 +13,7 @@ namespace {
 
 TEST(LeaveOutFaults, TakesASpikeOutOfAllThatIsFitted) {
     EstimationTask task = laggingBody(0);
-    task.recordings.front().outputs(0, 120) += 3;
+    task.recordings.edit().front().outputs(0, 120) += 3;
     WarmSearch of(task);
     EXPECT_TRUE(leaveOutFaults(of.search, of.base));
     ASSERT_EQ(of.search.readings.faults.size(), 1u);
