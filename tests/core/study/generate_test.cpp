@@ -128,7 +128,7 @@ TEST(Generate, ComposesAPumpWithLoadAndSpeedSensor) {
                              "connect(mechanics.flange_b, load.flange)", "Analogon.Sensors.SpeedSensor"})
         EXPECT_THAT(text, HasSubstr(part));
     const EstimationTask task = taskOf(made.study);
-    EXPECT_THAT(task.recordings.at(0).outputNames, ::testing::UnorderedElementsAre("i", "w"));
+    EXPECT_THAT(task.recordings.all().at(0).outputNames, ::testing::UnorderedElementsAre("i", "w"));
     std::map<std::string, double> start;
     for (const FitParameter& parameter : task.parameters) start[parameter.name] = parameter.start;
     EXPECT_NEAR(start.at("motor.k"), 0.03, 0.01);

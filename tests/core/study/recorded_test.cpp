@@ -108,7 +108,7 @@ protected:
     Recording recording() const {
         const Outcome<EstimationTask> task = estimationTask(read());
         EXPECT_TRUE(task.hasValue()) << format(task.diagnostics());
-        return task ? task->recordings.at(0) : Recording{};
+        return task ? task->recordings.all().at(0) : Recording{};
     }
     void putThreeRasters() const {
         putMdf(directory_ / "run.mf4",

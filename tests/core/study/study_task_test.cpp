@@ -39,7 +39,7 @@ TEST_F(StudyTask, HoldsChannelsInTheUnitsOfTheModel) {
 TEST_F(StudyTask, KeepsUnusedColumnsAndBridgesTheirGaps) {
     putHeater();
     const EstimationTask result = task();
-    const auto& spares = result.recordings.at(0).spares;
+    const auto& spares = result.recordings.all().at(0).spares;
     ASSERT_EQ(spares.size(), 2u);
     EXPECT_EQ(spares[1].name, "broken");
     EXPECT_THAT(spares[1].values, ElementsAre(1, 1.5, 2, 3));
@@ -54,7 +54,7 @@ TEST_F(StudyTask, LeavesOutUnusedColumnsOfWhichLittleWasRecorded) {
         "t [ms],u_heater [mV],T_air [degC],current [mA],late,rare\n"
         "0,0,20,0,,\n500,1000,20,333,,\n1000,1000,21,333,3,2\n1500,2000,21,667,4,\n");
     const EstimationTask result = task();
-    const auto& spares = result.recordings.at(0).spares;
+    const auto& spares = result.recordings.all().at(0).spares;
     ASSERT_EQ(spares.size(), 1u);
     EXPECT_EQ(spares[0].name, "late");
     EXPECT_THAT(spares[0].values, ElementsAre(3, 3, 3, 4));
@@ -83,7 +83,7 @@ TEST_F(StudyTask, SetsWhatIsNotFitted) {
     change("\"C\": {\"fit\": true, \"min\": 1", "\"C\": {\"fit\": false, \"value\": 7, \"min\": 1");
     const EstimationTask result = task();
     EXPECT_EQ(result.parameters.size(), 1u);
-    ASSERT_EQ(result.recordings.at(0).starts.size(), 1u);
+    ASSERT_EQ(result.recordings.all().at(0).starts.size(), 1u);
     EXPECT_EQ(result.recordings[0].starts[0].parameter, "C");
     EXPECT_EQ(result.recordings[0].starts[0].value, 7);
     EXPECT_FALSE(result.recordings[0].starts[0].isFitted);
@@ -95,7 +95,7 @@ TEST_F(StudyTask, ReadsStartValuesOfAnExperiment) {
            "\"outputs\": {\"i\": \"current\"}, \"initial\": {\"T_start\": \"T_air\", \"G\": \"fit\", \"C\": 4}");
     change("\"C\": {\"fit\": true", "\"C\": {\"fit\": false");  // else it had two starts
     const EstimationTask result = task();
-    const auto& starts = result.recordings.at(0).starts;
+    const auto& starts = result.recordings.all().at(0).starts;
     ASSERT_EQ(starts.size(), 3u);
     EXPECT_EQ(starts[0].parameter, "C");
     EXPECT_EQ(starts[0].value, 4);
@@ -110,13 +110,13 @@ TEST_F(StudyTask, ReadsWhereAVariableBegins) {
     putHeater();
     const std::string outputs = "\"outputs\": {\"i\": \"current\"}";
     change(outputs, outputs + ", \"initial\": {\"T\": \"T_air\"}");
-    const Recording told = task().recordings.at(0);
+    const Recording told = task().recordings.all().at(0);
     ASSERT_EQ(told.starts.size(), 1u);
     EXPECT_EQ(told.starts[0].parameter, "T.start");
     EXPECT_NEAR(told.starts[0].value, 293.15, 1e-9);
     change("\"T\": \"T_air\"", "\"T.start\": \"fit\"");
     const EstimationTask fitted = task();
-    EXPECT_EQ(fitted.recordings.at(0).starts.at(0).parameter, "T.start");
+    EXPECT_EQ(fitted.recordings.all().at(0).starts.at(0).parameter, "T.start");
     EXPECT_TRUE(fitted.recordings[0].starts[0].isFitted);
     EXPECT_NEAR(fitted.recordings[0].starts[0].value, 293.15, 1e-9) << "the model's own";
     const Outcome<PreparedTask> prepared = prepare(fitted);
@@ -210,7 +210,7 @@ TEST_F(StudyTask, RefusesAClockThatCannotBeFitted) {
 TEST_F(StudyTask, CutsToTheRange) {
     putHeater();
     change("\"time\": \"t\"", "\"time\": \"t\", \"range\": [0.4, 1.2]");
-    EXPECT_THAT(task().recordings.at(0).time, ElementsAre(0.5, 1));
+    EXPECT_THAT(task().recordings.all().at(0).time, ElementsAre(0.5, 1));
     change("[0.4, 1.2]", "[5, 6]");
     const Diagnostic fault = taskFault();
     EXPECT_THAT(fault.message, HasSubstr("fewer than two samples lie between 5 s and 6 s"));
@@ -226,7 +226,7 @@ TEST_F(StudyTask, LeavesBlankCellsOutsideTheRangeAlone) {
     EXPECT_EQ(fault.place.column, 3);
     EXPECT_THAT(fault.hint, HasSubstr("range"));
     change("\"time\": \"t\"", "\"time\": \"t\", \"range\": [1, 2]");
-    EXPECT_EQ(task().recordings.at(0).time.size(), 2u);
+    EXPECT_EQ(task().recordings.all().at(0).time.size(), 2u);
 }
 
 TEST_F(StudyTask, PointsAtAColumnThatIsNotThere) {

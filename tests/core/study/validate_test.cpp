@@ -34,7 +34,7 @@ TEST_F(Validate, ColumnsThatNoSignalTakesCostASearchAlone) {
     for (const Purpose purpose : {Purpose::Check, Purpose::Simulate, Purpose::Fit, Purpose::Discover}) {
         const Outcome<ValidStudy> valid = validated(read(), purpose);
         ASSERT_TRUE(valid) << format(valid.diagnostics());
-        EXPECT_EQ(valid->task.recordings.at(0).spares.empty(), purpose != Purpose::Discover);
+        EXPECT_EQ(valid->task.recordings.all().at(0).spares.empty(), purpose != Purpose::Discover);
     }
 }
 
