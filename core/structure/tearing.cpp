@@ -51,12 +51,14 @@ private:
     void findIncidence();
     void tear();
     void eliminate(int equation);
+    double growthOf(int equation, int unknown) const;
     void settle(int unknown);
     int nextTorn();
     Outcome<SolutionBlock> remainder();
     Diagnostic noInfluence() const;
     Diagnostic tooLarge(std::size_t limit) const;
 
+    static constexpr double mostGrowth = 1e6;  // of rounding: nine digits of sixteen are left
     EquationSystem& system_;
     ExpressionPool& pool_;
     const std::vector<Equation>& equations_;
@@ -69,7 +71,8 @@ private:
     std::vector<char> isSettled_, isUsed_;     // unknown: torn or eliminated; equation: used to eliminate
     std::vector<Step> steps_;
     std::vector<int> torn_;
-    std::vector<int> ready_;  // equations with one open unknown
+    std::vector<int> ready_;      // equations with one open unknown
+    std::vector<double> growth_;  // by settled unknown: how far the rounding of torn ones comes through to it
 };
 
 /// unknown := expression, when the equation is linear in it.
@@ -166,6 +169,7 @@ void ComponentSolver::findIncidence() {
     }
     isSettled_.assign(equations_.size(), 0);
     isUsed_.assign(equations_.size(), 0);
+    growth_.assign(equations_.size(), 1);
     entries_.resize(equations_.size());
 }
 
@@ -176,13 +180,32 @@ void ComponentSolver::settle(int unknown) {
             ready_.push_back(e);
 }
 
-/// Uses an equation with one open unknown to eliminate that, if its factor is safe.
+/// The sum of what the others bring, with the magnitudes of their factors; one that is not constant counts as 1.
+double ComponentSolver::growthOf(int equation, int unknown) const {
+    const auto e = static_cast<std::size_t>(equation);
+    double sum = 0, own = 1;
+    for (std::size_t i = 0; i < unknownsOf_[e].size(); ++i) {
+        const double size = std::fabs(entries_[e][i].factor);
+        if (unknownsOf_[e][i] == unknown)
+            own = size;
+        else
+            sum += (size > 0 ? size : 1) * growth_[static_cast<std::size_t>(unknownsOf_[e][i])];
+    }
+    return sum / own;
+}
+
+/// Uses an equation with one open unknown to eliminate that, if its factor is safe, and rounding does not grow too far
+/// on the way: from node to node of a large net every step multiplies it, and the torn unknowns at the end of many are
+/// found from differences of large numbers (as with shooting: Ascher, Mattheij & Russell 1995, section 4.2).
 void ComponentSolver::eliminate(int equation) {
     const auto e = static_cast<std::size_t>(equation);
     if (isUsed_[e] || openUnknowns_[e] != 1) return;
     for (const int u : unknownsOf_[e]) {
         if (isSettled_[static_cast<std::size_t>(u)]) continue;
         if (safetyOf(equation, u) == Safety::None) return;
+        const double growth = growthOf(equation, u);
+        if (growth > mostGrowth) return;
+        growth_[static_cast<std::size_t>(u)] = growth;
         isUsed_[e] = 1;
         steps_.push_back({equation, u, {}});
         settle(u);

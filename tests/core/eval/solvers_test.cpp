@@ -1,6 +1,11 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
 #include "core/eval/machine.hpp"
+#include "tests/core/simulate/text_models.hpp"
 
 namespace analogon {
 namespace {
@@ -45,6 +50,62 @@ TEST(LinearSolver, SolvesManyRightHandSidesAtOnce) {
     substitute(matrix, pivots, right.data(), 3, 3);
     const std::vector<double> expected{0.3, -0.1, 1, -0.2, 0.4, 1};
     for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(right[i], expected[i], 1e-15);
+}
+
+/// y(1) … of a system without states at an input.
+std::vector<double> outputsAt(const System& system, double u) {
+    Workspace w = system.workspace(0);
+    std::vector<double> y(static_cast<std::size_t>(system.outputCount()));
+    EXPECT_TRUE(system.setParameters(w, test::ownParameters(system)));
+    EXPECT_TRUE(system.outputs(w, 0, {}, std::vector<double>{u}, y)) << system.failure(w);
+    return y;
+}
+
+TEST(LinearLoop, OfALongLadderKeepsItsDigits) {
+    // From node to node a step multiplies rounding by two: 60 of them would leave nothing.
+    constexpr int n = 60;
+    std::string text = "model Ladder\n  input Real u;\n", equations = "equation\n";
+    for (int i = 1; i <= n; ++i) {
+        text += fmt::format("  output Real T{};\n", i);
+        equations += fmt::format("  0 = {} - 2.5*T{}{};\n", i == 1 ? "u" : fmt::format("T{}", i - 1), i,
+                                 i == n ? "" : fmt::format(" + T{}", i + 1));
+    }
+    const SystemPtr system = test::compileText(text + equations + "end Ladder;\n", "Ladder");
+    ASSERT_TRUE(system);
+    const std::vector<double> T = outputsAt(*system, 7);
+    // T(i) = a 2^-i + b 2^i with T(0) = u and T(n + 1) = 0
+    const double b = -7 * std::pow(0.25, n + 1) / (1 - std::pow(0.25, n + 1)), a = 7 - b;
+    for (int i = 1; i <= n; ++i) {
+        const double exact = a * std::pow(0.5, i) + b * std::pow(2.0, i);
+        EXPECT_NEAR(T[static_cast<std::size_t>(i - 1)], exact, 1e-10) << i;
+    }
+}
+
+TEST(LinearLoop, OfANetKeepsItsDigits) {
+    // Nodes (i, j) of a square with a loss to the ambient and a source in one corner: it is symmetric about the
+    // diagonal, and what flows in is lost.
+    constexpr int n = 12;
+    std::string text = "model Net\n  input Real u;\n", equations = "equation\n";
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            text += fmt::format("  output Real T{}_{};\n", i, j);
+            std::string flows = i == 0 && j == 0 ? "u" : "0";
+            for (const auto& [a, b] : {std::pair(i - 1, j), {i + 1, j}, {i, j - 1}, {i, j + 1}})
+                if (a >= 0 && a < n && b >= 0 && b < n) flows += fmt::format(" + (T{}_{} - T{}_{})", a, b, i, j);
+            equations += fmt::format("  0 = {} - 0.1*T{}_{};\n", flows, i, j);
+        }
+    const SystemPtr system = test::compileText(text + equations + "end Net;\n", "Net");
+    ASSERT_TRUE(system);
+    const std::vector<double> T = outputsAt(*system, 3);
+    const auto at = [&](int i, int j) { return T[static_cast<std::size_t>(i * n + j)]; };
+    double lost = 0;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            lost += 0.1 * at(i, j);
+            EXPECT_NEAR(at(i, j), at(j, i), 1e-8) << i << ' ' << j;
+            EXPECT_GT(at(i, j), 0) << i << ' ' << j;
+        }
+    EXPECT_NEAR(lost, 3, 1e-8);
 }
 
 }  // namespace
