@@ -11,13 +11,13 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 
 #include "core/base/memory.hpp"
 #include "core/fit/fit.hpp"
 #include "core/study/run.hpp"
 #include "tests/bench/speed/hand_fit.hpp"
+#include "tests/bench/speed/measuring.hpp"
 
 namespace analogon::speed {
 namespace {
@@ -28,41 +28,8 @@ double processor(clockid_t clock) {
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Time of this process on a processor [s]: the machine may be busy with other things.
-double now() { return processor(CLOCK_PROCESS_CPUTIME_ID); }
-
 /// Time on the wall [s], where threads are to show.
 double wall() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
-/// Least time of some repeats [s].
-double timed(double budget, const std::function<void()>& work) {
-    double best = 1e300;
-    const double end = now() + budget;
-    for (int i = 0; i < 3 || now() < end; ++i) {
-        const double begin = now();
-        work();
-        best = std::min(best, now() - begin);
-        if (best > budget) break;
-    }
-    return best;
-}
-
-/// A line of /proc/self/status [MB]; 0 where there is none.
-double memory(const std::string& name) {
-    std::ifstream status("/proc/self/status");
-    for (std::string line; std::getline(status, line);)
-        if (line.starts_with(name + ":")) return std::atof(line.c_str() + name.size() + 1) / 1024;
-    return 0;
-}
-
-/// How far the work rises above the memory in use before it [MB].
-double peakMemory(const std::function<void()>& work) {
-    malloc_trim(0);
-    std::ofstream("/proc/self/clear_refs") << "5";  // the peak starts again
-    const double before = memory("VmRSS");
-    work();
-    return memory("VmHWM") - before;
-}
 
 Pass motorPassOf(const SpeedProblem& problem) {
     return [&problem](const Eigen::VectorXd& p) { return motorPass(problem.record(), p.data()); };
