@@ -6042,6 +6042,14 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Blatt „{}“, Spalte „{}“: {} Zellen mit Wörtern sind Lücken</translation>
     </message>
     <message>
+        <source>sheet &quot;{}&quot;, column &quot;{}&quot;: {} formulas have no result in the file and are gaps; open it in a spreadsheet program and save it</source>
+        <translation>Blatt „{}“, Spalte „{}“: {} Formeln haben in der Datei kein Ergebnis und sind Lücken; öffnen und speichern Sie sie in einer Tabellenkalkulation</translation>
+    </message>
+    <message>
+        <source>sheet &quot;{}&quot;: what stands below the table, from row {} on, is left out</source>
+        <translation>Blatt „{}“: was unter der Tabelle steht, ab Zeile {}, wird ausgelassen</translation>
+    </message>
+    <message>
         <source>sheet &quot;{}&quot; has {} columns of time: each column belongs to the one on its left</source>
         <translation>Blatt „{}“ hat {} Zeitspalten: jede Spalte gehört zu der links von ihr</translation>
     </message>

@@ -50,11 +50,30 @@ std::optional<double> numberOf(std::string_view text, char decimal) {
     return value;
 }
 
+namespace {
+
+/// 10:30:00,5 as a part of a day.
+std::optional<double> clockOf(const std::string& text) {
+    int hour = 0, minute = 0, used = 0;
+    char seconds[20] = "0";
+    const int fields = std::sscanf(text.c_str(), "%2d:%2d:%15[0-9.,]%n", &hour, &minute, seconds, &used);
+    if (fields < 3 || static_cast<std::size_t>(used) != text.size() || hour < 0 || hour > 23 || minute < 0 ||
+        minute > 59)
+        return std::nullopt;
+    std::replace(seconds, seconds + sizeof seconds, ',', '.');
+    double second = 0;
+    std::from_chars(seconds, seconds + std::char_traits<char>::length(seconds), second);
+    return (hour * 3600 + minute * 60 + second) / 86400;
+}
+
+}  // namespace
+
 std::optional<double> dateOf(std::string_view text) {
     const std::string date(trimmed(text));
     int year = 0, month = 0, day = 0, hour = 0, minute = 0, used = 0;
     char seconds[20] = "0";
     if (date.size() > 40) return std::nullopt;
+    if (const std::optional<double> clock = clockOf(date)) return clock;
     const bool isGerman = std::sscanf(date.c_str(), "%2d.%2d.%4d%n", &day, &month, &year, &used) == 3 && used > 0;
     const bool isIso = !isGerman && std::sscanf(date.c_str(), "%4d-%2d-%2d%n", &year, &month, &day, &used) == 3;
     if (!isGerman && !isIso) return std::nullopt;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "core/base/unit.hpp"
 #include "core/measure/column_header.hpp"
@@ -35,7 +36,9 @@ public:
         std::map<std::uint32_t, SheetColumn> columns;
         for (std::size_t r = first_; r < last_; ++r)
             for (const Cell& cell : sheet_.rows[r].cells) columns.try_emplace(cell.column);
+        nameColumns(columns);
         for (auto& [index, column] : columns) readColumn(index, column);
+        joinDateAndClock(columns);
         if (sheet_.isCut)
             notes_.push_back(phrase("sheet \"{}\" has too many cells: the last ones are left out", sheet_.name));
         return tablesOf(columns);
@@ -81,14 +84,56 @@ private:
     }
 
     void readHeader() {
-        if (first_ == 0 || sheet_.rows[first_ - 1].number + 1 != sheet_.rows[first_].number) return;
-        const Row& above = sheet_.rows[first_ - 1];
-        const bool hasRowAbove = first_ > 1 && sheet_.rows[first_ - 2].number + 1 == above.number;
-        if (hasRowAbove && isUnitsRow(above)) {
+        constexpr std::size_t most = 3;
+        std::size_t row = first_;
+        const auto hasAbove = [&] { return row > 0 && sheet_.rows[row - 1].number + 1 == sheet_.rows[row].number; };
+        if (!hasAbove()) return;
+        const Row& above = sheet_.rows[--row];
+        if (hasAbove() && isUnitsRow(above))
             units_ = &above;
-            header_ = &sheet_.rows[first_ - 2];
-        } else {
-            header_ = &above;
+        else
+            headers_.push_back(&above);
+        while (hasAbove() && headers_.size() < most && areWords(sheet_.rows[row - 1]))
+            headers_.push_back(&sheet_.rows[--row]);
+    }
+
+    static bool areWords(const Row& row) {
+        return std::all_of(row.cells.begin(), row.cells.end(),
+                           [](const Cell& cell) { return cell.kind == Cell::Kind::Text; });
+    }
+
+    static std::string textAt(const Row& row, std::uint32_t column) {
+        const Cell* const cell = cellAt(row, column);
+        return cell && cell->kind == Cell::Kind::Text ? cell->text : std::string();
+    }
+
+    /// One row has the names where it stands over every column, the upper of those that have the most different ones.
+    /// Else a cell that stands over several columns names those below which nothing stands, and tells apart what has
+    /// one name.
+    void nameColumns(std::map<std::uint32_t, SheetColumn>& columns) const {
+        const Row* whole = nullptr;
+        std::size_t most = 0;
+        for (const Row* const row : headers_) {  // the lowest first
+            std::set<std::string> names;
+            for (const auto& [index, column] : columns) names.insert(textAt(*row, index));
+            if (names.contains({}) || names.size() < most) continue;
+            most = names.size();
+            whole = row;
+        }
+        std::map<std::string, int> counts;
+        for (auto& [index, column] : columns) {
+            std::string text = whole ? textAt(*whole, index) : std::string();
+            for (std::size_t i = 0; text.empty() && i < headers_.size(); ++i) text = textAt(*headers_[i], index);
+            ColumnHeader header = readColumnHeader(text);
+            column.name = header.name.empty() ? columnLetters(index) : header.name;
+            column.unit = header.unit;
+            ++counts[column.name];
+        }
+        if (whole || headers_.size() < 2) return;
+        std::string over;
+        for (auto& [index, column] : columns) {
+            if (std::string text = textAt(*headers_[1], index); !text.empty()) over = std::move(text);
+            if (counts[column.name] > 1 && !over.empty() && over != column.name) column.name = over + ' ' + column.name;
         }
     }
 
@@ -102,23 +147,27 @@ private:
         return 2 * units > row.cells.size();
     }
 
-    std::size_t endOfData() const {
-        std::size_t end = first_;
-        while (end < sheet_.rows.size() &&
-               (end == first_ || sheet_.rows[end].number == sheet_.rows[end - 1].number + 1))
+    /// An empty row ends the data where no rows of the same shape follow it.
+    std::size_t endOfData() {
+        const auto& rows = sheet_.rows;
+        std::size_t end = first_ + 1;
+        while (end < rows.size()) {
+            const bool isBehindGap = rows[end].number != rows[end - 1].number + 1;
+            const bool isAlike = isDataLike(rows[end]) &&
+                                 rows[end].cells.front().column == rows[first_].cells.front().column &&
+                                 isValue(rows[end].cells.front()) == isValue(rows[first_].cells.front());
+            if (isBehindGap && !isAlike) break;
             ++end;
+        }
+        const auto isData = [this](const Row& row) { return isDataLike(row); };
+        if (std::any_of(rows.begin() + static_cast<std::ptrdiff_t>(end), rows.end(), isData))
+            notes_.push_back(phrase("sheet \"{}\": what stands below the table, from row {} on, is left out",
+                                    sheet_.name, rows[end].number));
         return end;
     }
 
     void readColumn(std::uint32_t index, SheetColumn& column) {
-        const Cell* head = header_ ? cellAt(*header_, index) : nullptr;
         const Cell* unit = units_ ? cellAt(*units_, index) : nullptr;
-        column.name = columnLetters(index);
-        if (head && head->kind == Cell::Kind::Text) {
-            const ColumnHeader header = readColumnHeader(head->text);
-            column.name = header.name;
-            column.unit = header.unit;
-        }
         if (unit) column.unit = readUnitCell(unit->text);
         std::size_t texts = 0, values = 0, dates = 0, percents = 0, written = 0;
         for (std::size_t r = first_; r < last_; ++r) {
@@ -142,7 +191,7 @@ private:
             notes_.push_back(
                 phrase("sheet \"{}\", column \"{}\": fractions that are shown as percent are read as percent",
                        sheet_.name, column.name));
-        std::size_t lost = 0;
+        std::size_t lost = 0, uncalculated = 0;
         for (std::size_t r = first_; r < last_; ++r) {
             const Cell* cell = cellAt(sheet_.rows[r], index);
             if (column.isText) {
@@ -151,19 +200,46 @@ private:
                 continue;
             }
             const double value = cell ? valueOf(*cell, column.isDate) : gap;
+            uncalculated += cell && cell->kind == Cell::Kind::Uncalculated ? 1 : 0;
             column.numbers.push_back(isPercent && cell && cell->kind == Cell::Kind::Percent ? 100 * value : value);
             lost += cell && cell->kind == Cell::Kind::Text && !meansNothing(cell->text) && std::isnan(value) ? 1 : 0;
         }
+        if (uncalculated > 0)
+            notes_.push_back(
+                phrase("sheet \"{}\", column \"{}\": {} formulas have no result in the file and are gaps; open it in a "
+                       "spreadsheet program and save it",
+                       sheet_.name, column.name, uncalculated));
         if (lost > 0)
             notes_.push_back(
                 phrase("sheet \"{}\", column \"{}\": {} cells with words are gaps", sheet_.name, column.name, lost));
     }
 
     double valueOf(const Cell& cell, bool isDate) const {
-        if (cell.kind == Cell::Kind::Error) return gap;
+        if (cell.kind == Cell::Kind::Error || cell.kind == Cell::Kind::Uncalculated) return gap;
         if (cell.kind != Cell::Kind::Text) return cell.number;
         if (isDate) return dateOf(cell.text).value_or(gap);
         return numberOf(cell.text, decimal_).value_or(gap);
+    }
+
+    /// A date in one column and the clock in the next are one stamp, which is called as the clock is.
+    void joinDateAndClock(std::map<std::uint32_t, SheetColumn>& columns) {
+        const auto all = [](const SheetColumn& column, auto isSo) {
+            return column.isDate && std::all_of(column.numbers.begin(), column.numbers.end(),
+                                                [&](double v) { return std::isnan(v) || isSo(v); });
+        };
+        for (auto date = columns.begin(); date != columns.end(); ++date) {
+            const auto clock = std::next(date);
+            if (clock == columns.end()) return;
+            const bool isPair = all(date->second, [](double v) { return v >= 1 && v == std::floor(v); }) &&
+                                all(clock->second, [](double v) { return v >= 0 && v < 1; });
+            if (!isPair) continue;
+            for (std::size_t i = 0; i < clock->second.numbers.size(); ++i)
+                clock->second.numbers[i] += date->second.numbers[i];
+            notes_.push_back(
+                phrase("the time is that of columns '{}' and '{}' together", date->second.name, clock->second.name));
+            columns.erase(date);
+            return;
+        }
     }
 
     static bool isTime(const SheetColumn& column) {
@@ -228,7 +304,7 @@ private:
     std::vector<Text>& notes_;
     char decimal_{'.'};
     std::size_t first_{}, last_{};
-    const Row* header_{};
+    std::vector<const Row*> headers_;  // rows of words above the units and the data, the lowest first
     const Row* units_{};
 };
 

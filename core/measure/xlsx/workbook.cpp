@@ -211,7 +211,7 @@ private:
         const QString type = part.attribute("t");
         const std::size_t style = part.attribute("s").toUInt();
         QString value;
-        bool hasInline = false;
+        bool hasInline = false, hasFormula = false;
         while (!part.isAtEnd()) {
             const auto token = part.xml.readNext();
             if (token == QXmlStreamReader::EndElement && part.xml.name() == QLatin1String("c")) break;
@@ -222,8 +222,13 @@ private:
                 cell.text = richText(part);
                 hasInline = true;
             } else {
+                hasFormula = hasFormula || part.xml.name() == QLatin1String("f");
                 part.xml.skipCurrentElement();
             }
+        }
+        if (hasFormula && value.isEmpty() && type != QLatin1String("str")) {
+            cell.kind = Cell::Kind::Uncalculated;
+            return true;
         }
         if (type == QLatin1String("s")) {
             const std::size_t index = value.toUInt();

@@ -10,7 +10,8 @@
 namespace analogon::xlsx {
 
 struct Cell {
-    enum class Kind : std::uint8_t { Number, Date, Percent, Text, Error };
+    /// Uncalculated: a formula whose result the file does not hold.
+    enum class Kind : std::uint8_t { Number, Date, Percent, Text, Error, Uncalculated };
     std::uint32_t column{};  // from 0
     Kind kind{Kind::Number};
     double number{};  // Date: days since 1899-12-30

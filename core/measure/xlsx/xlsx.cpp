@@ -27,7 +27,7 @@ public:
 
 /// A day has 86 400 000 ms; a date as a number resolves less than a microsecond.
 std::string isoOfDays(double days) {
-    if (!(std::abs(days) < 4e6)) return {};
+    if (!(days >= 1 && days < 4e6)) return {};  // below 1 it is a clock without a date
     const auto milliseconds = static_cast<std::int64_t>(std::llround(days * 86400000.0));
     const std::chrono::sys_time<std::chrono::milliseconds> time{
         std::chrono::sys_days(std::chrono::year(1899) / 12 / 30) + std::chrono::milliseconds(milliseconds)};

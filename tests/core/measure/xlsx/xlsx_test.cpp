@@ -107,6 +107,72 @@ TEST_F(Xlsx, EachColumnBelongsToTheTimeOnItsLeft) {
     EXPECT_THAT(numbers(*opened, 1, 1), ElementsAre(5, 6));
 }
 
+TEST_F(Xlsx, NamesStandInTheRowThatCoversEveryColumnOrBelowACellOverSeveral) {
+    const std::string data = row(4, number("A4", "0") + number("B4", "1") + number("C4", "2")) +
+                             row(5, number("A5", "1") + number("B5", "3") + number("C5", "4"));
+    const Outcome<MeasurementFile> described =
+        open(row(1, word("A1", "Zeit") + word("B1", "n") + word("C1", "M")) +
+             row(2, word("B2", "Drehzahl") + word("C2", "Moment")) +
+             row(3, word("A3", "s") + word("B3", "1/min") + word("C3", "Nm")) + data);
+    ASSERT_TRUE(described) << format(described.diagnostics());
+    EXPECT_EQ(described->groups[0].channels[1].name, "n");
+    EXPECT_EQ(described->groups[0].channels[0].unit, "s");
+    const Outcome<MeasurementFile> merged =
+        open(row(1, word("A1", "Zeit") + word("B1", "Motor")) +
+             row(2, word("B2", "Vorlauf") + word("C2",
+                                                 "R\xC3\xBC"
+                                                 "cklauf")) +
+             row(3, word("A3", "s") + word("B3", "degC") + word("C3", "degC")) + data);
+    ASSERT_TRUE(merged) << format(merged.diagnostics());
+    EXPECT_EQ(merged->groups[0].channels[0].name, "Zeit");
+    EXPECT_EQ(merged->groups[0].channels[1].name, "Vorlauf");
+}
+
+TEST_F(Xlsx, DateAndClockInTwoColumnsAreOneTimeOverMidnight) {
+    const std::string head = row(1, word("A1", "Datum") + word("B1", "Uhrzeit") + word("C1", "u [V]"));
+    const Outcome<MeasurementFile> opened =
+        open(head + row(2, number("A2", "45458", 1) + number("B2", "0.75", 1) + number("C2", "1")) +
+             row(3, number("A3", "45459", 1) + number("B3", "0.25", 1) + number("C3", "2")));
+    ASSERT_TRUE(opened) << format(opened.diagnostics());
+    EXPECT_EQ(opened->start, "2024-06-15T18:00:00");
+    EXPECT_THAT(numbers(*opened, 0, 0), ElementsAre(0, 43200));
+    const Outcome<MeasurementFile> clock = open(head + row(2, word("B2", "10:30:00,5") + number("C2", "1")) +
+                                                row(3, word("B3", "10:30:02") + number("C3", "2")));
+    ASSERT_TRUE(clock) << format(clock.diagnostics());
+    EXPECT_EQ(clock->start, "");
+    EXPECT_THAT(numbers(*clock, 0, 0), ElementsAre(0, 1.5));
+}
+
+TEST_F(Xlsx, NothingIsLeftOutWithoutAWord) {
+    const std::string head = row(1, word("A1", "t [s]") + word("B1", "u [V]"));
+    const auto data = [](int at, const char* t, const char* u) {
+        const std::string n = std::to_string(at);
+        return row(at, number("A" + n, t) + number("B" + n, u));
+    };
+    const Outcome<MeasurementFile> gap =
+        open(head + data(2, "0", "1") + data(3, "1", "2") + data(5, "2", "3") + data(6, "3", "4"));
+    ASSERT_TRUE(gap) << format(gap.diagnostics());
+    EXPECT_THAT(numbers(*gap, 0, 0), ElementsAre(0, 1, 2, 3));
+    const Outcome<MeasurementFile> below =
+        open(head + data(2, "0", "1") + data(3, "1", "2") + row(6, word("A6", "Mean")) +
+             row(7, word("A7", "x") + number("B7", "1.5")) + row(8, word("A8", "y") + number("B8", "1.5")));
+    ASSERT_TRUE(below) << format(below.diagnostics());
+    EXPECT_THAT(numbers(*below, 0, 0), ElementsAre(0, 1));
+    EXPECT_THAT(below->notes.at(0).english(), HasSubstr("from row 6 on, is left out"));
+    const Outcome<MeasurementFile> formulas = open(head + row(2, number("A2", "0") + "<c r=\"B2\"><f>A2*2</f></c>") +
+                                                   row(3, number("A3", "1") + "<c r=\"B3\"><f>A3*2</f></c>"));
+    ASSERT_TRUE(formulas) << format(formulas.diagnostics());
+    EXPECT_THAT(formulas->notes.at(0).english(), HasSubstr("2 formulas have no result"));
+}
+
+TEST_F(Xlsx, ADamagedPartIsToldAndReadToNoEnd) {
+    ASSERT_TRUE(open(row(1, word("A1", "t") + word("B1", "u")) + row(2, number("A2", "0") + number("B2", "1")) +
+                     row(3, number("A3", "1") + number("B3", "2"))));
+    const Outcome<MeasurementFile> cut = open(row(1, word("A1", "t") + word("B1", "u")) + "<row r=\"2\"><c");
+    ASSERT_FALSE(cut);
+    EXPECT_THAT(format(cut.diagnostics()), HasSubstr("sheet1.xml"));
+}
+
 TEST_F(Xlsx, ASheetWithoutNumbersIsRefused) {
     const Outcome<MeasurementFile> opened = open(row(1, word("A1", "only words")));
     ASSERT_FALSE(opened);
