@@ -30,6 +30,27 @@ std::vector<std::string> namesIn(const Table& file) {
     return names;
 }
 
+ChannelLabels::ChannelLabels(const Table& file) {
+    for (const Table* const group : tablesOf(file)) {
+        std::set<std::string_view> known;
+        for (const Column& column : group->columns)
+            if (known.insert(column.name).second) ++groups_[column.name];
+    }
+}
+
+bool ChannelLabels::isAlone(const Column& column) const {
+    const auto found = groups_.find(column.name);
+    return found == groups_.end() || found->second < 2;
+}
+
+std::string ChannelLabels::of(const Column& column) const {
+    return isAlone(column) ? column.name : fmt::format("{} ({})", column.name, groupLabel(column));
+}
+
+ChannelName ChannelLabels::nameOf(const Column& column) const {
+    return isAlone(column) ? ChannelName{column.name, {}} : ChannelName{column.name, column.groupName()};
+}
+
 std::string groupLabel(const Column& column) {
     return column.group.empty() ? std::to_string(column.groupNumber) : column.group;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "core/measure/table.hpp"
@@ -27,6 +28,20 @@ std::string labelOf(const Table& file, const Column& column);
 
 /// The channel of such a label.
 ChannelName channelOf(const Table& file, const std::string& label);
+
+/// How all channels of a file are called, found out once for files of thousands.
+class ChannelLabels {
+public:
+    explicit ChannelLabels(const Table& file);
+    /// As labelOf.
+    std::string of(const Column& column) const;
+    /// As a study names it.
+    ChannelName nameOf(const Column& column) const;
+
+private:
+    bool isAlone(const Column& column) const;
+    std::unordered_map<std::string, std::size_t> groups_;  // with a channel of this name
+};
 
 /// A group as it is called in a message: its name, or its number.
 std::string groupLabel(const Column& column);

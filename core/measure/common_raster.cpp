@@ -476,40 +476,14 @@ bool isHeld(const Column& column, Interpolation asked) {
     return asked == Interpolation::Hold || (asked == Interpolation::Automatic && column.isHeld);
 }
 
+bool isOnOneRaster(const Table& file) { return file.others.empty() && !file.hasUnread(); }
+
 Outcome<std::shared_ptr<const Table>> onCommonRaster(const std::shared_ptr<const Table>& file,
                                                      const RasterRequest& request) {
-    const bool isOne = file->others.empty() && !file->hasUnread();
-    if (isOne && request.raster.kind == Raster::Kind::Outputs) return file;
+    if (isOnOneRaster(*file) && request.raster.kind == Raster::Kind::Outputs) return file;
     if (placesOf(*file, request.time).empty()) return file;  // whoever asks tells it with its place
     RasterJoin join(*file, request);
     return join.isEmpty() ? file : join.join();
-}
-
-Outcome<std::shared_ptr<const Table>> allOnOneRaster(const std::shared_ptr<const Table>& file) {
-    constexpr double share = 0.9;  // of the longest time
-    if (file->others.empty() && !file->hasUnread()) return file;
-    const auto spanOf = [](const Table& group) {
-        if (!group.time || group.rows() < 2) return 0.0;
-        const Column& time = group.columns[*group.time];
-        const Outcome<UnitConversion> seconds = convertUnit(time.unit.empty() ? "s" : time.unit, "s");
-        return seconds ? (*seconds)(time.values.back()) - (*seconds)(time.values.front()) : 0.0;
-    };
-    double longest = 0;
-    for (const Table* const group : tablesOf(*file)) longest = std::max(longest, spanOf(*group));
-    RasterRequest request;
-    for (const Table* const group : tablesOf(*file)) {
-        if (longest == 0 || spanOf(*group) < share * longest) continue;
-        const Column& time = group->columns[*group->time];
-        if (request.time.column.empty()) request.time.column = time.name;
-        for (const Column& column : group->columns) {
-            const bool hasNumber =
-                std::any_of(column.values.begin(), column.values.end(), [](double v) { return std::isfinite(v); });
-            if (&column == &time || !hasNumber) continue;
-            request.inputs.push_back(
-                {{column.name, column.groupName()}, column.isHeld ? Interpolation::Hold : Interpolation::Linear});
-        }
-    }
-    return onCommonRaster(file, request);
 }
 
 }  // namespace analogon

@@ -40,9 +40,8 @@ struct RasterRequest {
 Outcome<std::shared_ptr<const Table>> onCommonRaster(const std::shared_ptr<const Table>& file,
                                                      const RasterRequest& request);
 
-/// All channels of the groups that were recorded for as long as the longest one, on the stamps of all, to look at what
-/// they are. The table of a file with a single raster as it is.
-Outcome<std::shared_ptr<const Table>> allOnOneRaster(const std::shared_ptr<const Table>& file);
+/// A file of one group whose channels have all been read: its table is that of any experiment.
+bool isOnOneRaster(const Table& file);
 
 /// Whether an input is held between its samples: as was asked for, or as its file says.
 bool isHeld(const Column& column, Interpolation asked);

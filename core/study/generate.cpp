@@ -8,6 +8,7 @@
 
 #include "core/base/median.hpp"
 #include "core/base/unit.hpp"
+#include "core/measure/all_channels.hpp"
 #include "core/measure/common_raster.hpp"
 #include "core/measure/encoding.hpp"
 #include "core/study/column_guess.hpp"

@@ -33,6 +33,11 @@ std::shared_ptr<const Table> shownTable(const Tables& tables, const StudyExperim
     return joined ? *joined : nullptr;
 }
 
+bool isAtHand(const Tables& tables, const StudyExperiment& experiment) {
+    const std::shared_ptr<const Table> file = fileTable(tables, experiment);
+    return !file || (isOnOneRaster(*file) && experiment.raster.kind == Raster::Kind::Outputs);
+}
+
 void findTime(const Tables& tables, StudyExperiment& experiment) {
     const std::shared_ptr<const Table> file = fileTable(tables, experiment);
     if (!experiment.isTimeOfFile || !file) return;

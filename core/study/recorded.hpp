@@ -26,6 +26,9 @@ Outcome<std::shared_ptr<const Table>> recordedTable(const Tables& tables, const 
 /// The same for those to whom the messages are told by others; null: there is none.
 std::shared_ptr<const Table> shownTable(const Tables& tables, const StudyExperiment& experiment);
 
+/// Whether that table is the file's own, and there at once.
+bool isAtHand(const Tables& tables, const StudyExperiment& experiment);
+
 /// Where the study does not name the time of an experiment: that of the channels which it uses, as the file tells it.
 /// It stays without a name where the file does not. The file must have been read.
 void findTime(const Tables& tables, StudyExperiment& experiment);

@@ -9,6 +9,73 @@
     </message>
 </context>
 <context>
+    <name>ChannelBrowser</name>
+    <message>
+        <source>Tick what is shown</source>
+        <translation>Gezeigte anhaken</translation>
+    </message>
+    <message>
+        <source>Search by name, unit or comment</source>
+        <translation>Nach Name, Einheit oder Kommentar suchen</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Channels of the file</source>
+        <translation>Kanäle der Datei</translation>
+    </message>
+    <message>
+        <source>A channel that is marked is drawn here.</source>
+        <translation>Ein markierter Kanal wird hier gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Read 1 channel</source>
+        <translation>1 Kanal lesen</translation>
+    </message>
+    <message>
+        <source>Read %1 channels</source>
+        <translation>%1 Kanäle lesen</translation>
+    </message>
+    <message>
+        <source>%1 samples, %2</source>
+        <translation>%1 Werte, %2</translation>
+    </message>
+    <message>
+        <source>over time</source>
+        <translation>über der Zeit</translation>
+    </message>
+    <message>
+        <source>over an angle</source>
+        <translation>über einem Winkel</translation>
+    </message>
+    <message>
+        <source>over a distance</source>
+        <translation>über einem Weg</translation>
+    </message>
+    <message>
+        <source>counted</source>
+        <translation>gezählt</translation>
+    </message>
+    <message>
+        <source>states</source>
+        <translation>Zustände</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+</context>
+<context>
     <name>ComposeActions</name>
     <message>
         <source>Group into a model …</source>
@@ -576,6 +643,14 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
 </context>
 <context>
     <name>ImportPanel</name>
+    <message>
+        <source>Choose channels …</source>
+        <translation>Kanäle wählen …</translation>
+    </message>
+    <message>
+        <source>The file holds %1 channels. Tick those that are to be read; the others stay in it.</source>
+        <translation>Die Datei enthält %1 Kanäle. Haken Sie die an, die gelesen werden sollen; die anderen bleiben in ihr.</translation>
+    </message>
     <message>
         <source>Add to the study</source>
         <translation>Zur Studie hinzufügen</translation>
@@ -3346,6 +3421,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
 </context>
 <context>
     <name>MeasurementPanel</name>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
     <message>
         <source>Column %1 of %2</source>
         <translation>Spalte %1 von %2</translation>
@@ -10628,6 +10707,14 @@ Bitte den Namen prüfen.</translation>
 </context>
 <context>
     <name>ValuesPage</name>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Reading …</source>
+        <translation>Wird gelesen …</translation>
+    </message>
     <message>
         <source>As in the file</source>
         <translation>Wie in der Datei</translation>

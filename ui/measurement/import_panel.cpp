@@ -8,16 +8,20 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QProgressBar>
 #include <QPushButton>
+#include <QStackedLayout>
 #include <QTableView>
 #include <QTimer>
 #include <set>
 #include <utility>
 
-#include "core/measure/common_raster.hpp"
+#include "core/measure/all_channels.hpp"
+#include "core/measure/open/open_recording.hpp"
 #include "core/measure/open/read_table.hpp"
 #include "core/study/recorded.hpp"
 #include "ui/document/document.hpp"
+#include "ui/measurement/channel_browser.hpp"
 #include "ui/measurement/mapping.hpp"
 #include "ui/measurement/table_model.hpp"
 #include "ui/style/number.hpp"
@@ -62,6 +66,9 @@ ImportPanel::ImportPanel(Document& document, QWidget* parent)
       role_(new QComboBox(this)),
       converted_(new QCheckBox(tr("In SI units"), this)),
       view_(new QTableView(this)),
+      browser_(new ChannelBrowser(this)),
+      progress_(new QProgressBar(this)),
+      choose_(new QPushButton(tr("Choose channels …"), this)),
       accept_(new QPushButton(tr("Add to the study"), this)),
       cancel_(new QPushButton(tr("Cancel"), this)) {
     style::makeHeading(title_, 1.2);
@@ -122,6 +129,8 @@ ImportPanel::ImportPanel(Document& document, QWidget* parent)
     add(tr("Row of units"), units_);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(problems_, 1);
+    buttons->addWidget(progress_);
+    buttons->addWidget(choose_);
     buttons->addWidget(cancel_);
     buttons->addWidget(accept_);
     auto* layout = new QVBoxLayout(this);
@@ -132,11 +141,53 @@ ImportPanel::ImportPanel(Document& document, QWidget* parent)
     heading->addWidget(converted_);
     layout->addLayout(heading);
     layout->addLayout(grid);
-    layout->addWidget(view_, 1);
+    pages_ = new QStackedLayout;
+    pages_->addWidget(view_);
+    pages_->addWidget(browser_);
+    layout->addLayout(pages_, 1);
     layout->addLayout(buttons);
-    for (QComboBox* box : {separator_, decimal_, units_}) connect(box, &QComboBox::activated, this, &ImportPanel::read);
+    for (QComboBox* box : {separator_, decimal_, units_})
+        connect(box, &QComboBox::activated, this, &ImportPanel::readValues);
     connect(accept_, &QPushButton::clicked, this, &ImportPanel::accept);
-    connect(cancel_, &QPushButton::clicked, this, &ImportPanel::cancelled);
+    connect(cancel_, &QPushButton::clicked, this, [this] {
+        reader_.drop();
+        progress_->hide();
+        Q_EMIT cancelled();
+    });
+    connectReading();
+}
+
+/// How far a long read is, and what of a large file is read.
+void ImportPanel::connectReading() {
+    constexpr int fine = 1000;
+    progress_->hide();
+    progress_->setTextVisible(false);
+    progress_->setMaximumWidth(160);
+    choose_->hide();
+    connect(&reader_, &JobRunner::started, this, [this] {
+        progress_->setRange(0, 0);
+        progress_->show();
+    });
+    connect(&reader_, &JobRunner::progressed, this, [this](const Progress::Report& report) {
+        if (report.fraction < 0) return;
+        progress_->setRange(0, fine);
+        progress_->setValue(static_cast<int>(report.fraction * fine));
+    });
+    connect(&reader_, &JobRunner::finished, progress_, &QProgressBar::hide);
+    connect(browser_, &ChannelBrowser::readWanted, this, [this] {
+        chosen_ = browser_->chosen();
+        pages_->setCurrentWidget(view_);
+        readValues();
+    });
+    connect(choose_, &QPushButton::clicked, this, &ImportPanel::browse);
+}
+
+void ImportPanel::browse() {
+    pages_->setCurrentWidget(browser_);
+    accept_->setEnabled(false);
+    problems_->setPalette(palette());
+    problems_->setText(told_ = tr("The file holds %1 channels. Tick those that are to be read; the others stay in it.")
+                                   .arg(style::countText(channels_)));
 }
 
 void ImportPanel::pointAt(int line) {
@@ -176,7 +227,36 @@ void ImportPanel::show(const QString& path) {
     read();
 }
 
+/// A file of many channels is looked into before any of them is read.
 void ImportPanel::read() {
+    chosen_.clear();
+    choose_->hide();
+    pages_->setCurrentWidget(view_);
+    if (separator_->isEnabled()) return readValues();
+    accept_->setEnabled(false);
+    problems_->setText(tr("Reading …"));
+    reader_.start<Listing>(
+        tr("Reading"),
+        [path = path_](const Progress&) {
+            const Outcome<bool> isText = isTextRecording(path.toStdString());
+            if (!isText || *isText) return Listing{};
+            Outcome<MeasurementFile> file = openRecording(path.toStdString());
+            return Listing{file ? std::make_shared<const MeasurementFile>(std::move(*file)) : nullptr};
+        },
+        [this](const Listing& listing) {
+            constexpr std::size_t few = 12;
+            channels_ = 0;
+            if (listing.file)
+                for (const RecordedGroup& group : listing.file->groups)
+                    channels_ += group.channels.size() - (group.masterChannel ? 1 : 0);
+            if (channels_ <= few) return readValues();
+            choose_->show();
+            browser_->show(listing.file);
+            browse();
+        });
+}
+
+void ImportPanel::readValues() {
     ReadOptions options;
     const QString separator = separator_->currentData().toString(), decimal = decimal_->currentData().toString();
     if (!separator.isEmpty()) options.separator = separator.front().toLatin1();
@@ -186,8 +266,9 @@ void ImportPanel::read() {
     problems_->setText(tr("Reading …"));
     reader_.start<Preview>(
         tr("Reading"),
-        [path = path_, isText = separator_->isEnabled(), options](const Progress& progress) {
-            Outcome<Table> read = readTable(path.toStdString(), options, {}, progress);
+        [path = path_, isText = separator_->isEnabled(), options, chosen = chosen_](const Progress& progress) {
+            Outcome<Table> read =
+                readTable(path.toStdString(), options, chosen, progress, chosen.empty() ? valuesKept : 0);
             if (!read)
                 return Preview{read.diagnostics(),
                                isText ? linesOf(path, read.diagnostics()) : std::vector<FileLine>()};

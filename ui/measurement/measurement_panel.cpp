@@ -17,7 +17,9 @@
 #include <set>
 
 #include "core/base/unit.hpp"
+#include "core/measure/all_channels.hpp"
 #include "core/measure/channel_place.hpp"
+#include "core/measure/common_raster.hpp"
 #include "core/study/recorded.hpp"
 #include "ui/document/document.hpp"
 #include "ui/measurement/mapping.hpp"
@@ -53,19 +55,15 @@ std::vector<const Column*> channelsOf(const Table& file) {
     return channels;
 }
 
-ChannelMapping mappingTo(const Table& file, const Column& column) {
-    const ChannelName name = channelOf(file, labelOf(file, column));
-    ChannelMapping mapping;
-    mapping.column = name.column;
-    mapping.group = name.group;
-    return mapping;
+QString withUnit(const std::string& label, const std::string& unit) {
+    const QString text = QString::fromStdString(label);
+    return unit.empty() ? text : text + QStringLiteral("  [%1]").arg(QString::fromStdString(unit));
 }
 
 QString columnText(const Table* table, const ChannelMapping& mapping) {
     const Column* column = columnOf(table, mapping.channel());
     const std::string unit = mapping.unit.empty() && column ? column->unit : mapping.unit;
-    QString text = QString::fromStdString(column ? labelOf(*table, *column) : mapping.column);
-    if (!unit.empty()) text += QStringLiteral("  [%1]").arg(QString::fromStdString(unit));
+    QString text = withUnit(column ? labelOf(*table, *column) : mapping.column, unit);
     if (mapping.interpolation == Interpolation::Hold) text += QStringLiteral(" · ") + MeasurementPanel::tr("held");
     return text;
 }
@@ -114,16 +112,23 @@ std::optional<std::pair<double, double>> readRange(const QString& typed) {
     return from && to && *from < *to ? std::optional(std::pair(*from, *to)) : std::nullopt;
 }
 
-/// Length of a recording as people say it.
-QString extentText(const Table& table, const StudyExperiment& experiment) {
+MeasurementPanel::Extent extentOf(const Table& table, const StudyExperiment& experiment) {
+    MeasurementPanel::Extent extent{table.rows(), {}, {}};
     const Column* time = table.find(experiment.timeColumn, experiment.timeGroup);
-    QString text = MeasurementPanel::tr("%1 samples").arg(style::countText(table.rows()));
-    if (time && !time->values.empty()) {
-        const double first = experiment.range ? experiment.range->first : time->values.front();
-        const double last = experiment.range ? experiment.range->second : time->values.back();
-        const QString unit = time->unit.empty() ? QStringLiteral("s") : QString::fromStdString(time->unit);
-        text += QStringLiteral(" · %1 %2").arg(style::numberText(last - first), unit);
-    }
+    if (!time || time->values.empty()) return extent;
+    const double first = experiment.range ? experiment.range->first : time->values.front();
+    const double last = experiment.range ? experiment.range->second : time->values.back();
+    extent.length = last - first;
+    extent.unit = time->unit.empty() ? "s" : time->unit;
+    return extent;
+}
+
+/// Length of a recording as people say it.
+QString extentText(const MeasurementPanel::Extent& extent) {
+    QString text = MeasurementPanel::tr("%1 samples").arg(style::countText(extent.samples));
+    if (extent.length)
+        text +=
+            QStringLiteral(" · %1 %2").arg(style::numberText(*extent.length, 6), QString::fromStdString(extent.unit));
     return text;
 }
 
@@ -149,10 +154,13 @@ public:
             box->addItem(MeasurementPanel::tr("validate"), false);
         } else if (kind == MeasurementPanel::Kind::Input || kind == MeasurementPanel::Kind::Output) {
             box->addItem(MeasurementPanel::tr("not mapped"), QString());
-            if (const auto file = fileTable(panel_.document_.study().tables, *experiment))
-                for (const Column* column : channelsOf(*file))
-                    box->addItem(columnText(file.get(), mappingTo(*file, *column)),
-                                 QString::fromStdString(labelOf(*file, *column)));
+            if (const auto file = fileTable(panel_.document_.study().tables, *experiment)) {
+                const ChannelLabels labels(*file);
+                for (const Column* column : channelsOf(*file)) {
+                    const std::string label = labels.of(*column);
+                    box->addItem(withUnit(label, column->unit), QString::fromStdString(label));
+                }
+            }
         } else {
             delete box;
             return nullptr;
@@ -392,8 +400,8 @@ void MeasurementPanel::propose() {
     StudySettings settings = document_.settings();
     for (StudyExperiment& e : settings.experiments)
         if (const auto file = fileTable(settings.tables, e))
-            if (const auto table = allOnOneRaster(file))
-                proposeMapping(e, **table, document_.facts(), document_.study().experiments);
+            proposeMapping(e, isOnOneRaster(*file) ? *file : namesOfAll(*file), document_.facts(),
+                           document_.study().experiments);
     document_.applySettings(std::move(settings), tr("Propose mapping"));
 }
 
@@ -449,9 +457,63 @@ QTreeWidgetItem* MeasurementPanel::addRow(QTreeWidgetItem* top, Kind kind, const
     return item;
 }
 
+void MeasurementPanel::addSpares(QTreeWidgetItem* top, const Table& file, const std::set<QString>& used) {
+    const QColor muted = style::mutedText(palette());
+    const QIcon icon = style::icon("spare");
+    const ChannelLabels labels(file);
+    QList<QTreeWidgetItem*> items;
+    for (const Column* column : channelsOf(file)) {
+        const std::string name = labels.of(*column);
+        const QString label = QString::fromStdString(name);
+        if (used.contains(label)) continue;
+        auto* item = new QTreeWidgetItem({tr("not used"), withUnit(name, column->unit)});
+        item->setData(0, kindRole, static_cast<int>(Kind::Spare));
+        item->setData(1, columnRole, label);
+        item->setIcon(0, icon);
+        item->setToolTip(0, tr("Kept: the search for effects may use it as a cause"));
+        for (int c : {0, 1}) item->setForeground(c, muted);
+        items << item;
+    }
+    top->addChildren(items);
+}
+
+void MeasurementPanel::showExtent(QTreeWidgetItem* info, const Extent& extent) {
+    const QString text = QStringLiteral(" · ") + extentText(extent);
+    info->setText(0, info->text(0) + text);
+    info->setToolTip(0, info->toolTip(0).replace('\n', text + '\n'));
+}
+
+/// Channels of several rasters are joined beside the window: that may take a while.
+void MeasurementPanel::measureExtents() {
+    using Extents = std::vector<std::pair<QString, Extent>>;
+    std::vector<StudyExperiment> experiments;
+    if (document_.isOpen())
+        for (const StudyExperiment& e : document_.study().experiments)
+            if (!isAtHand(document_.study().tables, e)) experiments.push_back(e);
+    if (experiments.empty()) return measurer_.drop();
+    measurer_.start<Extents>(
+        tr("Reading"),
+        [experiments, tables = document_.study().tables](const Progress& progress) {
+            Extents extents;
+            for (const StudyExperiment& e : experiments) {
+                if (progress.stopRequested()) break;
+                if (const auto table = shownTable(tables, e))
+                    extents.emplace_back(QString::fromStdString(e.name), extentOf(*table, e));
+            }
+            return extents;
+        },
+        [this](const Extents& extents) {
+            const QSignalBlocker blocker(tree_);
+            for (int i = 0; i < tree_->topLevelItemCount(); ++i)
+                for (const auto& [name, extent] : extents)
+                    if (QTreeWidgetItem* const top = tree_->topLevelItem(i);
+                        top->data(0, experimentRole).toString() == name && top->childCount() > 0)
+                        showExtent(top->child(0), extent);
+        });
+}
+
 void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
     const std::shared_ptr<const Table> whole = fileTable(document_.study().tables, experiment);
-    const std::shared_ptr<const Table> joined = shownTable(document_.study().tables, experiment);
     const Table* const table = whole.get();
     const QString file = QString::fromStdString(std::filesystem::path(experiment.file).filename().string());
     const QString name = QString::fromStdString(experiment.name);
@@ -469,12 +531,11 @@ void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
     top->setToolTip(
         1, isFit ? tr("Used to fit and to choose effects") : tr("Only reported; never used to fit or to choose"));
     top->setForeground(1, isFit ? style::accentText(palette()) : muted);
-    const QString extent = joined ? QStringLiteral(" · ") + extentText(*joined, experiment) : QString();
-    auto* info = addRow(top, Kind::Info, file + extent, {});
+    auto* info = addRow(top, Kind::Info, file, {});
     info->setFirstColumnSpanned(true);
     info->setForeground(0, muted);
-    info->setToolTip(
-        0, QString::fromStdString(experiment.file) + extent + "\n" + tr("Double-click or Enter shows the values"));
+    info->setToolTip(0, QString::fromStdString(experiment.file) + "\n" + tr("Double-click or Enter shows the values"));
+    if (table && isAtHand(document_.study().tables, experiment)) showExtent(info, extentOf(*table, experiment));
 
     std::set<QString> used{labelText(table, {experiment.timeColumn, experiment.timeGroup})};
     const auto add = [&](const std::map<std::string, ChannelMapping>& channels,
@@ -509,16 +570,7 @@ void MeasurementPanel::addExperiment(const StudyExperiment& experiment) {
     };
     add(experiment.inputs, document_.facts().inputs, Kind::Input);
     add(experiment.outputs, document_.facts().outputs, Kind::Output);
-    if (table)
-        for (const Column* column : channelsOf(*table)) {
-            const QString label = QString::fromStdString(labelOf(*table, *column));
-            if (used.contains(label)) continue;
-            auto* item = addRow(top, Kind::Spare, tr("not used"), columnText(table, mappingTo(*table, *column)));
-            item->setData(1, columnRole, label);
-            item->setIcon(0, style::icon("spare"));
-            item->setToolTip(0, tr("Kept: the search for effects may use it as a cause"));
-            for (int c : {0, 1}) item->setForeground(c, muted);
-        }
+    if (table) addSpares(top, *table, used);
     QString range = tr("all");
     if (experiment.range)
         range = QStringLiteral("%1 … %2 s")
@@ -545,6 +597,7 @@ void MeasurementPanel::refresh() {
     propose_->setEnabled(isOpen && !document_.study().experiments.empty());
     if (isOpen)
         for (const StudyExperiment& experiment : document_.study().experiments) addExperiment(experiment);
+    measureExtents();
     // few loggers have one: the names of columns need the room
     const auto& experiments = document_.study().experiments;
     tree_->setColumnHidden(Clock, !isOpen || std::none_of(experiments.begin(), experiments.end(), hasClock));

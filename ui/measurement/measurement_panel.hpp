@@ -2,6 +2,11 @@
 
 #include <QWidget>
 #include <functional>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "ui/job/job.hpp"
 
 class QLabel;
 class QMenu;
@@ -17,6 +22,7 @@ class Document;
 namespace analogon {
 struct ChannelMapping;
 struct StudyExperiment;
+struct Table;
 }  // namespace analogon
 namespace analogon::ui {
 
@@ -26,6 +32,13 @@ class MeasurementPanel : public QWidget {
 
 public:
     explicit MeasurementPanel(Document& document, QWidget* parent = nullptr);
+
+    /// How long a recording is, on the raster of its experiment.
+    struct Extent {
+        std::size_t samples{};
+        std::optional<double> length{};
+        std::string unit{};
+    };
 
     QTreeWidget* tree() const { return tree_; }
     /// Shows a file as it will be read; it becomes an experiment when the user accepts it.
@@ -53,6 +66,9 @@ private:
     enum TreeColumn { Model, Source, Clock, ColumnCount };
     void refresh();
     void addExperiment(const StudyExperiment& experiment);
+    void addSpares(QTreeWidgetItem* top, const Table& file, const std::set<QString>& used);
+    void measureExtents();
+    static void showExtent(QTreeWidgetItem* info, const Extent& extent);
     QTreeWidgetItem* addRow(QTreeWidgetItem* top, Kind kind, const QString& text, const QString& value);
     void map(const QTreeWidgetItem* item, const QString& column);
     void setRole(const QTreeWidgetItem* item, bool isFit);
@@ -68,6 +84,7 @@ private:
     void change(const QTreeWidgetItem* item, const QString& what, const std::function<void(StudyExperiment&)>& edit);
 
     Document& document_;
+    JobRunner measurer_;
     QTreeWidget* tree_;
     QStackedLayout* pages_;
     QLabel* empty_;

@@ -77,20 +77,33 @@ void ValuesPage::choose() {
 }
 
 void ValuesPage::refresh() {
+    joiner_.drop();
     if (experiment_.isEmpty() || !document_.isOpen()) return;
     for (const StudyExperiment& e : document_.study().experiments) {
         if (QString::fromStdString(e.name) != experiment_) continue;
-        const std::shared_ptr<const Table> table = shownTable(document_.study().tables, e);
-        if (!table) break;
         title_->setText(experiment_);
-        const QString file = QString::fromStdString(std::filesystem::path(e.file).filename().string());
-        caption_->setText(
-            tr("%1 · %2 samples, numbered by the lines of the file").arg(file, style::countText(table->rows())));
-        model_->show(table, e, document_.facts());
-        view_->resizeColumnsToContents();
+        if (isAtHand(document_.study().tables, e)) return showTable(e, shownTable(document_.study().tables, e));
+        caption_->setText(tr("Reading …"));
+        joiner_.start<std::shared_ptr<const Table>>(
+            tr("Reading"), [e, tables = document_.study().tables](const Progress&) { return shownTable(tables, e); },
+            [this, e](const std::shared_ptr<const Table>& table) { showTable(e, table); });
         return;
     }
-    experiment_.clear();  // it was taken out of the study
+    leave();
+}
+
+void ValuesPage::showTable(const StudyExperiment& experiment, const std::shared_ptr<const Table>& table) {
+    if (!table) return leave();
+    const QString file = QString::fromStdString(std::filesystem::path(experiment.file).filename().string());
+    caption_->setText(
+        tr("%1 · %2 samples, numbered by the lines of the file").arg(file, style::countText(table->rows())));
+    model_->show(table, experiment, document_.facts());
+    view_->resizeColumnsToContents();
+}
+
+/// It was taken out of the study, or there is nothing to show of it.
+void ValuesPage::leave() {
+    experiment_.clear();
     model_->show(nullptr, {}, {});
     Q_EMIT left();
 }

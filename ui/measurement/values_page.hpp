@@ -1,12 +1,19 @@
 #pragma once
 
 #include <QWidget>
+#include <memory>
+
+#include "ui/job/job.hpp"
 
 class QCheckBox;
 class QLabel;
 class QPushButton;
 class QTableView;
 
+namespace analogon {
+struct StudyExperiment;
+struct Table;
+}  // namespace analogon
 namespace analogon::ui {
 
 class Document;
@@ -32,10 +39,13 @@ Q_SIGNALS:
 
 private:
     void refresh();
+    void showTable(const StudyExperiment& experiment, const std::shared_ptr<const Table>& table);
+    void leave();
     void choose();
 
     Document& document_;
     QString experiment_;
+    JobRunner joiner_;
     ValuesModel* model_;
     QLabel *title_, *caption_;
     QCheckBox *raw_, *converted_;

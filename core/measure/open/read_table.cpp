@@ -22,12 +22,16 @@ class TableReader {
 public:
     TableReader(std::shared_ptr<const MeasurementFile> source, const std::set<std::string>& wanted,
                 std::size_t mostValues)
-        : source_(std::move(source)), wanted_(wanted), isWhole_(valuesOf(*source_) <= mostValues) {}
+        : source_(std::move(source)),
+          wanted_(wanted),
+          isWhole_(valuesOf(*source_) <= mostValues),
+          isChosen_(mostValues == 0) {}
 
     Outcome<Table> read(const Progress& progress) {
         std::vector<Table> tables;
         for (std::size_t g = 0; g < source_->groups.size(); ++g) {
             if (source_->groups[g].samples == 0) continue;
+            progress.report({"reading", {}, static_cast<double>(g) / static_cast<double>(source_->groups.size())});
             Outcome<Table> table = readGroup(g, progress);
             if (!table) return table;
             if (!table->columns.empty() || !table->texts.empty()) tables.push_back(std::move(*table));
@@ -38,7 +42,7 @@ public:
         Table first = std::move(tables.front());
         for (std::size_t i = 1; i < tables.size(); ++i)
             first.others.push_back(std::make_shared<const Table>(std::move(tables[i])));
-        if (unread_ > 0) tellUnread();
+        if (unread_ > 0 && !isChosen_) tellUnread();
         return {std::move(first), std::move(told_)};
     }
 
@@ -97,7 +101,7 @@ private:
 
     std::shared_ptr<const MeasurementFile> source_;
     const std::set<std::string>& wanted_;
-    bool isWhole_;
+    bool isWhole_, isChosen_;
     std::size_t unread_{};
     Diagnostics told_;
 };
@@ -117,7 +121,7 @@ Outcome<Table> readTable(const std::filesystem::path& file, const ReadOptions& o
         const std::string ending = inLowerCase(file.extension().string());
         ReadOptions told = options;
         if (!told.separator && (ending == ".tsv" || ending == ".tab")) told.separator = '\t';
-        return readTextTables(file, told);
+        return readTextTables(file, told, progress);
     }
     Outcome<MeasurementFile> recording = openRecording(file);
     if (!recording) return recording.diagnostics();

@@ -35,14 +35,16 @@ class RowReader {
     static constexpr std::size_t shownBehind = 1024;  // bytes of a line behind the place of a fault
 
 public:
-    RowReader(std::string_view text, const std::string& name, const Layout& layout, const ReadOptions& options)
+    RowReader(std::string_view text, const std::string& name, const Layout& layout, const ReadOptions& options,
+              const Progress& progress)
         : text_(text.substr(layout.offset)),
           lines_(text_, layout.linesBefore),
           separator_(layout.separator),
           decimal_(layout.marks.decimal),
           thousands_(layout.marks.thousands),
           layout_(layout),
-          options_(options) {
+          options_(options),
+          progress_(progress) {
         raw_.table.file = name;
         for (const LayoutColumn& column : layout.columns) {
             table().columns.push_back({column.name, column.unit, {}, {}, column.header, column.line, column.position});
@@ -119,7 +121,13 @@ private:
         if (table().lines.size() >= limits::rows)
             return fault(phrase("the file has more than {} rows", limits::rows), line_.number, 0,
                          phrase("Split the recording, or record fewer samples a second."));
-        if (table().lines.size() % 65536 == 0) stopPoint();
+        if (table().lines.size() % 65536 == 0) {
+            stopPoint();
+            progress_.report(
+                {"reading",
+                 {},
+                 static_cast<double>(line_.text.data() - text_.data()) / static_cast<double>(text_.size())});
+        }
         isLeftOut_ = false;
         if (!readPlainRow() && !readAnyRow()) return false;
         if (!isLeftOut_ && !isAtEnd_) table().lines.push_back(line_.number);
@@ -417,6 +425,7 @@ private:
     int decimalLine_{};
     const Layout& layout_;
     const ReadOptions& options_;
+    const Progress& progress_;
     RawTable raw_;
     std::vector<PlainCell> cells_;
     Diagnostics faults_, warnings_;
@@ -424,26 +433,9 @@ private:
 
 }  // namespace
 
-void RawTable::erase(std::size_t column) {
-    const auto eraseIn = [at = static_cast<std::ptrdiff_t>(column)](auto& of) { of.erase(of.begin() + at); };
-    eraseIn(table.columns);
-    eraseIn(kinds);
-    eraseIn(stamps);
-    eraseIn(words);
-    eraseIn(beyond);
-}
-
-void RawTable::insertFront(Column column) {
-    table.columns.insert(table.columns.begin(), std::move(column));
-    kinds.insert(kinds.begin(), CellKind::Number);
-    stamps.insert(stamps.begin(), std::vector<Stamp>{});
-    words.insert(words.begin(), std::vector<std::optional<std::string>>{});
-    beyond.insert(beyond.begin(), std::vector<int>{});
-}
-
 Outcome<RawTable> readRows(std::string_view text, const std::string& name, const Layout& layout,
-                           const ReadOptions& options) {
-    return RowReader(text, name, layout, options).read();
+                           const ReadOptions& options, const Progress& progress) {
+    return RowReader(text, name, layout, options, progress).read();
 }
 
 }  // namespace analogon

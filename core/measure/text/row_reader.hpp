@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/measure/read_options.hpp"
 #include "core/measure/table.hpp"
 #include "core/measure/text/layout.hpp"
@@ -29,6 +30,6 @@ struct RawTable {
 /// Faulty cells and rows of another length are faults with line and column. Empty cells and NaN are read as NaN (a
 /// channel that is mapped decides whether that is a fault).
 Outcome<RawTable> readRows(std::string_view text, const std::string& name, const Layout& layout,
-                           const ReadOptions& options);
+                           const ReadOptions& options, const Progress& progress = {});
 
 }  // namespace analogon

@@ -76,11 +76,12 @@ Outcome<TextFile> readModelica(std::string_view text, const std::string& name) {
     return file;
 }
 
-Outcome<TextFile> readPlainTable(std::string_view text, const std::string& name, const ReadOptions& options) {
+Outcome<TextFile> readPlainTable(std::string_view text, const std::string& name, const ReadOptions& options,
+                                 const Progress& progress) {
     Outcome<Layout> layout = findLayout(text, name, options);
     if (!layout) return layout.diagnostics();
     Diagnostics told = layout->warnings;
-    Outcome<RawTable> raw = readRows(text, name, *layout, options);
+    Outcome<RawTable> raw = readRows(text, name, *layout, options, progress);
     if (!raw) return raw.diagnostics();
     append(told, raw.diagnostics());
     std::map<std::string, std::string> comments;
@@ -107,7 +108,8 @@ Outcome<TextFile> readPlainTable(std::string_view text, const std::string& name,
 
 }  // namespace
 
-Outcome<TextFile> readTextFile(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+Outcome<TextFile> readTextFile(std::string_view bytes, const std::string& name, const ReadOptions& options,
+                               const Progress& progress) {
     if (Diagnostics faults = checkOptions(options, name); !faults.empty()) return faults;
     std::string decoded;
     if (!options.encoding.empty() || isWideText(bytes)) {
@@ -119,7 +121,7 @@ Outcome<TextFile> readTextFile(std::string_view bytes, const std::string& name, 
         return fileError(phrase("this is not a text file"), name, 1, 0,
                          phrase("Export the measurement as comma-separated values."));
     if (isModelicaTable(bytes)) return readModelica(bytes, name);
-    return readPlainTable(bytes, name, options);
+    return readPlainTable(bytes, name, options, progress);
 }
 
 }  // namespace analogon

@@ -32,6 +32,7 @@ struct TextFile {
 };
 
 /// What is doubtful comes along as warnings, what was found out as notes.
-Outcome<TextFile> readTextFile(std::string_view bytes, const std::string& name, const ReadOptions& options);
+Outcome<TextFile> readTextFile(std::string_view bytes, const std::string& name, const ReadOptions& options,
+                               const Progress& progress = {});
 
 }  // namespace analogon

@@ -96,8 +96,9 @@ Diagnostics warningsOf(const Diagnostics& all) {
 
 }  // namespace
 
-Outcome<Table> textTables(std::string_view bytes, const std::string& name, const ReadOptions& options) {
-    Outcome<TextFile> read = readTextFile(bytes, name, options);
+Outcome<Table> textTables(std::string_view bytes, const std::string& name, const ReadOptions& options,
+                          const Progress& progress) {
+    Outcome<TextFile> read = readTextFile(bytes, name, options, progress);
     if (!read) return read.diagnostics();
     const bool isAlone = read->groups.size() == 1;
     Table first = tableOf(std::move(read->groups.front()), 1, isAlone);
@@ -106,10 +107,10 @@ Outcome<Table> textTables(std::string_view bytes, const std::string& name, const
     return {std::move(first), warningsOf(read.diagnostics())};
 }
 
-Outcome<Table> readTextTables(const std::filesystem::path& file, const ReadOptions& options) {
+Outcome<Table> readTextTables(const std::filesystem::path& file, const ReadOptions& options, const Progress& progress) {
     const Outcome<std::string> bytes = readRegularFile(file);
     if (!bytes) return bytes.diagnostics();
-    return textTables(*bytes, file.string(), options);
+    return textTables(*bytes, file.string(), options, progress);
 }
 
 Outcome<MeasurementFile> openTextOf(std::string_view bytes, const std::string& name, const ReadOptions& options) {

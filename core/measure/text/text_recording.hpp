@@ -17,7 +17,9 @@ Outcome<MeasurementFile> openTextOf(std::string_view bytes, const std::string& n
 /// encoding and way to write the time. What can be read in two ways that differ, faulty cells and ragged rows are
 /// faults with row and column. Empty cells and NaN are read as NaN (a channel that is mapped decides whether that is a
 /// fault); columns of words are left aside; of several groups each is a table over its own raster.
-Outcome<Table> textTables(std::string_view bytes, const std::string& name, const ReadOptions& options = {});
-Outcome<Table> readTextTables(const std::filesystem::path& file, const ReadOptions& options);
+Outcome<Table> textTables(std::string_view bytes, const std::string& name, const ReadOptions& options = {},
+                          const Progress& progress = {});
+Outcome<Table> readTextTables(const std::filesystem::path& file, const ReadOptions& options,
+                              const Progress& progress = {});
 
 }  // namespace analogon

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/measure/all_channels.hpp"
 #include "core/measure/channel_place.hpp"
 
 namespace analogon {
@@ -196,6 +197,28 @@ TEST(CommonRaster, AllChannelsCanBeLookedAtTogether) {
     EXPECT_THAT((*table)->find("t")->values, ElementsAre(0, 0.5, 1, 1.5, 2, 2.5, 3));
     EXPECT_THAT((*table)->find("y")->values, ElementsAre(10, 10.5, 11, 11.5, 12, 12.5, 13));
     EXPECT_EQ((*table)->find("y")->group, "slow");
+}
+
+TEST(AllChannels, AreNamedWithoutReadingOrJoiningThem) {
+    auto file = std::make_shared<Table>(*recording());
+    const Table names = namesOfAll(*file);
+    EXPECT_THAT(names.names(), ElementsAre("y", "u"));  // the events end before the others do
+    EXPECT_EQ(names.columns[1].groupName(), (GroupName{"fast", 0, false}));
+    EXPECT_TRUE(names.columns[1].values.empty());
+    EXPECT_FALSE(isOnOneRaster(*file));
+    file->others.clear();
+    EXPECT_TRUE(isOnOneRaster(*file));
+}
+
+TEST(ChannelLabels, CallChannelsAsThoseThatAreFoundOneByOne) {
+    auto file = std::make_shared<Table>(*recording());
+    file->others.push_back(group(4, "", {0, 1}, "u", {1, 2}));
+    const ChannelLabels labels(*file);
+    for (const Table* const each : tablesOf(*file))
+        for (const Column& column : each->columns) {
+            EXPECT_EQ(labels.of(column), labelOf(*file, column));
+            EXPECT_EQ(labels.nameOf(column), channelOf(*file, labelOf(*file, column)));
+        }
 }
 
 }  // namespace
