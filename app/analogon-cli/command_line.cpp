@@ -18,6 +18,7 @@
 #include "app/analogon-cli/generate.hpp"
 #include "app/analogon-cli/interrupt.hpp"
 #include "app/analogon-cli/progress_view.hpp"
+#include "app/analogon-cli/simulate_class.hpp"
 #include "app/analogon-cli/visible_stream.hpp"
 #include "core/archive/archive.hpp"
 #include "core/base/distinct.hpp"
@@ -220,6 +221,11 @@ int runStudy(const Options& options, Interrupt& interrupt) {
 
 int execute(const Options& options, Interrupt& interrupt) {
     const auto isRun = [&](Command c) { return options.command == c; };
+    if (isRun(Command::Simulate) && !options.className.empty()) {
+        const StopScope scope(interrupt.token());
+        VisibleStream out(std::cout);
+        return simulateClass(options, out, std::cerr);
+    }
     if (isRun(Command::Simulate) || isRun(Command::Fit) || isRun(Command::Discover))
         return runStudy(options, interrupt);
     const StopScope scope(interrupt.token());
@@ -291,6 +297,31 @@ void addRun(CLI::App& app, Options& options) {
     addCommon(app, options);
 }
 
+/// A class of a library instead of a study.
+void addClassRun(CLI::App& app, Options& options) {
+    CLI::Option* const study = app.get_option("study");
+    CLI::Option* const cls = app.add_option("--class", options.className,
+                                            "Instead of a study: any class, by its annotation \"experiment\"; leaves "
+                                            "traces.csv")
+                                 ->type_name("NAME");
+    study->required(false);
+    app.callback([&options, study, cls] {
+        options.command = Command::Simulate;
+        if (study->empty() && cls->empty()) throw CLI::RequiredError("study");
+        if (!study->empty() && !cls->empty()) throw CLI::ValidationError("--class: give a study or a class, not both");
+    });
+    app.add_option("--stop", options.stop, "With --class: the end of the simulation, in seconds")->type_name("T");
+    app.add_option("--interval", options.interval, "With --class: between the rows of traces.csv, in seconds")
+        ->check(CLI::PositiveNumber.description(""))
+        ->type_name("DT");
+    app.add_option("--tolerance", options.tolerance, "With --class: relative tolerance of the integration")
+        ->check(CLI::PositiveNumber.description(""))
+        ->type_name("TOL");
+    addNames(app, "--variables", options.variables,
+             "With --class: only variables that fit, for example *.phi,inertia1.w")
+        ->type_name("PATTERN,…");
+}
+
 void addFit(CLI::App& app, Options& options) {
     app.add_option("--method", options.method,
                    "least-squares, or without slopes: nelder-mead, sbplx, bobyqa; all over the bounds: crs2, isres, "
@@ -319,7 +350,9 @@ void describe(CLI::App& app, Options& options) {
         ->type_name("NAME");
     addCommon(*check, options);
 
-    addRun(*command(Command::Simulate, "The model as it stands against every experiment"), options);
+    CLI::App* simulate = command(Command::Simulate, "The model as it stands against every experiment");
+    addRun(*simulate, options);
+    addClassRun(*simulate, options);
     CLI::App* fit = command(Command::Fit, "Estimate the parameters");
     addRun(*fit, options);
     addFit(*fit, options);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,9 @@ struct Options {
     std::filesystem::path input;  // study or model
     std::filesystem::path out;
     PrintKind print{PrintKind::None};
-    std::string className;  // check: of a model file with several classes
+    std::string className;  // check: of a model file with several classes; simulate: of a library
+    std::optional<double> stop, interval, tolerance;  // simulate --class
+    std::vector<std::string> variables;               // simulate --class: patterns; empty: all
     ProgressKind progress{ProgressKind::Automatic};
     std::vector<std::filesystem::path> libraries;
     int threads{0};                       // 0: as many as the machine has

@@ -106,11 +106,15 @@ private:
             LookupTable table = s_.tables.lookups[i];
             table.prepare();
             text += doubleArray(fmt::format("table{}x", i), table.x) + doubleArray(fmt::format("table{}y", i), table.y);
-            const bool isCubic = table.interpolation == LookupTable::Interpolation::MonotoneCubic;
+            const bool isCubic = table.interpolation == LookupTable::Interpolation::MonotoneCubic ||
+                                 table.interpolation == LookupTable::Interpolation::Hermite;
             if (isCubic) text += doubleArray(fmt::format("table{}slopes", i), table.slopes);
-            text += fmt::format("static const Table table{0} = {{{1}, {2}, {3}, table{0}x, table{0}y, {4}}};\n\n", i,
-                                table.x.size(), isCubic ? 1 : 0, table.order,
-                                isCubic ? fmt::format("table{}slopes", i) : "0");
+            text += fmt::format(
+                "static const Table table{0} = {{{1}, {2}, {3}, table{0}x, table{0}y, {4}, {5}, {6}, {7}, {8}}};\n\n",
+                i, table.x.size(), isCubic ? 1 : 0, table.order, isCubic ? fmt::format("table{}slopes", i) : "0",
+                table.interpolation == LookupTable::Interpolation::Constant ? 1 : 0,
+                static_cast<int>(table.extrapolation), std::isfinite(table.begin) ? literal(table.begin) : "-HUGE_VAL",
+                literal(table.shift));
         }
     }
 

@@ -49,7 +49,7 @@ void Balance::countUnknowns() {
     for (std::uint32_t i = 0; i < work_.records.size(); ++i) {
         const VariableId id{i};
         const VariableRecord& record = work_.records[i];
-        if (!work_.isContinuous(id)) continue;
+        if (!work_.isContinuous(id) || record.element >= record.owner->elements.size()) continue;
         const auto& element = record.owner->elements[record.element];
         if (!element.firstVariable.valid() || element.firstVariable.value + record.position != i) continue;
         Instance& component = record.owner->component();

@@ -13,8 +13,8 @@ namespace analogon {
 namespace {
 
 constexpr std::array textAttributes{"unit", "displayUnit", "quantity"};
-constexpr std::array attributeNames{"unit",  "displayUnit", "quantity", "min",        "max",
-                                    "start", "fixed",       "nominal",  "stateSelect"};
+constexpr std::array attributeNames{"unit",  "displayUnit", "quantity", "min",         "max",
+                                    "start", "fixed",       "nominal",  "stateSelect", "unbounded"};
 
 bool isText(std::string_view name) {
     return std::find(textAttributes.begin(), textAttributes.end(), name) != textAttributes.end();
@@ -123,6 +123,7 @@ void Binder::bindAttributes(Instance& instance, Element& element) {
 
 void Binder::setAttribute(Instance& instance, Element& element, const std::string& name, const Modifier& modifier) {
     if (name == "stateSelect") return setStateSelect(element, modifier);
+    if (name == "unbounded") return;  // says nothing about the values
     const auto value = valueFor(instance, element, modifier, phrase("the attribute '{}'", name));
     if (!value) return;
     const Span& span = modifier.value.expression->span;
@@ -199,6 +200,17 @@ void Binder::setStateSelect(Element& element, const Modifier& modifier) {
                     static_cast<StateSelect>(found - names.begin());
             return;
         }
+    }
+    const auto value = work_.translator->translate(modifier.value);
+    if (!value) return;
+    const auto number = value->enumeration == "StateSelect" && value->elements.size() == 1
+                            ? work_.translator->constantNumber(value->elements[0], true)
+                            : std::nullopt;
+    if (number) {
+        for (std::size_t k = 0; k < element.count(); ++k)
+            work_.model.variables[element.firstVariable.value + k].stateSelect =
+                static_cast<StateSelect>(static_cast<int>(*number) - 1);
+        return;
     }
     work_.messages.error(phrase("'stateSelect' is one of StateSelect.never, avoid, default, prefer, always"),
                          expression.span);

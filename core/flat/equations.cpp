@@ -6,6 +6,8 @@
 #include <iterator>
 
 #include "core/flat/connections.hpp"
+#include "core/flat/events.hpp"
+#include "core/flat/executor.hpp"
 #include "core/flat/instantiator.hpp"
 #include "core/flat/translator.hpp"
 
@@ -17,10 +19,12 @@ void Equations::translateAll() {
     for (std::size_t c = 0; c < work_.components.size() && !work_.messages.full(); ++c) {
         Instance& instance = *work_.components[c];
         for (const Instance::Part& part : instance.parts) {
-            for (const auto& section : part.definition->algorithmSections)
-                work_.messages.error(section.isInitial ? phrase("initial algorithm sections are not supported")
+            for (const auto& section : part.definition->algorithmSections) {
+                work_.events->refuse(section.isInitial ? phrase("initial algorithm sections are not supported")
                                                        : phrase("algorithm sections are not supported"),
                                      section.keyword, phrase("write the relations as equations"));
+                Executor(work_).section(section, {&instance, part.lexical});
+            }
             for (const auto& section : part.definition->equationSections) {
                 found_.clear();
                 isInitial_ = section.isInitial;
@@ -60,21 +64,61 @@ void Equations::translate(const syntax::Equation& equation, const Scope& scope) 
         case Kind::Call:
             return assertion(equation, scope);
         case Kind::When:
-            return work_.messages.error(
-                phrase("when equations are not supported"), equation.keyword,
-                phrase("a relation outside noEvent already is an event: write the equation with if"));
+            if (isInitial_ || isSwitched_) {
+                work_.messages.error(isInitial_ ? phrase("'when' cannot stand in an initial equation section")
+                                                : phrase("'when' cannot stand within an 'if' that changes"),
+                                     equation.keyword);
+                return;
+            }
+            return work_.events->when(equation, scope);
         default:  // statements stand in algorithms
             return;
     }
 }
 
 void Equations::equality(const syntax::Equation& equation, const Scope& scope) {
+    if (equation.left.kind == syntax::Expression::Kind::Tuple) return several(equation, scope);
     const auto left = work_.translator->translate(equation.left, scope);
     const auto right = work_.translator->translate(equation.right, scope);
     if (!left || !right) return;
+    equal(*left, *right, equation, scope);
+}
+
+/// `(x, , y) = f(u)`
+void Equations::several(const syntax::Equation& equation, const Scope& scope) {
+    const auto results = work_.translator->outputsOf(equation.right, scope);
+    if (!results) return;
+    const auto& targets = equation.left.operands;
+    if (targets.size() > results->size()) {
+        work_.messages.error(
+            phrase("'{}' has {} outputs, not {}", equation.right.name.text(), results->size(), targets.size()),
+            equation.span);
+        return;
+    }
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        if (targets[i].kind == syntax::Expression::Kind::Empty) continue;
+        const auto left = work_.translator->translate(targets[i], scope);
+        if (left) equal(*left, (*results)[i], equation, scope);
+    }
+}
+
+void Equations::equal(const Value& leftValue, const Value& rightValue, const syntax::Equation& equation,
+                      const Scope& scope) {
+    const Value *left = &leftValue, *right = &rightValue;
+    if (left->isRecord() && right->isRecord()) {
+        for (const auto& [name, member] : left->members) {
+            const Value* const other = right->member(name);
+            if (!other) {
+                work_.messages.error(phrase("'{}' has no member '{}'", typeText(*right), name), equation.span);
+                return;
+            }
+            equal(member, *other, equation, scope);
+        }
+        return;
+    }
     const bool bothNumeric = left->isNumeric() && right->isNumeric();
     const bool sameType = left->type == right->type && left->enumeration == right->enumeration;
-    if ((!bothNumeric && !sameType) || left->type == FlatType::String) {
+    if ((!bothNumeric && !sameType) || left->type == FlatType::String || left->isRecord() || right->isRecord()) {
         work_.messages.error(
             phrase("the sides of the equation differ in type: {} and {}", typeText(*left), typeText(*right)),
             equation.span);
@@ -175,10 +219,25 @@ void Equations::loop(const syntax::Equation& equation, std::size_t iterator, con
     }
 }
 
+bool Equations::isWarning(const syntax::Expression& call, const Scope& scope) {
+    const syntax::Expression* level = call.operands.size() > 2 ? &call.operands[2] : nullptr;
+    for (const syntax::NamedArgument& argument : call.named)
+        if (argument.name == "level") level = &argument.value;
+    const auto value = level ? work_.translator->translate(*level, scope) : std::nullopt;
+    const auto number = value && value->elements.size() == 1
+                            ? work_.translator->constantNumber(value->elements[0], true)
+                            : std::nullopt;
+    return number && *number == 2;
+}
+
 /// assert on parameters is checked here; one on variables only warns that it is not.
 void Equations::assertion(const syntax::Equation& equation, const Scope& scope) {
     const syntax::Expression& call = equation.left;
     const std::string name = call.name.text();
+    if (name != "assert" && name != "terminate" && name != "reinit" && work_.lookup(call.name, scope.lexical)) {
+        work_.translator->outputsOf(call, scope);  // a function that only looks, or tells
+        return;
+    }
     if (name != "assert" || call.operands.size() < 2) {
         work_.messages.error(phrase("'{}' cannot stand as an equation", name), equation.span,
                              phrase("write: left = right"));
@@ -192,10 +251,10 @@ void Equations::assertion(const syntax::Equation& equation, const Scope& scope) 
         return;
     }
     const auto holds = work_.translator->constantNumber(condition->elements[0], false);
-    if (!holds)
+    if (!holds && work_.events->action(equation, work_.pool.constant(1), scope))
         work_.messages.warning(phrase("the assertion is not checked: its condition changes while the model runs"),
                                equation.span);
-    else if (*holds == 0)
+    else if (holds && *holds == 0 && !isWarning(call, scope))
         work_.messages.error(phrase("{}: {}", scope.instance->label(), text->texts[0]), equation.span,
                              phrase("the condition of 'assert' does not hold"));
 }

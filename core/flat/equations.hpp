@@ -19,6 +19,9 @@ private:
     void translate(const syntax::Equation& equation, const Scope& scope);
     void translate(const List& equations, const Scope& scope);
     void equality(const syntax::Equation& equation, const Scope& scope);
+    void several(const syntax::Equation& equation, const Scope& scope);
+    void equal(const Value& left, const Value& right, const syntax::Equation& equation, const Scope& scope);
+    bool isWarning(const syntax::Expression& call, const Scope& scope);
     void conditional(const syntax::Equation& equation, const Scope& scope);
     void switched(const syntax::Equation& equation, std::size_t firstOpen, const Scope& scope);
     void loop(const syntax::Equation& equation, std::size_t iterator, const Scope& scope);

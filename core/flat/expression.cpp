@@ -347,14 +347,19 @@ std::size_t ExpressionPool::tableIndex(const LookupTable& table) {
 
 ExpressionId ExpressionPool::table(const LookupTable& table, ExpressionId x) {
     const std::size_t index = tableIndex(table);
-    if (isConstant(x)) return constant(tables_[index].value(nodes_[x.value].value));
+    if (isConstant(x)) {
+        const double value = tables_[index].value(nodes_[x.value].value);
+        if (std::isfinite(value)) return constant(value);
+    }
     return intern({.operation = Table, .value = static_cast<double>(index), .a = x});
 }
 
 ExpressionId ExpressionPool::tableDerivative(std::size_t table, ExpressionId x) {
     assert(table < tables_.size());
     const LookupTable& t = tables_[table];
-    const int degree = t.interpolation == LookupTable::Interpolation::Linear ? 1 : 3;
+    const int degree = t.interpolation == LookupTable::Interpolation::Constant ? 0
+                       : t.interpolation == LookupTable::Interpolation::Linear ? 1
+                                                                               : 3;
     if (t.x.size() < 2 || t.order >= degree) return constant(0);
     if (isConstant(x)) return constant(t.derivative(nodes_[x.value].value));
     return intern({.operation = TableDerivative, .value = static_cast<double>(table), .a = x});

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -85,18 +86,23 @@ struct ExpressionNode {
     ExpressionId a{}, b{}, c{};
 };
 
-/// A one-dimensional look-up table; x strictly increasing.
+/// A one-dimensional look-up table; x increasing, strictly where it is not one of constant or linear segments: two
+/// equal abscissas are a jump there, and the value at it is the one behind.
 struct LookupTable {
-    enum class Interpolation { Linear, MonotoneCubic };
+    enum class Interpolation { Linear, MonotoneCubic, Hermite, Constant };
+    enum class Extrapolation { Slope, Hold, Periodic, None };  // None: there is no value (NaN)
     std::vector<double> x, y;
     Interpolation interpolation{Interpolation::Linear};
     int order{};                 // value() is this derivative of the interpolant; 0: the interpolant itself
-    std::vector<double> slopes;  // monotone cubic: dy/dx at the nodes; filled by prepare()
+    std::vector<double> slopes;  // dy/dx at the nodes; monotone cubic: filled by prepare(), Hermite: given
+    Extrapolation extrapolation{Extrapolation::Slope};
+    double begin{-std::numeric_limits<double>::infinity()};  // below, the value is 0
+    double shift{};                                          // of the abscissa
 
     /// Fills `slopes` (Fritsch & Carlson, SIAM J. Numer. Anal. 17 (1980) 238-246). A table of a pool is prepared;
     /// one that is not computes them at each look-up.
     void prepare();
-    double value(double at) const;  // extrapolates with the slope at the first or last node
+    double value(double at) const;
     double derivative(double at) const;
 
     friend bool operator==(const LookupTable&, const LookupTable&) = default;

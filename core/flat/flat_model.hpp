@@ -25,6 +25,7 @@ struct FlatVariable {
     FlatVariability variability{FlatVariability::Continuous};
     FlatCausality causality{FlatCausality::Local};
     bool isFlow{};
+    bool isDiscrete{};  // changes at events alone: no Real, or set by a when
     bool isProtected{};
     bool isFinal{};       // a final modification: an inspector does not offer it, a fit refuses it
     bool isStructural{};  // its value has shaped the equations (array size, condition): changing it needs a new
@@ -50,6 +51,7 @@ struct FlatEquation {
     Span span;
     std::string component;  // instance it came from ("" = top level); for connection equations the set's first member
     bool fromConnection{};
+    bool isDiscrete{};  // of a when: its left side is the variable that it sets
 };
 
 /// Connectors joined by connect equations.
@@ -67,6 +69,34 @@ struct FlatComponent {
     Span span;
 };
 
+/// What happens at events (Modelica 3.6, section 8.5 and appendix B): the quantities that its equations speak of as
+/// variables, and what is done beside them.
+struct FlatEvents {
+    struct Sample {
+        VariableId flag;  // true at start, start + interval, …
+        ExpressionId start, interval;
+    };
+    struct Reinit {
+        ExpressionId condition, variable, value;
+        Span span;
+    };
+    struct Check {
+        ExpressionId condition;  // assert: must hold; terminate: ends the simulation where it holds
+        std::string message;
+        bool isWarning{};
+        bool isTerminate{};
+        Span span;
+    };
+
+    std::vector<std::pair<VariableId, VariableId>> pres;  // pre(x) and x
+    VariableId initial, terminal;                         // invalid: nobody asks
+    std::vector<Sample> samples;
+    std::vector<Reinit> reinits;
+    std::vector<Check> checks;
+    /// What a use of the model that knows no events says of them.
+    Diagnostics refusals;
+};
+
 /// The composed model as scalar equations over scalar variables.
 struct FlatModel {
     std::string name;  // qualified class
@@ -76,6 +106,7 @@ struct FlatModel {
     std::vector<FlatEquation> initialEquations;
     std::vector<ConnectionSet> connections;
     std::vector<FlatComponent> components;
+    FlatEvents events;
     std::vector<SourcePtr> sources;  // keep the spans alive
 
     const FlatVariable& operator[](VariableId id) const { return variables[id.value]; }

@@ -2,6 +2,7 @@
 
 #include "core/flat/binder.hpp"
 #include "core/flat/connections.hpp"
+#include "core/flat/events.hpp"
 #include "core/flat/instantiator.hpp"
 #include "core/flat/translator.hpp"
 
@@ -24,7 +25,8 @@ Flattening::Flattening(const Library& lib)
       instantiator(std::make_unique<Instantiator>(*this)),
       translator(std::make_unique<Translator>(*this)),
       binder(std::make_unique<Binder>(*this)),
-      connections(std::make_unique<Connections>(*this)) {}
+      connections(std::make_unique<Connections>(*this)),
+      events(std::make_unique<Events>(*this)) {}
 
 Flattening::~Flattening() = default;
 

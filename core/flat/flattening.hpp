@@ -7,6 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "core/flat/external_functions.hpp"
 #include "core/flat/instance.hpp"
 
 /// The work on one class, shared by the steps of flatten():
@@ -23,6 +24,7 @@ class Instantiator;
 class Translator;
 class Binder;
 class Connections;
+class Events;
 
 struct Flattening {
     explicit Flattening(const Library& lib);
@@ -42,6 +44,8 @@ struct Flattening {
     std::unique_ptr<Translator> translator;
     std::unique_ptr<Binder> binder;
     std::unique_ptr<Connections> connections;
+    std::unique_ptr<Events> events;
+    std::vector<ExternalTable> tables;  // the external objects
 
     /// Library lookup from a class outward, remembered.
     const LibraryClass* lookup(const syntax::Name& name, const LibraryClass* from);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/flat/events.hpp"
+#include "core/flat/executor.hpp"
 #include "core/flat/instantiator.hpp"
 #include "core/flat/translator.hpp"
 
@@ -32,15 +34,15 @@ constexpr std::array elementaries{
     Elementary{"rem", Operation::Rem, 2},       Elementary{"div", Operation::Div, 2},
 };
 
-constexpr std::array otherFunctions{"der",  "delay",    "noEvent", "smooth", "homotopy", "min",
-                                    "max",  "sum",      "product", "size",   "zeros",    "ones",
-                                    "fill", "linspace", "scalar",  "vector"};
+constexpr std::array otherFunctions{
+    "der",    "delay",  "noEvent", "smooth",   "homotopy",     "min",       "max",        "sum",      "product",
+    "size",   "zeros",  "ones",    "fill",     "linspace",     "scalar",    "vector",     "pre",      "edge",
+    "change", "sample", "initial", "terminal", "String",       "cat",       "transpose",  "identity", "diagonal",
+    "matrix", "ndims",  "cross",   "skew",     "outerProduct", "symmetric", "semiLinear", "array"};
 
 constexpr std::array refusedFunctions{
-    "pre",       "edge",     "change",       "sample",      "reinit",          "initial",    "terminal",
-    "terminate", "inStream", "actualStream", "cardinality", "getInstanceName", "semiLinear", "spatialDistribution",
-    "String",    "cross",    "transpose",    "identity",    "diagonal",        "cat",        "outerProduct",
-    "symmetric", "skew",     "matrix",       "ndims"};
+    "reinit", "terminate", "inStream", "actualStream", "cardinality", "getInstanceName", "spatialDistribution",
+    "Clock",  "previous",  "hold",     "subSample",    "superSample"};
 
 template <class Table>
 bool contains(const Table& table, std::string_view name) {
@@ -61,7 +63,10 @@ std::vector<std::string> functionNames() {
 class FunctionCall {
 public:
     FunctionCall(Flattening& work, const syntax::Expression& call, const Scope& scope)
-        : work_(work), pool_(work.pool), call_(call), scope_(scope), name_(call.name.text()) {}
+        : work_(work), pool_(work.pool), call_(call), scope_(scope), name_(call.name.text()) {
+        // `.sin`: the function of the language, where a class of that name is near
+        if (call.name.absolute && call.name.parts.size() == 1) name_ = name_.substr(1);
+    }
 
     std::optional<Value> translate() {
         for (const Elementary& f : elementaries)
@@ -77,6 +82,17 @@ public:
         if (name_ == "linspace") return linspace();
         if (name_ == "scalar" || name_ == "vector") return reshaped();
         if (name_ == "Integer") return ordinal();
+        if (name_ == "String") return textOf();
+        if (name_ == "array") return listed();
+        if (name_ == "cat") return joined();
+        if (name_ == "ndims") return rank();
+        if (name_ == "identity" || name_ == "diagonal") return diagonal();
+        if (name_ == "transpose" || name_ == "matrix" || name_ == "symmetric") return turned();
+        if (name_ == "cross" || name_ == "skew" || name_ == "outerProduct") return ofVectors();
+        if (name_ == "semiLinear") return semiLinear();
+        bool isKnown = false;
+        auto event = work_.events->call(call_, scope_, isKnown);
+        if (isKnown) return event;
         return libraryFunction();
     }
 
@@ -347,6 +363,7 @@ private:
         if (!take({"e"}, 1)) return std::nullopt;
         auto value = any(0);
         if (!value) return value;
+        if (value->type == FlatType::Integer && value->enumeration.empty()) return value;
         if (value->enumeration.empty())
             return fail(phrase("'Integer' needs an enumeration, not {}", typeText(*value)), expressions_[0]->span);
         value->enumeration.clear();
@@ -384,6 +401,163 @@ private:
         return x;
     }
 
+    /// A number, a truth value or a text as text; of what changes, its name.
+    std::optional<Value> textOf() {
+        if (call_.operands.empty()) return fail(phrase("'{}' takes 1 argument, not {}", name_, 0));
+        const auto value = work_.translator->translate(call_.operands[0], scope_);
+        if (!value || !value->isScalar()) return std::nullopt;
+        if (value->type == FlatType::String) return value;
+        const auto number = value->elements.size() == 1 && work_.translator->isParametric(value->elements[0])
+                                ? work_.translator->constantNumber(value->elements[0], false)
+                                : std::nullopt;
+        if (!number) return Value::text(fmt::format("{{{}}}", call_.operands[0].span.text()));
+        if (value->type == FlatType::Boolean) return Value::text(*number != 0 ? "true" : "false");
+        return Value::text(fmt::format("{:.6g}", *number));
+    }
+
+    /// array(a, b, …)
+    std::optional<Value> listed() {
+        syntax::Expression list = call_;
+        list.kind = syntax::Expression::Kind::Array;
+        return work_.translator->translate(list, scope_);
+    }
+
+    std::optional<Value> joined() {
+        if (call_.operands.size() < 2 || !call_.named.empty())
+            return fail(phrase("'cat' takes a dimension and arrays"));
+        const auto along =
+            work_.translator->constantInteger(call_.operands[0], scope_, phrase("an argument of '{}'", name_));
+        if (!along) return std::nullopt;
+        std::vector<Value> parts;
+        for (std::size_t i = 1; i < call_.operands.size(); ++i) {
+            auto part = work_.translator->translate(call_.operands[i], scope_);
+            if (!part) return part;
+            if (*along < 1 || static_cast<std::size_t>(*along) > part->dimensions.size())
+                return fail(phrase("{} has no dimension {}", typeText(*part), *along), call_.operands[i].span);
+            parts.push_back(std::move(*part));
+        }
+        return work_.translator->concatenated(parts, static_cast<std::size_t>(*along) - 1, call_.span);
+    }
+
+    std::optional<Value> rank() {
+        if (!take({"A"}, 1)) return std::nullopt;
+        const auto array = sized();
+        if (!array) return array;
+        return Value::scalar(FlatType::Integer, pool_.constant(static_cast<double>(array->dimensions.size())));
+    }
+
+    std::optional<Value> diagonal() {
+        if (!take({"v"}, 1)) return std::nullopt;
+        Value result;
+        std::vector<ExpressionId> along;
+        if (name_ == "identity") {
+            const auto n = constantSize(0);
+            if (!n) return std::nullopt;
+            along.assign(static_cast<std::size_t>(*n), pool_.constant(1));
+            result.type = FlatType::Integer;
+        } else {
+            const auto v = numeric(0);
+            if (!v) return v;
+            if (v->dimensions.size() != 1) return fail(phrase("'{}' needs a vector, not {}", name_, typeText(*v)));
+            along = v->elements;
+            result.type = v->type;
+        }
+        const auto n = static_cast<int>(along.size());
+        if (!work_.translator->spend(along.size() * along.size(), call_.span)) return std::nullopt;
+        result.dimensions = {n, n};
+        result.elements.assign(along.size() * along.size(), pool_.constant(0));
+        for (std::size_t i = 0; i < along.size(); ++i) result.elements[i * along.size() + i] = along[i];
+        return result;
+    }
+
+    std::optional<Value> turned() {
+        if (!take({"A"}, 1)) return std::nullopt;
+        auto a = any(0);
+        if (!a) return a;
+        if (name_ == "matrix") {
+            for (std::size_t d = 2; d < a->dimensions.size(); ++d)
+                if (a->dimensions[d] != 1) return fail(phrase("'{}' needs a matrix, not {}", name_, typeText(*a)));
+            a->dimensions.resize(2, 1);
+            return a;
+        }
+        const bool isMatrix = a->dimensions.size() == 2 && a->type != FlatType::String && !a->isRecord() &&
+                              (name_ == "transpose" || a->dimensions[0] == a->dimensions[1]);
+        if (!isMatrix) return fail(phrase("'{}' needs a matrix, not {}", name_, typeText(*a)));
+        const auto rows = static_cast<std::size_t>(a->dimensions[0]),
+                   columns = static_cast<std::size_t>(a->dimensions[1]);
+        std::vector<ExpressionId> elements(a->elements.size());
+        for (std::size_t i = 0; i < rows; ++i)
+            for (std::size_t j = 0; j < columns; ++j) {
+                if (name_ == "transpose")
+                    elements[j * rows + i] = a->elements[i * columns + j];
+                else  // the upper triangle counts
+                    elements[i * columns + j] = a->elements[i <= j ? i * columns + j : j * columns + i];
+            }
+        a->elements = std::move(elements);
+        if (name_ == "transpose") std::swap(a->dimensions[0], a->dimensions[1]);
+        return a;
+    }
+
+    std::optional<Value> ofVectors() {
+        const bool isOne = name_ == "skew";
+        if (!(isOne ? take({"x"}, 1) : take({"x", "y"}, 2))) return std::nullopt;
+        const auto x = numeric(0), y = isOne ? x : numeric(1);
+        if (!x || !y) return std::nullopt;
+        const bool needsThree = name_ != "outerProduct";
+        if (x->dimensions.size() != 1 || y->dimensions.size() != 1 ||
+            (needsThree && (x->dimensions[0] != 3 || y->dimensions[0] != 3)))
+            return fail(phrase("'{}' needs a vector, not {}", name_, typeText(*x)));
+        const auto& a = x->elements;
+        const auto& b = y->elements;
+        const auto minor = [&](std::size_t i, std::size_t j) {
+            return pool_.subtract(pool_.multiply(a[i], b[j]), pool_.multiply(a[j], b[i]));
+        };
+        Value result;
+        const ExpressionId zero = pool_.constant(0);
+        if (name_ == "cross") {
+            result.dimensions = {3};
+            result.elements = {minor(1, 2), minor(2, 0), minor(0, 1)};
+        } else if (isOne) {
+            result.dimensions = {3, 3};
+            result.elements = {zero, pool_.negate(a[2]), a[1], a[2], zero, pool_.negate(a[0]), pool_.negate(a[1]), a[0],
+                               zero};
+        } else {
+            result.dimensions = {x->dimensions[0], y->dimensions[0]};
+            for (const ExpressionId i : a)
+                for (const ExpressionId j : b) result.elements.push_back(pool_.multiply(i, j));
+        }
+        return result;
+    }
+
+    std::optional<Value> semiLinear() {
+        if (!take({"x", "k_p", "k_n"}, 3)) return std::nullopt;
+        const auto x = numericScalar(0), p = numericScalar(1), n = numericScalar(2);
+        if (!x || !p || !n) return std::nullopt;
+        const ExpressionId isPositive = pool_.binary(Operation::GreaterEqual, x->elements[0], pool_.constant(0));
+        return Value::scalar(
+            FlatType::Real, pool_.smooth(0, pool_.ifThenElse(isPositive, pool_.multiply(p->elements[0], x->elements[0]),
+                                                             pool_.multiply(n->elements[0], x->elements[0]))));
+    }
+
+    /// A function, the constructor of a record or of an external object.
+    std::optional<std::vector<Value>> run(const LibraryClass& definition) {
+        using Restriction = syntax::ClassDefinition::Restriction;
+        const Restriction restriction = definition.definition->restriction;
+        if (restriction == Restriction::Function) return Executor(work_).call(definition, call_, scope_);
+        if (restriction == Restriction::Record) {
+            auto value = Executor(work_).construct(definition, call_, scope_);
+            if (!value) return std::nullopt;
+            return std::vector<Value>{std::move(*value)};
+        }
+        const LibraryClass* const constructor = work_.library.find(definition.qualifiedName + ".constructor");
+        if (constructor && constructor->definition->restriction == Restriction::Function)
+            return Executor(work_).call(*constructor, call_, scope_);
+        fail(phrase("'{}' is a {}; calling it is not supported", definition.qualifiedName, keyword(restriction)),
+             call_.name.span.valid() ? call_.name.span : call_.span,
+             phrase("write its equations where they are needed"));
+        return std::nullopt;
+    }
+
     /// Functions known by the name they have in the library.
     std::optional<Value> libraryFunction() {
         const LibraryClass* definition = work_.lookup(call_.name, scope_.lexical);
@@ -393,13 +567,49 @@ private:
         if (qualified == "Analogon.Tables.monotoneCubic") return table(LookupTable::Interpolation::MonotoneCubic);
         const Span& span = call_.name.span.valid() ? call_.name.span : call_.span;
         if (contains(refusedFunctions, name_)) return fail(phrase("the function '{}' is not supported", name_), span);
-        if (definition)
-            return fail(phrase("'{}' is a {}; calling it is not supported", qualified,
-                               keyword(definition->definition->restriction)),
-                        span, phrase("write its equations where they are needed"));
+        if (qualified == "Modelica.Utilities.Files.loadResource") return resource();
+        if (definition) {
+            auto outputs = run(*definition);
+            if (!outputs) return std::nullopt;
+            if (outputs->empty()) return fail(phrase("'{}' gives no value", qualified), span);
+            return std::move(outputs->front());
+        }
         return fail(phrase("the function '{}' is not known", name_), span, didYouMean(name_, functionNames()));
     }
 
+    /// "modelica://Package/Resources/…" as a path: beside the file of the package.
+    std::optional<Value> resource() {
+        if (!take({"fileReference"}, 1)) return std::nullopt;
+        const auto text = any(0);
+        if (!text || text->type != FlatType::String || !text->isScalar()) return std::nullopt;
+        const std::string& uri = text->texts[0];
+        constexpr std::string_view scheme = "modelica://", file = "file:///";
+        if (uri.starts_with(file)) return Value::text(uri.substr(file.size() - 1));
+        if (!uri.starts_with(scheme)) return text;
+        const std::string path = uri.substr(scheme.size());
+        const auto slash = path.find('/');
+        const LibraryClass* package = work_.library.find(path.substr(0, slash));
+        if (!package || slash == std::string::npos || !package->definition->source)
+            return fail(phrase("the package of \"{}\" is not known", uri));
+        const std::string& of = package->definition->source->name();
+        const auto directory = of.rfind('/');
+        return Value::text((directory == std::string::npos ? std::string(".") : of.substr(0, directory)) +
+                           path.substr(slash));
+    }
+
+public:
+    std::optional<std::vector<Value>> translateAll() {
+        const LibraryClass* definition = work_.lookup(call_.name, scope_.lexical);
+        const bool isOwn = definition &&
+                           definition->definition->restriction == syntax::ClassDefinition::Restriction::Function &&
+                           !definition->qualifiedName.starts_with("Analogon.Tables.");
+        if (isOwn) return run(*definition);
+        auto value = translate();
+        if (!value) return std::nullopt;
+        return std::vector<Value>{std::move(*value)};
+    }
+
+private:
     Flattening& work_;
     ExpressionPool& pool_;
     const syntax::Expression& call_;
@@ -407,6 +617,13 @@ private:
     std::string name_;
     std::vector<const syntax::Expression*> expressions_;
 };
+
+std::optional<std::vector<Value>> Translator::outputsOf(const syntax::Expression& expression, const Scope& scope) {
+    if (expression.kind == syntax::Expression::Kind::Call) return FunctionCall(work_, expression, scope).translateAll();
+    auto value = translate(expression, scope);
+    if (!value) return std::nullopt;
+    return std::vector<Value>{std::move(*value)};
+}
 
 std::optional<Value> callFunction(Flattening& work, const syntax::Expression& call, const Scope& scope) {
     return FunctionCall(work, call, scope).translate();

@@ -191,12 +191,13 @@ Element Instantiator::redeclare(Instance& instance, Element element, const synta
                               : modifierOf(component.modifications, element.scope, work_.messages);
     Modifier fresh = modifierOf(replacement.modifications, modification.redeclareScope, work_.messages);
     if (replacement.binding) fresh.value = {&*replacement.binding, modification.redeclareScope, {}, {}};
-    fresh.isFinal = replacement.isFinal;
     fresh.span = modification.span;
     Modifier outer = modification;
     outer.redeclaredComponent = nullptr;
+    outer.isFinal = constraint.isFinal = false;  // of the declaration: it does not forbid itself
     element.modifier = merge(outer, merge(fresh, std::move(constraint), work_.messages, component.name), work_.messages,
                              component.name);
+    element.modifier.isFinal = replacement.isFinal || modification.isFinal;
     element.declaration = &replacement;
     element.scope = modification.redeclareScope;
     return element;

@@ -54,6 +54,8 @@ struct Element {
 
     std::size_t count() const { return elementCount(dimensions); }
     bool isVariable() const { return type.isBuiltin; }
+    bool isObject{};  // an external object; its value is that of its modification
+    int object{-1};   // its number, once it was made
 };
 
 /// A class at work: one component of class type, or the model itself.

@@ -28,6 +28,12 @@ FlatVariability flatVariability(syntax::Variability variability) {
     }
 }
 
+bool isExternalObject(const LibraryClass& definition) {
+    for (const syntax::Extends& base : definition.definition->bases)
+        if (base.base.text() == "ExternalObject") return true;
+    return false;
+}
+
 /// A prefix of a declaration, where it stands.
 Span wordOf(const syntax::Component& component, std::string_view word) {
     const auto at = component.clauseSpan.text().find(word);
@@ -162,6 +168,10 @@ bool Instantiator::prepare(Instance& instance, Element& element) {
         element.type.causality != syntax::Causality::None && element.type.causality != declaration.causality) {
         work_.messages.error(phrase("'{}' is declared as input and as output", declaration.name), declaration.nameSpan);
         return false;
+    }
+    if (element.type.definition && isExternalObject(*element.type.definition)) {
+        element.isObject = true;
+        return true;
     }
     auto dimensions = dimensionsOf(instance, element);
     if (!dimensions) return false;

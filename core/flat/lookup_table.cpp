@@ -58,11 +58,15 @@ double interpolate(const LookupTable& table, double at, int n) {
     if (x.size() == 1) return n == 0 ? y.front() : 0.0;
 
     const auto upper = std::upper_bound(x.begin() + 1, x.end() - 1, at);
-    const auto i = static_cast<std::size_t>(upper - x.begin()) - 1;
+    auto i = static_cast<std::size_t>(upper - x.begin()) - 1;
+    while (i > 0 && x[i + 1] == x[i]) --i;  // a jump at the very end
     const double width = x[i + 1] - x[i];
     const double secant = (y[i + 1] - y[i]) / width;
+    if (table.interpolation == LookupTable::Interpolation::Constant)
+        return n > 0 ? 0 : at >= x.back() ? y.back() : y[i];
     if (table.interpolation == LookupTable::Interpolation::Linear)
-        return cubicDerivative(y[i], secant, 0, 0, at - x[i], n);
+        return at >= x.back() && n == 0 && at == x[i + 1] ? y.back()
+                                                          : cubicDerivative(y[i], secant, 0, 0, at - x[i], n);
 
     std::vector<double> computed;
     if (table.slopes.size() != x.size()) computed = monotoneSlopes(x, y);
@@ -74,13 +78,33 @@ double interpolate(const LookupTable& table, double at, int n) {
     return cubicDerivative(y[i], slopes[i], c2, c3, at - x[i], n);
 }
 
+/// The same with what is asked for outside of the table.
+double extrapolate(const LookupTable& table, double at, int n) {
+    if (at < table.begin) return 0;
+    at -= table.shift;
+    const double first = table.x.front(), last = table.x.back();
+    if (table.extrapolation == LookupTable::Extrapolation::Slope || (at >= first && at < last) ||
+        (at == last && table.extrapolation != LookupTable::Extrapolation::Periodic))
+        return interpolate(table, at, n);
+    switch (table.extrapolation) {
+        case LookupTable::Extrapolation::Periodic:
+            if (!(last > first)) return interpolate(table, first, n);
+            at = first + std::fmod(at - first, last - first);
+            return interpolate(table, at < first ? at + (last - first) : at, n);
+        case LookupTable::Extrapolation::Hold:
+            return n > 0 ? 0 : at < first ? table.y.front() : table.y.back();
+        default:
+            return std::nan("");
+    }
+}
+
 }  // namespace
 
 void LookupTable::prepare() {
     if (interpolation == Interpolation::MonotoneCubic) slopes = monotoneSlopes(x, y);
 }
 
-double LookupTable::value(double at) const { return interpolate(*this, at, order); }
-double LookupTable::derivative(double at) const { return interpolate(*this, at, order + 1); }
+double LookupTable::value(double at) const { return extrapolate(*this, at, order); }
+double LookupTable::derivative(double at) const { return extrapolate(*this, at, order + 1); }
 
 }  // namespace analogon

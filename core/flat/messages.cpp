@@ -9,17 +9,19 @@ bool Messages::isNew(const std::string& message, const Span& span) {
 }
 
 void Messages::error(const Text& message, const Span& span, const Text& hint) {
+    if (quiet_ > 0) return;
     hasErrors_ = true;
     if (isNew(message, span)) diagnostics_.push_back(analogon::error(message, span, hint));
 }
 
 void Messages::fatal(const Text& message, const Span& span, const Text& hint) {
+    quiet_ = 0;  // nothing is tried any more
     error(message, span, hint);
     isStopped_ = true;
 }
 
 void Messages::warning(const Text& message, const Span& span, const Text& hint) {
-    if (isNew(message, span)) diagnostics_.push_back(analogon::warning(message, span, hint));
+    if (quiet_ == 0 && isNew(message, span)) diagnostics_.push_back(analogon::warning(message, span, hint));
 }
 
 Text didYouMean(std::string_view misspelt, const std::vector<std::string>& names) {

@@ -19,6 +19,20 @@ public:
     void fatal(const Text& message, const Span& span, const Text& hint = {});
     void warning(const Text& message, const Span& span, const Text& hint = {});
 
+    /// While one lives, faults are not taken: something is only tried.
+    class Quiet {
+    public:
+        explicit Quiet(Messages& messages) : messages_(messages) { ++messages_.quiet_; }
+        ~Quiet() {
+            if (messages_.quiet_ > 0) --messages_.quiet_;
+        }
+        Quiet(const Quiet&) = delete;
+        Quiet& operator=(const Quiet&) = delete;
+
+    private:
+        Messages& messages_;
+    };
+
     bool hasErrors() const { return hasErrors_; }
     /// Nothing more will be taken: the work may stop.
     bool full() const { return isStopped_ || diagnostics_.size() >= most; }
@@ -30,6 +44,7 @@ private:
     Diagnostics diagnostics_;
     bool hasErrors_{};
     bool isStopped_{};
+    int quiet_{};
     std::set<std::tuple<std::string, const Source*, std::uint32_t>> seen_;
 };
 

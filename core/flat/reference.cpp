@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/flat/binder.hpp"
+#include "core/flat/events.hpp"
 #include "core/flat/instantiator.hpp"
 #include "core/flat/translator.hpp"
 
@@ -21,30 +23,22 @@ std::string textUpTo(const syntax::Name& name, std::size_t parts) {
     return text;
 }
 
-/// Offsets of the chosen elements in a row-major array.
-std::vector<std::size_t> offsets(const std::vector<std::vector<int>>& lists, const std::vector<int>& dimensions) {
-    std::vector<std::size_t> result{0};
-    for (std::size_t d = 0; d < dimensions.size(); ++d) {
-        std::vector<std::size_t> next;
-        next.reserve(result.size() * lists[d].size());
-        for (std::size_t base : result)
-            for (int i : lists[d])
-                next.push_back(base * static_cast<std::size_t>(dimensions[d]) + static_cast<std::size_t>(i));
-        result = std::move(next);
-    }
-    return result;
-}
-
 }  // namespace
 
 std::optional<Value> Translator::reference(const syntax::Name& name, const Scope& scope, const Span& span) {
     const std::string& first = name.parts.front().identifier;
     if (!name.absolute) {
         for (auto iterator = iterators_.rbegin(); iterator != iterators_.rend(); ++iterator)
-            if (iterator->first == first && name.parts.size() == 1)
-                return selectFromValue(iterator->second, name.parts[0].subscripts, scope, span);
+            if (iterator->first == first) return local(iterator->second, name, scope, span);
         if (scope.instance && scope.instance->find(first)) {
-            const auto slice = resolve(name, scope);
+            std::optional<Slice> slice;
+            {
+                const Messages::Quiet quiet(work_.messages);
+                slice = resolve(name, scope);
+            }
+            if (!slice)
+                if (auto chosen = chosenWhenItRuns(name, scope)) return chosen;
+            if (!slice) slice = resolve(name, scope);  // to tell why
             return slice ? valueOf(*slice) : std::nullopt;
         }
         if (first == "time" && name.parts.size() == 1) return Value::scalar(FlatType::Real, work_.pool.time());
@@ -54,6 +48,79 @@ std::optional<Value> Translator::reference(const syntax::Name& name, const Scope
     if (found) return constant;
     reportUnknown(name, scope, span);
     return std::nullopt;
+}
+
+/// x[i] where i changes while the model runs: if i = 1 then x[1] elseif …; nothing: the subscripts are known.
+std::optional<Value> Translator::chosenWhenItRuns(const syntax::Name& name, const Scope& scope) {
+    const std::vector<Expression>& subscripts = name.parts.back().subscripts;
+    const bool mayRun = std::any_of(subscripts.begin(), subscripts.end(), [&](const Expression& e) {
+        return e.kind == Kind::Reference || e.kind == Kind::Binary || e.kind == Kind::Call;
+    });
+    if (!mayRun) return std::nullopt;
+    const Messages::Quiet quiet(work_.messages);
+    syntax::Name whole = name;
+    whole.parts.back().subscripts.clear();
+    const auto slice = resolve(whole, scope);
+    auto array = slice ? valueOf(*slice) : std::nullopt;
+    return array ? chosenFrom(*array, subscripts, scope) : std::nullopt;
+}
+
+std::optional<Value> Translator::chosenFrom(const Value& array, const std::vector<Expression>& subscripts,
+                                            const Scope& scope) {
+    if (subscripts.size() != array.dimensions.size() || array.isRecord() || array.type == FlatType::String ||
+        array.elements.empty())
+        return std::nullopt;
+    std::vector<ExpressionId> elements = array.elements;
+    for (std::size_t d = subscripts.size(); d-- > 0;) {
+        ends_.push_back(array.dimensions[d]);
+        const auto index = translate(subscripts[d], scope);
+        ends_.pop_back();
+        if (!index || !index->isScalar() || index->type != FlatType::Integer) return std::nullopt;
+        const auto extent = static_cast<std::size_t>(array.dimensions[d]);
+        std::vector<ExpressionId> next;
+        for (std::size_t block = 0; block < elements.size(); block += extent) {
+            ExpressionId chosen = elements[block + extent - 1];
+            for (std::size_t k = extent - 1; k-- > 0;)
+                chosen = work_.pool.ifThenElse(work_.pool.binary(Operation::Equal, index->elements[0],
+                                                                 work_.pool.constant(static_cast<double>(k + 1))),
+                                               elements[block + k], chosen);
+            next.push_back(chosen);
+        }
+        elements = std::move(next);
+    }
+    Value value = Value::scalar(array.type, elements[0]);
+    value.enumeration = array.enumeration;
+    return value;
+}
+
+/// `x`, `x[i]`, `r.a[2]` of a variable of a function or an iterator.
+std::optional<Value> Translator::local(Value value, const syntax::Name& name, const Scope& scope, const Span& span) {
+    for (std::size_t p = 0; p < name.parts.size(); ++p) {
+        if (p > 0) {
+            const Value* member = value.member(name.parts[p].identifier);
+            if (!member) {
+                work_.messages.error(phrase("'{}' has no member '{}'", typeText(value), name.parts[p].identifier),
+                                     span);
+                return std::nullopt;
+            }
+            value = Value(*member);
+        }
+        if (name.parts[p].subscripts.empty()) continue;
+        auto selected = selectFromValue(std::move(value), name.parts[p].subscripts, scope, span);
+        if (!selected) return std::nullopt;
+        value = std::move(*selected);
+    }
+    return value;
+}
+
+bool Translator::setLocal(const std::string& name, Value value) {
+    for (auto own = iterators_.rbegin(); own != iterators_.rend(); ++own)
+        if (own->first == name) {
+            own->second = std::move(value);
+            return true;
+        }
+    work_.messages.error(phrase("'{}' is not a variable of the function", name), {});
+    return false;
 }
 
 void Translator::reportUnknown(const syntax::Name& name, const Scope& scope, const Span& span) {
@@ -114,7 +181,7 @@ bool Translator::step(Slice& slice, const std::string& identifier, const std::ve
             if (isSubscripted) {
                 const auto lists = subscriptLists(element->dimensions, *subscripts, scope, span, next.dimensions);
                 if (!lists) return false;
-                chosen = offsets(*lists, element->dimensions);
+                chosen = elementOffsets(*lists, element->dimensions);
             } else {
                 next.dimensions.insert(next.dimensions.end(), element->dimensions.begin(), element->dimensions.end());
             }
@@ -232,12 +299,18 @@ std::optional<std::vector<std::vector<int>>> Translator::subscriptLists(const st
 std::optional<Value> Translator::selectFromValue(Value value, const std::vector<Expression>& subscripts,
                                                  const Scope& scope, const Span& span) {
     if (subscripts.empty()) return value;
+    {
+        const Messages::Quiet quiet(work_.messages);
+        std::vector<int> remaining;
+        if (!subscriptLists(value.dimensions, subscripts, scope, span, remaining))
+            if (auto chosen = chosenFrom(value, subscripts, scope)) return chosen;
+    }
     Value result;
     result.type = value.type;
     result.enumeration = value.enumeration;
     const auto lists = subscriptLists(value.dimensions, subscripts, scope, span, result.dimensions);
     if (!lists) return std::nullopt;
-    for (std::size_t offset : offsets(*lists, value.dimensions)) {
+    for (std::size_t offset : elementOffsets(*lists, value.dimensions)) {
         if (value.type == FlatType::String)
             result.texts.push_back(value.texts[offset]);
         else
@@ -248,6 +321,18 @@ std::optional<Value> Translator::selectFromValue(Value value, const std::vector<
 
 std::optional<Value> Translator::valueOf(const Slice& slice) {
     const Element& element = *slice.element;
+    if (element.isObject) return objectOf(*slice.element);
+    const bool isRecord = !slice.instances.empty() && slice.instances.front()->isRecord();
+    if (isRecord && slice.dimensions.empty()) return recordOf(*slice.instances.front());
+    if (isRecord && slice.dimensions.size() == 1) {
+        Value array;
+        array.dimensions = {0};
+        for (Instance* instance : slice.instances) {
+            const auto one = recordOf(*instance);
+            if (!one || !append(array, *one, element.declaration->nameSpan)) return std::nullopt;
+        }
+        return array;
+    }
     if (!element.isVariable()) {
         work_.messages.error(phrase("'{}' is a component of class {}, not a value",
                                     slice.owner->memberName(element.declaration->name), element.type.className),
@@ -261,12 +346,47 @@ std::optional<Value> Translator::valueOf(const Slice& slice) {
     if (element.type.enumeration) value.enumeration = element.type.className;
     for (VariableId id : slice.variables) {
         if (value.type != FlatType::String) {
-            value.elements.push_back(work_.pool.variable(id));
+            const auto set = overlay_.empty() ? overlay_.end() : overlay_.find(id.value);
+            value.elements.push_back(set == overlay_.end() ? work_.pool.variable(id) : set->second);
             continue;
         }
         if (!work_.binder->bindParameter(*work_.records[id.value].owner, work_.elementOf(id))) return std::nullopt;
         value.texts.push_back(work_.variable(id).text);
     }
+    return value;
+}
+
+/// All members of a record with their values.
+std::optional<Value> Translator::recordOf(Instance& instance) {
+    Value value;
+    value.record = instance.definition->qualifiedName;
+    for (Element& element : instance.elements) {
+        if (!work_.instantiator->ensure(instance, element)) return std::nullopt;
+        if (element.isDisabled) continue;
+        Slice slice;
+        slice.element = &element;
+        slice.owner = &instance;
+        slice.dimensions = element.dimensions;
+        slice.append(element);
+        auto member = valueOf(slice);
+        if (!member) return std::nullopt;
+        value.members.emplace_back(element.declaration->name, std::move(*member));
+    }
+    return value;
+}
+
+std::optional<Value> Translator::objectOf(Element& element) {
+    if (element.object < 0) {
+        const auto value = element.modifier.value.valid() ? translate(element.modifier.value) : std::nullopt;
+        if (!value || !value->isObject()) {
+            work_.messages.error(phrase("the external object '{}' has no value", element.declaration->name),
+                                 element.declaration->nameSpan);
+            return std::nullopt;
+        }
+        element.object = value->object;
+    }
+    Value value;
+    value.object = element.object;
     return value;
 }
 
@@ -312,11 +432,34 @@ std::optional<Value> Translator::namedConstant(const syntax::Name& name, const S
     } else {
         for (const LibraryClass* outer = scope.lexical; outer && !found; outer = work_.library.find(outer->scope)) {
             value = constantOf(*outer, last, found, seen);
-            if (outer->scope.empty()) break;
+            if (!found) value = importedConstant(name, *outer, found, seen);
+            if (outer->scope.empty() || outer->definition->isEncapsulated) break;
         }
     }
     if (found && value) return selectFromValue(std::move(*value), name.parts.back().subscripts, scope, name.span);
     return value;
+}
+
+/// `import Modelica.Constants.pi;`, `import Modelica.Constants.*;`
+std::optional<Value> Translator::importedConstant(const syntax::Name& name, const LibraryClass& in, bool& found,
+                                                  std::set<const LibraryClass*>& seen) {
+    const std::string& first = name.parts.front().identifier;
+    for (const syntax::Import& import : in.definition->imports) {
+        if (!import.wildcard && import.alias != first) continue;
+        syntax::Name package = import.name;
+        std::string constant = first;
+        if (!import.wildcard) {
+            constant = package.parts.back().identifier;
+            package.parts.pop_back();
+        }
+        if (package.parts.empty()) continue;
+        package.absolute = true;
+        const LibraryClass* const holder = work_.library.lookup(package, "");
+        if (!holder) continue;
+        auto value = constantOf(*holder, constant, found, seen);
+        if (found) return value;
+    }
+    return std::nullopt;
 }
 
 std::optional<Value> Translator::constantOf(const LibraryClass& definition, const std::string& name, bool& found,
@@ -336,7 +479,10 @@ std::optional<Value> Translator::constantOf(const LibraryClass& definition, cons
             if (busy.second) busyConstants_.erase(busy.first);
             return std::nullopt;
         }
+        std::vector<std::pair<std::string, Value>> frame;  // variables of a function mean nothing here
+        frame.swap(iterators_);
         auto value = translate(*component.binding, {nullptr, &definition});
+        frame.swap(iterators_);
         busyConstants_.erase({&definition, name});
         return value;
     }
@@ -345,7 +491,8 @@ std::optional<Value> Translator::constantOf(const LibraryClass& definition, cons
     // A modification on the way to the base is nearer than the base's own value.
     const auto inherited = [&](const syntax::Name& baseName, const std::vector<syntax::Modification>& modifications,
                                const LibraryClass* scope) -> std::optional<Value> {
-        const LibraryClass* base = work_.lookup(baseName, outside);
+        const LibraryClass* base = work_.library.lookup(baseName, definition.qualifiedName);
+        if (base == &definition) base = outside ? work_.lookup(baseName, outside) : nullptr;
         if (!base) return std::nullopt;
         for (const syntax::Modification& m : modifications) {
             if (m.name.text() != name || !m.value) continue;
@@ -356,7 +503,10 @@ std::optional<Value> Translator::constantOf(const LibraryClass& definition, cons
                                      m.span);
                 return std::nullopt;
             }
+            std::vector<std::pair<std::string, Value>> frame;
+            frame.swap(iterators_);
             auto value = translate(*m.value, {nullptr, scope});
+            frame.swap(iterators_);
             busyConstants_.erase({&definition, name});
             return value;
         }

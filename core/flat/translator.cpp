@@ -88,7 +88,10 @@ std::optional<Value> Translator::translate(const ModifierValue& modifier) {
     const auto subscripts = modifier.subscripts;
     std::size_t used = 0;
     if (!modifier.members.empty()) {
-        if (expression->kind == Kind::Reference) {
+        const bool isComponent = expression->kind == Kind::Reference && !expression->name.absolute &&
+                                 modifier.scope.instance &&
+                                 modifier.scope.instance->find(expression->name.parts.front().identifier);
+        if (isComponent) {
             const auto slice = resolve(expression->name, modifier.scope, modifier.members);
             if (!slice) return std::nullopt;
             auto value = valueOf(*slice);
@@ -96,9 +99,26 @@ std::optional<Value> Translator::translate(const ModifierValue& modifier) {
                 value = value->part(subscripts[used]);
             return value;
         }
-        work_.messages.error(phrase("a record can be set to another record only"), expression->span,
-                             phrase("modify its parameters: name(parameter = value)"));
-        return std::nullopt;
+        auto value = translate(*expression, modifier.scope);
+        if (value && !value->isRecord()) {
+            work_.messages.error(phrase("a record can be set to another record only"), expression->span,
+                                 phrase("modify its parameters: name(parameter = value)"));
+            return std::nullopt;
+        }
+        for (const std::string& name : modifier.members) {
+            const Value* const member = value ? value->member(name) : nullptr;
+            if (!member) {
+                if (value)
+                    work_.messages.error(phrase("'{}' has no member '{}'", typeText(*value), name), expression->span);
+                return std::nullopt;
+            }
+            value = Value(*member);
+        }
+        for (; value && used < subscripts.size() && !value->isScalar(); ++used) {
+            if (subscripts[used] > value->dimensions[0]) return std::nullopt;
+            value = value->part(subscripts[used]);
+        }
+        return value;
     }
     // {a, b, c}[2] needs only b.
     while (used < subscripts.size() && expression->kind == Kind::Array && expression->iterators.empty() &&
@@ -161,45 +181,88 @@ std::optional<Value> Translator::binaryChain(const Expression& expression, const
     return value;
 }
 
-std::optional<Value> Translator::conditional(const Expression& expression, const Scope& scope) {
-    const auto& operands = expression.operands;  // condition, value, (condition, value)…, else
-    auto result = translate(operands.back(), scope);
-    bool sound = result.has_value();
-    for (std::size_t i = operands.size() - 1; i >= 2; i -= 2) {
-        const auto condition = translate(operands[i - 2], scope);
-        const auto branch = translate(operands[i - 1], scope);
-        if (condition && (condition->type != FlatType::Boolean || !condition->isScalar())) {
-            work_.messages.error(phrase("the condition after 'if' must be Boolean, not {}", typeText(*condition)),
-                                 operands[i - 2].span);
-            sound = false;
-        }
-        if (!condition || !branch) sound = false;
-        if (!sound) continue;
-        const bool bothNumeric = branch->isNumeric() && result->isNumeric();
-        if (branch->dimensions != result->dimensions ||
-            (!bothNumeric && (branch->type != result->type || branch->enumeration != result->enumeration))) {
-            work_.messages.error(
-                phrase("the branches of 'if' differ in type: {} and {}", typeText(*branch), typeText(*result)),
-                operands[i - 1].span);
-            sound = false;
-            continue;
-        }
-        if (result->type == FlatType::String) {
-            const auto chosen = constantNumber(condition->elements[0], true);
-            if (!chosen) {
-                work_.messages.error(phrase("a text cannot change while the model runs"), operands[i - 2].span);
-                sound = false;
-            } else if (*chosen != 0) {
-                result = branch;
-            }
-            continue;
-        }
-        if (branch->type == FlatType::Real) result->type = FlatType::Real;
-        for (std::size_t k = 0; k < result->elements.size(); ++k)
-            result->elements[k] =
-                work_.pool.ifThenElse(condition->elements[0], branch->elements[k], result->elements[k]);
+/// The branch that is taken whatever happens, where a branch that is not taken would have another size or no value.
+const syntax::Expression* Translator::decided(const Expression& expression, const Scope& scope) {
+    const auto& operands = expression.operands;
+    for (std::size_t i = 0; i + 1 < operands.size(); i += 2) {
+        const Messages::Quiet quiet(work_.messages);
+        const auto condition = translate(operands[i], scope);
+        if (!condition || condition->type != FlatType::Boolean || !condition->isScalar()) return nullptr;
+        const ExpressionId test = condition->elements[0];
+        if (!work_.pool.isConstant(test) && !isParametric(test)) return nullptr;
+        const auto known = constantNumber(test, true);
+        if (!known) return nullptr;
+        if (*known != 0) return &operands[i + 1];
+        if (i + 2 == operands.size() - 1) return &operands.back();
     }
-    return sound ? result : std::nullopt;
+    return nullptr;
+}
+
+/// Both branches count, as a parameter may decide when the model runs; unless one that is not taken has another size
+/// or no value.
+std::optional<Value> Translator::conditional(const Expression& expression, const Scope& scope) {
+    const auto allBranches = [&]() -> std::optional<Value> {
+        const auto& operands = expression.operands;  // condition, value, (condition, value)…, else
+        auto result = translate(operands.back(), scope);
+        bool sound = result.has_value();
+        for (std::size_t i = operands.size() - 1; i >= 2; i -= 2) {
+            const auto condition = translate(operands[i - 2], scope);
+            const auto branch = translate(operands[i - 1], scope);
+            if (condition && (condition->type != FlatType::Boolean || !condition->isScalar())) {
+                work_.messages.error(phrase("the condition after 'if' must be Boolean, not {}", typeText(*condition)),
+                                     operands[i - 2].span);
+                sound = false;
+            }
+            if (!condition || !branch) sound = false;
+            if (!sound) continue;
+            const bool bothNumeric = branch->isNumeric() && result->isNumeric();
+            if (branch->dimensions != result->dimensions ||
+                (!bothNumeric && (branch->type != result->type || branch->enumeration != result->enumeration))) {
+                work_.messages.error(
+                    phrase("the branches of 'if' differ in type: {} and {}", typeText(*branch), typeText(*result)),
+                    operands[i - 1].span);
+                sound = false;
+                continue;
+            }
+            if (result->type == FlatType::String) {
+                const auto chosen = constantNumber(condition->elements[0], true);
+                if (!chosen) {
+                    work_.messages.error(phrase("a text cannot change while the model runs"), operands[i - 2].span);
+                    sound = false;
+                } else if (*chosen != 0) {
+                    result = branch;
+                }
+                continue;
+            }
+            if (branch->isRecord() || branch->isObject()) {
+                work_.messages.error(
+                    phrase("the branches of 'if' differ in type: {} and {}", typeText(*branch), typeText(*result)),
+                    operands[i - 1].span);
+                return std::nullopt;
+            }
+            if (branch->type == FlatType::Real) result->type = FlatType::Real;
+            for (std::size_t k = 0; k < result->elements.size(); ++k)
+                result->elements[k] =
+                    work_.pool.ifThenElse(condition->elements[0], branch->elements[k], result->elements[k]);
+        }
+        return sound ? result : std::nullopt;
+    };
+    // What fails is tried again: far down that would multiply.
+    constexpr int deepestTrial = 6;
+    if (depth_ > deepestTrial) return allBranches();
+    std::optional<Value> value;
+    {
+        const Messages::Quiet quiet(work_.messages);
+        value = allBranches();
+        if (!value)
+            if (const syntax::Expression* chosen = decided(expression, scope)) value = translate(*chosen, scope);
+    }
+    return value ? value : allBranches();
+}
+
+std::optional<double> Translator::knownNow(ExpressionId id) {
+    if (work_.pool.isConstant(id)) return work_.pool[id].value;
+    return isParametric(id) ? constantNumber(id, true) : std::nullopt;
 }
 
 // --------------------------------------------------------------------------------------------------- arrays
@@ -318,6 +381,29 @@ std::optional<Value> Translator::comprehension(const Expression& expression, con
 
 /// One more part of an array that is written down part by part; the first one says what the others are.
 bool Translator::append(Value& array, const Value& part, const Span& span) {
+    if (part.isRecord()) {
+        const bool isFirst = array.dimensions[0] == 0;
+        if (isFirst) {
+            array.record = part.record;
+            array.dimensions.insert(array.dimensions.end(), part.dimensions.begin(), part.dimensions.end());
+        }
+        if (array.record != part.record) {
+            work_.messages.error(
+                phrase("the elements of an array must be alike: {} and {}", typeText(array), typeText(part)), span);
+            return false;
+        }
+        ++array.dimensions[0];
+        for (const auto& [name, value] : part.members) {
+            if (isFirst) {
+                Value empty;
+                empty.dimensions = {0};
+                array.members.emplace_back(name, std::move(empty));
+            }
+            Value* const member = array.member(name);
+            if (!member || !append(*member, value, span)) return false;
+        }
+        return true;
+    }
     if (array.dimensions[0] == 0) {
         array.type = part.type;
         array.enumeration = part.enumeration;

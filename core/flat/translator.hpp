@@ -3,6 +3,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -48,6 +49,13 @@ public:
     void pushIterator(const std::string& name, Value value) { iterators_.emplace_back(name, std::move(value)); }
     void popIterator() { iterators_.pop_back(); }
 
+    /// All outputs of a call; of anything else that is one value.
+    std::optional<std::vector<Value>> outputsOf(const syntax::Expression& expression, const Scope& scope);
+    /// A number that does not change while the model runs; what it depends on then shapes the equations.
+    std::optional<double> knownNow(ExpressionId id);
+    /// Sets a variable of the function under way; false when it has none of that name (reported).
+    bool setLocal(const std::string& name, Value value);
+
     ExpressionId derivative(ExpressionId of, const Span& span);
     /// Array elements worked on so far; false when it gets too much (reported): a text of a few lines can ask for
     /// any amount of work.
@@ -55,11 +63,19 @@ public:
 
 private:
     friend class FunctionCall;
+    friend class Executor;
     using Expression = syntax::Expression;
 
     std::optional<Value> translateNested(const Expression& expression, const Scope& scope);
     std::optional<Value> reference(const syntax::Name& name, const Scope& scope, const Span& span);
+    std::optional<Value> chosenWhenItRuns(const syntax::Name& name, const Scope& scope);
+    std::optional<Value> chosenFrom(const Value& array, const std::vector<Expression>& subscripts, const Scope& scope);
+    std::optional<Value> local(Value value, const syntax::Name& name, const Scope& scope, const Span& span);
     std::optional<Value> valueOf(const Slice& slice);
+    std::optional<Value> recordOf(Instance& instance);
+    std::optional<Value> objectOf(Element& element);
+    std::optional<Value> importedConstant(const syntax::Name& name, const LibraryClass& in, bool& found,
+                                          std::set<const LibraryClass*>& seen);
     std::optional<Value> namedConstant(const syntax::Name& name, const Scope& scope, bool& found);
     std::optional<Value> constantOf(const LibraryClass& definition, const std::string& name, bool& found,
                                     std::set<const LibraryClass*>& seen);
@@ -79,6 +95,7 @@ private:
 
     std::optional<Value> unary(const Expression& expression, const Scope& scope);
     std::optional<Value> binaryChain(const Expression& expression, const Scope& scope);
+    const Expression* decided(const Expression& expression, const Scope& scope);
     std::optional<Value> conditional(const Expression& expression, const Scope& scope);
     std::optional<Value> array(const Expression& expression, const Scope& scope);
     std::optional<Value> comprehension(const Expression& expression, const Scope& scope, std::size_t outermost);
@@ -88,7 +105,9 @@ private:
     std::optional<Value> concatenated(const std::vector<Value>& parts, std::size_t along, const Span& span);
 
     Flattening& work_;
-    std::vector<std::pair<std::string, Value>> iterators_;
+    std::vector<std::pair<std::string, Value>> iterators_;     // and the variables of the function under way
+    std::unordered_map<std::uint32_t, ExpressionId> overlay_;  // variables that the algorithm under way has set
+    int callDepth_{};
     std::vector<int> ends_;  // extents of the dimensions in which `end` may stand
     std::set<std::pair<const LibraryClass*, std::string>> busyConstants_;
     int depth_{};

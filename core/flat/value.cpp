@@ -7,6 +7,11 @@ Value Value::part(int subscript) const {
     result.type = type;
     result.enumeration = enumeration;
     result.dimensions.assign(dimensions.begin() + 1, dimensions.end());
+    if (isRecord()) {
+        result.record = record;
+        for (const auto& [name, value] : members) result.members.emplace_back(name, value.part(subscript));
+        return result;
+    }
     const auto count = static_cast<std::ptrdiff_t>(elementCount(result.dimensions));
     const std::ptrdiff_t first = (subscript - 1) * count;
     if (type == FlatType::String)
@@ -14,6 +19,12 @@ Value Value::part(int subscript) const {
     else
         result.elements.assign(elements.begin() + first, elements.begin() + first + count);
     return result;
+}
+
+Value* Value::member(std::string_view name) {
+    for (auto& [own, value] : members)
+        if (own == name) return &value;
+    return nullptr;
 }
 
 std::size_t elementCount(const std::vector<int>& dimensions) {
@@ -57,6 +68,8 @@ const char* typeName(FlatType type) {
 }
 
 std::string typeText(const Value& value) {
+    if (value.isRecord()) return value.record + sizeText(value.dimensions);
+    if (value.isObject()) return "ExternalObject";
     return (value.enumeration.empty() ? typeName(value.type) : value.enumeration) + sizeText(value.dimensions);
 }
 

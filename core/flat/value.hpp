@@ -1,6 +1,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/flat/expression.hpp"
@@ -15,13 +17,33 @@ struct Value {
     std::vector<ExpressionId> elements;  // String: empty ids
     std::vector<std::string> texts;      // String only
     std::string enumeration;             // qualified class of an enumeration value (its type is Integer)
+    std::string record;                  // qualified class of a record; its dimensions lead those of the members
+    std::vector<std::pair<std::string, Value>> members;
+    int object{-1};  // an external object: its number among Flattening::tables
 
+    bool isRecord() const { return !record.empty(); }
+    bool isObject() const { return object >= 0; }
+    Value* member(std::string_view name);
+    const Value* member(std::string_view name) const { return const_cast<Value*>(this)->member(name); }
     bool isScalar() const { return dimensions.empty(); }
     std::size_t size() const { return type == FlatType::String ? texts.size() : elements.size(); }
-    bool isNumeric() const { return (type == FlatType::Real || type == FlatType::Integer) && enumeration.empty(); }
+    bool isNumeric() const {
+        return !isRecord() && !isObject() && (type == FlatType::Real || type == FlatType::Integer) &&
+               enumeration.empty();
+    }
 
-    static Value scalar(FlatType type, ExpressionId element) { return {type, {}, {element}, {}, {}}; }
-    static Value text(std::string text) { return {FlatType::String, {}, {}, {std::move(text)}, {}}; }
+    static Value scalar(FlatType type, ExpressionId element) {
+        Value value;
+        value.type = type;
+        value.elements = {element};
+        return value;
+    }
+    static Value text(std::string text) {
+        Value value;
+        value.type = FlatType::String;
+        value.texts = {std::move(text)};
+        return value;
+    }
     /// The part at the leading subscript (1-based).
     Value part(int subscript) const;
 };

@@ -10,6 +10,7 @@
 #include "core/library/lazy_packages.hpp"
 #include "core/library/name_search.hpp"
 #include "core/library/package_loader.hpp"
+#include "core/syntax/parser.hpp"
 
 namespace analogon {
 
@@ -49,6 +50,22 @@ bool holdsPackages(const fs::path& directory) {
         if (fs::exists(entry->path() / "package.mo", lost)) return true;
     }
     return false;
+}
+
+/// The enumerations of the language (section 4.9), which no text declares.
+const LibraryClass* builtinClass(std::string_view name) {
+    static const auto classes = [] {
+        const auto source =
+            std::make_shared<const Source>("the Modelica language",
+                                           "type StateSelect = enumeration(never, avoid, default, prefer, always);\n"
+                                           "type AssertionLevel = enumeration(error, warning);\n");
+        std::map<std::string, LibraryClass, std::less<>> made;
+        for (const syntax::ClassPtr& one : syntax::parse(source).definition.classes)
+            made.emplace(one->name, LibraryClass{one->name, one, {}});
+        return made;
+    }();
+    const auto found = classes.find(name);
+    return found == classes.end() ? nullptr : &found->second;
 }
 
 }  // namespace
@@ -145,6 +162,7 @@ const LibraryClass* Library::find(std::string_view qualifiedName) const {
     const auto& classes = content().classes;
     const auto entry = classes.find(qualifiedName);
     if (entry != classes.end()) return entry->second.get();
+    if (const LibraryClass* builtin = builtinClass(qualifiedName)) return builtin;
     if (!lazy_) return nullptr;
     const std::string_view root = qualifiedName.substr(0, qualifiedName.find('.'));
     if (classes.contains(root)) return nullptr;  // a package of the study is whole

@@ -61,6 +61,7 @@ namespace {
 
 Outcome<Structure> analysed(const std::shared_ptr<const FlatModel>& model, const StructureOptions& options) {
     Structure out;
+    if (!model->events.refusals.empty()) return model->events.refusals;
     Outcome<FoldedModel> folded = fold(*model, options);
     if (!folded) return folded.diagnostics();
     out.equationsBefore = static_cast<int>(folded->system.equations.size());

@@ -8553,6 +8553,250 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>{} und {} können nicht nebeneinander in einem Feld stehen</translation>
     </message>
     <message>
+        <source>'when' cannot stand in an initial equation section</source>
+        <translation>„when“ kann nicht in einem Abschnitt „initial equation“ stehen</translation>
+    </message>
+    <message>
+        <source>'when' cannot stand within an 'if' that changes</source>
+        <translation>„when“ kann nicht in einem „if“ stehen, das sich ändert</translation>
+    </message>
+    <message>
+        <source>'{}' has {} outputs, not {}</source>
+        <translation>'{}' hat {} Ausgänge, nicht {}</translation>
+    </message>
+    <message>
+        <source>'{}' has no member '{}'</source>
+        <translation>'{}' hat kein Element '{}'</translation>
+    </message>
+    <message>
+        <source>{} cannot be assigned to '{}'</source>
+        <translation>{} kann '{}' nicht zugewiesen werden</translation>
+    </message>
+    <message>
+        <source>'{}' needs the name of a variable</source>
+        <translation>'{}' braucht den Namen einer Variablen</translation>
+    </message>
+    <message>
+        <source>'sample' takes a start and an interval that are known before the simulation</source>
+        <translation>„sample“ braucht einen Beginn und einen Abstand, die vor der Simulation bekannt sind</translation>
+    </message>
+    <message>
+        <source>the condition after 'when' must be Boolean, not {}</source>
+        <translation>die Bedingung hinter „when“ muss Boolean sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>'{}' cannot stand within 'when'</source>
+        <translation>'{}' kann nicht in „when“ stehen</translation>
+    </message>
+    <message>
+        <source>an equation within 'when' begins with the variable that it sets</source>
+        <translation>eine Gleichung in „when“ beginnt mit der Variablen, die sie setzt</translation>
+    </message>
+    <message>
+        <source>'reinit' needs a variable and its new value</source>
+        <translation>„reinit“ braucht eine Variable und ihren neuen Wert</translation>
+    </message>
+    <message>
+        <source>'{}' needs a Boolean condition and a text</source>
+        <translation>'{}' braucht eine Bedingung vom Typ Boolean und einen Text</translation>
+    </message>
+    <message>
+        <source>{}</source>
+        <translation>{}</translation>
+    </message>
+    <message>
+        <source>the function '{}' has no algorithm that could be run</source>
+        <translation>die Funktion '{}' hat keinen Algorithmus, der ausgeführt werden könnte</translation>
+    </message>
+    <message>
+        <source>functions call each other more than {} deep</source>
+        <translation>Funktionen rufen einander mehr als {} tief auf</translation>
+    </message>
+    <message>
+        <source>the argument '{}' of '{}' is not given</source>
+        <translation>das Argument '{}' von '{}' fehlt</translation>
+    </message>
+    <message>
+        <source>'{}' is not a variable of the function</source>
+        <translation>'{}' ist keine Variable der Funktion</translation>
+    </message>
+    <message>
+        <source>'break' and 'return' need a condition that is known before the simulation</source>
+        <translation>„break“ und „return“ brauchen eine Bedingung, die vor der Simulation bekannt ist</translation>
+    </message>
+    <message>
+        <source>a 'while' whose condition changes while the model runs is not supported</source>
+        <translation>ein „while“, dessen Bedingung sich während des Laufs ändert, wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>use a for loop, or write the relation as equations</source>
+        <translation>eine for-Schleife verwenden oder den Zusammenhang als Gleichungen schreiben</translation>
+    </message>
+    <message>
+        <source>the loop runs more than {} times</source>
+        <translation>die Schleife läuft mehr als {} Mal</translation>
+    </message>
+    <message>
+        <source>'when' has no meaning in a function</source>
+        <translation>„when“ hat in einer Funktion keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>the branches differ in a size or a text, and their condition is not known before the simulation</source>
+        <translation>die Zweige unterscheiden sich in einer Größe oder einem Text, und ihre Bedingung ist vor der Simulation nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the algorithm could not be run</source>
+        <translation>der Algorithmus konnte nicht ausgeführt werden</translation>
+    </message>
+    <message>
+        <source>the external function '{}' is not known</source>
+        <translation>die externe Funktion '{}' ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the external function '{}' gives nothing</source>
+        <translation>die externe Funktion '{}' gibt nichts zurück</translation>
+    </message>
+    <message>
+        <source>the table of '{}' must be known before the simulation</source>
+        <translation>die Tabelle von '{}' muss vor der Simulation bekannt sein</translation>
+    </message>
+    <message>
+        <source>the table &quot;{}&quot; of a function 'usertab' is not supported</source>
+        <translation>die Tabelle „{}“ einer Funktion „usertab“ wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>give the table by its values or in a file</source>
+        <translation>die Tabelle durch ihre Werte oder in einer Datei angeben</translation>
+    </message>
+    <message>
+        <source>the columns of the table must be known before the simulation</source>
+        <translation>die Spalten der Tabelle müssen vor der Simulation bekannt sein</translation>
+    </message>
+    <message>
+        <source>the column of the table must be known before the simulation</source>
+        <translation>die Spalte der Tabelle muss vor der Simulation bekannt sein</translation>
+    </message>
+    <message>
+        <source>the table has no values</source>
+        <translation>die Tabelle hat keine Werte</translation>
+    </message>
+    <message>
+        <source>the text must be known before the simulation</source>
+        <translation>der Text muss vor der Simulation bekannt sein</translation>
+    </message>
+    <message>
+        <source>the table has {} columns, not {}</source>
+        <translation>die Tabelle hat {} Spalten, nicht {}</translation>
+    </message>
+    <message>
+        <source>a table of two dimensions is interpolated linearly, by Akima's method or in constant segments</source>
+        <translation>eine Tabelle mit zwei Dimensionen wird linear, nach Akima oder in konstanten Stücken interpoliert</translation>
+    </message>
+    <message>
+        <source>the size of the table &quot;{}&quot; cannot be read</source>
+        <translation>die Größe der Tabelle „{}“ ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>the table &quot;{}&quot; ends after {} of {} values</source>
+        <translation>die Tabelle „{}“ endet nach {} von {} Werten</translation>
+    </message>
+    <message>
+        <source>the file holds no table &quot;{}&quot;</source>
+        <translation>die Datei enthält keine Tabelle „{}“</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is no number</source>
+        <translation>„{}“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>the row has {} values, the first one {}</source>
+        <translation>die Zeile hat {} Werte, die erste {}</translation>
+    </message>
+    <message>
+        <source>'cat' takes a dimension and arrays</source>
+        <translation>„cat“ braucht eine Dimension und Felder</translation>
+    </message>
+    <message>
+        <source>'{}' needs a vector, not {}</source>
+        <translation>'{}' braucht einen Vektor, nicht {}</translation>
+    </message>
+    <message>
+        <source>'{}' needs a matrix, not {}</source>
+        <translation>'{}' braucht eine Matrix, nicht {}</translation>
+    </message>
+    <message>
+        <source>'{}' gives no value</source>
+        <translation>'{}' gibt keinen Wert</translation>
+    </message>
+    <message>
+        <source>the package of &quot;{}&quot; is not known</source>
+        <translation>das Paket von „{}“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the external object '{}' has no value</source>
+        <translation>das externe Objekt '{}' hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>at t = {:.6g} s: {}</source>
+        <translation>bei t = {:.6g} s: {}</translation>
+    </message>
+    <message>
+        <source>'{}' has no value</source>
+        <translation>'{}' hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>the discrete quantities find no rest: '{}' keeps switching</source>
+        <translation>die diskreten Größen kommen nicht zur Ruhe: '{}' schaltet weiter</translation>
+    </message>
+    <message>
+        <source>reinit: '{}' is no state of the model</source>
+        <translation>reinit: '{}' ist kein Zustand des Modells</translation>
+    </message>
+    <message>
+        <source>reinit a variable that is differentiated, and that no equation ties to another state</source>
+        <translation>reinit auf eine Variable anwenden, die abgeleitet wird und die keine Gleichung an einen anderen Zustand bindet</translation>
+    </message>
+    <message>
+        <source>the event finds no end: '{}' keeps switching</source>
+        <translation>das Ereignis findet kein Ende: '{}' schaltet weiter</translation>
+    </message>
+    <message>
+        <source>the integration does not go on</source>
+        <translation>die Integration kommt nicht weiter</translation>
+    </message>
+    <message>
+        <source>the integration does not go on at '{}'</source>
+        <translation>die Integration kommt bei '{}' nicht weiter</translation>
+    </message>
+    <message>
+        <source>more than {} events</source>
+        <translation>mehr als {} Ereignisse</translation>
+    </message>
+    <message>
+        <source>pre() needs a variable that changes at events, not '{}'</source>
+        <translation>pre() braucht eine Variable, die sich bei Ereignissen ändert, nicht '{}'</translation>
+    </message>
+    <message>
+        <source>'{}' is set by two equations</source>
+        <translation>'{}' wird von zwei Gleichungen gesetzt</translation>
+    </message>
+    <message>
+        <source>nothing sets '{}', which changes at events alone</source>
+        <translation>nichts setzt '{}', das sich nur bei Ereignissen ändert</translation>
+    </message>
+    <message>
+        <source>an equation that sets it has it alone on one side</source>
+        <translation>eine Gleichung, die es setzt, hat es allein auf einer Seite</translation>
+    </message>
+    <message>
+        <source>delay() is not supported in a model with events</source>
+        <translation>delay() wird in einem Modell mit Ereignissen nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>the file is no MATLAB file</source>
+        <translation>die Datei ist keine MATLAB-Datei</translation>
+    </message>
+    <message>
         <source>when equations are not supported</source>
         <translation>when-Gleichungen werden nicht unterstützt</translation>
     </message>

@@ -18,6 +18,8 @@ typedef struct {
 typedef struct {
     int count, isCubic, order; /* order: the value is this derivative of the interpolant */
     const double *x, *y, *slopes;
+    int isConstant, extrapolation;
+    double begin, shift;
 } Table;
 
 typedef struct {
@@ -56,12 +58,11 @@ static inline double cubicDerivative(double c0, double c1, double c2, double c3,
 }
 
 /* n-th derivative of the table's value; extrapolates with the slope at the first or last node. */
-static inline double lookUp(const Table* table, double at, int n) {
+static inline double interpolate(const Table* table, double at, int n) {
     const double *x = table->x, *y = table->y, *slopes = table->slopes;
     const int last = table->count - 1;
     double width, secant, c2, c3;
     int i = 0, above = last;
-    n += table->order;
     if (last == 0) return n == 0 ? y[0] : 0.0;
     while (above - i > 1) {
         const int middle = (i + above) / 2;
@@ -70,14 +71,35 @@ static inline double lookUp(const Table* table, double at, int n) {
         else
             above = middle;
     }
+    while (i > 0 && x[i + 1] == x[i]) --i; /* a jump at the very end */
+    if (table->isConstant) return n > 0 ? 0 : at >= x[last] ? y[last] : y[i];
     width = x[i + 1] - x[i];
     secant = (y[i + 1] - y[i]) / width;
+    if (!table->isCubic && n == 0 && at == x[last]) return y[last];
     if (!table->isCubic) return cubicDerivative(y[i], secant, 0, 0, at - x[i], n);
     if (at < x[0]) return cubicDerivative(y[0], slopes[0], 0, 0, at - x[0], n);
     if (at > x[last]) return cubicDerivative(y[last], slopes[last], 0, 0, at - x[last], n);
     c2 = (3 * secant - 2 * slopes[i] - slopes[i + 1]) / width;
     c3 = (slopes[i] + slopes[i + 1] - 2 * secant) / (width * width);
     return cubicDerivative(y[i], slopes[i], c2, c3, at - x[i], n);
+}
+
+/* Beyond its ends a table goes on with its slope (0), is held (1), repeats itself (2) or has no value (3). */
+static inline double lookUp(const Table* table, double at, int n) {
+    const int last = table->count - 1;
+    const double begin = table->x[0], end = table->x[last];
+    n += table->order;
+    if (at < table->begin) return 0;
+    at -= table->shift;
+    if (table->extrapolation == 0 || (at >= begin && at < end) || (at == end && table->extrapolation != 2))
+        return interpolate(table, at, n);
+    if (table->extrapolation == 2) {
+        if (!(end > begin)) return interpolate(table, begin, n);
+        at = begin + fmod(at - begin, end - begin);
+        return interpolate(table, at < begin ? at + (end - begin) : at, n);
+    }
+    if (table->extrapolation == 1) return n > 0 ? 0 : at < begin ? table->y[0] : table->y[last];
+    return NAN;
 }
 
 /* LU factors with scaled partial pivoting, row-major in place; 0 when singular to working precision. */

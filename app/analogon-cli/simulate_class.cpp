@@ -1,0 +1,166 @@
+#include "app/analogon-cli/simulate_class.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <ostream>
+#include <system_error>
+
+#include "core/base/file_fault.hpp"
+#include "core/eval/system.hpp"
+#include "core/flat/flat_model.hpp"
+#include "core/library/library.hpp"
+#include "core/simulate/event_run.hpp"
+#include "core/structure/hybrid.hpp"
+#include "core/structure/structure.hpp"
+
+namespace analogon::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+int fails(const Diagnostics& faults, std::ostream& err) {
+    err << format(faults) << '\n';
+    const bool isNumerical =
+        std::any_of(faults.begin(), faults.end(), [](const Diagnostic& d) { return d.isNumerical; });
+    return isNumerical ? numericsFailed : inputAtFault;
+}
+
+std::optional<double> numberOf(const syntax::Modification& modification) {
+    if (!modification.value) return std::nullopt;
+    const syntax::Expression* e = &*modification.value;
+    double sign = 1;
+    if (e->kind == syntax::Expression::Kind::Unary && e->text == "-") {
+        sign = -1;
+        e = &e->operands[0];
+    }
+    return e->kind == syntax::Expression::Kind::Number ? std::optional(sign * e->number) : std::nullopt;
+}
+
+/// StartTime, StopTime, Interval and Tolerance of the annotation; those of the nearest base where the class has none.
+void readExperiment(const Library& library, const LibraryClass& cls, EventRunOptions& run, int depth = 0) {
+    const auto& annotation = cls.definition->annotation;
+    const syntax::Modification* const experiment = annotation ? annotation->find("experiment") : nullptr;
+    if (!experiment) {
+        if (depth < 20)
+            for (const LibraryClass* base : library.bases(cls)) readExperiment(library, *base, run, depth + 1);
+        return;
+    }
+    for (const syntax::Modification& m : experiment->arguments) {
+        const std::optional<double> value = numberOf(m);
+        if (!value) continue;
+        const std::string name = m.name.text();
+        if (name == "StartTime") run.start = *value;
+        if (name == "StopTime") run.stop = *value;
+        if (name == "Interval") run.interval = *value;
+        if (name == "Tolerance" && *value > 0) run.tolerance = std::min(*value, 1e-5);
+    }
+}
+
+/// `*` stands for anything, `?` for one character.
+bool matches(std::string_view name, std::string_view pattern) {
+    if (pattern.empty()) return name.empty();
+    if (pattern[0] == '*')
+        return matches(name, pattern.substr(1)) || (!name.empty() && matches(name.substr(1), pattern));
+    return !name.empty() && (pattern[0] == '?' || pattern[0] == name[0]) && matches(name.substr(1), pattern.substr(1));
+}
+
+std::vector<std::string> namesOf(const FlatModel& model, const System& system,
+                                 const std::vector<std::string>& patterns) {
+    std::vector<std::string> names;
+    const auto take = [&](const std::string& name) {
+        const bool isWanted = patterns.empty() || std::any_of(patterns.begin(), patterns.end(),
+                                                              [&](const std::string& p) { return matches(name, p); });
+        if (isWanted) names.push_back(name);
+    };
+    for (const FlatVariable& v : model.variables)
+        if (v.variability == FlatVariability::Continuous && v.type != FlatType::String && v.name.front() != '$' &&
+            !v.name.ends_with("()"))
+            take(v.name);
+    for (const SignalInfo& state : system.states()) take(fmt::format("der({})", state.name));
+    std::vector<std::string> once;
+    for (std::string& name : names)
+        if (std::find(once.begin(), once.end(), name) == once.end() || names.size() > 5000)
+            once.push_back(std::move(name));
+    return once;
+}
+
+/// A name with a comma stands in quotes.
+std::string cell(const std::string& name) {
+    return name.find(',') == std::string::npos ? name : fmt::format("\"{}\"", name);
+}
+
+Outcome<Done> writeTraces(const EventTrajectory& run, const std::vector<std::string>& names,
+                          const fs::path& directory) {
+    std::error_code problem;
+    fs::create_directories(directory, problem);
+    const fs::path file = directory / "traces.csv", part = directory / "traces.csv.part";
+    for (const fs::directory_entry& entry : fs::directory_iterator(directory, problem))
+        if (entry.path() != file && entry.path() != part)
+            return fileError(phrase("the directory is not empty"), directory.string(), 0, 0, phrase("name a new one"));
+    {
+        std::ofstream text(part, std::ios::binary);
+        fmt::memory_buffer line;
+        fmt::format_to(std::back_inserter(line), "time");
+        for (const std::string& name : names) fmt::format_to(std::back_inserter(line), ",{}", cell(name));
+        for (std::size_t k = 0; k < run.time.size(); ++k) {
+            fmt::format_to(std::back_inserter(line), "\n{}", run.time[k]);
+            for (const double value : run.rows[k]) fmt::format_to(std::back_inserter(line), ",{}", value);
+            if (line.size() > (1u << 20)) {
+                text.write(line.data(), static_cast<std::streamsize>(line.size()));
+                line.clear();
+            }
+        }
+        line.push_back('\n');
+        text.write(line.data(), static_cast<std::streamsize>(line.size()));
+        text.close();
+        if (!text) return fileError(phrase("the file cannot be written"), part.string());
+    }
+    fs::rename(part, file, problem);
+    if (problem) return fileError(problem.message(), file.string());
+    return Done{};
+}
+
+}  // namespace
+
+int simulateClass(const Options& options, std::ostream& out, std::ostream& err) {
+    Outcome<Library> library = builtInLibrary();
+    for (const fs::path& path : options.libraries)
+        if (library) library = library->withPath(path);
+    if (!library) return fails(library.diagnostics(), err);
+    Outcome<FlatModel> flat = flatten(*library, options.className);
+    if (!flat) return fails(flat.diagnostics(), err);
+    const LibraryClass& cls = *library->find(options.className);
+    EventRunOptions run;
+    readExperiment(*library, cls, run);
+    if (options.stop) run.stop = *options.stop;
+    if (options.interval) run.interval = *options.interval;
+    if (options.tolerance) run.tolerance = *options.tolerance;
+    if (!(run.stop > run.start))
+        return fails({fileError(phrase("the simulation would end at {}, before it begins at {}", run.stop, run.start),
+                                options.className)},
+                     err);
+    const Outcome<HybridModel> hybrid = partition(*flat);
+    if (!hybrid) return fails(hybrid.diagnostics(), err);
+    StructureOptions keep;
+    keep.keep = hybrid->slots;
+    const Outcome<Structure> structure = analyse(hybrid->continuous, keep);
+    if (!structure) return fails(structure.diagnostics(), err);
+    const Outcome<SystemPtr> system = System::build(*structure);
+    if (!system) return fails(system.diagnostics(), err);
+    const std::vector<std::string> names = namesOf(*flat, **system, options.variables);
+    const Outcome<EventTrajectory> trajectory = simulateWithEvents(*hybrid, **system, names, run);
+    if (!trajectory) return fails(trajectory.diagnostics(), err);
+    if (!trajectory->remarks.empty()) err << format(trajectory->remarks) << '\n';
+    const Outcome<Done> written = writeTraces(*trajectory, names, options.out);
+    if (!written) return fails(written.diagnostics(), err);
+    out << fmt::format("{}: {} to {} s, {} states, {} steps, {} events\n", options.className, run.start, run.stop,
+                       (*system)->stateCount(), trajectory->steps, trajectory->events);
+    return done;
+}
+
+}  // namespace analogon::cli

@@ -1,0 +1,456 @@
+#include "core/flat/external_table.hpp"
+
+#include <matio.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <sstream>
+
+#include "core/base/regular_file.hpp"
+
+namespace analogon {
+namespace {
+
+double weighted(double a, double wa, double b, double wb) {
+    return wa + wb > 0 ? (wa * a + wb * b) / (wa + wb) : 0.5 * (a + b);
+}
+
+/// Divided differences with two more on each side, so that the second differences go on as they are.
+std::vector<double> extendedSecants(const std::vector<double>& x, const std::vector<double>& y) {
+    const std::size_t n = x.size();
+    std::vector<double> d(n + 3);
+    for (std::size_t i = 0; i + 1 < n; ++i) d[i + 2] = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
+    d[1] = 2 * d[2] - d[3 < n + 1 ? 3 : 2];
+    d[0] = 2 * d[1] - d[2];
+    d[n + 1] = 2 * d[n] - d[n - 1 > 1 ? n - 1 : n];
+    d[n + 2] = 2 * d[n + 1] - d[n];
+    return d;
+}
+
+std::vector<double> akima(const std::vector<double>& x, const std::vector<double>& y, bool isModified) {
+    const std::vector<double> d = extendedSecants(x, y);
+    std::vector<double> slopes(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        double left = std::fabs(d[i + 1] - d[i]), right = std::fabs(d[i + 3] - d[i + 2]);
+        if (isModified) {
+            left += 0.5 * std::fabs(d[i + 1] + d[i]);
+            right += 0.5 * std::fabs(d[i + 3] + d[i + 2]);
+            slopes[i] = left + right > 0 ? weighted(d[i + 1], right, d[i + 2], left) : 0;
+        } else {
+            slopes[i] = weighted(d[i + 1], right, d[i + 2], left);
+        }
+    }
+    return slopes;
+}
+
+std::vector<double> monotone(const std::vector<double>& x, const std::vector<double>& y, bool isSteffen) {
+    const std::size_t n = x.size();
+    std::vector<double> h(n - 1), d(n - 1), slopes(n);
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+        h[i] = x[i + 1] - x[i];
+        d[i] = (y[i + 1] - y[i]) / h[i];
+    }
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+        if (d[i - 1] * d[i] <= 0) continue;
+        if (isSteffen) {
+            const double p = (d[i - 1] * h[i] + d[i] * h[i - 1]) / (h[i - 1] + h[i]);
+            slopes[i] = std::copysign(std::min({2 * std::fabs(d[i - 1]), 2 * std::fabs(d[i]), std::fabs(p)}), d[i]);
+        } else {
+            const double w1 = h[i - 1] + 2 * h[i], w2 = 2 * h[i - 1] + h[i];
+            slopes[i] = (w1 + w2) / (w1 / d[i - 1] + w2 / d[i]);
+        }
+    }
+    slopes.front() = d.front();
+    slopes.back() = d.back();
+    return slopes;
+}
+
+LookupTable::Extrapolation extrapolationOf(TableExtrapolation given, Smoothness smoothness) {
+    switch (given) {
+        case TableExtrapolation::Periodic:
+            return LookupTable::Extrapolation::Periodic;
+        case TableExtrapolation::None:
+            return LookupTable::Extrapolation::None;
+        case TableExtrapolation::Hold:
+            return LookupTable::Extrapolation::Hold;
+        default:  // a slope of 0 beyond constant segments
+            return smoothness == Smoothness::Constant ? LookupTable::Extrapolation::Hold
+                                                      : LookupTable::Extrapolation::Slope;
+    }
+}
+
+LookupTable lookupOf(std::vector<double> x, std::vector<double> y, Smoothness smoothness,
+                     TableExtrapolation extrapolation) {
+    LookupTable table;
+    if (x.size() > 2 && smoothness != Smoothness::Linear && smoothness != Smoothness::Constant) {
+        table.interpolation = LookupTable::Interpolation::Hermite;
+        table.slopes = cubicSlopes(x, y, smoothness);
+    } else if (smoothness == Smoothness::Constant) {
+        table.interpolation = LookupTable::Interpolation::Constant;
+    }
+    table.extrapolation = extrapolationOf(extrapolation, smoothness);
+    table.x = std::move(x);
+    table.y = std::move(y);
+    return table;
+}
+
+/// The abscissas must rise; `mayJump`: two may be equal.
+std::optional<Diagnostic> unsorted(const std::vector<double>& x, bool mayJump) {
+    for (std::size_t i = 1; i < x.size(); ++i)
+        if (!(x[i] > x[i - 1] || (mayJump && x[i] == x[i - 1])))
+            return error(phrase("the abscissas of the table must rise: {} follows {}", x[i], x[i - 1]));
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<double> cubicSlopes(const std::vector<double>& x, const std::vector<double>& y, Smoothness smoothness) {
+    switch (smoothness) {
+        case Smoothness::FritschButland:
+            return monotone(x, y, false);
+        case Smoothness::Steffen:
+            return monotone(x, y, true);
+        default:
+            return akima(x, y, smoothness == Smoothness::ModifiedAkima);
+    }
+}
+
+Outcome<ExternalTable> oneDimensional(const Matrix& table, const std::vector<int>& columns, Smoothness smoothness,
+                                      TableExtrapolation extrapolation) {
+    if (table.rows == 0 || table.columns < 2) return error(phrase("the table has no values"));
+    ExternalTable result;
+    std::vector<double> x(table.rows);
+    for (std::size_t i = 0; i < table.rows; ++i) x[i] = table(i, 0);
+    if (auto fault = unsorted(x, smoothness == Smoothness::Linear || smoothness == Smoothness::Constant)) return *fault;
+    for (const int column : columns) {
+        if (column < 1 || static_cast<std::size_t>(column) > table.columns)
+            return error(phrase("the table has {} columns, not {}", table.columns, column));
+        std::vector<double> y(table.rows);
+        for (std::size_t i = 0; i < table.rows; ++i) y[i] = table(i, static_cast<std::size_t>(column) - 1);
+        result.columns.push_back(lookupOf(x, std::move(y), smoothness, extrapolation));
+    }
+    result.first = x.front();
+    result.last = x.back();
+    return result;
+}
+
+namespace {
+
+/// Two more grid lines on each side, and values there by which second divided differences go on (Akima 1974).
+struct Extended {
+    std::vector<double> x;  // n + 4
+
+    explicit Extended(const std::vector<double>& grid) {
+        const std::size_t n = grid.size();
+        x.resize(n + 4);
+        std::copy(grid.begin(), grid.end(), x.begin() + 2);
+        const double* g = grid.data();
+        if (n == 2) {
+            const double h = g[1] - g[0];
+            x[1] = g[0] - h, x[0] = g[0] - 2 * h, x[4] = g[1] + h, x[5] = g[1] + 2 * h;
+            return;
+        }
+        x[1] = g[0] + g[1] - g[2];
+        x[0] = 2 * g[0] - g[2];
+        x[n + 2] = g[n - 1] + g[n - 2] - g[n - 3];
+        x[n + 3] = 2 * g[n - 1] - g[n - 3];
+    }
+    /// Values at the grid lines (2 … n + 1 of z are given).
+    void extend(std::vector<double>& z) const {
+        const std::size_t n = x.size() - 4;
+        const auto secant = [&](std::size_t i) { return (z[i + 1] - z[i]) / (x[i + 1] - x[i]); };
+        if (n == 2) {
+            const double s = secant(2);
+            z[1] = z[2] - s * (x[2] - x[1]), z[0] = z[2] - s * (x[2] - x[0]);
+            z[4] = z[3] + s * (x[4] - x[3]), z[5] = z[3] + s * (x[5] - x[3]);
+            return;
+        }
+        const double a = secant(2), b = secant(3);
+        z[1] = z[2] - (2 * a - b) * (x[2] - x[1]);
+        z[0] = z[1] - (3 * a - 2 * b) * (x[1] - x[0]);
+        const double c = secant(n), e = secant(n - 1);
+        z[n + 2] = z[n + 1] + (2 * c - e) * (x[n + 2] - x[n + 1]);
+        z[n + 3] = z[n + 2] + (3 * c - 2 * e) * (x[n + 3] - x[n + 2]);
+    }
+};
+
+struct Surface {
+    std::vector<double> x, y, z, zx, zy, zxy;  // row-major over the grid
+};
+
+/// Partial derivatives at the nodes by Akima's bivariate method (Commun. ACM 17 (1974) 18-20).
+void akimaSurface(Surface& s) {
+    const std::size_t n = s.x.size(), m = s.y.size();
+    const Extended ex(s.x), ey(s.y);
+    std::vector<std::vector<double>> z(n + 4, std::vector<double>(m + 4));
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < m; ++j) z[i + 2][j + 2] = s.z[i * m + j];
+        ey.extend(z[i + 2]);
+    }
+    for (std::size_t j = 0; j < m + 4; ++j) {
+        std::vector<double> column(n + 4);
+        for (std::size_t i = 2; i < n + 2; ++i) column[i] = z[i][j];
+        ex.extend(column);
+        for (std::size_t i = 0; i < n + 4; ++i) z[i][j] = column[i];
+    }
+    s.zx.resize(n * m), s.zy.resize(n * m), s.zxy.resize(n * m);
+    const auto& x = ex.x;
+    const auto& y = ey.x;
+    for (std::size_t i = 2; i < n + 2; ++i)
+        for (std::size_t j = 2; j < m + 2; ++j) {
+            const auto dx = [&](std::size_t k, std::size_t l) { return (z[k + 1][l] - z[k][l]) / (x[k + 1] - x[k]); };
+            const auto dy = [&](std::size_t k, std::size_t l) { return (z[k][l + 1] - z[k][l]) / (y[l + 1] - y[l]); };
+            const auto dxy = [&](std::size_t k, std::size_t l) {
+                return (dy(k + 1, l) - dy(k, l)) / (x[k + 1] - x[k]);
+            };
+            double wx2 = std::fabs(dx(i + 1, j) - dx(i, j)), wx3 = std::fabs(dx(i - 1, j) - dx(i - 2, j));
+            double wy2 = std::fabs(dy(i, j + 1) - dy(i, j)), wy3 = std::fabs(dy(i, j - 1) - dy(i, j - 2));
+            if (wx2 + wx3 == 0) wx2 = wx3 = 1;
+            if (wy2 + wy3 == 0) wy2 = wy3 = 1;
+            const std::size_t at = (i - 2) * m + (j - 2);
+            s.zx[at] = weighted(dx(i - 1, j), wx2, dx(i, j), wx3);
+            s.zy[at] = weighted(dy(i, j - 1), wy2, dy(i, j), wy3);
+            s.zxy[at] = (wx2 * (wy2 * dxy(i - 1, j - 1) + wy3 * dxy(i - 1, j)) +
+                         wx3 * (wy2 * dxy(i, j - 1) + wy3 * dxy(i, j))) /
+                        ((wx2 + wx3) * (wy2 + wy3));
+        }
+}
+
+}  // namespace
+
+/// The surface as a sum over the lines of the grid: each is a table along u1 times a basis function of u2, which is 1
+/// at its line and 0 at the others; for cubic pieces one more, with slope 1, carries the slope across.
+Outcome<ExternalTable> twoDimensional(const Matrix& table, Smoothness smoothness, TableExtrapolation extrapolation) {
+    if (table.rows < 2 || table.columns < 2) return error(phrase("the table has no values"));
+    if (smoothness != Smoothness::Linear && smoothness != Smoothness::Constant && smoothness != Smoothness::Akima)
+        return error(
+            phrase("a table of two dimensions is interpolated linearly, by Akima's method or in constant "
+                   "segments"));
+    Surface s;
+    for (std::size_t i = 1; i < table.rows; ++i) s.x.push_back(table(i, 0));
+    for (std::size_t j = 1; j < table.columns; ++j) s.y.push_back(table(0, j));
+    for (const auto* grid : {&s.x, &s.y})
+        if (auto fault = unsorted(*grid, false)) return *fault;
+    for (std::size_t i = 1; i < table.rows; ++i)
+        for (std::size_t j = 1; j < table.columns; ++j) s.z.push_back(table(i, j));
+    const std::size_t n = s.x.size(), m = s.y.size();
+    // one dimension alone, or two points in each, is no surface
+    const bool isCubic = smoothness == Smoothness::Akima && (n > 2 || m > 2);
+    if (isCubic && n > 1 && m > 1) akimaSurface(s);
+    ExternalTable result;
+    result.kind = ExternalTable::Kind::TwoDimensions;
+    const auto linear = isCubic ? Smoothness::Linear : smoothness;
+    const auto lookup = [&](const std::vector<double>& x, std::vector<double> y, std::vector<double> slopes) {
+        LookupTable one = lookupOf(x, std::move(y), slopes.empty() ? linear : Smoothness::Linear, extrapolation);
+        if (!slopes.empty()) {
+            one.interpolation = LookupTable::Interpolation::Hermite;
+            one.slopes = std::move(slopes);
+        }
+        return one;
+    };
+    const auto line = [&](const std::vector<double>& of, std::size_t j) {
+        std::vector<double> values(n);
+        for (std::size_t i = 0; i < n && !of.empty(); ++i) values[i] = of[i * m + j];
+        return values;
+    };
+    std::vector<double> slopesAlong, slopesAcross;
+    if (isCubic && m == 1) slopesAlong = cubicSlopes(s.x, s.z, smoothness);
+    for (std::size_t j = 0; j < m; ++j) {
+        std::vector<double> basis(m), none(m);
+        basis[j] = 1;
+        if (!isCubic || m == 1) {
+            result.along.push_back(lookup(s.x, line(s.z, j), slopesAlong));
+            result.across.push_back(lookup(s.y, basis, {}));
+            continue;
+        }
+        if (n == 1) {  // the slope across is that of the one line
+            const std::vector<double> slopes = cubicSlopes(s.y, s.z, smoothness);
+            result.along.push_back(lookup(s.x, {1}, {}));
+            result.across.push_back(lookup(s.y, s.z, slopes));
+            break;
+        }
+        result.along.push_back(lookup(s.x, line(s.z, j), line(s.zx, j)));
+        result.across.push_back(lookup(s.y, basis, none));
+        result.along.push_back(lookup(s.x, line(s.zy, j), line(s.zxy, j)));
+        result.across.push_back(lookup(s.y, none, basis));
+    }
+    result.first = s.x.front(), result.last = s.x.back();
+    result.first2 = s.y.front(), result.last2 = s.y.back();
+    return result;
+}
+
+Outcome<ExternalTable> timeTable(const Matrix& table, const std::vector<int>& columns, Smoothness smoothness,
+                                 TableExtrapolation extrapolation, double start, double shift, TimeEvents events) {
+    Outcome<ExternalTable> made = oneDimensional(table, columns, smoothness, extrapolation);
+    if (!made) return made;
+    ExternalTable& result = *made;
+    result.kind = ExternalTable::Kind::Time;
+    result.start = start;
+    for (LookupTable& column : result.columns) {
+        column.begin = start;
+        column.shift = shift;
+    }
+    const double first = result.first, last = result.last;
+    result.isPeriodic = extrapolation == TableExtrapolation::Periodic && last > first;
+    result.rounding =
+        1e-13 * std::max({1e-3 * (last - first), std::fabs(first + shift), std::fabs(last + shift), std::fabs(start)});
+    std::vector<double> times;
+    for (std::size_t i = 0; i < table.rows; ++i) {
+        const double t = table(i, 0);
+        const bool isJump = i > 0 && table(i - 1, 0) == t;
+        if (events == TimeEvents::Always || smoothness == Smoothness::Constant || isJump || i == 0 ||
+            i + 1 == table.rows)
+            if (times.empty() || t > times.back()) times.push_back(t);
+    }
+    LookupTable& next = result.next;
+    if (result.isPeriodic) {
+        next.extrapolation = LookupTable::Extrapolation::Periodic;
+        next.shift = shift;
+        for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+            next.x.insert(next.x.end(), {times[i], times[i + 1]});
+            next.y.insert(next.y.end(), {times[i + 1] - times[i], 0.0});
+        }
+        return made;
+    }
+    constexpr double never = 1e300;
+    std::vector<double> all{start};
+    for (const double t : times)
+        if (t + shift > start) all.push_back(t + shift);
+    next.interpolation = LookupTable::Interpolation::Constant;
+    next.extrapolation = LookupTable::Extrapolation::Hold;
+    next.x.push_back(all.front() - 1);
+    next.y.push_back(all.front());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        next.x.push_back(all[i]);
+        next.y.push_back(i + 1 < all.size() ? all[i + 1] : never);
+    }
+    return made;
+}
+
+// ------------------------------------------------------------------------------------------------------- files
+
+namespace {
+
+constexpr std::uint64_t largestFile = 256u << 20;  // [byte]
+
+std::optional<double> numberAt(std::string_view text, std::size_t& at) {
+    while (at < text.size() && (std::isspace(static_cast<unsigned char>(text[at])) || text[at] == ',' ||
+                                text[at] == ';' || text[at] == '+'))
+        ++at;
+    double value = 0;
+    const auto [end, problem] = std::from_chars(text.data() + at, text.data() + text.size(), value);
+    if (problem != std::errc{}) return std::nullopt;
+    at = static_cast<std::size_t>(end - text.data());
+    return value;
+}
+
+Outcome<Matrix> fromText(const std::string& text, const std::string& file, const std::string& name) {
+    std::istringstream lines(text);
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        const auto word = line.find_first_not_of(" \t");
+        if (word == std::string::npos) continue;
+        const bool isMatrix = line.compare(word, 6, "double") == 0 || line.compare(word, 5, "float") == 0;
+        if (!isMatrix) continue;
+        const auto open = line.find('('), close = line.find(')');
+        const auto begin = line.find_first_not_of(" \t", line.find_first_of(" \t", word));
+        if (open == std::string::npos || close == std::string::npos || begin > open) continue;
+        std::string own = line.substr(begin, open - begin);
+        while (!own.empty() && own.back() == ' ') own.pop_back();
+        if (own != name) continue;
+        std::size_t at = 0;
+        const std::string sizes = line.substr(open + 1, close - open - 1);
+        const auto rows = numberAt(sizes, at), columns = numberAt(sizes, at);
+        if (!rows || !columns || *rows < 1 || *columns < 1 || *rows * *columns > 1e7)
+            return fileError(phrase("the size of the table \"{}\" cannot be read", name), file, number);
+        Matrix matrix{static_cast<std::size_t>(*rows), static_cast<std::size_t>(*columns), {}};
+        while (matrix.values.size() < matrix.rows * matrix.columns && std::getline(lines, line)) {
+            ++number;
+            line = line.substr(0, line.find('#'));
+            if (const auto comment = line.find("//"); comment != std::string::npos) line.resize(comment);
+            for (std::size_t place = 0; const auto value = numberAt(line, place);) matrix.values.push_back(*value);
+        }
+        if (matrix.values.size() < matrix.rows * matrix.columns)
+            return fileError(phrase("the table \"{}\" ends after {} of {} values", name, matrix.values.size(),
+                                    matrix.rows * matrix.columns),
+                             file, number);
+        matrix.values.resize(matrix.rows * matrix.columns);
+        return matrix;
+    }
+    return fileError(phrase("the file holds no table \"{}\"", name), file);
+}
+
+Outcome<Matrix> fromCsv(const std::string& text, const std::string& file, char delimiter, int headerLines) {
+    std::istringstream lines(text);
+    std::string line;
+    Matrix matrix;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        if (number <= headerLines || line.find_first_not_of(" \t\r") == std::string::npos) continue;
+        std::istringstream cells(line);
+        std::size_t count = 0;
+        for (std::string cell; std::getline(cells, cell, delimiter); ++count) {
+            std::size_t at = 0;
+            const auto value = numberAt(cell, at);
+            if (!value) return fileError(phrase("\"{}\" is no number", cell), file, number);
+            matrix.values.push_back(*value);
+        }
+        if (matrix.rows > 0 && count != matrix.columns)
+            return fileError(phrase("the row has {} values, the first one {}", count, matrix.columns), file, number);
+        matrix.columns = count;
+        ++matrix.rows;
+    }
+    if (matrix.rows == 0) return fileError(phrase("the file holds no table \"{}\"", "Values"), file);
+    return matrix;
+}
+
+struct CloseMat {
+    void operator()(mat_t* file) const { Mat_Close(file); }
+};
+struct FreeMat {
+    void operator()(matvar_t* variable) const { Mat_VarFree(variable); }
+};
+
+/// A matrix of a MATLAB file; `name.field` for a field of a structure.
+Outcome<Matrix> fromMatlab(const std::string& file, const std::string& name) {
+    const auto none = [&] { return fileError(phrase("the file holds no table \"{}\"", name), file); };
+    const std::unique_ptr<mat_t, CloseMat> opened(Mat_Open(file.c_str(), MAT_ACC_RDONLY));
+    if (!opened) return fileError(phrase("the file is no MATLAB file"), file);
+    const std::string whole = name.substr(0, name.find('.'));
+    const std::unique_ptr<matvar_t, FreeMat> variable(Mat_VarRead(opened.get(), whole.c_str()));
+    matvar_t* found = variable.get();
+    for (std::size_t dot = name.find('.'); found && dot != std::string::npos;) {
+        const std::size_t next = name.find('.', dot + 1);
+        const std::string field = name.substr(dot + 1, next == std::string::npos ? next : next - dot - 1);
+        found = found->class_type == MAT_C_STRUCT ? Mat_VarGetStructFieldByName(found, field.c_str(), 0) : nullptr;
+        dot = next;
+    }
+    if (!found || found->rank != 2 || found->isComplex || !found->data) return none();
+    Matrix matrix{found->dims[0], found->dims[1], {}};
+    const std::size_t count = matrix.rows * matrix.columns;
+    const bool isDouble = found->class_type == MAT_C_DOUBLE && found->data_type == MAT_T_DOUBLE;
+    if ((!isDouble && found->class_type != MAT_C_SINGLE) ||
+        count * static_cast<std::size_t>(found->data_size) > found->nbytes)
+        return none();
+    for (std::size_t i = 0; i < matrix.rows; ++i)
+        for (std::size_t j = 0; j < matrix.columns; ++j) {
+            const std::size_t at = j * matrix.rows + i;  // column by column
+            matrix.values.push_back(isDouble ? static_cast<const double*>(found->data)[at]
+                                             : static_cast<double>(static_cast<const float*>(found->data)[at]));
+        }
+    return matrix;
+}
+
+}  // namespace
+
+Outcome<Matrix> readTableFile(const std::string& file, const std::string& name, const std::string& delimiter,
+                              int headerLines) {
+    if (file.ends_with(".mat")) return fromMatlab(file, name);
+    Outcome<std::string> text = readRegularFile(file, largestFile);
+    if (!text) return text.diagnostics();
+    if (file.ends_with(".csv")) return fromCsv(*text, file, delimiter.empty() ? ',' : delimiter[0], headerLines);
+    return fromText(*text, file, name);
+}
+
+}  // namespace analogon

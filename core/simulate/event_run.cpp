@@ -1,0 +1,562 @@
+#include "core/simulate/event_run.hpp"
+
+#include <cvodes/cvodes.h>
+#include <fmt/format.h>
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <set>
+#include <unordered_map>
+
+#include "core/base/stopwatch.hpp"
+
+namespace analogon {
+namespace {
+
+struct FreeContext {
+    void operator()(SUNContext c) const { SUNContext_Free(&c); }
+};
+struct FreeVector {
+    void operator()(N_Vector v) const { N_VDestroy(v); }
+};
+struct FreeMatrix {
+    void operator()(SUNMatrix m) const { SUNMatDestroy(m); }
+};
+struct FreeSolver {
+    void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
+};
+struct FreeCvodes {
+    void operator()(void* memory) const { CVodeFree(&memory); }
+};
+template <class T, class Free>
+using Owned = std::unique_ptr<std::remove_pointer_t<T>, Free>;
+
+constexpr double localShare = 0.1;    // of the tolerance, for one step
+constexpr double hysteresis = 1e-10;  // of a relation, beside the sizes that it compares
+constexpr int mostIterations = 200;   // of the discrete quantities at one time
+constexpr double never = std::numeric_limits<double>::infinity();
+
+bool holds(Operation operation, double difference) {
+    switch (operation) {
+        case Operation::Less:
+            return difference < 0;
+        case Operation::LessEqual:
+            return difference <= 0;
+        case Operation::Greater:
+            return difference > 0;
+        default:
+            return difference >= 0;
+    }
+}
+bool isUpward(Operation operation) { return operation == Operation::Greater || operation == Operation::GreaterEqual; }
+
+class EventRun {
+public:
+    EventRun(const HybridModel& model, const System& system, const std::vector<std::string>& names,
+             const EventRunOptions& options, const Progress& progress)
+        : model_(model),
+          system_(system),
+          options_(options),
+          progress_(progress),
+          workspace_(system.workspace(0)),
+          n_(static_cast<std::size_t>(system.stateCount())),
+          slots_(model.starts),
+          readings_(model.readings.size()),
+          x_(std::max<std::size_t>(1, n_)),
+          u_(static_cast<std::size_t>(system.slotCount())),
+          began_(std::chrono::steady_clock::now()) {
+        std::unordered_map<std::string, int> slotOf;
+        for (std::size_t i = 0; i < model.slots.size(); ++i) slotOf.emplace(model.slots[i], static_cast<int>(i));
+        std::vector<std::string> observed;
+        for (const std::string& name : names) {
+            const auto slot = slotOf.find(name);
+            source_.emplace_back(slot == slotOf.end() ? -1 : slot->second, static_cast<int>(observed.size()));
+            if (slot == slotOf.end()) observed.push_back(name);
+        }
+        handles_ = system.observe(observed);
+        for (const HybridModel::Sample& sample : model.samples) {
+            const double k = std::ceil((options.start - sample.start) / sample.interval - 1e-9);
+            sampleCount_.push_back(std::max(0.0, k));
+        }
+    }
+
+    Outcome<EventTrajectory> run() {
+        time_ = options_.start;
+        if (!initialise()) return faults_;
+        if (!setUp()) return fail(phrase("the integrator could not be set up"));
+        const double interval = rowInterval();
+        grid_ = 1;
+        if (isTerminated_) return std::move(result_);
+        while (time_ < options_.stop) {
+            if (!advance(interval)) return faults_;
+            if (isTerminated_) return std::move(result_);
+        }
+        if (model_.terminal >= 0) {
+            slots_[static_cast<std::size_t>(model_.terminal)] = 1;
+            if (!event({})) return faults_;
+        }
+        return std::move(result_);
+    }
+
+private:
+    /// As asked for, and not so wide that what the rows show between events would be lost.
+    double rowInterval() const {
+        constexpr double fewest = 2500;
+        const double whole = options_.stop - options_.start;
+        if (!(options_.interval > 0)) return whole / fewest;
+        return options_.interval / std::max(1.0, std::ceil(fewest * options_.interval / whole));
+    }
+
+    Diagnostics fail(Text message, Text hint = {}) {
+        faults_.push_back(numericalError(phrase("at t = {:.6g} s: {}", time_, message), std::move(hint)));
+        return faults_;
+    }
+    bool failed(Text message, Text hint = {}) {
+        fail(std::move(message), std::move(hint));
+        return false;
+    }
+
+    // ------------------------------------------------------------------------------------------ the model as it is
+
+    bool takeSlots() {
+        if (taken_ == slots_ && !taken_.empty()) return true;
+        taken_ = slots_;
+        return system_.setParameters(workspace_, slots_);
+    }
+
+    bool read(double t, const double* x, std::vector<double>& readings) {
+        return system_.outputs(workspace_, t, {x, n_}, u_, readings);
+    }
+
+    double offsetOf(int step) const { return step >= 0 ? values_[static_cast<std::size_t>(step)] : 0; }
+
+    /// Relations and whole numbers from the readings; with memory where they lie on the border.
+    void judge(const std::set<int>& crossed, bool isFirst, bool isSingle) {
+        std::vector<std::size_t> switching;
+        for (std::size_t k = 0; k < model_.relations.size(); ++k) {
+            const HybridModel::Relation& r = model_.relations[k];
+            double& slot = slots_[static_cast<std::size_t>(r.slot)];
+            double difference = readings_[static_cast<std::size_t>(r.reading)];
+            if (r.isOfTime) {
+                // exact where it crosses, and then as right behind it
+                const double zero = -offsetOf(r.offset) / r.factor;
+                difference = time_ == zero || std::fabs(time_ - zero) < 2e-13 * std::max(1.0, std::fabs(zero))
+                                 ? r.factor
+                                 : r.factor * (time_ - zero);
+                slot = holds(r.operation, difference);
+                continue;
+            }
+            if (crossed.count(static_cast<int>(k))) {
+                slot = slot == 0;
+                continue;
+            }
+            double next = slot;
+            if (isFirst)
+                next = holds(r.operation, difference);
+            else if (std::fabs(difference) > width(k))
+                next = (difference > 0) == isUpward(r.operation);
+            if (next != slot) switching.push_back(k);
+        }
+        // Relations that wait for each other find no rest when all of them switch at once: then one after the other.
+        if (isSingle && switching.size() > 1) {
+            const auto later =
+                std::find_if(switching.begin(), switching.end(), [&](std::size_t k) { return k > lastSwitched_; });
+            switching = {later == switching.end() ? switching.front() : *later};
+        }
+        for (const std::size_t k : switching) {
+            double& slot = slots_[static_cast<std::size_t>(model_.relations[k].slot)];
+            slot = slot == 0;
+            lastSwitched_ = k;
+        }
+        const int relations = static_cast<int>(model_.relations.size());
+        for (std::size_t k = 0; k < model_.wholes.size(); ++k) {
+            const HybridModel::Whole& w = model_.wholes[k];
+            double& slot = slots_[static_cast<std::size_t>(w.slot)];
+            double value = readings_[static_cast<std::size_t>(w.reading)];
+            if (w.isOfTime) value += 1e-13 * std::max(1.0, std::fabs(value));
+            const bool wasCrossed = crossed.count(relations + 2 * static_cast<int>(k)) ||
+                                    crossed.count(relations + 2 * static_cast<int>(k) + 1);
+            const double border = hysteresis * std::max(1.0, std::fabs(value));
+            if (isFirst || w.isOfTime || value < slot - border || value >= slot + 1 + border)
+                slot = std::floor(value);
+            else if (wasCrossed)
+                slot = std::round(value) > slot ? slot + 1 : slot - 1;
+        }
+    }
+
+    double width(std::size_t) const { return hysteresis; }
+
+    void name(std::string& changed, int slot) { changed = model_.slots[static_cast<std::size_t>(slot)]; }
+
+    /// Continuous and discrete quantities in turn, until neither moves.
+    bool settle(const std::set<int>& crossed, bool isInitial) {
+        std::string changed;
+        for (int round = 0; round < mostIterations; ++round) {
+            const std::vector<double> before = slots_;
+            if (!takeSlots()) return failed(phrase("'{}' has no value", system_.failure(workspace_)));
+            if (isInitial && n_ > 0 && !system_.initialise(workspace_, time_, u_, x_))
+                isRound_ = false;
+            else
+                isRound_ = read(time_, x_.data(), readings_);
+            if (!isRound_ && round > 20) return failed(phrase("'{}' has no value", system_.failure(workspace_)));
+            model_.program.run(slots_, readings_, time_, values_);
+            judge(round == 0 ? crossed : std::set<int>{}, isInitial && round < 20, round >= 10);
+            model_.program.run(slots_, readings_, time_, values_);
+            for (const HybridModel::Assignment& a : model_.assignments) {
+                double& slot = slots_[static_cast<std::size_t>(a.slot)];
+                const double value = values_[static_cast<std::size_t>(a.step)];
+                if (value != slot) name(changed, a.slot);
+                slot = value;
+            }
+            if (slots_ == before && isRound_) return true;
+            if (round > 0 && slots_ != before) {
+                for (std::size_t i = 0; i < slots_.size(); ++i)
+                    if (slots_[i] != before[i]) changed = model_.slots[i];
+            }
+        }
+        return failed(phrase("the discrete quantities find no rest: '{}' keeps switching", changed));
+    }
+
+    /// Resets states where a reinit is in force; whether any was.
+    bool reinitialise(bool& isDone) {
+        isDone = false;
+        for (const HybridModel::Reinit& r : model_.reinits) {
+            if (values_[static_cast<std::size_t>(r.condition)] == 0) continue;
+            const auto& states = system_.states();
+            const auto state =
+                std::find_if(states.begin(), states.end(), [&](const SignalInfo& s) { return s.name == r.variable; });
+            if (state == states.end()) {
+                faults_.push_back(error(phrase("reinit: '{}' is no state of the model", r.variable), r.span,
+                                        phrase("reinit a variable that is differentiated, and that no equation ties to "
+                                               "another state")));
+                return false;
+            }
+            x_[static_cast<std::size_t>(state - states.begin())] = values_[static_cast<std::size_t>(r.value)];
+            isDone = true;
+        }
+        return true;
+    }
+
+    bool check() {
+        for (std::size_t k = 0; k < model_.checks.size(); ++k) {
+            const HybridModel::Check& c = model_.checks[k];
+            const bool value = values_[static_cast<std::size_t>(c.condition)] != 0;
+            if (c.isTerminate) {
+                if (value) isTerminated_ = true;
+                continue;
+            }
+            if (value) continue;
+            if (!c.isWarning) {
+                faults_.push_back(error(phrase("at t = {:.6g} s: {}", time_, c.message), c.span,
+                                        phrase("the condition of 'assert' does not hold")));
+                faults_.back().isNumerical = true;
+                return false;
+            }
+            if (warned_.insert(k).second)
+                result_.remarks.push_back(warning(phrase("at t = {:.6g} s: {}", time_, c.message), c.span));
+        }
+        return true;
+    }
+
+    /// Everything that happens at this time, until pre(z) = z.
+    bool event(const std::set<int>& crossed) {
+        std::set<int> first = crossed;
+        for (const auto& [before, reading] : model_.leftLimits)
+            slots_[static_cast<std::size_t>(before)] = readings_[static_cast<std::size_t>(reading)];
+        for (int round = 0; round < mostIterations; ++round) {
+            if (!settle(first, false)) return false;
+            first.clear();
+            if (!check()) return false;
+            bool isReset = false;
+            if (!reinitialise(isReset)) return false;
+            bool moved = isReset;
+            for (const HybridModel::Sample& s : model_.samples) {
+                moved = moved || slots_[static_cast<std::size_t>(s.slot)] != 0;
+                slots_[static_cast<std::size_t>(s.slot)] = 0;
+            }
+            std::string changed;
+            for (const auto& [before, of] : model_.pres) {
+                double& old = slots_[static_cast<std::size_t>(before)];
+                const double now = slots_[static_cast<std::size_t>(of)];
+                if (old != now) {
+                    moved = true;
+                    name(changed, of);
+                }
+                old = now;
+            }
+            for (const auto& [before, reading] : model_.leftLimits)
+                if (!isReset) slots_[static_cast<std::size_t>(before)] = readings_[static_cast<std::size_t>(reading)];
+            if (!moved) return true;
+            if (round + 1 == mostIterations)
+                return failed(phrase("the event finds no end: '{}' keeps switching", changed));
+        }
+        return true;
+    }
+
+    bool initialise() {
+        if (model_.initial >= 0) slots_[static_cast<std::size_t>(model_.initial)] = 1;
+        for (std::size_t k = 0; k < model_.samples.size(); ++k)
+            if (nextSample(k) <= time_) {
+                slots_[static_cast<std::size_t>(model_.samples[k].slot)] = 1;
+                ++sampleCount_[k];
+            }
+        // twice: what is assigned at the start may read what the start decides
+        for (int round = 0; round < 2; ++round) {
+            model_.program.run(slots_, readings_, time_, values_);
+            for (const HybridModel::Assignment& a : model_.initialAssignments)
+                slots_[static_cast<std::size_t>(a.slot)] = values_[static_cast<std::size_t>(a.step)];
+            if (!settle({}, true)) return false;
+        }
+        if (model_.initial >= 0) slots_[static_cast<std::size_t>(model_.initial)] = 0;
+        for (const auto& [before, of] : model_.pres)
+            slots_[static_cast<std::size_t>(before)] = slots_[static_cast<std::size_t>(of)];
+        if (!event({})) return false;
+        return record();
+    }
+
+    // ----------------------------------------------------------------------------------------------- integration
+
+    double nextSample(std::size_t k) const {
+        return model_.samples[k].start + sampleCount_[k] * model_.samples[k].interval;
+    }
+
+    /// The next time at which something happens that is known in advance.
+    double nextTimeEvent() const {
+        double next = never;
+        for (std::size_t k = 0; k < model_.samples.size(); ++k) next = std::min(next, nextSample(k));
+        const double least = time_ + 2e-13 * std::max(1.0, std::fabs(time_));
+        for (const HybridModel::Relation& r : model_.relations) {
+            if (!r.isOfTime) continue;
+            const double zero = -offsetOf(r.offset) / r.factor;
+            if (zero > least) next = std::min(next, zero);
+        }
+        for (const HybridModel::Whole& w : model_.wholes) {
+            if (!w.isOfTime) continue;
+            const double whole = slots_[static_cast<std::size_t>(w.slot)];
+            const double edge = ((w.factor > 0 ? whole + 1 : whole) - offsetOf(w.offset)) / w.factor;
+            if (edge > least) next = std::min(next, edge);
+        }
+        return next;
+    }
+
+    std::size_t rootCount() const { return model_.relations.size() + 2 * model_.wholes.size(); }
+
+    void rootValues(const std::vector<double>& readings, double* values) const {
+        for (std::size_t k = 0; k < model_.relations.size(); ++k) {
+            const HybridModel::Relation& r = model_.relations[k];
+            if (r.isOfTime) {
+                values[k] = 1;
+                continue;
+            }
+            const double difference = readings[static_cast<std::size_t>(r.reading)];
+            const bool isAbove = (slots_[static_cast<std::size_t>(r.slot)] != 0) == isUpward(r.operation);
+            values[k] = isAbove ? difference + width(k) : difference - width(k);
+        }
+        for (std::size_t k = 0; k < model_.wholes.size(); ++k) {
+            const HybridModel::Whole& w = model_.wholes[k];
+            const double value = readings[static_cast<std::size_t>(w.reading)];
+            const double slot = slots_[static_cast<std::size_t>(w.slot)];
+            double* const to = values + model_.relations.size() + 2 * k;
+            const double border = hysteresis * std::max(1.0, std::fabs(slot));
+            to[0] = w.isOfTime ? 1 : value - slot + border;
+            to[1] = w.isOfTime ? 1 : slot + 1 + border - value;
+        }
+    }
+
+    static int rates(double t, N_Vector y, N_Vector ydot, void* self) {
+        auto& run = *static_cast<EventRun*>(self);
+        if (run.n_ == 0) {
+            N_VGetArrayPointer(ydot)[0] = 0;
+            return 0;
+        }
+        return run.system_.derivatives(run.workspace_, t, {N_VGetArrayPointer(y), run.n_}, run.u_,
+                                       {N_VGetArrayPointer(ydot), run.n_})
+                   ? 0
+                   : 1;
+    }
+    static int roots(double t, N_Vector y, double* values, void* self) {
+        auto& run = *static_cast<EventRun*>(self);
+        if (!run.read(t, N_VGetArrayPointer(y), run.rootReadings_)) return -1;
+        run.rootValues(run.rootReadings_, values);
+        return 0;
+    }
+
+    bool setUp() {
+        SUNContext context{};
+        if (SUNContext_Create(nullptr, &context) != 0) return false;
+        context_.reset(context);
+        const auto n = static_cast<sunindextype>(x_.size());
+        rootReadings_.resize(readings_.size());
+        y_.reset(N_VNew_Serial(n, context));
+        std::copy(x_.begin(), x_.end(), N_VGetArrayPointer(y_.get()));
+        matrix_.reset(SUNDenseMatrix(n, n, context));
+        solver_.reset(SUNLinSol_Dense(y_.get(), matrix_.get(), context));
+        cvodes_.reset(CVodeCreate(CV_BDF, context));
+        void* const memory = cvodes_.get();
+        if (!memory) return false;
+        CVodeSetErrHandlerFn(
+            memory, [](int, const char*, const char*, char*, void*) {}, nullptr);
+        Owned<N_Vector, FreeVector> absolute(N_VClone(y_.get()));
+        for (std::size_t i = 0; i < x_.size(); ++i) {
+            const double nominal = i < n_ ? system_.states()[i].nominal : 1;
+            N_VGetArrayPointer(absolute.get())[i] = localShare * options_.tolerance * nominal * 1e-2;
+        }
+        bool ok = CVodeInit(memory, rates, time_, y_.get()) == CV_SUCCESS &&
+                  CVodeSVtolerances(memory, localShare * options_.tolerance, absolute.get()) == CV_SUCCESS &&
+                  CVodeSetUserData(memory, this) == CV_SUCCESS &&
+                  CVodeSetLinearSolver(memory, solver_.get(), matrix_.get()) == CV_SUCCESS &&
+                  CVodeSetMaxErrTestFails(memory, 20) == CV_SUCCESS && CVodeSetMaxConvFails(memory, 30) == CV_SUCCESS &&
+                  CVodeSetMaxNumSteps(memory, -1) == CV_SUCCESS;
+        if (ok && rootCount() > 0) {
+            ok = CVodeRootInit(memory, static_cast<int>(rootCount()), roots) == CV_SUCCESS;
+            CVodeSetNoInactiveRootWarn(memory);
+        }
+        // relations are looked at between steps
+        CVodeSetMaxStep(memory, (options_.stop - options_.start) / (rootCount() > 0 ? 500 : 50));
+        return ok;
+    }
+
+    bool restart() {
+        std::copy(x_.begin(), x_.end(), N_VGetArrayPointer(y_.get()));
+        return CVodeReInit(cvodes_.get(), time_, y_.get()) == CV_SUCCESS;
+    }
+
+    /// One step of the integrator, with the grid points within it, and the event at its end if there is one.
+    bool advance(double interval) {
+        const double known = nextTimeEvent();
+        const double stop = std::min(known, options_.stop);
+        const bool isKnown = known <= options_.stop + 1e-13 * std::max(1.0, std::fabs(options_.stop));
+        if (!takeSlots()) return failed(phrase("'{}' has no value", system_.failure(workspace_)));
+        if (stop <= time_ + 1e-13 * std::max(1.0, std::fabs(time_))) {
+            time_ = stop;
+            return timeEvent(isKnown);
+        }
+        CVodeSetStopTime(cvodes_.get(), stop);
+        double reached = time_;
+        const int flag = CVode(cvodes_.get(), stop, y_.get(), &reached, CV_ONE_STEP);
+        if ((++result_.steps & 63) == 0) {
+            if (progress_.stopRequested()) return failed(phrase("cancelled"));
+            if (secondsSince(began_) > options_.secondsLimit) return failed(phrase("time limit"));
+        }
+        if (flag < 0) {
+            const std::string variable = system_.failure(workspace_);
+            return failed(variable.empty() ? phrase("the integration does not go on")
+                                           : phrase("the integration does not go on at '{}'", variable));
+        }
+        for (;; ++grid_) {
+            const double t = options_.start + static_cast<double>(grid_) * interval;
+            if (t >= reached || t >= options_.stop) break;
+            if (CVodeGetDky(cvodes_.get(), t, 0, y_.get()) != CV_SUCCESS) break;
+            std::copy_n(N_VGetArrayPointer(y_.get()), x_.size(), x_.begin());
+            time_ = t;
+            if (!record()) return false;
+        }
+        CVodeGetDky(cvodes_.get(), reached, 0, y_.get());
+        std::copy_n(N_VGetArrayPointer(y_.get()), x_.size(), x_.begin());
+        time_ = reached;
+        if (flag == CV_ROOT_RETURN) {
+            std::vector<int> found(rootCount());
+            CVodeGetRootInfo(cvodes_.get(), found.data());
+            std::set<int> crossed;
+            for (std::size_t k = 0; k < found.size(); ++k)
+                if (found[k] != 0) crossed.insert(static_cast<int>(k));
+            return handle(crossed);
+        }
+        if (flag == CV_TSTOP_RETURN || time_ >= stop) {
+            time_ = stop;
+            return timeEvent(isKnown);
+        }
+        return true;
+    }
+
+    bool timeEvent(bool isEvent) {
+        if (!isEvent) return record();
+        for (std::size_t k = 0; k < model_.samples.size(); ++k)
+            if (nextSample(k) <= time_ + 1e-13 * std::max(1.0, std::fabs(time_))) {
+                pending_.push_back(model_.samples[k].slot);
+                ++sampleCount_[k];
+            }
+        return handle({});
+    }
+
+    bool handle(const std::set<int>& crossed) {
+        if (++result_.events > static_cast<long>(options_.mostEvents))
+            return failed(phrase("more than {} events", options_.mostEvents));
+        if (!record()) return false;  // as it was right before
+        if (!model_.leftLimits.empty() && !read(time_, x_.data(), readings_))
+            return failed(phrase("'{}' has no value", system_.failure(workspace_)));
+        for (const int slot : pending_) slots_[static_cast<std::size_t>(slot)] = 1;
+        pending_.clear();
+        if (!event(crossed) || !record()) return false;
+        if (time_ - lastEvent_ < 1e-10 * (options_.stop - options_.start)) {
+            if (++crowded_ > 2000) return failed(phrase("events without end"));
+        } else {
+            crowded_ = 0;
+        }
+        lastEvent_ = time_;
+        return restart() || failed(phrase("the integrator could not restart"));
+    }
+
+    bool record() {
+        if (!takeSlots()) return failed(phrase("'{}' has no value", system_.failure(workspace_)));
+        std::vector<double> observed(handles_.size());
+        if (!system_.observed(workspace_, time_, {x_.data(), n_}, u_, handles_, observed))
+            return failed(phrase("'{}' has no value", system_.failure(workspace_)));
+        if (!model_.checks.empty()) {
+            if (!read(time_, x_.data(), readings_))
+                return failed(phrase("'{}' has no value", system_.failure(workspace_)));
+            model_.program.run(slots_, readings_, time_, values_);
+            if (!check()) return false;
+        }
+        std::vector<double> row(source_.size());
+        for (std::size_t i = 0; i < row.size(); ++i)
+            row[i] = source_[i].first >= 0 ? slots_[static_cast<std::size_t>(source_[i].first)]
+                                           : observed[static_cast<std::size_t>(source_[i].second)];
+        result_.time.push_back(time_);
+        result_.rows.push_back(std::move(row));
+        return true;
+    }
+
+    const HybridModel& model_;
+    const System& system_;
+    const EventRunOptions& options_;
+    const Progress& progress_;
+    Workspace workspace_;
+    std::size_t n_;
+    std::vector<double> slots_, readings_, rootReadings_, x_, u_, values_, taken_;
+    std::vector<std::pair<int, int>> source_;  // by name: slot, or -1 and which of the observed
+    std::vector<int> handles_;
+    std::vector<double> sampleCount_;
+    std::size_t lastSwitched_{};  // relation
+    std::vector<int> pending_;    // samples that come true at this event
+    std::set<std::size_t> warned_;
+    EventTrajectory result_;
+    Diagnostics faults_;
+    double time_{}, lastEvent_{-never};
+    long grid_{};
+    int crowded_{};
+    bool isTerminated_{}, isRound_{};
+    std::chrono::steady_clock::time_point began_;
+    Owned<SUNContext, FreeContext> context_;
+    Owned<N_Vector, FreeVector> y_;
+    Owned<SUNMatrix, FreeMatrix> matrix_;
+    Owned<SUNLinearSolver, FreeSolver> solver_;
+    std::unique_ptr<void, FreeCvodes> cvodes_;
+};
+
+}  // namespace
+
+Outcome<EventTrajectory> simulateWithEvents(const HybridModel& model, const System& system,
+                                            const std::vector<std::string>& names, const EventRunOptions& options,
+                                            const Progress& progress) {
+    return EventRun(model, system, names, options, progress).run();
+}
+
+}  // namespace analogon

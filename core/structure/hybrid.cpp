@@ -1,0 +1,544 @@
+#include "core/structure/hybrid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "core/base/guard.hpp"
+
+namespace analogon {
+namespace {
+
+using enum Operation;
+
+bool isRelation(Operation operation) {
+    return operation == Less || operation == LessEqual || operation == Greater || operation == GreaterEqual;
+}
+
+class Partition {
+public:
+    explicit Partition(const FlatModel& model) : model_(std::make_shared<FlatModel>(model)) {
+        model_->pool = std::make_shared<ExpressionPool>(*model.pool);
+        model_->events = {};
+        events_ = model.events;
+    }
+
+    Outcome<HybridModel> run() {
+        findSlots();
+        splitEquations();
+        if (!faults_.empty()) return faults_;
+        match();
+        if (!faults_.empty()) return faults_;
+        rewriteContinuous();
+        rewriteDiscrete();
+        buildProgram();
+        if (!faults_.empty()) return faults_;
+        finish();
+        return std::move(out_);
+    }
+
+private:
+    ExpressionPool& pool() { return *model_->pool; }
+    FlatVariable& variable(VariableId id) { return model_->variables[id.value]; }
+
+    bool isSlot(VariableId id) const { return id.value < slotOf_.size() && slotOf_[id.value] >= 0; }
+
+    int addSlot(VariableId id) {
+        slotOf_.resize(std::max<std::size_t>(slotOf_.size(), model_->variables.size()), -1);
+        const int slot = static_cast<int>(out_.slots.size());
+        slotOf_[id.value] = slot;
+        out_.slots.push_back(variable(id).name);
+        slotIds_.push_back(id);
+        return slot;
+    }
+
+    VariableId addVariable(std::string name, FlatType type) {
+        const VariableId id{static_cast<std::uint32_t>(model_->variables.size())};
+        FlatVariable made;
+        made.name = std::move(name);
+        made.type = type;
+        made.isProtected = true;
+        model_->byName.emplace(made.name, id);
+        model_->variables.push_back(std::move(made));
+        slotOf_.resize(model_->variables.size(), -1);
+        return id;
+    }
+
+    /// Every quantity that changes at events alone.
+    void findSlots() {
+        const std::size_t count = model_->variables.size();
+        slotOf_.assign(count, -1);
+        isKnown_.assign(count, 0);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const FlatVariable& v = model_->variables[i];
+            if (v.variability != FlatVariability::Continuous || v.type == FlatType::String) continue;
+            if (v.type == FlatType::Real && !v.isDiscrete) continue;
+            addSlot({i});
+            isKnown_[i] = v.causality == FlatCausality::Input;
+        }
+        for (const auto& [before, of] : events_.pres) {
+            if (slotOf_[of.value] >= 0)
+                out_.pres.emplace_back(slotOf_[before.value], slotOf_[of.value]);
+            else
+                running_.emplace_back(before, of);
+        }
+        if (events_.initial.valid()) out_.initial = slotOf_[events_.initial.value];
+        if (events_.terminal.valid()) out_.terminal = slotOf_[events_.terminal.value];
+    }
+
+    std::optional<VariableId> lone(ExpressionId id) {
+        const ExpressionNode& node = pool()[id];
+        if (node.operation != Variable) return std::nullopt;
+        return node.variable;
+    }
+    bool isUnknownSlot(std::optional<VariableId> id) { return id && isSlot(*id) && !isKnown_[id->value]; }
+    bool isContinuousVariable(std::optional<VariableId> id) {
+        return id && !isSlot(*id) && variable(*id).variability == FlatVariability::Continuous;
+    }
+    /// Of a type that changes at events, as far as the expression tells.
+    bool isDiscreteTyped(std::optional<VariableId> id) { return id && variable(*id).type != FlatType::Real; }
+
+    struct DiscreteEquation {
+        FlatEquation equation;
+        std::vector<std::pair<VariableId, ExpressionId>> ways;  // variable := expression
+    };
+
+    void splitEquations() {
+        std::vector<FlatEquation> continuous;
+        for (const FlatEquation& e : model_->equations) {
+            const auto left = lone(e.left), right = lone(e.right);
+            DiscreteEquation d{e, {}};
+            const auto consider = [&](std::optional<VariableId> target, std::optional<VariableId> other,
+                                      ExpressionId value) {
+                if (!isUnknownSlot(target) || isContinuousVariable(other)) return;
+                if (e.isDiscrete ? variable(*target).isDiscrete || isDiscreteTyped(target) : isDiscreteTyped(target))
+                    d.ways.emplace_back(*target, value);
+            };
+            consider(left, right, e.right);
+            if (!e.isDiscrete) consider(right, left, e.left);
+            if (d.ways.empty())
+                continuous.push_back(e);
+            else
+                discrete_.push_back(std::move(d));
+        }
+        model_->equations = std::move(continuous);
+        std::vector<FlatEquation> initial;
+        for (const FlatEquation& e : model_->initialEquations) {
+            if (const auto left = lone(e.left); left && isSlot(*left))
+                initial_.emplace_back(*left, e.right);
+            else if (const auto right = lone(e.right); right && isSlot(*right))
+                initial_.emplace_back(*right, e.left);
+            else
+                initial.push_back(e);
+        }
+        model_->initialEquations = std::move(initial);
+    }
+
+    bool augment(std::size_t equation, std::vector<char>& seen) {
+        for (const auto& [id, value] : discrete_[equation].ways) {
+            if (std::exchange(seen[id.value], 1)) continue;
+            const auto holder = equationOf_.find(id.value);
+            if (holder == equationOf_.end() || augment(holder->second, seen)) {
+                equationOf_[id.value] = equation;
+                return true;
+            }
+        }
+        return false;
+    }
+
+    void match() {
+        for (std::size_t e = 0; e < discrete_.size(); ++e) {
+            std::vector<char> seen(model_->variables.size(), 0);
+            if (!augment(e, seen) && faults_.size() < 10)
+                faults_.push_back(
+                    error(phrase("'{}' is set by two equations", variable(discrete_[e].ways.front().first).name),
+                          discrete_[e].equation.span));
+        }
+        for (const VariableId id : slotIds_)
+            if (!isKnown_[id.value] && !equationOf_.count(id.value) && faults_.size() < 10)
+                faults_.push_back(error(phrase("nothing sets '{}', which changes at events alone", variable(id).name),
+                                        variable(id).declared,
+                                        phrase("an equation that sets it has it alone on one side")));
+    }
+
+    // ------------------------------------------------------------------------------------- relations and readings
+
+    /// Whether a quantity that runs between events is below the node.
+    bool runs(ExpressionId id) {
+        if (const auto known = runs_.find(id.value); known != runs_.end()) return known->second;
+        const ExpressionNode node = pool()[id];
+        bool result = false;
+        switch (node.operation) {
+            case Time:
+            case Derivative:
+            case Delay:
+                result = true;
+                break;
+            case Variable:
+                result = variable(node.variable).variability == FlatVariability::Continuous && !isSlot(node.variable);
+                break;
+            default:
+                for (const ExpressionId part : {node.a, node.b, node.c})
+                    result = result || (part.valid() && runs(part));
+        }
+        runs_[id.value] = result;
+        return result;
+    }
+
+    int readingOf(ExpressionId expression) {
+        const auto [entry, isNew] = readings_.try_emplace(expression.value, static_cast<int>(out_.readings.size()));
+        if (isNew) {
+            const VariableId id = addVariable(fmt::format("$reading{}", out_.readings.size()), FlatType::Real);
+            variable(id).causality = FlatCausality::Output;
+            out_.readings.push_back(variable(id).name);
+            readingIds_.push_back(id);
+            model_->equations.push_back({pool().variable(id), expression, {}, {}, false});
+        }
+        return entry->second;
+    }
+
+    /// factor*time + rest, where the rest keeps still between events.
+    struct OfTime {
+        double factor{};
+        ExpressionId rest;
+    };
+    std::optional<OfTime> ofTime(ExpressionId id) {
+        if (!runs(id)) return OfTime{0, id};
+        const ExpressionNode node = pool()[id];
+        const auto both = [&](auto combine) -> std::optional<OfTime> {
+            const auto a = ofTime(node.a), b = ofTime(node.b);
+            return a && b ? combine(*a, *b) : std::nullopt;
+        };
+        const auto number = [&](ExpressionId of) -> std::optional<double> {
+            bool isNumber = true;
+            const double value = pool().evaluate(of, [&](const ExpressionNode& leaf) {
+                const auto known = leaf.operation == Variable && !isSlot(leaf.variable) &&
+                                           variable(leaf.variable).variability != FlatVariability::Continuous
+                                       ? model_->parameterValue(leaf.variable)
+                                       : std::nullopt;
+                isNumber = isNumber && known;
+                return known.value_or(0);
+            });
+            return isNumber && std::isfinite(value) ? std::optional(value) : std::nullopt;
+        };
+        switch (node.operation) {
+            case Time:
+                return OfTime{1, pool().constant(0)};
+            case Negate:
+                if (const auto a = ofTime(node.a)) return OfTime{-a->factor, pool().negate(a->rest)};
+                return std::nullopt;
+            case Add:
+                return both([&](const OfTime& a, const OfTime& b) -> std::optional<OfTime> {
+                    return OfTime{a.factor + b.factor, pool().add(a.rest, b.rest)};
+                });
+            case Subtract:
+                return both([&](const OfTime& a, const OfTime& b) -> std::optional<OfTime> {
+                    return OfTime{a.factor - b.factor, pool().subtract(a.rest, b.rest)};
+                });
+            case Multiply:
+            case Divide: {
+                const bool isLeft = !runs(node.b);
+                if (!isLeft && (node.operation == Divide || runs(node.a))) return std::nullopt;
+                const auto of = ofTime(isLeft ? node.a : node.b);
+                const ExpressionId other = isLeft ? node.b : node.a;
+                const auto by = number(other);
+                if (!of || !by || *by == 0) return std::nullopt;
+                if (node.operation == Divide) return OfTime{of->factor / *by, pool().divide(of->rest, other)};
+                return OfTime{of->factor * *by, pool().multiply(of->rest, other)};
+            }
+            default:
+                return std::nullopt;
+        }
+    }
+
+    ExpressionId relationSlot(Operation operation, ExpressionId a, ExpressionId b) {
+        const auto key = std::tuple(operation, a.value, b.value);
+        const auto known = relationOf_.find(key);
+        if (known != relationOf_.end()) return known->second;
+        const VariableId id = addVariable(fmt::format("$relation{}", out_.relations.size()), FlatType::Boolean);
+        const int slot = addSlot(id);
+        isKnown_.resize(model_->variables.size(), 0);
+        isKnown_[id.value] = 1;
+        const ExpressionId difference = pool().subtract(a, b);
+        HybridModel::Relation relation{slot, readingOf(difference), operation, false, 0, -1};
+        if (const auto of = ofTime(difference); of && of->factor != 0) {
+            relation.isOfTime = true;
+            relation.factor = of->factor;
+            relationOffsets_.emplace_back(out_.relations.size(), of->rest);
+        }
+        out_.relations.push_back(relation);
+        return relationOf_[key] = pool().variable(id);
+    }
+
+    ExpressionId wholeSlot(ExpressionId of) {
+        const auto known = wholeOf_.find(of.value);
+        if (known != wholeOf_.end()) return known->second;
+        const VariableId id = addVariable(fmt::format("$floor{}", out_.wholes.size()), FlatType::Integer);
+        const int slot = addSlot(id);
+        isKnown_.resize(model_->variables.size(), 0);
+        isKnown_[id.value] = 1;
+        HybridModel::Whole whole{slot, readingOf(of), false, 0, -1};
+        if (const auto linear = ofTime(of); linear && linear->factor != 0) {
+            whole.isOfTime = true;
+            whole.factor = linear->factor;
+            wholeOffsets_.emplace_back(out_.wholes.size(), linear->rest);
+        }
+        out_.wholes.push_back(whole);
+        return wholeOf_[of.value] = pool().variable(id);
+    }
+
+    /// The expression with a slot for each relation of quantities that run, but within noEvent and smooth.
+    ExpressionId frozen(ExpressionId id) {
+        if (const auto known = frozen_.find(id.value); known != frozen_.end()) return known->second;
+        const ExpressionNode node = pool()[id];
+        ExpressionId result = id;
+        if (node.operation == NoEvent || node.operation == Smooth || !hasParts(node)) {
+            result = id;
+        } else if (node.operation == Delay) {
+            faults_.push_back(error(phrase("delay() is not supported in a model with events")));
+        } else {
+            const ExpressionId a = frozen(node.a), b = node.b.valid() ? frozen(node.b) : node.b,
+                               c = node.c.valid() ? frozen(node.c) : node.c;
+            result = frozenOf(node, a, b, c);
+        }
+        return frozen_[id.value] = result;
+    }
+
+    static bool hasParts(const ExpressionNode& node) { return node.a.valid(); }
+
+    ExpressionId frozenOf(const ExpressionNode& node, ExpressionId a, ExpressionId b, ExpressionId c) {
+        ExpressionPool& p = pool();
+        const bool moves = runs(a) || (b.valid() && runs(b));
+        const auto floorOf = [&](ExpressionId x) { return runs(x) ? wholeSlot(x) : p.unary(Floor, x); };
+        const auto truncated = [&](ExpressionId x) {
+            const ExpressionId isPositive = relationSlot(GreaterEqual, x, p.constant(0));
+            return p.ifThenElse(isPositive, floorOf(x), p.negate(floorOf(p.negate(x))));
+        };
+        if (moves) {
+            if (isRelation(node.operation)) return relationSlot(node.operation, a, b);
+            if (node.operation == Sign)
+                return p.ifThenElse(relationSlot(Greater, a, p.constant(0)), p.constant(1),
+                                    p.ifThenElse(relationSlot(Less, a, p.constant(0)), p.constant(-1), p.constant(0)));
+            if (node.operation == Floor) return floorOf(a);
+            if (node.operation == Ceil) return p.negate(floorOf(p.negate(a)));
+            if (node.operation == Mod) return p.subtract(a, p.multiply(floorOf(p.divide(a, b)), b));
+            if (node.operation == Div) return truncated(p.divide(a, b));
+            if (node.operation == Rem) return p.subtract(a, p.multiply(truncated(p.divide(a, b)), b));
+        }
+        switch (node.operation) {
+            case If:
+                return p.ifThenElse(a, b, c);
+            case Table:
+                return p.table(LookupTable(p.tables()[static_cast<std::size_t>(node.value)]), a);
+            case TableDerivative:
+                return p.tableDerivative(static_cast<std::size_t>(node.value), a);
+            default:
+                return b.valid() ? p.binary(node.operation, a, b) : p.unary(node.operation, a);
+        }
+    }
+
+    void rewriteContinuous() {
+        const std::size_t count = model_->equations.size();  // readings are added behind
+        for (std::size_t e = 0; e < count; ++e) {
+            const ExpressionId left = frozen(model_->equations[e].left), right = frozen(model_->equations[e].right);
+            model_->equations[e].left = left;
+            model_->equations[e].right = right;
+        }
+        for (FlatEquation& e : model_->initialEquations) {
+            e.left = frozen(e.left);
+            e.right = frozen(e.right);
+        }
+    }
+
+    void rewriteDiscrete() {
+        for (const auto& [id, equation] : equationOf_)
+            for (const auto& [target, value] : discrete_[equation].ways)
+                if (target.value == id) values_[id] = frozen(value);
+        for (auto& [id, value] : initial_) value = frozen(value);
+        for (const auto& [before, of] : running_)
+            out_.leftLimits.emplace_back(slotOf_[before.value], readingOf(pool().variable(of)));
+        for (FlatEvents::Reinit& reinit : events_.reinits) {
+            reinit.condition = frozen(reinit.condition);
+            reinit.value = frozen(reinit.value);
+        }
+        for (FlatEvents::Check& check : events_.checks) check.condition = frozen(check.condition);
+    }
+
+    // --------------------------------------------------------------------------------------------- the program
+
+    int step(ExpressionId id) {
+        if (const auto known = stepOf_.find(id.value); known != stepOf_.end()) return known->second;
+        const ExpressionNode node = pool()[id];
+        DiscreteProgram::Step made;
+        made.operation = node.operation;
+        made.value = node.value;
+        if (node.operation == Variable && isSlot(node.variable)) {
+            const auto value = values_.find(node.variable.value);
+            if (value != values_.end() && open_.insert(node.variable.value).second) {
+                const int set = step(value->second);
+                open_.erase(node.variable.value);
+                return stepOf_[id.value] = set;
+            }
+            made.slot = slotOf_[node.variable.value];  // known, or set in a circle: as it was before
+            return append(made);
+        }
+        if (node.operation == Variable && variable(node.variable).variability != FlatVariability::Continuous) {
+            const auto value = model_->parameterValue(node.variable);
+            if (!value && variable(node.variable).type != FlatType::String)
+                faults_.push_back(error(phrase("The parameter '{}' has no value.", variable(node.variable).name),
+                                        variable(node.variable).declared));
+            made.operation = Constant;
+            made.value = value.value_or(0);
+        } else if (node.operation == Variable || node.operation == Derivative) {
+            made.operation = Variable;
+            made.reading = readingOf(id);
+        } else if (node.operation == Delay) {
+            faults_.push_back(error(phrase("delay() is not supported in a model with events")));
+        } else {
+            if (node.a.valid()) made.a = step(node.a);
+            if (node.b.valid()) made.b = step(node.b);
+            if (node.c.valid()) made.c = step(node.c);
+        }
+        return stepOf_[id.value] = append(made);
+    }
+
+    int append(const DiscreteProgram::Step& made) {
+        out_.program.steps.push_back(made);
+        return static_cast<int>(out_.program.steps.size()) - 1;
+    }
+
+    void buildProgram() {
+        // Slots in circles are read before they are set: what was made of such a reading must not be shared with what
+        // is outside of the circle.
+        for (const auto& [id, value] : values_) out_.assignments.push_back({slotOf_[id], step(pool().variable({id}))});
+        for (const auto& [id, value] : initial_) {
+            int target = slotOf_[id.value];
+            for (const auto& [before, of] : out_.pres)
+                if (of == target) target = before;
+            out_.initialAssignments.push_back({target, step(value)});
+        }
+        for (const auto& [index, rest] : relationOffsets_) out_.relations[index].offset = step(rest);
+        for (const auto& [index, rest] : wholeOffsets_) out_.wholes[index].offset = step(rest);
+        for (const FlatEvents::Reinit& reinit : events_.reinits) {
+            const auto target = lone(reinit.variable);
+            out_.reinits.push_back({step(reinit.condition), step(reinit.value),
+                                    target ? variable(*target).name : std::string(), reinit.span});
+        }
+        for (const FlatEvents::Check& check : events_.checks)
+            out_.checks.push_back(
+                {step(check.condition), check.message, check.isWarning, check.isTerminate, check.span});
+        for (const FlatEvents::Sample& sample : events_.samples) {
+            const auto number = [&](ExpressionId id) {
+                return pool().evaluate(id, [&](const ExpressionNode& leaf) {
+                    return leaf.operation == Variable ? model_->parameterValue(leaf.variable).value_or(std::nan(""))
+                                                      : std::nan("");
+                });
+            };
+            out_.samples.push_back({slotOf_[sample.flag.value], number(sample.start), number(sample.interval)});
+            if (!(out_.samples.back().interval > 0) || !std::isfinite(out_.samples.back().start))
+                faults_.push_back(error(phrase("'sample' takes a start and an interval that are known before the "
+                                               "simulation"),
+                                        variable(sample.flag).declared));
+        }
+        out_.program.tables = pool().tables();
+    }
+
+    /// Slots become parameters that keep their names, readings the only outputs.
+    void finish() {
+        const std::set<std::uint32_t> readings = [&] {
+            std::set<std::uint32_t> ids;
+            for (const VariableId id : readingIds_) ids.insert(id.value);
+            return ids;
+        }();
+        for (std::uint32_t i = 0; i < model_->variables.size(); ++i) {
+            FlatVariable& v = model_->variables[i];
+            if (isSlot({i})) {
+                const double start = v.start.valid() ? startOf(v) : 0;
+                v.variability = FlatVariability::Parameter;
+                v.causality = FlatCausality::Local;
+                v.binding = pool().constant(start);
+                v.start = {};
+                v.min = v.max = std::nullopt;
+            } else if (!readings.count(i) && v.causality == FlatCausality::Output) {
+                v.causality = FlatCausality::Local;
+            } else if (v.causality == FlatCausality::Input && v.variability == FlatVariability::Continuous) {
+                v.causality = FlatCausality::Local;  // nobody drives it: it stays at its start
+                model_->equations.push_back(
+                    {pool().variable({i}), pool().constant(v.start.valid() ? startOf(v) : 0), v.declared, {}, false});
+            }
+        }
+        for (const VariableId id : slotIds_) out_.starts.push_back(pool()[variable(id).binding].value);
+        out_.continuous = model_;
+    }
+
+    double startOf(const FlatVariable& v) {
+        const double value = pool().evaluate(v.start, [&](const ExpressionNode& leaf) {
+            return leaf.operation == Variable ? model_->parameterValue(leaf.variable).value_or(0) : 0;
+        });
+        return std::isfinite(value) ? value : 0;
+    }
+
+    std::shared_ptr<FlatModel> model_;
+    FlatEvents events_;
+    HybridModel out_;
+    Diagnostics faults_;
+    std::vector<int> slotOf_;    // by variable; -1: none
+    std::vector<char> isKnown_;  // by variable: a slot that no equation sets
+    std::vector<VariableId> slotIds_, readingIds_;
+    std::vector<std::pair<VariableId, VariableId>> running_;  // pre(x) and x, which is no slot
+    std::vector<DiscreteEquation> discrete_;
+    std::vector<std::pair<VariableId, ExpressionId>> initial_;
+    std::map<std::uint32_t, std::size_t> equationOf_;  // by variable
+    std::map<std::uint32_t, ExpressionId> values_;     // by variable: what sets it
+    std::map<std::uint32_t, bool> runs_;
+    std::map<std::uint32_t, ExpressionId> frozen_;
+    std::map<std::uint32_t, int> readings_, stepOf_;
+    std::map<std::tuple<Operation, std::uint32_t, std::uint32_t>, ExpressionId> relationOf_;
+    std::map<std::uint32_t, ExpressionId> wholeOf_;
+    std::vector<std::pair<std::size_t, ExpressionId>> relationOffsets_, wholeOffsets_;
+    std::set<std::uint32_t> open_;
+};
+
+}  // namespace
+
+void DiscreteProgram::run(const std::vector<double>& slots, const std::vector<double>& readings, double time,
+                          std::vector<double>& values) const {
+    values.resize(steps.size());
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const Step& s = steps[i];
+        const auto at = [&](int step) { return values[static_cast<std::size_t>(step)]; };
+        switch (s.operation) {
+            case Constant:
+                values[i] = s.value;
+                break;
+            case Variable:
+                values[i] = s.slot >= 0 ? slots[static_cast<std::size_t>(s.slot)]
+                                        : readings[static_cast<std::size_t>(s.reading)];
+                break;
+            case Time:
+                values[i] = time;
+                break;
+            case If:
+                values[i] = at(s.a) != 0 ? at(s.b) : at(s.c);
+                break;
+            case Table:
+                values[i] = tables[static_cast<std::size_t>(s.value)].value(at(s.a));
+                break;
+            case TableDerivative:
+                values[i] = tables[static_cast<std::size_t>(s.value)].derivative(at(s.a));
+                break;
+            default:
+                values[i] = apply(s.operation, at(s.a), s.b >= 0 ? at(s.b) : 0);
+        }
+    }
+}
+
+Outcome<HybridModel> partition(const FlatModel& model) {
+    return guardedOutcome([&] { return Partition(model).run(); });
+}
+
+}  // namespace analogon

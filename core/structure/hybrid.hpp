@@ -1,0 +1,90 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/outcome.hpp"
+#include "core/flat/flat_model.hpp"
+
+namespace analogon {
+
+/// Operations in an order in which each has what it needs; leaves are slots, readings and the time. What is set is read
+/// as it is set, unless that goes round in a circle: then as it was before.
+class DiscreteProgram {
+public:
+    struct Step {
+        Operation operation{Operation::Constant};
+        double value{};           // Constant; Table: its number
+        int a{-1}, b{-1}, c{-1};  // steps
+        int slot{-1};             // Variable: a slot …
+        int reading{-1};          // … or a reading
+    };
+
+    /// All steps for these slots, readings and time; `values` is one number a step.
+    void run(const std::vector<double>& slots, const std::vector<double>& readings, double time,
+             std::vector<double>& values) const;
+
+    std::vector<Step> steps;
+    std::vector<LookupTable> tables;
+};
+
+/// A model with events as two that take turns (Modelica 3.6, appendix B). Between events the discrete quantities (the
+/// slots) keep their values: they are parameters of `continuous`. At an event its outputs (the readings) and the slots
+/// decide what the slots become.
+struct HybridModel {
+    /// slot := step of the program.
+    struct Assignment {
+        int slot{}, step{};
+    };
+    /// A relation of continuous quantities: the slot holds whether it holds, the reading is left - right.
+    struct Relation {
+        int slot{}, reading{};
+        Operation operation{};
+        bool isOfTime{};  // factor*time + offset (a step): its crossing is known in advance
+        double factor{};
+        int offset{-1};
+    };
+    /// The slot holds floor(reading).
+    struct Whole {
+        int slot{}, reading{};
+        bool isOfTime{};
+        double factor{};
+        int offset{-1};
+    };
+    struct Sample {
+        int slot{};
+        double start{}, interval{};
+    };
+    struct Reinit {
+        int condition{}, value{};  // steps
+        std::string variable;
+        Span span;
+    };
+    struct Check {
+        int condition{};  // a step
+        std::string message;
+        bool isWarning{}, isTerminate{};
+        Span span;
+    };
+
+    std::shared_ptr<const FlatModel> continuous;
+    std::vector<std::string> slots;               // names: parameters of the continuous model
+    std::vector<double> starts;                   // of the slots
+    std::vector<std::string> readings;            // names: its outputs, in order
+    std::vector<std::pair<int, int>> pres;        // slot of pre(x), slot of x
+    std::vector<std::pair<int, int>> leftLimits;  // slot of pre(x), reading of an x that runs
+    int initial{-1}, terminal{-1};                // slots; -1: not used
+    DiscreteProgram program;
+    std::vector<Assignment> assignments;
+    std::vector<Assignment> initialAssignments;  // to pre(x)
+    std::vector<Relation> relations;
+    std::vector<Whole> wholes;
+    std::vector<Sample> samples;
+    std::vector<Reinit> reinits;
+    std::vector<Check> checks;
+};
+
+Outcome<HybridModel> partition(const FlatModel& model);
+
+}  // namespace analogon

@@ -1,0 +1,212 @@
+#include "core/simulate/event_run.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/flat/flat_model.hpp"
+#include "core/structure/structure.hpp"
+
+namespace analogon {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct Simulated {
+    Diagnostics faults;
+    std::vector<std::string> names;
+    EventTrajectory trajectory;
+
+    /// The last value at this time or before.
+    double at(double time, const std::string& name) const {
+        const auto column = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+        double value = std::nan("");
+        for (std::size_t k = 0; k < trajectory.time.size() && trajectory.time[k] <= time + 1e-12; ++k)
+            value = trajectory.rows[k].at(column);
+        return value;
+    }
+    double last(const std::string& name) const { return at(1e300, name); }
+};
+
+/// The class M of a text, over some seconds.
+Simulated runOf(const std::string& text, std::vector<std::string> names, double stop = 1, double tolerance = 1e-8) {
+    Simulated run;
+    run.names = names;
+    const auto library = Library().withSource(std::make_shared<const Source>("m.mo", text));
+    if (!library) return run.faults = library.diagnostics(), run;
+    const Outcome<FlatModel> flat = flatten(*library, "M");
+    if (!flat) return run.faults = flat.diagnostics(), run;
+    const Outcome<HybridModel> hybrid = partition(*flat);
+    if (!hybrid) return run.faults = hybrid.diagnostics(), run;
+    StructureOptions keep;
+    keep.keep = hybrid->slots;
+    const Outcome<Structure> structure = analyse(hybrid->continuous, keep);
+    if (!structure) return run.faults = structure.diagnostics(), run;
+    const Outcome<SystemPtr> system = System::build(*structure);
+    if (!system) return run.faults = system.diagnostics(), run;
+    EventRunOptions options;
+    options.stop = stop;
+    options.tolerance = tolerance;
+    Outcome<EventTrajectory> done = simulateWithEvents(*hybrid, **system, names, options);
+    if (!done) return run.faults = done.diagnostics(), run;
+    run.trajectory = std::move(*done);
+    return run;
+}
+
+#define ASSERT_RAN(run) ASSERT_TRUE((run).faults.empty()) << format((run).faults)
+
+TEST(EventRun, ABallBouncesWhereTheFormulaSays) {
+    const Simulated run = runOf(R"(
+        model M Real h(start = 1, fixed = true), v(start = 0, fixed = true); Integer n(start = 0, fixed = true);
+        equation
+          der(h) = v; der(v) = -9.81;
+          when h < 0 then reinit(v, -0.5*pre(v)); n = pre(n) + 1; end when;
+        end M;)",
+                                {"h", "v", "n"}, 0.8);
+    ASSERT_RAN(run);
+    const double first = std::sqrt(2 / 9.81), speed = std::sqrt(2 * 9.81);
+    const double since = 0.8 - first;
+    EXPECT_EQ(run.at(first - 1e-6, "n"), 0);
+    EXPECT_EQ(run.at(first + 1e-6, "n"), 1);
+    EXPECT_NEAR(run.last("h"), 0.5 * speed * since - 0.5 * 9.81 * since * since, 1e-6);
+}
+
+TEST(EventRun, SamplesComeAtTheirTimesAndSeeTheValueBefore) {
+    const Simulated run = runOf(R"(
+        model M Real x(start = 0, fixed = true); discrete Real y(start = 0, fixed = true), z(start = 0, fixed = true);
+        equation
+          der(x) = 1;
+          when sample(0.1, 0.25) then y = x; z = pre(y); end when;
+        end M;)",
+                                {"x", "y", "z"});
+    ASSERT_RAN(run);
+    EXPECT_EQ(run.at(0.0999, "y"), 0);
+    EXPECT_NEAR(run.at(0.1, "y"), 0.1, 1e-9);
+    EXPECT_NEAR(run.at(0.4, "y"), 0.35, 1e-9);
+    EXPECT_NEAR(run.at(0.4, "z"), 0.1, 1e-9);
+    EXPECT_NEAR(run.last("y"), 0.85, 1e-9);
+    EXPECT_NEAR(run.last("z"), 0.6, 1e-9);
+}
+
+TEST(EventRun, TimeEventsAreExactAndTheFirstActiveBranchCounts) {
+    const Simulated run = runOf(R"(
+        model M Real y; discrete Real a(start = 0, fixed = true); Boolean late;
+        equation
+          y = if time < 0.3 then 1 else 2;
+          late = 2*time - 0.2 > 1;
+          when {time >= 0.5, late} then a = 1; elsewhen time >= 0.5 then a = 2; elsewhen time >= 0.7 then a = 3; end when;
+        end M;)",
+                                {"y", "a", "late"});
+    ASSERT_RAN(run);
+    EXPECT_EQ(run.at(0.49, "a"), 0);
+    EXPECT_EQ(run.at(0.5, "a"), 1);
+    EXPECT_EQ(run.at(0.6 + 1e-9, "late"), 1);
+    EXPECT_EQ(run.at(0.65, "a"), 1);
+    EXPECT_EQ(run.last("a"), 3);
+    EXPECT_EQ(run.at(0.3 - 1e-9, "y"), 1);
+    EXPECT_EQ(run.at(0.3, "y"), 2);
+}
+
+TEST(EventRun, AHysteresisRemembers) {
+    const Simulated run = runOf(R"(
+        model M Real u; Boolean on(start = false, fixed = true);
+        equation
+          u = sin(6.283185307179586*time);
+          on = u > 0.5 or pre(on) and u > -0.5;
+        end M;)",
+                                {"u", "on"});
+    ASSERT_RAN(run);
+    EXPECT_EQ(run.at(0.05, "on"), 0);
+    EXPECT_EQ(run.at(1.0 / 12 + 1e-6, "on"), 1);
+    EXPECT_EQ(run.at(7.0 / 12 - 1e-6, "on"), 1);
+    EXPECT_EQ(run.at(7.0 / 12 + 1e-6, "on"), 0);
+}
+
+TEST(EventRun, ALoopOfDiscreteAndContinuousQuantitiesIsSolved) {
+    // an ideal diode: off decides the current, and the voltage of the diode decides off
+    const Simulated run = runOf(R"(
+        model M Real s, i, v, u; Boolean off(start = true);
+        equation
+          u = sin(6.283185307179586*time);
+          off = s < 0;
+          v = s*(if off then 1 else 1e-5);
+          i = s*(if off then 1e-5 else 1);
+          u = v + i;
+        end M;)",
+                                {"i", "off"});
+    ASSERT_RAN(run);
+    EXPECT_NEAR(run.at(0.25, "i"), 1 / (1 + 1e-5), 1e-9);
+    EXPECT_NEAR(run.at(0.75, "i"), -1e-5 / (1 + 1e-5), 1e-9);
+    EXPECT_EQ(run.at(0.75, "off"), 1);
+}
+
+TEST(EventRun, AlgorithmsSetDiscreteVariablesInTheirOrder) {
+    const Simulated run = runOf(R"(
+        model M Integer n(start = 0, fixed = true), m; Real y;
+        algorithm
+          when sample(0.25, 0.25) then n := pre(n) + 1; n := n + 10; end when;
+          m := 0;
+          for k in 1:n loop if k > 11 then break; end if; m := m + k; end for;
+          y := if n > 0 then n else -1;
+        end M;)",
+                                {"n", "y"});
+    // the range of the loop is not known before the simulation: told, not guessed
+    ASSERT_FALSE(run.faults.empty());
+    const Simulated sound = runOf(R"(
+        model M Integer n(start = 0, fixed = true); Real y;
+        algorithm
+          when sample(0.25, 0.25) then n := pre(n) + 1; n := n + 10; end when;
+          y := if n > 0 then n else -1;
+        end M;)",
+                                  {"n", "y"});
+    ASSERT_RAN(sound);
+    EXPECT_EQ(sound.at(0.2, "y"), -1);
+    EXPECT_EQ(sound.at(0.3, "y"), 11);
+    EXPECT_EQ(sound.at(0.6, "n"), 22);
+}
+
+TEST(EventRun, FunctionsRunWithLoopsRecordsAndSeveralOutputs) {
+    const Simulated run = runOf(R"(
+        package P
+          record R Real a; Real b[2]; end R;
+          function f input Real x; input Integer n = 3; output Real y; output R r; protected Real z;
+          algorithm
+            y := 0; z := 1;
+            for i in 1:n loop z := z*x; y := y + z; end for;
+            if x > 0.5 then y := -y; end if;
+            r.a := x; r.b := {x, 2*x}; r.b[2] := r.b[2] + 1;
+          end f;
+        end P;
+        model M Real y, q; P.R r; Real only;
+        equation (y, r) = P.f(time); q = r.b[2]; only = P.f(time, n = 1); end M;)",
+                                {"y", "q", "only", "r.a"});
+    ASSERT_RAN(run);
+    EXPECT_NEAR(run.at(0.4, "y"), 0.4 + 0.16 + 0.064, 1e-9);
+    EXPECT_NEAR(run.last("y"), -3, 1e-9);
+    EXPECT_NEAR(run.last("q"), 3, 1e-9);
+    EXPECT_NEAR(run.at(0.4, "only"), 0.4, 1e-9);
+    EXPECT_NEAR(run.last("r.a"), 1, 1e-9);
+}
+
+TEST(EventRun, AnAssertionEndsTheSimulationAndAWarningIsToldOnce) {
+    const std::string model =
+        "model M Real x(start = 0, fixed = true); equation der(x) = 1; assert(x < 0.5, \"too far\"";
+    const Simulated run = runOf(model + "); end M;", {"x"});
+    ASSERT_FALSE(run.faults.empty());
+    EXPECT_THAT(format(run.faults), HasSubstr("too far"));
+    const Simulated warned = runOf(model + ", AssertionLevel.warning); end M;", {"x"});
+    ASSERT_RAN(warned);
+    EXPECT_EQ(warned.trajectory.remarks.size(), 1u);
+}
+
+TEST(EventRun, WhatKeepsSwitchingIsNamed) {
+    const Simulated run =
+        runOf("model M Boolean b(start = false, fixed = true); equation b = not pre(b); end M;", {"b"});
+    ASSERT_FALSE(run.faults.empty());
+    EXPECT_THAT(format(run.faults), HasSubstr("'b' keeps switching"));
+}
+
+}  // namespace
+}  // namespace analogon
