@@ -85,6 +85,7 @@ RunOptions runOptions(const Options& options) {
     run.discover.fit.threads = options.threads;
     run.discover.fit.method = methods.at(options.method);
     run.discover.mostWork = 1e6 * options.mostWork;
+    run.discover.patience = options.patience;
     if (!options.traceFile.empty()) run.discover.trace = std::make_shared<DecisionTrace>();
     return run;
 }
@@ -368,6 +369,12 @@ void describe(CLI::App& app, Options& options) {
         ->add_option("--most-work", options.mostWork,
                      "End with the best so far after so many million steps of its trials: the same on any machine")
         ->check(CLI::NonNegativeNumber.description(""))
+        ->type_name("N");
+    discover
+        ->add_option("--patience", options.patience,
+                     "Of a long search, how many times as much it may simulate before it says what it has; 0: no limit")
+        ->check(CLI::NonNegativeNumber.description(""))
+        ->capture_default_str()
         ->type_name("N");
     discover->add_option("--trace", options.traceFile, "Receives every decision of the search, one JSON object a line")
         ->type_name("FILE");

@@ -31,6 +31,7 @@ struct Options {
     std::vector<std::string> profiled;    // fit: parameters, or "all"
     std::vector<std::string> kinds;       // of effects; empty: all
     double mostWork{};                    // discover: millions of steps; 0: no limit
+    double patience{1};                   // discover: of what a search may simulate; 0: no limit
     std::filesystem::path traceFile;      // discover: receives its decisions
     std::vector<std::string> domains;     // generate
     std::filesystem::path fmuFile, modelicaFile, csvFile, mf4File, parameterFile;  // export

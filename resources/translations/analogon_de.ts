@@ -4953,6 +4953,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>lange Aufzeichnungen: Die Suche arbeitet mit Mitteln über {} Abtastwerte, die Anpassung davor und danach mit allen</translation>
     </message>
     <message>
+        <source>the search was ended after {:.0f} times the work of the fit of the model as given, and says what it had until then; with more patience (--patience {:.0f}) it goes on</source>
+        <translation>die Suche wurde nach dem {}-fachen der Arbeit für die Anpassung des gegebenen Modells beendet und sagt, was sie bis dahin hatte; mit mehr Geduld (--patience {}) geht sie weiter</translation>
+    </message>
+    <message>
         <source>{} stands at {} and {} with one set of parameters: equal sensors, and the data do not tell them apart</source>
         <translation>{} steht an {} und {} mit einem gemeinsamen Satz Parameter: Die Sensoren sind gleich, und die Daten unterscheiden sie nicht</translation>
     </message>

@@ -28,6 +28,12 @@ void WorkLimit::add(double steps) {
     if (most_ > 0 && done > most_) end_.request_stop();
 }
 
+void WorkLimit::check(double simulated) {
+    if (!(mostSimulated_ > 0 && simulated > mostSimulated_)) return;
+    isSpent_ = true;
+    end_.request_stop();
+}
+
 bool Stay::isLike(const Stay& other) const {
     return effects == other.effects && std::abs(misfit - other.misfit) < sameOptimum * misfit;
 }

@@ -25,12 +25,18 @@ public:
         : most_(most), asked_(outside, [this] { end_.request_stop(); }) {}
 
     void add(double steps);
+    /// Ends the search where it has simulated more than `most` steps in all; 0: no limit.
+    void limitSimulated(double most) { mostSimulated_ = most; }
+    void check(double simulated);
+    bool isSpent() const { return isSpent_; }
     double done{};       // in steps of the trials
     int clockChanges{};  // that is, inputs drawn at other times, which must not go on for ever
     std::stop_token token() const { return end_.get_token(); }
 
 private:
-    double most_;  // 0: no limit
+    double most_;             // 0: no limit
+    double mostSimulated_{};  // 0: no limit
+    bool isSpent_{};
     std::stop_source end_;
     std::stop_callback<std::function<void()>> asked_;
 };
@@ -82,6 +88,8 @@ public:
     Frontier frontier;
     Journal journal;
 
+    /// Called outside of parallel passes alone: the same at any number of threads.
+    void checkWork() { work.check(simulated.done()); }
     void say(std::string stage, Text detail, double fraction) const {
         progress.report({std::move(stage), std::move(detail), fraction, frontier.bestError});
     }

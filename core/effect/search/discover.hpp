@@ -17,6 +17,9 @@ struct DiscoverOptions {
     std::vector<std::string> kinds;     // empty: all
     std::vector<EffectChoice> choices;  // of all places of these kinds; empty: all
     double mostWork{};  // in steps of its trials, after which a search ends as if it was stopped; 0: no limit
+    /// Ends a search that simulates this many times as much as one is allowed (threshold::paths::mostOfAFit), with what
+    /// it has, in the same way; 0: no limit.
+    double patience{};
     std::shared_ptr<DecisionTrace> trace{};  // receives every decision; null: nobody asks
     /// Takes what is found until now, whenever that is more than before: what there is to tell of a search that is
     /// ended without a word. Called from the thread that searches.

@@ -61,6 +61,7 @@ void keepWhatPredicts(SearchContext& search, Node& node) {
     while (!search.progress.stopRequested()) {
         std::optional<Missed> least;
         for (std::size_t i = 0; i < node.steps.size() && !search.progress.stopRequested(); ++i) {
+            search.checkWork();
             Step& step = node.steps[i];
             if (!step.prediction) continue;
             const PlacedEffect& placed = node.null.variant.effects[i];

@@ -25,8 +25,12 @@
 #include "core/effect/search/redraw.hpp"
 #include "core/effect/search/starts.hpp"
 #include "core/effect/search/without.hpp"
+#include "core/effect/thresholds.hpp"
 
 namespace analogon {
+
+using threshold::paths::leastPatience;
+using threshold::paths::mostOfAFit;
 
 Outcome<Finding> Run::run() {
     const auto begin = std::chrono::steady_clock::now();
@@ -45,6 +49,11 @@ Outcome<Finding> Run::run() {
     Outcome<Finding> finding = found();
     if (!finding) return finding;
     finding->seconds = secondsSince(begin);
+    if (search_.work.isSpent())
+        finding->warnings.push_back(phrase(
+            "the search was ended after {:.0f} times the work of the fit of the model as given, and says what it had "
+            "until then; with more patience (--patience {:.0f}) it goes on",
+            search_.simulated.done() / fitWork_, 10 * search_.options.patience));
     search_.journal.add("work", "", {{"steps", search_.simulated.done()}, {"of_fit", fitWork_}}, "counted");
     search_.journal.finding(*finding);
     return finding;
@@ -150,6 +159,7 @@ Outcome<Done> Run::tellAsGiven() {
     keepSoFar(search_, {});
     search_.journal.model("null fit", end_.base, "base");
     fitWork_ = search_.simulated.done();
+    search_.work.limitSimulated(search_.options.patience * std::max(leastPatience, mostOfAFit * fitWork_));
     search_.fit.simulation.relativeTolerance = toleranceBeside(end_.base, simulation.relativeTolerance);
     return Done{};
 }

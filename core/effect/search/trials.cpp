@@ -195,6 +195,7 @@ std::vector<Trial> tryThese(SearchContext& search, const NullModel& null, const 
     std::vector<Trial> trials;
     for (const auto& each : begun) trials.push_back(std::move(*each).best());
     for (const Trial& t : trials) search.work.add(workOf(t.fit));
+    search.checkWork();
     return trials;
 }
 

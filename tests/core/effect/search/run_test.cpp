@@ -41,6 +41,31 @@ TEST(Run, OfAKindThatIsNoneIsAFault) {
     EXPECT_FALSE(analogon::Run(laggingBody(3), options, {}).run());
 }
 
+/// The work is counted, not the time: on one thread or on many it ends at the same place.
+TEST(Run, ThatTakesLongerThanAllowedSaysWhatItHas) {
+    std::vector<double> ends;
+    for (const int threads : {1, 3}) {
+        DiscoverOptions options = amongSensors();
+        options.patience = 1e-6;
+        options.threads = threads;
+        options.trace = std::make_shared<DecisionTrace>();
+        const Outcome<Finding> finding = analogon::Run(laggingBody(3), options, {}).run();
+        ASSERT_TRUE(finding);
+        EXPECT_TRUE(finding->interrupted);
+        ASSERT_FALSE(finding->warnings.empty());
+        EXPECT_NE(finding->warnings.back().find("--patience"), std::string::npos);
+        for (const Decision& d : options.trace->decisions())
+            if (d.step == "work") ends.push_back(d.figures.front().second);
+    }
+    ASSERT_EQ(ends.size(), 2u);
+    EXPECT_EQ(ends[0], ends[1]);
+    DiscoverOptions patient = amongSensors();
+    patient.patience = 1;
+    const Outcome<Finding> whole = analogon::Run(laggingBody(3), patient, {}).run();
+    ASSERT_TRUE(whole);
+    EXPECT_FALSE(whole->interrupted);
+}
+
 TEST(Run, ThatIsStoppedAtTheLimitOfItsWorkSaysSo) {
     DiscoverOptions options = amongSensors();
     options.mostWork = 1;
