@@ -192,7 +192,7 @@ private:
         if (table.isPeriodic) {
             const ExpressionId start = pool_.constant(table.start);
             value = pool_.ifThenElse(pool_.unary(Operation::NoEvent, pool_.binary(Operation::Less, behind, start)),
-                                     start, pool_.add(t, value));
+                                     start, pool_.add(behind, value));
         }
         return give(value);
     }

@@ -201,6 +201,35 @@ TEST(EventRun, AnAssertionEndsTheSimulationAndAWarningIsToldOnce) {
     EXPECT_EQ(warned.trajectory.remarks.size(), 1u);
 }
 
+TEST(EventRun, APeriodicTimeTableGoesOnFromEventToEvent) {
+    const Simulated run = runOf(R"(
+        package T
+          class Table extends ExternalObject;
+            function constructor input Real table[:, :]; output Table t;
+              external "C" t = ModelicaStandardTables_CombiTimeTable_init3("NoName", "NoName", table, 3, 2, 0, {2}, 1, 3,
+                3, 0, 1, false, ",", 0); end constructor;
+            function destructor input Table t; external "C" ModelicaStandardTables_CombiTimeTable_close(t); end destructor;
+          end Table;
+          function value input Table t; input Real time_; input Real next; output Real y;
+            external "C" y = ModelicaStandardTables_CombiTimeTable_getValue(t, 1, time_, next, next); end value;
+          function event input Table t; input Real time_; output Real next;
+            external "C" next = ModelicaStandardTables_CombiTimeTable_nextTimeEvent(t, time_); end event;
+        end T;
+        model M
+          parameter T.Table t = T.Table({{0, 1}, {0.3, 2}, {0.7, 3}});
+          Real y; discrete Real next(start = 0, fixed = true); Integer n(start = 0, fixed = true);
+        equation
+          when {time >= pre(next), initial()} then next = T.event(t, time); n = pre(n) + 1; end when;
+          y = T.value(t, time, next);
+        end M;)",
+                                {"y", "n", "next"}, 70);
+    ASSERT_RAN(run);
+    EXPECT_EQ(run.at(69.95, "n"), 200);  // at 0, twice in each of 99 periods, once in the last
+    EXPECT_EQ(run.at(69.59, "y"), 1);
+    EXPECT_EQ(run.at(69.61, "y"), 2);
+    EXPECT_EQ(run.at(69.31, "y"), 1);
+}
+
 TEST(EventRun, WhatKeepsSwitchingIsNamed) {
     const Simulated run =
         runOf("model M Boolean b(start = false, fixed = true); equation b = not pre(b); end M;", {"b"});
