@@ -294,8 +294,9 @@ Outcome<ExternalTable> timeTable(const Matrix& table, const std::vector<int>& co
     }
     const double first = result.first, last = result.last;
     result.isPeriodic = extrapolation == TableExtrapolation::Periodic && last > first;
-    result.rounding =
-        1e-13 * std::max({1e-3 * (last - first), std::fabs(first + shift), std::fabs(last + shift), std::fabs(start)});
+    // a start before the table, as "from ever" (-1e60), says nothing of the times at which it is looked up
+    result.rounding = 1e-13 * std::max({1e-3 * (last - first), std::fabs(first + shift), std::fabs(last + shift),
+                                        start > first + shift ? std::fabs(start) : 0.0});
     std::vector<double> times;
     for (std::size_t i = 0; i < table.rows; ++i) {
         const double t = table(i, 0);

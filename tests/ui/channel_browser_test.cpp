@@ -38,10 +38,10 @@ std::shared_ptr<const MeasurementFile> fileOf(std::size_t groups, std::size_t ch
         group.master = MasterKind::Time;
         group.masterChannel = 0;
         group.samples = 1000;
-        group.channels.push_back({"t", "s"});
+        group.channels.push_back({"t", "s", "", ""});
         for (std::size_t c = 0; c < channels; ++c)
             group.channels.push_back({"signal_" + std::to_string(g) + "_" + std::to_string(c),
-                                      c % 2 == 0 ? "V" : "degC", c == 3 ? "coolant behind the pump" : ""});
+                                      c % 2 == 0 ? "V" : "degC", c == 3 ? "coolant behind the pump" : "", ""});
         file->groups.push_back(std::move(group));
     }
     file->reader = std::make_shared<Ramp>();

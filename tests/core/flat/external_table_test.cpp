@@ -104,6 +104,19 @@ TEST(ExternalTable, ATimeTableKnowsItsEvents) {
     EXPECT_DOUBLE_EQ(round->columns[0].value(4.25), 0.25);
 }
 
+/// As the tables of Booleans of the Modelica Standard Library have it: "from ever" must not blur when the next event
+/// is.
+TEST(ExternalTable, ATimeTableFromEverKnowsItsEvents) {
+    const auto table = timeTable(matrixOf(2, {1, 0, 1, 1, 3, 0, 5, 1}), {2}, Smoothness::Constant,
+                                 TableExtrapolation::Hold, -1e60, 0, TimeEvents::Always);
+    ASSERT_TRUE(table);
+    EXPECT_LT(table->rounding, 1e-9);
+    EXPECT_EQ(table->next.value(0), 1);
+    EXPECT_EQ(table->next.value(1 + table->rounding), 3);
+    EXPECT_EQ(table->next.value(4), 5);
+    EXPECT_GT(table->next.value(6), 1e100);
+}
+
 TEST(ExternalTable, IsReadFromTextAndCsv) {
     const fs::path folder = fs::temp_directory_path() / ("analogon-table-" + std::to_string(getpid()));
     fs::create_directories(folder);
