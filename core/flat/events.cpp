@@ -67,6 +67,7 @@ std::vector<std::size_t> elementOffsets(const std::vector<std::vector<int>>& lis
 }
 
 void Events::refuse(const Text& message, const Span& span, const Text& hint) {
+    if (whens_ > 0) return;  // of a when equation that says it is one is enough
     Diagnostics& all = work_.model.events.refusals;
     if (all.size() < Messages::most) all.push_back(error(message, span, hint));
 }
@@ -218,6 +219,12 @@ std::optional<ExpressionId> Events::activation(const syntax::Expression& conditi
 void Events::when(const syntax::Equation& equation, const Scope& scope) {
     refuse(phrase("when equations are not supported"), equation.keyword,
            phrase("a relation outside noEvent already is an event: write the equation with if"));
+    struct Inside {
+        explicit Inside(int& depth) : depth_(depth) { ++depth_; }
+        ~Inside() { --depth_; }
+        int& depth_;
+    };
+    const Inside inside(whens_);
     ExpressionPool& pool = work_.pool;
     std::vector<ExpressionId> active;
     std::vector<std::vector<ScalarValue>> sets;

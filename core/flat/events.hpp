@@ -62,6 +62,7 @@ private:
     std::map<std::pair<std::uint32_t, std::uint32_t>, VariableId> samples_;
     std::map<std::uint32_t, VariableId> conditions_;
     int count_{};
+    int whens_{};  // that are being read, one in the other
     bool isInitial_{};
 };
 

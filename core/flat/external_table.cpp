@@ -117,6 +117,24 @@ std::vector<double> cubicSlopes(const std::vector<double>& x, const std::vector<
     }
 }
 
+namespace {
+
+/// The last two points say no slope where they are a jump: the table goes on as it ends there.
+void goOnLevel(std::vector<double>& x, std::vector<double>& y) {
+    const std::size_t n = x.size();
+    if (n < 2) return;
+    if (x[n - 1] == x[n - 2]) {
+        x.push_back(x.back() + 1);
+        y.push_back(y.back());
+    }
+    if (x[0] == x[1]) {
+        x.insert(x.begin(), x.front() - 1);
+        y.insert(y.begin(), y.front());
+    }
+}
+
+}  // namespace
+
 Outcome<ExternalTable> oneDimensional(const Matrix& table, const std::vector<int>& columns, Smoothness smoothness,
                                       TableExtrapolation extrapolation) {
     if (table.rows == 0 || table.columns < 2) return error(phrase("the table has no values"));
@@ -129,7 +147,9 @@ Outcome<ExternalTable> oneDimensional(const Matrix& table, const std::vector<int
             return error(phrase("the table has {} columns, not {}", table.columns, column));
         std::vector<double> y(table.rows);
         for (std::size_t i = 0; i < table.rows; ++i) y[i] = table(i, static_cast<std::size_t>(column) - 1);
-        result.columns.push_back(lookupOf(x, std::move(y), smoothness, extrapolation));
+        std::vector<double> at = x;
+        if (smoothness == Smoothness::Linear && extrapolation == TableExtrapolation::LastTwoPoints) goOnLevel(at, y);
+        result.columns.push_back(lookupOf(std::move(at), std::move(y), smoothness, extrapolation));
     }
     result.first = x.front();
     result.last = x.back();
@@ -242,6 +262,10 @@ Outcome<ExternalTable> twoDimensional(const Matrix& table, Smoothness smoothness
     ExternalTable result;
     result.kind = ExternalTable::Kind::TwoDimensions;
     const auto linear = isCubic ? Smoothness::Linear : smoothness;
+    // Constant segments that go on by their last two points are a plane beyond the table, which no product of two
+    // steps is: there they have no value.
+    if (smoothness == Smoothness::Constant && extrapolation == TableExtrapolation::LastTwoPoints)
+        extrapolation = TableExtrapolation::None;
     const auto lookup = [&](const std::vector<double>& x, std::vector<double> y, std::vector<double> slopes) {
         LookupTable one = lookupOf(x, std::move(y), slopes.empty() ? linear : Smoothness::Linear, extrapolation);
         if (!slopes.empty()) {

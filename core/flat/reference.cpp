@@ -76,6 +76,7 @@ std::optional<Value> Translator::chosenFrom(const Value& array, const std::vecto
         const auto index = translate(subscripts[d], scope);
         ends_.pop_back();
         if (!index || !index->isScalar() || index->type != FlatType::Integer) return std::nullopt;
+        if (constantNumber(index->elements[0], true)) return std::nullopt;  // known, and outside
         const auto extent = static_cast<std::size_t>(array.dimensions[d]);
         std::vector<ExpressionId> next;
         for (std::size_t block = 0; block < elements.size(); block += extent) {
@@ -219,8 +220,11 @@ Element* Translator::memberOf(Instance& instance, const std::string& identifier,
                              phrase("use a public variable, or make it public where it is declared"));
         return nullptr;
     }
+    // "outer" has been refused where it is declared
+    const bool isTold = element->state == Element::State::Failed && element->original->isOuter;
     if (!work_.instantiator->ensure(instance, *element)) {
-        work_.messages.error(phrase("'{}' could not be instantiated", instance.memberName(identifier)), span);
+        if (!isTold)
+            work_.messages.error(phrase("'{}' could not be instantiated", instance.memberName(identifier)), span);
         return nullptr;
     }
     if (element->isDisabled) {

@@ -52,6 +52,8 @@ private:
     Level levelOf(std::vector<int> constraints, const std::vector<char>& isOffered);
     std::vector<char> dummiesOf(const Level& level);
     bool isSafelySolvedFor(int constraint, const std::vector<char>& isDummy);
+    std::vector<char> solvedTogether(const std::vector<int>& constraints, std::vector<char> isDummy);
+    bool hasConstantSlope(int constraint, int unknown);
     void stabilise(std::vector<Equation>& equations, std::vector<char>& isLeftOut);
     ExpressionId slopeOf(int constraint, ExpressionId unknown);
     double wishToBeState(int unknown, const std::vector<int>& constraints);
@@ -271,18 +273,41 @@ double IndexReduction::wishToBeState(int unknown, const std::vector<int>& constr
     return wish;
 }
 
+bool IndexReduction::hasConstantSlope(int constraint, int unknown) {
+    const ExpressionId slope = slopeOf(constraint, system_.unknowns[static_cast<std::size_t>(unknown)].node);
+    const auto leaves = collect_.leaves(slope);
+    return std::none_of(leaves.begin(), leaves.end(), [&](ExpressionId leaf) { return system_.unknownOf(leaf) >= 0; });
+}
+
+/// The dummies without those that follow one after the other, each from a constraint with none that is open but itself
+/// and with a constant slope: where they stand elsewhere they are known.
+std::vector<char> IndexReduction::solvedTogether(const std::vector<int>& constraints, std::vector<char> isDummy) {
+    for (bool isMore = true; isMore;) {
+        isMore = false;
+        for (const int e : constraints) {
+            stopPoint();
+            int open = -1, count = 0;
+            for (const int u : incidence_[static_cast<std::size_t>(e)])
+                if (isDummy[static_cast<std::size_t>(u)]) {
+                    open = u;
+                    ++count;
+                }
+            if (count != 1 || !hasConstantSlope(e, open)) continue;
+            isDummy[static_cast<std::size_t>(open)] = 0;
+            isMore = true;
+        }
+    }
+    return isDummy;
+}
+
 /// Whether a choice made at the start holds for good: the slopes of a constraint along the unknowns that it is solved
 /// for are the same in every state. Where the model says itself what should be a state, that is kept.
 bool IndexReduction::isSafelySolvedFor(int constraint, const std::vector<char>& isDummy) {
-    for (const int u : incidence_[static_cast<std::size_t>(constraint)])
+    const std::vector<int>& unknowns = incidence_[static_cast<std::size_t>(constraint)];
+    for (const int u : unknowns)
         if (system_.unknowns[static_cast<std::size_t>(u)].stateSelect != StateSelect::Default) return true;
-    for (const int u : incidence_[static_cast<std::size_t>(constraint)]) {
-        if (!isDummy[static_cast<std::size_t>(u)]) continue;
-        const ExpressionId slope = slopeOf(constraint, system_.unknowns[static_cast<std::size_t>(u)].node);
-        for (const ExpressionId leaf : collect_.leaves(slope))
-            if (system_.unknownOf(leaf) >= 0) return false;
-    }
-    return true;
+    return std::all_of(unknowns.begin(), unknowns.end(),
+                       [&](int u) { return !isDummy[static_cast<std::size_t>(u)] || hasConstantSlope(constraint, u); });
 }
 
 /// Constraints of one order, and the differentiated unknowns that may be solved from them.
@@ -346,8 +371,9 @@ void IndexReduction::chooseStates() {
         for (std::size_t u = 0; u < count; ++u) isSolvedAtStart_[u] |= isDummy[u];
         while (isTop) {  // orders below follow: their slopes are the same
             std::vector<int> safe;
+            const std::vector<char> isOpen = solvedTogether(constraints, isDummy);
             for (const int e : constraints)
-                if (isSafelySolvedFor(e, isDummy))
+                if (isSafelySolvedFor(e, isOpen))
                     safe.push_back(e);
                 else
                     stabilised_.push_back(e);

@@ -117,6 +117,25 @@ TEST(ExternalTable, ATimeTableFromEverKnowsItsEvents) {
     EXPECT_GT(table->next.value(6), 1e100);
 }
 
+TEST(ExternalTable, GoesOnLevelBehindAJump) {
+    const LookupTable table = oneDimensional(matrixOf(2, {0, 5, 0, 1, 1, 0, 1, 3}), {2}, Smoothness::Linear,
+                                             TableExtrapolation::LastTwoPoints)
+                                  ->columns[0];
+    EXPECT_DOUBLE_EQ(table.value(2.5), 3);
+    EXPECT_DOUBLE_EQ(table.derivative(2.5), 0);
+    EXPECT_DOUBLE_EQ(table.value(-1), 5);
+    EXPECT_DOUBLE_EQ(table.value(0.5), 0.5);
+}
+
+/// Beyond its grid a stepped surface has no value here, rather than a wrong one.
+TEST(ExternalTable, ASteppedSurfaceEndsWithItsGrid) {
+    const auto steps = twoDimensional(matrixOf(3, {0, 0, 1, 0, 1, 2, 1, 3, 4}), Smoothness::Constant,
+                                      TableExtrapolation::LastTwoPoints);
+    ASSERT_TRUE(steps);
+    EXPECT_DOUBLE_EQ(valueOf(*steps, 0.5, 0.5), 1);
+    EXPECT_TRUE(std::isnan(valueOf(*steps, 0.5, 1.5)));
+}
+
 TEST(ExternalTable, IsReadFromTextAndCsv) {
     const fs::path folder = fs::temp_directory_path() / ("analogon-table-" + std::to_string(getpid()));
     fs::create_directories(folder);

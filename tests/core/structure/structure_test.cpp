@@ -279,6 +279,21 @@ TEST(Structure, AcceptsAPendulumInCartesianCoordinates) {
     EXPECT_THAT(namesOf(s, s.states), UnorderedElementsAre("x", "y", "vx", "vy"));
 }
 
+/// What follows from the time alone is no state, though its slope along what it follows from is another at each moment:
+/// that is known when it is solved.
+TEST(Structure, ADerivativeOfWhatIsKnownMakesNoState) {
+    ModelBuilder m;
+    m.input("u");
+    m.parameter("k", 2);
+    m.variables({"s", "x", "v"});
+    m.eq(m.v("s"), m.v("k") * m.v("u"));
+    m.eq(m.v("x"), m.v("s") * m.v("s") * m.v("s"));
+    m.eq(m.v("v"), m.der("x"));
+    const Structure s = analysed(m.model(), {"k"});
+    EXPECT_EQ(s.indexReduction, 2);
+    EXPECT_THAT(namesOf(s, s.states), IsEmpty());
+}
+
 TEST(Structure, PrescribingAPositionNeedsASecondDerivative) {
     ModelBuilder m;
     m.input("phi_in");
