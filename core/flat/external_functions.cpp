@@ -178,11 +178,25 @@ private:
 
     bool surface(const ExternalTable& table) {
         if (arguments_.size() < 3) return refuse(phrase("the table has no values"));
-        ExpressionId sum = pool_.constant(0);
-        for (std::size_t j = 0; j < table.along.size(); ++j)
-            sum = pool_.add(sum, pool_.multiply(pool_.table(table.across[j], arguments_[2].elements[0]),
-                                                pool_.table(table.along[j], arguments_[1].elements[0])));
-        return give(sum);
+        const ExpressionId u1 = arguments_[1].elements[0], u2 = arguments_[2].elements[0];
+        const auto sum = [&](const std::vector<LookupTable>& along, const std::vector<LookupTable>& across) {
+            ExpressionId all = pool_.constant(0);
+            for (std::size_t j = 0; j < along.size(); ++j)
+                all = pool_.add(all, pool_.multiply(pool_.table(across[j], u2), pool_.table(along[j], u1)));
+            return all;
+        };
+        const ExpressionId inside = sum(table.along, table.across);
+        if (table.alongBeyond.empty()) return give(inside);
+        const auto isLess = [&](ExpressionId a, ExpressionId b) {
+            return pool_.unary(Operation::NoEvent, pool_.binary(Operation::Less, a, b));
+        };
+        const auto isBeyond = [&](ExpressionId u, double first, double last) {
+            if (first == last) return pool_.constant(0);  // one line of the grid: the same everywhere across
+            return pool_.binary(Operation::Or, isLess(u, pool_.constant(first)), isLess(pool_.constant(last), u));
+        };
+        const ExpressionId isOutside =
+            pool_.binary(Operation::Or, isBeyond(u1, table.first, table.last), isBeyond(u2, table.first2, table.last2));
+        return give(pool_.ifThenElse(isOutside, sum(table.alongBeyond, table.acrossBeyond), inside));
     }
 
     bool next(const ExternalTable& table) {

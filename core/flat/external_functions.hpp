@@ -18,6 +18,7 @@ struct ExternalTable {
     std::vector<LookupTable> columns;  // one dimension, time: by output
     // Two dimensions: the value is sum_j across[j](u2) * along[j](u1).
     std::vector<LookupTable> along, across;
+    std::vector<LookupTable> alongBeyond, acrossBeyond;  // the same outside of the grid; empty: as inside
     LookupTable next;  // time: from a time to the next event, or, with a period, to how long it takes till there
     double start{}, rounding{};
     bool isPeriodic{};

@@ -133,6 +133,22 @@ void goOnLevel(std::vector<double>& x, std::vector<double>& y) {
     }
 }
 
+/// Constant segments as straight lines with jumps, which go on along the line through the last two points.
+void goOnFromSteps(std::vector<double>& x, std::vector<double>& y) {
+    const std::size_t n = x.size();
+    const auto slope = [&](std::size_t i) { return x[i + 1] > x[i] ? (y[i + 1] - y[i]) / (x[i + 1] - x[i]) : 0; };
+    const double before = slope(0), behind = slope(n - 2);
+    std::vector<double> at{x[0] - 1, x[0]}, values{y[0] - before, y[0]};
+    for (std::size_t i = 1; i < n; ++i) {
+        at.insert(at.end(), {x[i], x[i]});
+        values.insert(values.end(), {y[i - 1], y[i]});
+    }
+    at.push_back(x.back() + 1);
+    values.push_back(y.back() + behind);
+    x = std::move(at);
+    y = std::move(values);
+}
+
 }  // namespace
 
 Outcome<ExternalTable> oneDimensional(const Matrix& table, const std::vector<int>& columns, Smoothness smoothness,
@@ -148,8 +164,16 @@ Outcome<ExternalTable> oneDimensional(const Matrix& table, const std::vector<int
         std::vector<double> y(table.rows);
         for (std::size_t i = 0; i < table.rows; ++i) y[i] = table(i, static_cast<std::size_t>(column) - 1);
         std::vector<double> at = x;
-        if (smoothness == Smoothness::Linear && extrapolation == TableExtrapolation::LastTwoPoints) goOnLevel(at, y);
-        result.columns.push_back(lookupOf(std::move(at), std::move(y), smoothness, extrapolation));
+        Smoothness pieces = smoothness;
+        if (extrapolation == TableExtrapolation::LastTwoPoints) {
+            if (smoothness == Smoothness::Constant && table.rows > 1) {
+                goOnFromSteps(at, y);
+                pieces = Smoothness::Linear;
+            } else if (smoothness == Smoothness::Linear) {
+                goOnLevel(at, y);
+            }
+        }
+        result.columns.push_back(lookupOf(std::move(at), std::move(y), pieces, extrapolation));
     }
     result.first = x.front();
     result.last = x.back();
@@ -262,10 +286,6 @@ Outcome<ExternalTable> twoDimensional(const Matrix& table, Smoothness smoothness
     ExternalTable result;
     result.kind = ExternalTable::Kind::TwoDimensions;
     const auto linear = isCubic ? Smoothness::Linear : smoothness;
-    // Constant segments that go on by their last two points are a plane beyond the table, which no product of two
-    // steps is: there they have no value.
-    if (smoothness == Smoothness::Constant && extrapolation == TableExtrapolation::LastTwoPoints)
-        extrapolation = TableExtrapolation::None;
     const auto lookup = [&](const std::vector<double>& x, std::vector<double> y, std::vector<double> slopes) {
         LookupTable one = lookupOf(x, std::move(y), slopes.empty() ? linear : Smoothness::Linear, extrapolation);
         if (!slopes.empty()) {
@@ -302,6 +322,13 @@ Outcome<ExternalTable> twoDimensional(const Matrix& table, Smoothness smoothness
     }
     result.first = s.x.front(), result.last = s.x.back();
     result.first2 = s.y.front(), result.last2 = s.y.back();
+    // constant segments that go on by their last two points are planes outside of the grid, in both directions
+    if (smoothness == Smoothness::Constant && extrapolation == TableExtrapolation::LastTwoPoints && (n > 1 || m > 1)) {
+        const Outcome<ExternalTable> planes = twoDimensional(table, Smoothness::Linear, extrapolation);
+        if (!planes) return planes;
+        result.alongBeyond = planes->along;
+        result.acrossBeyond = planes->across;
+    }
     return result;
 }
 

@@ -41,7 +41,10 @@ TEST(ExternalTable, ExtrapolatesAsAsked) {
     const LookupTable steps = made(TableExtrapolation::LastTwoPoints, Smoothness::Constant);
     EXPECT_DOUBLE_EQ(steps.value(1.999), 10);
     EXPECT_DOUBLE_EQ(steps.value(2), 20);
-    EXPECT_DOUBLE_EQ(steps.value(9), 60);
+    EXPECT_DOUBLE_EQ(steps.value(3.999), 20);
+    EXPECT_DOUBLE_EQ(steps.value(4), 60);
+    EXPECT_DOUBLE_EQ(steps.value(9), 60 + 5 * 20) << "along the line through the last two points";
+    EXPECT_DOUBLE_EQ(steps.value(0), 0);
     EXPECT_DOUBLE_EQ(steps.derivative(3), 0);
 }
 
@@ -127,13 +130,18 @@ TEST(ExternalTable, GoesOnLevelBehindAJump) {
     EXPECT_DOUBLE_EQ(table.value(0.5), 0.5);
 }
 
-/// Beyond its grid a stepped surface has no value here, rather than a wrong one.
-TEST(ExternalTable, ASteppedSurfaceEndsWithItsGrid) {
+/// Inside it is a step, outside a plane through the last two points of each direction.
+TEST(ExternalTable, ASteppedSurfaceGoesOnAsAPlane) {
     const auto steps = twoDimensional(matrixOf(3, {0, 0, 1, 0, 1, 2, 1, 3, 4}), Smoothness::Constant,
                                       TableExtrapolation::LastTwoPoints);
     ASSERT_TRUE(steps);
     EXPECT_DOUBLE_EQ(valueOf(*steps, 0.5, 0.5), 1);
-    EXPECT_TRUE(std::isnan(valueOf(*steps, 0.5, 1.5)));
+    ExternalTable outside = *steps;
+    outside.along = steps->alongBeyond;
+    outside.across = steps->acrossBeyond;
+    EXPECT_DOUBLE_EQ(valueOf(outside, 0.5, 2), 1 + 0.5 * 2 + 2);
+    EXPECT_TRUE(twoDimensional(matrixOf(3, {0, 0, 1, 0, 1, 2, 1, 3, 4}), Smoothness::Constant, TableExtrapolation::Hold)
+                    ->alongBeyond.empty());
 }
 
 TEST(ExternalTable, IsReadFromTextAndCsv) {
