@@ -4,24 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <iterator>
 #include <optional>
 #include <ostream>
-#include <system_error>
+#include <set>
 
 #include "core/base/file_fault.hpp"
+#include "core/base/stop.hpp"
 #include "core/eval/system.hpp"
 #include "core/flat/flat_model.hpp"
 #include "core/library/library.hpp"
+#include "core/measure/table.hpp"
 #include "core/simulate/event_run.hpp"
 #include "core/structure/hybrid.hpp"
 #include "core/structure/structure.hpp"
+#include "core/study/results.hpp"
 
 namespace analogon::cli {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 int fails(const Diagnostics& faults, std::ostream& err) {
     err << format(faults) << '\n';
@@ -61,75 +62,60 @@ void readExperiment(const Library& library, const LibraryClass& cls, EventRunOpt
     }
 }
 
-/// `*` stands for anything, `?` for one character.
+/// `*` stands for anything, `?` for one character. What stands behind the last `*` is tried ever later: an earlier one
+/// needs no second try.
 bool matches(std::string_view name, std::string_view pattern) {
-    if (pattern.empty()) return name.empty();
-    if (pattern[0] == '*')
-        return matches(name, pattern.substr(1)) || (!name.empty() && matches(name.substr(1), pattern));
-    return !name.empty() && (pattern[0] == '?' || pattern[0] == name[0]) && matches(name.substr(1), pattern.substr(1));
+    std::size_t n = 0, p = 0, star = std::string_view::npos, from = 0;
+    while (n < name.size()) {
+        if (p < pattern.size() && pattern[p] == '*') {
+            star = p++;
+            from = n;
+        } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
+            ++p;
+            ++n;
+        } else if (star != std::string_view::npos) {
+            p = star + 1;
+            n = ++from;
+        } else {
+            return false;
+        }
+    }
+    return pattern.find_first_not_of('*', p) == std::string_view::npos;
 }
 
 std::vector<std::string> namesOf(const FlatModel& model, const System& system,
                                  const std::vector<std::string>& patterns) {
     std::vector<std::string> names;
+    std::set<std::string> taken;
     const auto take = [&](const std::string& name) {
         const bool isWanted = patterns.empty() || std::any_of(patterns.begin(), patterns.end(),
                                                               [&](const std::string& p) { return matches(name, p); });
-        if (isWanted) names.push_back(name);
+        if (isWanted && taken.insert(name).second) names.push_back(name);
     };
     for (const FlatVariable& v : model.variables)
-        if (v.variability == FlatVariability::Continuous && v.type != FlatType::String && v.name.front() != '$' &&
-            !v.name.ends_with("()"))
+        if (v.variability == FlatVariability::Continuous && v.type != FlatType::String &&
+            v.name.find('$') == std::string::npos && !v.name.ends_with("()"))
             take(v.name);
     for (const SignalInfo& state : system.states()) take(fmt::format("der({})", state.name));
-    std::vector<std::string> once;
-    for (std::string& name : names)
-        if (std::find(once.begin(), once.end(), name) == once.end() || names.size() > 5000)
-            once.push_back(std::move(name));
-    return once;
+    return names;
 }
 
-/// A name with a comma stands in quotes.
-std::string cell(const std::string& name) {
-    return name.find(',') == std::string::npos ? name : fmt::format("\"{}\"", name);
-}
-
-Outcome<Done> writeTraces(const EventTrajectory& run, const std::vector<std::string>& names,
-                          const fs::path& directory) {
-    std::error_code problem;
-    fs::create_directories(directory, problem);
-    const fs::path file = directory / "traces.csv", part = directory / "traces.csv.part";
-    for (const fs::directory_entry& entry : fs::directory_iterator(directory, problem))
-        if (entry.path() != file && entry.path() != part)
-            return fileError(phrase("the directory is not empty"), directory.string(), 0, 0, phrase("name a new one"));
-    {
-        std::ofstream text(part, std::ios::binary);
-        fmt::memory_buffer line;
-        fmt::format_to(std::back_inserter(line), "time");
-        for (const std::string& name : names) fmt::format_to(std::back_inserter(line), ",{}", cell(name));
-        for (std::size_t k = 0; k < run.time.size(); ++k) {
-            fmt::format_to(std::back_inserter(line), "\n{}", run.time[k]);
-            for (const double value : run.rows[k]) fmt::format_to(std::back_inserter(line), ",{}", value);
-            if (line.size() > (1u << 20)) {
-                text.write(line.data(), static_cast<std::streamsize>(line.size()));
-                line.clear();
-            }
-        }
-        line.push_back('\n');
-        text.write(line.data(), static_cast<std::streamsize>(line.size()));
-        text.close();
-        if (!text) return fileError(phrase("the file cannot be written"), part.string());
+std::string csvOf(const EventTrajectory& run, const std::vector<std::string>& names) {
+    std::string text = "time";
+    for (const std::string& name : names) text += ',' + csvCell(name);
+    for (std::size_t k = 0; k < run.time.size(); ++k) {
+        if (k % 4096 == 0) stopPoint();
+        fmt::format_to(std::back_inserter(text), "\n{}", run.time[k]);
+        for (const double value : run.rows[k]) fmt::format_to(std::back_inserter(text), ",{}", value);
     }
-    fs::rename(part, file, problem);
-    if (problem) return fileError(problem.message(), file.string());
-    return Done{};
+    return text + '\n';
 }
 
 }  // namespace
 
 int simulateClass(const Options& options, std::ostream& out, std::ostream& err) {
     Outcome<Library> library = builtInLibrary();
-    for (const fs::path& path : options.libraries)
+    for (const std::filesystem::path& path : options.libraries)
         if (library) library = library->withPath(path);
     if (!library) return fails(library.diagnostics(), err);
     Outcome<FlatModel> flat = flatten(*library, options.className);
@@ -140,6 +126,8 @@ int simulateClass(const Options& options, std::ostream& out, std::ostream& err) 
     if (options.stop) run.stop = *options.stop;
     if (options.interval) run.interval = *options.interval;
     if (options.tolerance) run.tolerance = *options.tolerance;
+    Outcome<ResultsPlace> place = ResultsPlace::take(options.out);
+    if (!place) return fails(place.diagnostics(), err);
     if (!(run.stop > run.start))
         return fails({fileError(phrase("the simulation would end at {}, before it begins at {}", run.stop, run.start),
                                 options.className)},
@@ -153,10 +141,12 @@ int simulateClass(const Options& options, std::ostream& out, std::ostream& err) 
     const Outcome<SystemPtr> system = System::build(*structure);
     if (!system) return fails(system.diagnostics(), err);
     const std::vector<std::string> names = namesOf(*flat, **system, options.variables);
-    const Outcome<EventTrajectory> trajectory = simulateWithEvents(*hybrid, **system, names, run);
+    const Outcome<EventTrajectory> trajectory =
+        simulateWithEvents(*hybrid, **system, names, run, Progress(stopInForce(), {}));
+    stopPoint();
     if (!trajectory) return fails(trajectory.diagnostics(), err);
     if (!trajectory->remarks.empty()) err << format(trajectory->remarks) << '\n';
-    const Outcome<Done> written = writeTraces(*trajectory, names, options.out);
+    const Outcome<Done> written = place->writeTraces(csvOf(*trajectory, names));
     if (!written) return fails(written.diagnostics(), err);
     out << fmt::format("{}: {} to {} s, {} states, {} steps, {} events\n", options.className, run.start, run.stop,
                        (*system)->stateCount(), trajectory->steps, trajectory->events);

@@ -60,7 +60,6 @@ Outcome<Done> fill(const fs::path& fresh, const fs::path& shown, const RunResult
     if (Outcome<Done> done = writeStudy(result.completed, fresh / "study"); !done) return done;
     if (result.proposed)
         if (Outcome<Done> done = writeStudy(*result.proposed, fresh / "study-proposed"); !done) return done;
-    if (!ResultsRecord::write(fresh)) return cannotWrite(shown, phrase("the disk may be full"));
     return Done{};
 }
 
@@ -258,6 +257,15 @@ ResultsPlace::~ResultsPlace() {
 }
 
 Outcome<Done> ResultsPlace::write(const RunResult& result, const std::string& command, Traces traces) {
+    return replace([&](const fs::path& fresh) { return fill(fresh, directory_, result, command, traces); });
+}
+
+Outcome<Done> ResultsPlace::writeTraces(const std::string& csv) {
+    return replace(
+        [&](const fs::path& fresh) { return putFile(fresh / "traces.csv", directory_ / "traces.csv", csv); });
+}
+
+Outcome<Done> ResultsPlace::replace(const std::function<Outcome<Done>(const fs::path&)>& fillIn) {
     const bool isWhole = canBeExchanged(directory_);
     Outcome<OwnedDirectory> own =
         OwnedDirectory::make(isWhole ? directory_.parent_path() : directory_, isWhole ? besideOf(directory_) : inside);
@@ -266,7 +274,8 @@ Outcome<Done> ResultsPlace::write(const RunResult& result, const std::string& co
     const fs::path fresh = own->path() / "new";
     std::error_code code;
     if (!fs::create_directory(fresh, code)) return cannotWrite(directory_, code);
-    if (Outcome<Done> filled = fill(fresh, directory_, result, command, traces); !filled) return filled;
+    if (Outcome<Done> filled = fillIn(fresh); !filled) return filled;
+    if (!ResultsRecord::write(fresh)) return cannotWrite(directory_, phrase("the disk may be full"));
     struct stat status {};
     if (stat(directory_.c_str(), &status) == 0) chmod(fresh.c_str(), status.st_mode & 07777);
     syncToDisk(fresh);

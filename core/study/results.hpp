@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "core/base/directory_lock.hpp"
@@ -27,10 +29,14 @@ public:
     /// Notes: what was kept under another name. Throws Stopped (core/base/stop) where that was asked for before the
     /// results were at their place; nothing has changed there then, and they can be written anew.
     Outcome<Done> write(const RunResult& result, const std::string& command, Traces traces = Traces::All);
+    /// The same of traces alone: of a class that is no study.
+    Outcome<Done> writeTraces(const std::string& csv);
 
 private:
     explicit ResultsPlace(std::filesystem::path directory) : directory_(std::move(directory)) {}
     Outcome<Done> prepare(const std::filesystem::path& study);
+    /// What `fillIn` puts into a directory of our own takes the place of what is there.
+    Outcome<Done> replace(const std::function<Outcome<Done>(const std::filesystem::path&)>& fillIn);
     Outcome<Done> probe() const;
 
     std::filesystem::path directory_;
