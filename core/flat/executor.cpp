@@ -7,6 +7,7 @@
 
 #include "core/flat/events.hpp"
 #include "core/flat/external_functions.hpp"
+#include "core/flat/instantiator.hpp"
 #include "core/flat/translator.hpp"
 
 namespace analogon {
@@ -19,16 +20,6 @@ using Restriction = syntax::ClassDefinition::Restriction;
 constexpr int deepestCall = 40;
 constexpr int deepestType = 40;
 constexpr std::size_t mostTurns = 1'000'000;
-
-std::optional<FlatType> builtinOf(const syntax::Name& name) {
-    if (name.parts.size() != 1) return std::nullopt;
-    const std::string& n = name.parts[0].identifier;
-    if (n == "Real") return FlatType::Real;
-    if (n == "Integer") return FlatType::Integer;
-    if (n == "Boolean") return FlatType::Boolean;
-    if (n == "String") return FlatType::String;
-    return std::nullopt;
-}
 
 }  // namespace
 
@@ -172,7 +163,7 @@ std::optional<std::vector<Value>> Executor::run(const Signature& signature,
 /// An Integer argument of a Real input is Real.
 std::optional<Value> Executor::fitted(Value value, const Input& element) {
     if (value.type == FlatType::Integer && value.enumeration.empty() && !value.isRecord() && !value.isObject() &&
-        builtinOf(element.declaration->type) == FlatType::Real)
+        builtinType(element.declaration->type) == FlatType::Real)
         value.type = FlatType::Real;
     return value;
 }
@@ -204,7 +195,7 @@ std::optional<Value> Executor::emptyValue(const syntax::Name& type, const Librar
     Value value;
     value.dimensions = std::move(dimensions);
     const std::size_t count = elementCount(value.dimensions);
-    if (const auto builtin = builtinOf(type)) {
+    if (const auto builtin = builtinType(type)) {
         value.type = *builtin;
         if (*builtin == FlatType::String)
             value.texts.assign(count, {});

@@ -6,6 +6,9 @@
 
 namespace analogon {
 
+/// Real, Integer, Boolean or String; nothing: another name.
+std::optional<FlatType> builtinType(const syntax::Name& name);
+
 /// Turns classes into instances: inheritance, modification, redeclaration, conditional components, arrays.
 /// Elements are collected first and instantiated on demand, since a size or a condition may use parameters
 /// that are declared later.

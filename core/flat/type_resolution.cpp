@@ -10,6 +10,8 @@ namespace {
 
 using Restriction = syntax::ClassDefinition::Restriction;
 
+}  // namespace
+
 std::optional<FlatType> builtinType(const syntax::Name& name) {
     if (name.parts.size() != 1) return std::nullopt;
     const std::string& n = name.parts[0].identifier;
@@ -19,8 +21,6 @@ std::optional<FlatType> builtinType(const syntax::Name& name) {
     if (n == "String") return FlatType::String;
     return std::nullopt;
 }
-
-}  // namespace
 
 std::optional<ResolvedType> Instantiator::resolveType(const syntax::Name& name, const Scope& scope, int depth) {
     if (const auto builtin = builtinType(name)) {

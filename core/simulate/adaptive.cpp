@@ -1,7 +1,4 @@
-#include <cvodes/cvodes.h>
 #include <fmt/format.h>
-#include <nvector/nvector_serial.h>
-#include <sundials/sundials_context.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunlinsol/sunlinsol_klu.h>
 #include <sunmatrix/sunmatrix_dense.h>
@@ -21,28 +18,11 @@
 #include "core/simulate/sample_recorder.hpp"
 #include "core/simulate/sliding.hpp"
 #include "core/simulate/state_jacobian.hpp"
+#include "core/simulate/sundials_owner.hpp"
 
 namespace analogon {
 
 namespace {
-
-struct FreeContext {
-    void operator()(SUNContext c) const { SUNContext_Free(&c); }
-};
-struct FreeVector {
-    void operator()(N_Vector v) const { N_VDestroy(v); }
-};
-struct FreeMatrix {
-    void operator()(SUNMatrix m) const { SUNMatDestroy(m); }
-};
-struct FreeSolver {
-    void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
-};
-struct FreeCvodes {
-    void operator()(void* memory) const { CVodeFree(&memory); }
-};
-template <class T, class Free>
-using Owned = std::unique_ptr<std::remove_pointer_t<T>, Free>;
 
 /// Sensitivities as an array of vectors, one per direction.
 class VectorArray {

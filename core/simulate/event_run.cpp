@@ -1,9 +1,6 @@
 #include "core/simulate/event_run.hpp"
 
-#include <cvodes/cvodes.h>
 #include <fmt/format.h>
-#include <nvector/nvector_serial.h>
-#include <sundials/sundials_context.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
@@ -16,27 +13,10 @@
 #include <unordered_map>
 
 #include "core/base/stopwatch.hpp"
+#include "core/simulate/sundials_owner.hpp"
 
 namespace analogon {
 namespace {
-
-struct FreeContext {
-    void operator()(SUNContext c) const { SUNContext_Free(&c); }
-};
-struct FreeVector {
-    void operator()(N_Vector v) const { N_VDestroy(v); }
-};
-struct FreeMatrix {
-    void operator()(SUNMatrix m) const { SUNMatDestroy(m); }
-};
-struct FreeSolver {
-    void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
-};
-struct FreeCvodes {
-    void operator()(void* memory) const { CVodeFree(&memory); }
-};
-template <class T, class Free>
-using Owned = std::unique_ptr<std::remove_pointer_t<T>, Free>;
 
 constexpr double localShare = 0.1;    // of the tolerance, for one step
 constexpr double hysteresis = 1e-10;  // of a relation, beside the sizes that it compares
@@ -160,7 +140,7 @@ private:
             double next = slot;
             if (isFirst)
                 next = holds(r.operation, difference);
-            else if (std::fabs(difference) > width(k))
+            else if (std::fabs(difference) > hysteresis)
                 next = (difference > 0) == isUpward(r.operation);
             if (next != slot) switching.push_back(k);
         }
@@ -190,8 +170,6 @@ private:
                 slot = std::round(value) > slot ? slot + 1 : slot - 1;
         }
     }
-
-    double width(std::size_t) const { return hysteresis; }
 
     void name(std::string& changed, int slot) { changed = model_.slots[static_cast<std::size_t>(slot)]; }
 
@@ -357,7 +335,7 @@ private:
             }
             const double difference = readings[static_cast<std::size_t>(r.reading)];
             const bool isAbove = (slots_[static_cast<std::size_t>(r.slot)] != 0) == isUpward(r.operation);
-            values[k] = isAbove ? difference + width(k) : difference - width(k);
+            values[k] = isAbove ? difference + hysteresis : difference - hysteresis;
         }
         for (std::size_t k = 0; k < model_.wholes.size(); ++k) {
             const HybridModel::Whole& w = model_.wholes[k];

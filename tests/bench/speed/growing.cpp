@@ -9,25 +9,10 @@
 #include <cstdlib>
 
 #include "core/library/library.hpp"
+#include "tests/bench/speed/random.hpp"
 
 namespace analogon::speed {
 namespace {
-
-/// SplitMix64 (Steele, Lea & Flood, OOPSLA 2014).
-class Random {
-public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
-    double uniform() {
-        std::uint64_t z = state_ += 0x9e3779b97f4a7c15u;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-    }
-    double normal() { return std::sqrt(-2 * std::log(1 - uniform())) * std::cos(6.283185307179586 * uniform()); }
-
-private:
-    std::uint64_t state_;
-};
 
 [[noreturn]] void refuse(const Diagnostics& faults) {
     std::fputs(format(faults).c_str(), stderr);

@@ -139,6 +139,14 @@ TEST(StateJacobian, TheRadiusByAVectorIsThatOfTheSquares) {
     }
 }
 
+void expectAlike(const Trajectory& a, const Trajectory& b) {
+    ASSERT_FALSE(a.failure.failed) << a.failure.reason;
+    ASSERT_FALSE(b.failure.failed) << b.failure.reason;
+    EXPECT_LE((a.outputs - b.outputs).cwiseAbs().maxCoeff(), 1e-9);
+    for (std::size_t o = 0; o < a.tangents.size(); ++o)
+        EXPECT_LE((a.tangents[o] - b.tangents[o]).cwiseAbs().maxCoeff(), 1e-8 * b.tangents[o].cwiseAbs().maxCoeff());
+}
+
 TEST(StateJacobian, ImplicitStepsAndTheirTangentsAreThoseOfTheFullMatrix) {
     Rod rod(20, 500);
     rod.alongAll();
@@ -146,12 +154,7 @@ TEST(StateJacobian, ImplicitStepsAndTheirTangentsAreThoseOfTheFullMatrix) {
     Full full(other);
     GridRun run;
     run.plan = {GridMethod::Esdirk, 2, 0.0};
-    const Trajectory a = runGrid(dynamics, rod.inputs, run), b = runGrid(full, rod.inputs, run);
-    ASSERT_FALSE(a.failure.failed) << a.failure.reason;
-    ASSERT_FALSE(b.failure.failed) << b.failure.reason;
-    EXPECT_LE((a.outputs - b.outputs).cwiseAbs().maxCoeff(), 1e-9);
-    for (std::size_t o = 0; o < a.tangents.size(); ++o)
-        EXPECT_LE((a.tangents[o] - b.tangents[o]).cwiseAbs().maxCoeff(), 1e-8 * b.tangents[o].cwiseAbs().maxCoeff());
+    expectAlike(runGrid(dynamics, rod.inputs, run), runGrid(full, rod.inputs, run));
 }
 
 TEST(StateJacobian, OfALinearModelIsFoundOnceAndItsStepsAreThoseOfTheFullMatrix) {
@@ -162,12 +165,7 @@ TEST(StateJacobian, OfALinearModelIsFoundOnceAndItsStepsAreThoseOfTheFullMatrix)
     Full full(other);
     GridRun run;
     run.plan = {GridMethod::Esdirk, 3, 0.0};
-    const Trajectory a = runGrid(dynamics, rod.inputs, run), b = runGrid(full, rod.inputs, run);
-    ASSERT_FALSE(a.failure.failed) << a.failure.reason;
-    ASSERT_FALSE(b.failure.failed) << b.failure.reason;
-    EXPECT_LE((a.outputs - b.outputs).cwiseAbs().maxCoeff(), 1e-9);
-    for (std::size_t o = 0; o < a.tangents.size(); ++o)
-        EXPECT_LE((a.tangents[o] - b.tangents[o]).cwiseAbs().maxCoeff(), 1e-8 * b.tangents[o].cwiseAbs().maxCoeff());
+    expectAlike(runGrid(dynamics, rod.inputs, run), runGrid(full, rod.inputs, run));
     EXPECT_LE(4 * dynamics.evaluations(), 3 * other.evaluations());
 }
 
