@@ -74,9 +74,10 @@ void ChannelSketch::paintEvent(QPaintEvent*) {
     const auto [least, largest] = rangeOf(course_);
     if (!(least <= largest)) return;
     painter.setPen(style::mutedText(palette()));
-    painter.drawText(rect(), Qt::AlignLeft | Qt::AlignTop, style::numberText(largest, 5));
-    painter.drawText(rect(), Qt::AlignLeft | Qt::AlignBottom, style::numberText(least, 5));
-    painter.drawText(rect(), Qt::AlignRight | Qt::AlignBottom,
+    const QRectF labels(frame.left(), 0, frame.width(), height());
+    painter.drawText(labels, Qt::AlignLeft | Qt::AlignTop, style::numberText(largest, 5));
+    painter.drawText(labels, Qt::AlignLeft | Qt::AlignBottom, style::numberText(least, 5));
+    painter.drawText(labels, Qt::AlignRight | Qt::AlignBottom,
                      QStringLiteral("%1 … %2 %3")
                          .arg(style::numberText(course_.from, 5), style::numberText(course_.to, 5), course_.unit));
     const double reach = largest > least ? largest - least : 1, middle = (least + largest) / 2;
