@@ -58,6 +58,8 @@ writes=(
     "kills-unpack test_archive Archive.IsUnpackedWholeOrNotAtAllWhenTheProgramIsKilled"
     "kills-directory test_study StudyFiles.SurviveKills"
     "kills-results test_study Results.AreOldOrNewWhenTheProgramIsKilled"
+    "kills-discover test_app DiscoverThatIsKilled.IsOldOrNew"
+    "kills-window test_ui WindowSaves.OldOrNewWhereverItIsKilled"
     "kills-own test_base OwnedDirectories.LeaveNothingWhereverTheirMakerIsKilled"
 )
 # Files that are nearly sound: NAME PROGRAM TEST

@@ -59,7 +59,7 @@ std::pair<std::string, std::string> percentTexts(double one, double other) {
 }
 
 std::string valueText(double value, double standardError) {
-    constexpr double beyondDigits = 1e-9;  // of the value: below, its error is told in a notation of its own
+    constexpr double beyondDigits = 1e-9;  // of the value, or of the error: below, each has a notation of its own
     if (!std::isfinite(value)) return "–";
     if (!std::isfinite(standardError) || standardError <= 0) return numberText(value);
     if (standardError < beyondDigits * std::abs(value))
@@ -71,9 +71,13 @@ std::string valueText(double value, double standardError) {
     const bool isScientific = exponent < -3 || exponent > 5;
     const int shared = isScientific ? exponent : 0, places = digits - 1 - decade(error) + shared;
     const double shown = rounded(scaledDown(value, shared), places);
+    if (shown == 0) {  // told for what it is, and as nothing only where it is that beside its error
+        const bool isNothing = std::abs(value) <= beyondDigits * standardError;
+        return fmt::format("{} ± {}", isNothing ? "0" : numberText(value, 1), numberText(error, digits));
+    }
     const int decimals = std::max(places, 0);
-    const std::string both = fmt::format("{} ± {:.{}f}", shown == 0 ? "0" : fmt::format("{:.{}f}", shown, decimals),
-                                         rounded(scaledDown(error, shared), places), decimals);
+    const std::string both =
+        fmt::format("{0:.{2}f} ± {1:.{2}f}", shown, rounded(scaledDown(error, shared), places), decimals);
     return isScientific ? fmt::format("({})e{}", both, exponent) : both;
 }
 

