@@ -1207,6 +1207,62 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Mit C_s = 0 ist die Kapazität klein gegen die des Körpers: tau_s*der(Q_flow) = port_a.Q_flow - Q_flow, und wie viel heißer das Element ist, wird nicht gesagt. Es beginnt im Gleichgewicht mit seiner Quelle.</translation>
     </message>
     <message>
+        <source>Soft coupling between shafts that are not neighbours</source>
+        <translation>Weiche Kopplung von Wellen, die nicht benachbart sind</translation>
+    </message>
+    <message>
+        <source>Twist at which the coupling is relaxed</source>
+        <translation>Verdrehung, bei der die Kopplung entspannt ist</translation>
+    </message>
+    <message>
+        <source>Compliance 1/c (0 while there is no coupling)</source>
+        <translation>Nachgiebigkeit 1/c (0, solange keine Kopplung besteht)</translation>
+    </message>
+    <message>
+        <source>Torque in the coupling</source>
+        <translation>Drehmoment in der Kopplung</translation>
+    </message>
+    <message>
+        <source>A spring with a damper between two shafts that the model does not join: a belt, a hose, a common housing. The strength is the stiffness c, so that 0 leaves them apart; its inverse e is told beside it.</source>
+        <translation>Eine Feder mit Dämpfer zwischen zwei Wellen, die das Modell nicht verbindet: ein Riemen, ein Schlauch, ein gemeinsames Gehäuse. Die Stärke ist die Steifigkeit c, sodass 0 sie getrennt lässt; ihr Kehrwert e wird daneben angegeben.</translation>
+    </message>
+    <message>
+        <source>Curved characteristic of an input channel</source>
+        <translation>Gekrümmte Kennlinie eines Eingangskanals</translation>
+    </message>
+    <message>
+        <source>Exponent beyond that of proportion (0: off)</source>
+        <translation>Exponent über den der Proportionalität hinaus (0: aus)</translation>
+    </message>
+    <message>
+        <source>Command that passes unchanged</source>
+        <translation>Stellwert, der unverändert durchgeht</translation>
+    </message>
+    <message>
+        <source>Command below which the power is smoothed</source>
+        <translation>Stellwert, unter dem die Potenz geglättet ist</translation>
+    </message>
+    <message>
+        <source>A torque, a power or a flow that is no multiple of the command: a heater behind a voltage gives the square (p = 1), a valve or a lamp driver another power. Inserted behind an input.</source>
+        <translation>Ein Drehmoment, eine Leistung oder ein Strom, der kein Vielfaches des Stellwerts ist: ein Heizer hinter einer Spannung gibt das Quadrat (p = 1), ein Ventil oder ein Lampentreiber eine andere Potenz. Hinter einem Eingang eingefügt.</translation>
+    </message>
+    <message>
+        <source>The power is smoothed below u_eps so that it has a slope at 0. At u_ref the command passes unchanged.</source>
+        <translation>Die Potenz ist unter u_eps geglättet, damit sie bei 0 eine Steigung hat. Bei u_ref geht der Stellwert unverändert durch.</translation>
+    </message>
+    <message>
+        <source>Measured channel without its sign</source>
+        <translation>Messkanal ohne Vorzeichen</translation>
+    </message>
+    <message>
+        <source>Share of the sign that is lost (0: off, 1: a sensor without sign)</source>
+        <translation>Anteil des Vorzeichens, der verloren geht (0: aus, 1: ein Sensor ohne Vorzeichen)</translation>
+    </message>
+    <message>
+        <source>A tachometer, a flow meter or a rectifying transducer that tells the size of a quantity and not its sign. Inserted in front of a measured output.</source>
+        <translation>Ein Tachometer, ein Durchflussmesser oder ein gleichrichtender Aufnehmer, der die Größe eines Werts angibt und nicht sein Vorzeichen. Vor einem gemessenen Ausgang eingefügt.</translation>
+    </message>
+    <message>
         <source>Heat exchange between places that are not neighbours</source>
         <translation>Wärmeaustausch zwischen Orten, die nicht benachbart sind</translation>
     </message>

@@ -149,6 +149,22 @@ TEST(ElasticShaft, IsRigidWithoutCompliance) {
     EXPECT_LT(worst(r, "w2", [](double t) { return 5 * t; }), 1e-6);
 }
 
+TEST(SoftCoupling, LetsTheBodiesSwingAgainstEachOtherAboutTheAngleAtWhichItIsRelaxed) {
+    const Recording r = twoBodies("SoftCoupling effect(c=50, phi_0=-0.01)", 2);
+    ASSERT_EQ(r.fault, "");
+    const double omega = std::sqrt(50 * (1 / 0.01 + 1 / 0.03));
+    const double twist = 0.2 / 0.01 / (omega * omega) + 0.01;  // of the mean of the swing
+    EXPECT_LT(worst(r, "w1", [&](double t) { return 5 * t + 0.75 * twist * omega * std::sin(omega * t); }), 1e-4);
+    EXPECT_LT(worst(r, "w2", [&](double t) { return 5 * t - 0.25 * twist * omega * std::sin(omega * t); }), 1e-4);
+}
+
+TEST(SoftCoupling, DampsTheSwing) {
+    const Recording r = twoBodies("SoftCoupling effect(c=50, d=0.3)", 2);
+    ASSERT_EQ(r.fault, "");
+    EXPECT_NEAR(r.last("w1"), 10, 1e-3);
+    EXPECT_NEAR(r.last("w2"), 10, 1e-3);
+}
+
 TEST(Backlash, LeavesTheSecondBodyAloneUntilThePlayIsUsedUp) {
     // half the play of 0.4 rad is passed after sqrt(0.4*0.01/0.2) = 0.141 s
     const Recording before = twoBodies("Backlash effect(b=0.4, c=500, d=0.5, phi_eps=1e-6)", 0.14);
@@ -452,6 +468,21 @@ TEST(ActuatorSaturation, IsFaithfulBelowAndFlatAboveItsLimit) {
               1e-2);
 }
 
+TEST(ActuatorCurve, RaisesTheCommandToAPowerAboutTheOneThatPassesUnchanged) {
+    const Recording r =
+        signal("Actuator.Curve effect(p=1, u_ref=4, u_eps=1e-6)", 4, [](double t) { return 4 * (t - 2); });
+    ASSERT_EQ(r.fault, "");
+    EXPECT_LT(worst(r, "y", [](double t) { return 4 * (t - 2) * std::abs(t - 2); }), 1e-5);
+}
+
+TEST(SensorAbsolute, LosesTheSign) {
+    const Recording whole = signal("Sensor.Absolute effect(s=1, u_eps=1e-6)", 4, [](double t) { return 3 * (t - 2); });
+    const Recording half = signal("Sensor.Absolute effect(s=0.5, u_eps=1e-6)", 4, [](double t) { return 3 * (t - 2); });
+    ASSERT_EQ(whole.fault + half.fault, "");
+    EXPECT_LT(worst(whole, "y", [](double t) { return 3 * std::abs(t - 2); }), 1e-5);
+    EXPECT_LT(worst(half, "y", [](double t) { return 3 * std::max(t - 2, 0.0); }), 1e-5);
+}
+
 // ------------------------------------------------------------------------------------------------ switched off
 
 bool isBlown(const EffectClass& effect) { return effect.className.ends_with("ByFlowSpeed"); }
@@ -479,7 +510,7 @@ std::string rig(const EffectClass* effect, bool blown = false) {
         of("Analogon.ThermalFluid.PartialThermalFluid",
            blown ? "Analogon.ThermalFluid.ConvectionByFlowSpeed" : "Analogon.ThermalFluid.BasicThermalFluid") +
         R"( element(C=1, c_o=2, A=3e-4);
-  Analogon.Mechanics.Inertia first(J=1e-4), second(J=2e-4);
+  Analogon.Mechanics.Inertia first(J=1e-4), second(J=2e-4), apart(J=1e-4);
   Analogon.Mechanics.ViscousLoad load(b=1e-3);
   Analogon.Sensors.SpeedSensor speed;
   Analogon.Sensors.TemperatureSensor sensor;
@@ -502,9 +533,12 @@ std::string rig(const EffectClass* effect, bool blown = false) {
     text += "  connect(" + in + ", motor.v);\n  connect(" + in + ", heater.v);\n  connect(" + out + ", w);\n";
     if (attach)
         text += "  connect(effect." + effect->ports[0] + (onFlange ? ", first.flange_b);\n" : ", element.solid);\n");
-    if (effect && effect->way == Way::Bridge)
-        text += "  connect(effect." + effect->ports[0] + ", element.solid);\n  connect(effect." + effect->ports[1] +
-                ", gas.port);\n";
+    if (effect && effect->way == Way::Bridge) {
+        const bool isOfShafts = effect->ports[0].starts_with("flange");
+        text += fmt::format("  connect(effect.{}, {});\n  connect(effect.{}, {});\n", effect->ports[0],
+                            isOfShafts ? "first.flange_b" : "element.solid", effect->ports[1],
+                            isOfShafts ? "apart.flange_a" : "gas.port");
+    }
     if (insert && !signal && onFlange)
         text += "  connect(first.flange_b, effect.flange_a);\n  connect(effect.flange_b, second.flange_a);\n";
     else
