@@ -278,6 +278,8 @@ private:
             out_ += "<h2>What is still unexplained</h2>\n";
             for (const Remainder& remainder : finding_.remainders)
                 out_ += "<div class=\"card\">" + escapeHtml(remainderWords(remainder)) + "</div>\n";
+            if (finding_.disturbance)
+                out_ += "<p>" + escapeHtml(disturbanceWords(*finding_.disturbance).english()) + ".</p>\n";
             if (const std::string words = proposedStudyWords(finding_); !words.empty())
                 out_ += "<p class=\"soft\">" + escapeHtml(words) + "</p>\n";
         }

@@ -188,6 +188,11 @@ std::string reportJson(const Finding& finding, const ReportContext& context) {
                 json["remainders"].push_back(remainderJson(remainder));
         }
     }
+    if (finding.disturbance)
+        json["disturbance"] = {{"node", finding.disturbance->node},
+                               {"size", number(finding.disturbance->size)},
+                               {"unit", finding.disturbance->unit},
+                               {"time_constant", number(finding.disturbance->timeConstant)}};
     if (finding.proposed) json["with_proposals"] = stateJson(finding.proposed->state);
     if (!finding.nextExperiment.empty()) json["next_experiment"] = finding.nextExperiment;
     json["warnings"] = finding.warnings;

@@ -183,6 +183,13 @@ Text verdictWords(const CandidateResult& candidate) {
     return {};
 }
 
+Text disturbanceWords(const UnmeasuredFlow& flow) {
+    return phrase(
+        "What remains behaves like a flow of {} {} (root mean square) at {} that nobody measured, and that "
+        "changes within about {} s",
+        numberText(flow.size, 2), flow.unit, flow.node, numberText(flow.timeConstant, 2));
+}
+
 std::string remainderWords(const Remainder& remainder) {
     std::string text = fmt::format("What is left on output {}", remainder.output);
     if (!remainder.experiment.empty()) text += fmt::format(" of '{}'", remainder.experiment);

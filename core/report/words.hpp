@@ -28,6 +28,9 @@ Text verdictWords(const CandidateResult& candidate);
 
 std::string remainderWords(const Remainder& remainder);
 
+/// What flow the rest looks like that nobody measured.
+Text disturbanceWords(const UnmeasuredFlow& flow);
+
 /// Where the model with all that is proposed is found; empty: nothing is, or it cannot be added.
 std::string proposedStudyWords(const Finding& finding);
 

@@ -289,6 +289,14 @@ void members(Of& of, Remainder& r) {
 }
 
 template <class Of>
+void members(Of& of, UnmeasuredFlow& f) {
+    of.member("node", f.node);
+    of.member("size", f.size);
+    of.member("unit", f.unit);
+    of.member("time_constant", f.timeConstant);
+}
+
+template <class Of>
 void members(Of& of, ProposedModel& p) {
     of.member("state", p.state);
     of.member("new_inputs", p.newInputs);
@@ -302,6 +310,7 @@ void members(Of& of, Finding& f) {
     of.member("effects", f.effects);
     of.member("candidates", f.candidates);
     of.member("remainders", f.remainders);
+    of.member("disturbance", f.disturbance);
     of.member("proposed", f.proposed);
     of.member("next_experiment", f.nextExperiment);
     of.member("warnings", f.warnings);

@@ -9325,6 +9325,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>angezeigt: Die Suche endete vor ihren letzten Prüfungen</translation>
     </message>
     <message>
+        <source>What remains behaves like a flow of {} {} (root mean square) at {} that nobody measured, and that changes within about {} s</source>
+        <translation>Was bleibt, verhält sich wie ein Strom von {} {} (Effektivwert) bei {}, den niemand gemessen hat und der sich innerhalb von etwa {} s ändert</translation>
+    </message>
+    <message>
         <source>indicated: structure remains, but with it the error of what was left out of the fit falls from {} to {}, in {} of {} parts</source>
         <translation>angezeigt: Struktur bleibt, aber damit fällt der Fehler dessen, was aus der Anpassung weggelassen wurde, von {} auf {}, in {} von {} Teilen</translation>
     </message>

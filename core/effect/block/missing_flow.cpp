@@ -75,12 +75,14 @@ std::vector<FlowResponse> flowResponses(const NullModel& null, int pieces, const
     for (const ModelNodes::FlowNode& node : nodes->flowNodes()) {
         if (progress.stopRequested()) return responses;
         if (!isWanted(node.place.at)) continue;
-        LawProbe probe(null, siteOf(node));
+        LawSite site = siteOf(node);
+        std::string unit = site.unit ? site.unit->text() : std::string();
+        LawProbe probe(null, std::move(site));
         probe.terms() = hats(time.low, time.high, pieces);
         // no recording feels what happens in another: the rows of each are the responses to its own pieces
         const std::optional<Eigen::MatrixXd> columns = probe.traces(simulation, progress);
         if (!columns || !columns->allFinite()) continue;
-        FlowResponse response{probe.place().at, true, {}};
+        FlowResponse response{probe.place().at, true, {}, (time.high - time.low) / pieces, std::move(unit)};
         for (const auto& [recording, own] : rows)
             response.blocks.push_back({recording, own.begin, columns->middleRows(own.begin, own.end - own.begin)});
         responses.push_back(std::move(response));

@@ -22,6 +22,8 @@ struct FlowResponse {
     std::string place;                  // a connector, or "output y"
     bool isFlow{};                      // at a node
     std::vector<ResponseBlock> blocks;  // of each recording that it is felt in, in their order
+    double spacing{};                   // of its hats [s]; of an error of a sensor 0
+    std::string unit{};                 // of the flow
 
     const ResponseBlock* of(int recording) const;  // nullptr: none
 };

@@ -151,6 +151,15 @@ struct Remainder {
     }
 };
 
+/// A flow that nobody measured, as what is left tells it: a Gaussian process about 0 whose correlation falls to 1/e
+/// within the time constant.
+struct UnmeasuredFlow {
+    std::string node;  // a connector
+    double size{};     // root mean square
+    std::string unit;
+    double timeConstant{};  // [s]
+};
+
 /// An equation with the values of what it names: "y = min(u, y_max) with y_max = 4.2".
 Text withValues(const std::string& equation, const std::vector<EffectValue>& values);
 
@@ -171,7 +180,8 @@ struct Finding {
     std::vector<AddedEffect> effects;
     std::vector<CandidateResult> candidates;
     std::vector<Remainder> remainders;
-    std::optional<ProposedModel> proposed;  // empty: no equation is, or no block says it
+    std::optional<UnmeasuredFlow> disturbance{};  // empty: no flow alone looks like what is left
+    std::optional<ProposedModel> proposed;        // empty: no equation is, or no block says it
     Text nextExperiment;
     std::vector<Text> warnings;
     std::vector<std::string> heldInputs{};  // that the study joins by straight lines; all is told with them held

@@ -21,6 +21,11 @@ namespace {
 constexpr int piecesOfADisturbance = 100;
 constexpr double leastVariance = 1e-3, varianceFactor = 3;  // of the flow's strongest trace, in units of the noise
 constexpr int varianceSteps = 24;
+// of the time constant that is told: from half a piece on by this factor; of the size, finer than what is searched
+constexpr double shortestTime = 0.5, timeFactor = 1.5;
+constexpr int timesOfADisturbance = 13;
+constexpr double sizeFactor = 1.3;
+constexpr int sizeSteps = 100;
 constexpr int mostRounds = 10, stepsARound = 3;
 // mean square that a sensor's error may leave on the other outputs, in units of the noise and as a share of all
 constexpr double leastInformation = 1e-10;  // of the best known direction of the parameters
@@ -232,6 +237,36 @@ std::vector<std::string> Disturbance::likeliestPlaces(const Linearisation& model
     return places;
 }
 
+std::optional<UnmeasuredFlow> Disturbance::flowAt(const Linearisation& model, const std::string& place) const {
+    const auto felt = std::find_if(responses().begin(), responses().end(),
+                                   [&](const FlowResponse& r) { return r.isFlow && r.place == place; });
+    if (felt == responses().end()) return std::nullopt;
+    const auto index = static_cast<std::size_t>(felt - responses().begin());
+    const Eigen::MatrixXd both = residualAndJacobian(model);
+    const double rows = static_cast<double>(both.rows());
+    const SettledFlows::Projected beside = settled_.flows.project(both);
+    const Eigen::MatrixXd pieces = settled_.flows.pieces(beside, index);
+    std::optional<UnmeasuredFlow> likeliest;
+    double least = std::numeric_limits<double>::infinity();
+    for (int t = 0; t < timesOfADisturbance; ++t) {
+        stopPoint();
+        const double time = felt->spacing * shortestTime * std::pow(timeFactor, t);
+        const std::optional<Source> source = settled_.flows.sourceOf(index, std::exp(-felt->spacing / time));
+        if (!source) return std::nullopt;
+        const Eigen::MatrixXd onto = source->turned(pieces);
+        double variance = leastVariance / source->squares.maxCoeff();
+        for (int k = 0; k < sizeSteps; ++k, variance *= sizeFactor) {
+            const Eigen::MatrixXd left = beside.inner - onto.transpose() * source->part(variance).asDiagonal() * onto;
+            const double squares = left(0, 0) + left.col(0).tail(left.cols() - 1).dot(follow(left, 0));
+            const double misfit = misfitOf(squares, rows) + source->spread(variance);
+            if (!(misfit < least)) continue;
+            least = misfit;
+            likeliest = UnmeasuredFlow{place, std::sqrt(variance * squares / rows), felt->unit, time};
+        }
+    }
+    return likeliest;
+}
+
 Eigen::VectorXd Disturbance::step(const Linearisation& model, const Metric& metric, double damping,
                                   const std::vector<bool>& held) const {
     Eigen::MatrixXd both = residualAndJacobian(model);
@@ -367,11 +402,12 @@ private:
 
 }  // namespace
 
-std::vector<std::string> likeliestPlaces(const NullModel& model, const SimulationOptions& simulation,
-                                         const Progress& progress) {
-    std::vector<std::string> places = Disturbance(model, simulation, progress).likeliestPlaces(model.fit.optimum);
-    mostPartsFirst(model.variant, places, [](const std::string& place) -> const std::string& { return place; });
-    return places;
+LikelySource likeliestSource(const NullModel& model, const SimulationOptions& simulation, const Progress& progress) {
+    const Disturbance disturbance(model, simulation, progress);
+    LikelySource source{disturbance.likeliestPlaces(model.fit.optimum), {}};
+    mostPartsFirst(model.variant, source.places, [](const std::string& place) -> const std::string& { return place; });
+    if (!source.places.empty()) source.flow = disturbance.flowAt(model.fit.optimum, source.places.front());
+    return source;
 }
 
 BesideDisturbance besideDisturbance(const NullModel& model, const SimulationOptions& simulation,

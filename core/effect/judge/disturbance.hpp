@@ -41,6 +41,9 @@ public:
     /// The likeliest of all, and behind a flow those at other places that are as likely; no sensor while the other
     /// outputs are left unexplained, too. Empty: no disturbance is.
     std::vector<std::string> likeliestPlaces(const Linearisation& model) const;
+    /// The flow at a place that is likeliest to have left this: its size and time constant by maximum likelihood, where
+    /// the parameters follow to first order. Nothing: no flow is felt there.
+    std::optional<UnmeasuredFlow> flowAt(const Linearisation& model, const std::string& place) const;
 
     /// How the parameters follow in a metric; the normal equations are damped by that part of their diagonal, `held`
     /// parameters stay.
@@ -86,11 +89,14 @@ private:
     Settled settled_;
 };
 
-/// The places whose disturbance is likeliest to have left the residual, where the parameters follow to first order:
-/// connectors, of those that are as likely the one where most parts meet first, or "output y" for an error of that
-/// sensor alone. Empty: none is.
-std::vector<std::string> likeliestPlaces(const NullModel& model, const SimulationOptions& simulation,
-                                         const Progress& progress);
+/// What is likeliest to have left a residual, where the parameters follow to first order.
+struct LikelySource {
+    /// Connectors, of those that are as likely the one where most parts meet first, or "output y" for an error of that
+    /// sensor alone. Empty: none is.
+    std::vector<std::string> places;
+    std::optional<UnmeasuredFlow> flow;  // at the first of them, where it is a connector
+};
+LikelySource likeliestSource(const NullModel& model, const SimulationOptions& simulation, const Progress& progress);
 
 /// A model beside the flow that is likeliest with it.
 struct BesideDisturbance {

@@ -69,10 +69,16 @@ bool SettledFlows::has(std::size_t response) const {
 }
 
 std::optional<SettledFlows::Source> SettledFlows::source(std::size_t response, std::size_t correlation) const {
+    std::optional<Source> source = sourceOf(response, ofNeighbours[correlation]);
+    if (source) source->correlation = correlation;
+    return source;
+}
+
+std::optional<SettledFlows::Source> SettledFlows::sourceOf(std::size_t response, double neighbours) const {
     const Eigen::Index count = pieces_ + 1;
     const std::vector<ResponseBlock>& blocks = responses()[response].blocks;
-    const Eigen::MatrixXd root = correlationRoot(count, ofNeighbours[correlation]);
-    Source source{response, correlation, {}, Eigen::VectorXd(count * static_cast<Eigen::Index>(blocks.size()))};
+    const Eigen::MatrixXd root = correlationRoot(count, neighbours);
+    Source source{response, 0, {}, Eigen::VectorXd(count * static_cast<Eigen::Index>(blocks.size()))};
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         stopPoint();
         Eigen::MatrixXd squares = products_->of(response, response, blocks[b].recording);

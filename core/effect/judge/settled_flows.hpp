@@ -53,6 +53,8 @@ public:
 
     /// Nothing where the flow is not felt.
     std::optional<Source> source(std::size_t response, std::size_t correlation) const;
+    /// The same of any correlation of neighbouring pieces.
+    std::optional<Source> sourceOf(std::size_t response, double neighbours) const;
     /// Settles one flow more, at another place than those before; what is not felt changes nothing.
     void add(const Flow& flow);
 

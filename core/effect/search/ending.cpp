@@ -64,7 +64,8 @@ void tellWhatIsLeft(const SearchContext& search, Ending& end, const Leftovers& l
                    finding.remainders.front().output, finding.remainders.front().experiment));
         finding.remainders.clear();
     }
-    tellPlaces(end.places, finding.remainders);
+    tellPlaces(end.source.places, finding.remainders);
+    if (!finding.remainders.empty()) finding.disturbance = end.source.flow;
 }
 
 void tellProposals(const SearchContext& search, Ending& end, const std::vector<ColouredNoise>& noise) {

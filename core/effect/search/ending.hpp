@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/effect/judge/disturbance.hpp"
 #include "core/effect/search/proposals.hpp"
 #include "core/effect/tell/added_effects.hpp"
 
@@ -20,7 +21,7 @@ struct Ending {
     Conclusion conclusion{};                   // its proposals are offered
     HeldValues held{};                         // values that would explain as much as an effect
     std::vector<HeldInstead> heldWrongly{};    // values that are the better account
-    std::vector<std::string> places{};         // where what is left is likeliest to come from; empty: not asked
+    LikelySource source{};                     // where what is left is likeliest to come from; empty: not asked
     std::optional<NullModel> beforeReading{};  // the same model beside inputs without their noise
 };
 

@@ -268,7 +268,7 @@ void Run::weighHeldValues() {
     }
     end_.finding.nextExperiment = proposeExperiments(search_, node);
     if (end_.conclusion.proposed.empty() && search_.courses.areEmpty() && !isNoise(node.null))
-        end_.places = likeliestPlaces(node.null, search_.fit.simulation, search_.progress);
+        end_.source = likeliestSource(node.null, search_.fit.simulation, search_.progress);
 }
 
 bool Run::isAsGiven() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <random>
 
 #include "tests/core/effect/text_task.hpp"
@@ -37,9 +38,16 @@ equation
 end Board;
 )";
 
+/// A flow of heat that nobody records: root mean square [W] and time constant [s] of a Gaussian process.
+struct Draught {
+    double size{}, time{1};
+};
+
 /// Two heated bodies that exchange heat (conductance `exchange`), the power of each passing an element that follows
-/// with a time constant; integrated in small explicit steps. `noise`: standard deviation of each thermometer.
-inline EstimationTask heatedBoard(double exchange, double element, std::array<double, 2> noise = {0.05, 0.05}) {
+/// with a time constant, the first of them in a draught; integrated in small explicit steps. `noise`: standard
+/// deviation of each thermometer.
+inline EstimationTask heatedBoard(double exchange, double element, std::array<double, 2> noise = {0.05, 0.05},
+                                  Draught draught = {}) {
     constexpr double step = 0.5;
     constexpr int samples = 500, within = 100;
     EstimationTask task = taskOf(boardText, "Board");
@@ -55,7 +63,8 @@ inline EstimationTask heatedBoard(double exchange, double element, std::array<do
     std::mt19937 random(4);
     std::normal_distribution<double> normal;
     const auto powerAt = [](int body, int k) { return (k / (body == 0 ? 90 : 130)) % 2 == 0 ? 6.0 : 1.0; };
-    double T[2] = {300, 300}, Q[2] = {powerAt(0, 0), powerAt(1, 0)};
+    double T[2] = {300, 300}, Q[2] = {powerAt(0, 0), powerAt(1, 0)}, blown = 0;
+    std::mt19937 wind(11);
     for (int k = 0; k < samples; ++k) {
         r.time.push_back(step * k);
         for (const int b : {0, 1}) {
@@ -68,7 +77,8 @@ inline EstimationTask heatedBoard(double exchange, double element, std::array<do
                 const double power = (1 - part) * powerAt(b, k) + part * powerAt(b, k + 1);
                 Q[b] = element > 0 ? Q[b] + dt / element * (power - Q[b]) : power;
             }
-            T[0] += dt / 4 * (Q[0] - 0.1 * (T[0] - 300) - over);
+            blown += -dt / draught.time * blown + draught.size * std::sqrt(2 * dt / draught.time) * normal(wind);
+            T[0] += dt / 4 * (Q[0] - 0.1 * (T[0] - 300) - over + blown);
             T[1] += dt / 4 * (Q[1] - 0.1 * (T[1] - 300) + over);
         }
     }

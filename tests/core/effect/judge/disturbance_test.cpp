@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -138,6 +139,30 @@ TEST_F(OneNode, IsNotTheOnlyPlaceWhereAnotherFeelsTheSame) {
     EXPECT_EQ(placesWith(19 * felt, true), (std::set<std::string>{"body.port", "gear.port"})) << "behind a gear";
     EXPECT_EQ(placesWith(later, true), std::set<std::string>{"body.port"});
     EXPECT_EQ(placesWith(19 * felt, false).size(), 1u) << "a sensor is no other place of a flow";
+}
+
+TEST_F(OneNode, TellsTheSizeAndTheMemoryOfAFlow) {
+    const Disturbance known({channel()}, {{"body.port", true, {{0, 0, responses()}}, 30, "W"}}, pieces);
+    std::vector<double> sizes, times;
+    for (int run = 0; run < 9; ++run) {
+        Linearisation model;
+        model.residuals = 2 * noise() + 5 * through(wandering());  // a size of 5, within 60 samples
+        model.jacobian = Eigen::MatrixXd::Ones(rows, 1);
+        const std::optional<UnmeasuredFlow> flow = known.flowAt(model, "body.port");
+        ASSERT_TRUE(flow);
+        EXPECT_EQ(flow->node, "body.port");
+        EXPECT_EQ(flow->unit, "W");
+        sizes.push_back(flow->size);
+        times.push_back(flow->timeConstant);
+    }
+    const auto median = [](std::vector<double> of) {
+        std::sort(of.begin(), of.end());
+        return of[of.size() / 2];
+    };
+    EXPECT_NEAR(median(sizes), 5, 0.75);
+    EXPECT_GT(median(times), 35);
+    EXPECT_LT(median(times), 100);
+    EXPECT_FALSE(known.flowAt({}, "gear.port")) << "nothing is felt there";
 }
 
 /// A node that two sensors feel, one behind the other.

@@ -60,6 +60,29 @@ TEST(DiscoveryOnABoard, NamesTheMassOfTheHeatedElementsWhereItIsAskedFor) {
     }
 }
 
+TEST(DiscoveryOnABoard, TellsADraughtAsTheFlowThatItIs) {
+    const Outcome<Finding> finding = discover(heatedBoard(0, 0, {0.05, 0.05}, {0.5, 20}));
+    ASSERT_TRUE(finding) << format(finding.diagnostics());
+    EXPECT_TRUE(finding->effects.empty());
+    EXPECT_EQ(finding->kind, FindingKind::Unexplained);
+    ASSERT_TRUE(finding->disturbance);
+    EXPECT_EQ(finding->disturbance->node, "heater1.port");
+    EXPECT_EQ(finding->disturbance->unit, "W");
+    EXPECT_NEAR(finding->disturbance->size, 0.5, 0.2);
+    EXPECT_GT(finding->disturbance->timeConstant, 8);
+    EXPECT_LT(finding->disturbance->timeConstant, 50);
+}
+
+TEST(DiscoveryOnABoard, TellsAnEffectBesideADraught) {
+    const Outcome<Finding> finding = discover(heatedBoard(0.08, 0, {0.05, 0.05}, {0.3, 20}));
+    ASSERT_TRUE(finding) << format(finding.diagnostics());
+    ASSERT_EQ(finding->effects.size(), 1u);
+    EXPECT_EQ(finding->effects.front().kind, "thermal.bridge");
+    EXPECT_EQ(finding->kind, FindingKind::Partial);
+    ASSERT_TRUE(finding->disturbance);
+    EXPECT_EQ(finding->disturbance->node, "heater1.port");
+}
+
 /// A lag of the command is the same where the power is proportional to it: one name stands for both.
 TEST(DiscoveryOnABoard, TakesTheLagOfACommandForTheMassBehindIt) {
     const Outcome<Finding> finding = discover(heatedBoard(0, 6));
