@@ -187,7 +187,7 @@ Outcome<FmuModel> fmuModel(const Study& given) {
     std::vector<std::string> started;  // by the experiment, at values of its own
     if (experiment)
         for (const RecordingStart& start : experiment->starts) started.push_back(start.parameter);
-    if (flattened) flattened = withStarts(std::move(*flattened), started);
+    if (flattened) flattened = withStarts(std::move(*flattened), started, StartTold::Always);
     if (!flattened) return flattened.diagnostics();
     const auto flat = std::make_shared<const FlatModel>(std::move(*flattened));
     const Outcome<Structure> structure = analyse(flat, {.keep = tunable(*flat, *study, started)});

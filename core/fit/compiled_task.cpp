@@ -76,7 +76,10 @@ Outcome<CompiledTask> compiled(const EstimationTask& task, const std::vector<std
     if (!flat) return flat.diagnostics();
     const auto model = std::make_shared<const FlatModel>(std::move(*flat));
     if (Diagnostics faults = checkNames(*model, keep); hasError(faults)) return faults;
-    Outcome<Structure> structure = analyse(model, {keep});
+    std::vector<std::string> symbolic = keep;
+    for (const std::string& name : keep)
+        if (model->find(toldOf(name)).valid()) symbolic.push_back(toldOf(name));
+    Outcome<Structure> structure = analyse(model, {symbolic});
     if (!structure) return structure.diagnostics();
     Outcome<SystemPtr> system = System::build(*structure);
     if (!system) return system.diagnostics();

@@ -9,6 +9,7 @@
 #include "core/base/range.hpp"
 #include "core/fit/clock.hpp"
 #include "core/fit/compiled_task.hpp"
+#include "core/flat/parameter_change.hpp"
 
 namespace analogon {
 
@@ -186,7 +187,14 @@ private:
         }
     }
 
+    /// What is told to begin somewhere does so, whatever an initial equation of the model says.
+    void tellStart(const std::string& parameter, FitExperiment& experiment) const {
+        const int told = prepared_.system->parameterIndex(toldOf(parameter));
+        if (told >= 0) experiment.parameters[static_cast<std::size_t>(told)] = 1;
+    }
+
     void addStarts(const Recording& recording, FitExperiment& experiment) {
+        for (const FitParameter& parameter : task_.parameters) tellStart(parameter.name, experiment);
         const System& system = *prepared_.system;
         const int number = static_cast<int>(prepared_.problem.experiments.size());
         for (const RecordingStart& start : recording.starts) {
@@ -201,6 +209,7 @@ private:
                 fault(recording, phrase("the start value of {} is not a number", start.parameter));
             } else {
                 experiment.parameters[static_cast<std::size_t>(index)] = start.value;
+                tellStart(start.parameter, experiment);
                 if (!start.isFitted) continue;
                 FitParameter parameter;
                 parameter.name = start.parameter;

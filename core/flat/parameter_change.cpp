@@ -90,6 +90,7 @@ std::set<std::uint32_t> decidedAtStart(const FlatModel& model) {
 }
 
 std::string startOf(const std::string& variable) { return variable + ".start"; }
+std::string toldOf(const std::string& start) { return start + ".told"; }
 std::string stepOf(const std::string& parameter) { return parameter + ".step"; }
 std::string momentOf(const std::string& parameter) { return parameter + ".moment"; }
 std::string slopeOf(const std::string& parameter) { return parameter + ".slope"; }
@@ -130,21 +131,56 @@ VariableId startedBy(const FlatModel& model, const std::string& start) {
     return isFree ? id : VariableId{};
 }
 
-Outcome<FlatModel> withStart(FlatModel model, const std::string& start) {
+namespace {
+
+/// The initial equation that decides where a variable begins: the one that has it alone on a side, else the first that
+/// names it. Null: none does.
+FlatEquation* decidingEquation(FlatModel& model, VariableId started) {
+    const auto isAlone = [&](ExpressionId side) {
+        const ExpressionNode& node = (*model.pool)[side];
+        return node.operation == Operation::Variable && node.variable == started;
+    };
+    FlatEquation* first = nullptr;
+    for (FlatEquation& e : model.initialEquations) {
+        if (isAlone(e.left) || isAlone(e.right)) return &e;
+        for (const ExpressionId leaf : model.pool->leaves(std::vector{e.left, e.right}))
+            if ((*model.pool)[leaf].variable == started && first == nullptr) first = &e;
+    }
+    return first;
+}
+
+/// left = right gives way to x = start where `told` is 1: (1 - told)*(left - right) + told*(x - start) = 0.
+void giveWay(ExpressionPool& pool, FlatEquation& equation, ExpressionId told, ExpressionId beyondStart) {
+    const ExpressionId own = pool.subtract(equation.left, equation.right);
+    equation.left =
+        pool.add(pool.multiply(pool.subtract(pool.constant(1), told), own), pool.multiply(told, beyondStart));
+    equation.right = pool.constant(0);
+}
+
+}  // namespace
+
+Outcome<FlatModel> withStart(FlatModel model, const std::string& start, StartTold told) {
     const VariableId started = startedBy(model, start);
     if (!started.valid()) return error(phrase("{} has no variable that begins at {}", model.name, start));
     const VariableId parameter = addParameter(model, start, model.unitOf(model[started]));
+    ExpressionPool& pool = *model.pool;
+    FlatEquation* const equation = model[started].isFixed ? nullptr : decidingEquation(model, started);
+    if (equation != nullptr) {
+        const VariableId flag = addParameter(model, toldOf(start), "1");
+        if (told == StartTold::Always) model.variables[flag.value].binding = pool.constant(1);
+        giveWay(pool, *equation, pool.variable(flag), pool.subtract(pool.variable(started), pool.variable(parameter)));
+    }
     FlatVariable& variable = model.variables[started.value];
     if (variable.start.valid()) model.variables[parameter.value].binding = variable.start;
-    variable.start = model.pool->variable(parameter);
-    variable.isFixed = true;
+    variable.start = pool.variable(parameter);
+    variable.isFixed = equation == nullptr;
     return model;
 }
 
-Outcome<FlatModel> withStarts(FlatModel model, const std::vector<std::string>& names) {
+Outcome<FlatModel> withStarts(FlatModel model, const std::vector<std::string>& names, StartTold told) {
     Outcome<FlatModel> started = std::move(model);
     for (const std::string& name : names)
-        if (started && startedBy(*started, name).valid()) started = withStart(std::move(*started), name);
+        if (started && startedBy(*started, name).valid()) started = withStart(std::move(*started), name, told);
     return started;
 }
 

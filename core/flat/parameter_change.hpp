@@ -22,12 +22,17 @@ Outcome<FlatModel> withDependence(FlatModel model, const std::string& parameter,
 /// top-level input, instead. Fault: no such equation, or a variable of the input's name.
 Outcome<FlatModel> withImposed(FlatModel model, const std::string& variable, const std::string& input);
 
+/// Whether what an initial equation decides begins where its start value says instead.
+enum class StartTold { WhereSet, Always };
+
 /// Lets a variable begin where a new parameter says, "rotor.w.start" for "rotor.w" (its own start value until it is
-/// set), as start and fixed of Modelica do. Fault: there is no such variable, or it is an input.
-Outcome<FlatModel> withStart(FlatModel model, const std::string& start);
+/// set), as start and fixed of Modelica do. An initial equation that decides it gives way where a further parameter
+/// (`toldOf`) is 1; by default it is 0, or 1 with `Always`. Fault: there is no such variable, or it is an input.
+Outcome<FlatModel> withStart(FlatModel model, const std::string& start, StartTold told = StartTold::WhereSet);
 
 /// The same for all of these names that stand for such a start value.
-Outcome<FlatModel> withStarts(FlatModel model, const std::vector<std::string>& names);
+Outcome<FlatModel> withStarts(FlatModel model, const std::vector<std::string>& names,
+                              StartTold told = StartTold::WhereSet);
 
 /// The variable whose start value that name stands for, "rotor.w.start" for "rotor.w"; invalid: it stands for none.
 VariableId startedBy(const FlatModel& model, const std::string& start);
@@ -36,6 +41,7 @@ VariableId startedBy(const FlatModel& model, const std::string& start);
 std::set<std::uint32_t> decidedAtStart(const FlatModel& model);
 
 std::string startOf(const std::string& variable);
+std::string toldOf(const std::string& start);
 std::string slopeOf(const std::string& parameter);
 std::string stepOf(const std::string& parameter);
 std::string momentOf(const std::string& parameter);

@@ -440,10 +440,6 @@ private:
         if (started.valid() && std::any_of(recording.starts.begin(), recording.starts.end(), isItsStart))
             fault(place, phrase("where '{}' begins is told twice", model_[started].name),
                   phrase("Keep one of the two entries."));
-        else if (started.valid() && decidedAtStart(model_).contains(started.value))
-            fault(place,
-                  phrase("where '{}' begins is decided by an initial equation of the model", model_[started].name),
-                  phrase("Set the parameter that stands in that equation."));
         else if (std::any_of(task_.parameters.begin(), task_.parameters.end(),
                              [&](const FitParameter& p) { return p.name == parameter; }))
             fault(place,

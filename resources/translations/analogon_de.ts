@@ -6825,14 +6825,6 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Die Einheit schreiben, in der die Zahlen der Spalte stehen.</translation>
     </message>
     <message>
-        <source>where '{}' begins is decided by an initial equation of the model</source>
-        <translation>wo „{}“ beginnt, entscheidet eine Anfangsgleichung des Modells</translation>
-    </message>
-    <message>
-        <source>Set the parameter that stands in that equation.</source>
-        <translation>Den Parameter setzen, der in dieser Gleichung steht.</translation>
-    </message>
-    <message>
         <source>where '{}' begins is told twice</source>
         <translation>wo „{}“ beginnt, ist zweimal angegeben</translation>
     </message>

@@ -133,16 +133,24 @@ TEST_F(StudyTask, RefusesAStartThatIsToldTwice) {
     EXPECT_THAT(format(refused.diagnostics()), HasSubstr("where 'T' begins is told twice"));
 }
 
-TEST_F(StudyTask, RefusesAStartThatAnInitialEquationDecides) {
+TEST_F(StudyTask, TakesAStartInPlaceOfWhatAnInitialEquationDecides) {
     putHeater();
     put("model.mo",
         "model Heater input Real u; input Real T_amb; output Real i; parameter Real R = 3; parameter Real C "
         "= 1; Real T; equation i = u/R; C*der(T) = T_amb - T; initial equation T = 280; end Heater;");
     const std::string outputs = "\"outputs\": {\"i\": \"current\"}";
     change(outputs, outputs + ", \"initial\": {\"T\": 290}");
-    const Outcome<EstimationTask> refused = estimationTask(read());
-    ASSERT_FALSE(refused);
-    EXPECT_THAT(format(refused.diagnostics()), HasSubstr("where 'T' begins is decided by an initial equation"));
+    const Outcome<EstimationTask> task = estimationTask(read());
+    ASSERT_TRUE(task) << format(task.diagnostics());
+    const Outcome<PreparedTask> prepared = prepare(*task);
+    ASSERT_TRUE(prepared) << format(prepared.diagnostics());
+    const auto value = [&](const char* name) {
+        const int index = prepared->system->parameterIndex(name);
+        return index < 0 ? std::nan("")
+                         : prepared->problem.experiments.front().parameters[static_cast<std::size_t>(index)];
+    };
+    EXPECT_EQ(value("T.start"), 290);
+    EXPECT_EQ(value("T.start.told"), 1);
 }
 
 TEST_F(StudyTask, TakesPriors) {
