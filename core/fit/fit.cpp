@@ -11,10 +11,13 @@
 
 #include "core/base/guard.hpp"
 #include "core/base/limits.hpp"
+#include "core/base/number_text.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/stop.hpp"
 #include "core/base/stopwatch.hpp"
+#include "core/base/unit.hpp"
 #include "core/fit/difference_slopes.hpp"
+#include "core/fit/known_product.hpp"
 #include "core/fit/misfit.hpp"
 #include "core/fit/partial_records.hpp"
 #include "core/fit/rounding.hpp"
@@ -360,6 +363,17 @@ Unmoved unmovedChannels(const FitProblem& problem, const Linearisation& optimum)
     return unmoved;
 }
 
+/// What is known of parameters that cannot be told apart.
+void addKnownProducts(const FitProblem& problem, const std::vector<std::string>& names, const Eigen::VectorXd& values,
+                      Uncertainty& uncertainty) {
+    std::vector<FittedValue> parameters;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        parameters.push_back({names[i], values[static_cast<Eigen::Index>(i)], problem.parameters[i].unit});
+    for (const KnownProduct& p : knownProducts(parameters, uncertainty.unseen, uncertainty.seen))
+        uncertainty.remarks.push_back(phrase("of these only {} is known: {}", p.name,
+                                             valueText(p.value, p.standardError) + behindNumber(p.unit)));
+}
+
 /// Residuals, Jacobian and confidence at the best point found.
 void conclude(const FitProblem& problem, const FitOptions& options, Descent& best, FitResult& result,
               const Progress& progress) {
@@ -409,6 +423,7 @@ void conclude(const FitProblem& problem, const FitOptions& options, Descent& bes
         const ReducedMisfit reduced =
             isReduced ? best.reduced : withPriors(reduce(result.optimum.jacobian, result.optimum.residuals), priors);
         uncertainty = uncertaintyOf(beyondRounding(problem, result.values, reduced.jacobian), variance, names);
+        addKnownProducts(problem, names, result.values, uncertainty);
         result.variance = variance;
     }
     Eigen::VectorXd robustErrors = Eigen::VectorXd::Constant(K, nan);

@@ -41,6 +41,7 @@ Uncertainty uncertaintyOf(const Eigen::MatrixXd& jacobian, double variance, cons
     result.standardErrors = Eigen::VectorXd::Constant(K, nan);
     result.covariance = Eigen::MatrixXd::Constant(K, K, nan);
     result.correlation = Eigen::MatrixXd::Constant(K, K, nan);
+    result.seen = Eigen::MatrixXd::Zero(K, K);
 
     std::vector<Eigen::Index> seen;  // parameters that change anything at all
     const Eigen::VectorXd lengths = jacobian.colwise().norm();
@@ -69,6 +70,8 @@ Uncertainty uncertaintyOf(const Eigen::MatrixXd& jacobian, double variance, cons
     const Eigen::MatrixXd inverse =
         determined * sigma.head(rank).cwiseAbs2().cwiseInverse().asDiagonal() * determined.transpose();
     const Eigen::MatrixXd null = svd.matrixV().rightCols(count - rank);
+    const Eigen::VectorXd own = lengths(seen).cwiseInverse();
+    result.seen(seen, seen) = variance * own.asDiagonal() * inverse * own.asDiagonal();
     for (Eigen::Index a = 0; a < count; ++a) {
         if (null.cols() > 0 && null.row(a).norm() > 1e-3) continue;
         for (Eigen::Index b = 0; b < count; ++b) {
@@ -85,11 +88,15 @@ Uncertainty uncertaintyOf(const Eigen::MatrixXd& jacobian, double variance, cons
         const Eigen::MatrixXd basis = sparseBasis(null.transpose());
         for (Eigen::Index r = 0; r < basis.rows(); ++r) {
             std::vector<std::string> involved;
+            Eigen::VectorXd change = Eigen::VectorXd::Zero(K);
             for (Eigen::Index a = 0; a < count; ++a) {
                 if (std::abs(basis(r, a)) > 0.02 * basis.row(r).cwiseAbs().maxCoeff()) {
-                    involved.push_back(names[static_cast<std::size_t>(seen[static_cast<std::size_t>(a)])]);
+                    const Eigen::Index i = seen[static_cast<std::size_t>(a)];
+                    involved.push_back(names[static_cast<std::size_t>(i)]);
+                    change[i] = basis(r, a) / lengths[i];
                 }
             }
+            if (involved.size() > 1) result.unseen.push_back(std::move(change));
             result.remarks.push_back(involved.size() > 1
                                          ? phrase("{} cannot be told apart from these data: fix one", listed(involved))
                                          : phrase("{} is not determined by these data: fix it", listed(involved)));

@@ -13,6 +13,8 @@ struct Uncertainty {
     Eigen::VectorXd standardErrors;  // NaN: not determined
     Eigen::MatrixXd covariance;      // NaN rows and columns where not determined
     Eigen::MatrixXd correlation;
+    Eigen::MatrixXd seen;                 // the covariance on the directions that the data determine, without gaps
+    std::vector<Eigen::VectorXd> unseen;  // changes of several parameters that the data do not see, in own units
     std::vector<Text> remarks;
 };
 

@@ -5317,6 +5317,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>{} lassen sich mit diesen Daten nicht unterscheiden: einen festhalten</translation>
     </message>
     <message>
+        <source>of these only {} is known: {}</source>
+        <translation>davon ist nur {} bekannt: {}</translation>
+    </message>
+    <message>
         <source>{} is not determined by these data: fix it</source>
         <translation>{} ist durch diese Daten nicht bestimmt: den Wert festhalten</translation>
     </message>
