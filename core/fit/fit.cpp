@@ -372,6 +372,9 @@ void addKnownProducts(const FitProblem& problem, const std::vector<std::string>&
     for (const KnownProduct& p : knownProducts(parameters, uncertainty.unseen, uncertainty.seen))
         uncertainty.remarks.push_back(phrase("of these only {} is known: {}", p.name,
                                              valueText(p.value, p.standardError) + behindNumber(p.unit)));
+    for (const KnownProduct& p : knownOfPairs(parameters, uncertainty.covariance))
+        uncertainty.remarks.push_back(phrase("{} is known far better than either: {}", p.name,
+                                             valueText(p.value, p.standardError) + behindNumber(p.unit)));
 }
 
 /// Residuals, Jacobian and confidence at the best point found.

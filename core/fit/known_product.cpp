@@ -134,4 +134,53 @@ std::vector<KnownProduct> knownProducts(const std::vector<FittedValue>& paramete
     return known;
 }
 
+namespace {
+
+/// value = f(a, b) with the slopes of f.
+KnownProduct combined(std::string name, double value, const Eigen::Vector2d& slope, const Eigen::Matrix2d& covariance,
+                      std::string unit) {
+    return {std::move(name), value, std::sqrt(std::max(0.0, slope.dot(covariance * slope))), std::move(unit)};
+}
+
+double relativeError(const KnownProduct& p) { return p.standardError / std::abs(p.value); }
+
+std::vector<KnownProduct> combinationsOf(const FittedValue& a, const FittedValue& b,
+                                         const Eigen::Matrix2d& covariance) {
+    std::vector<KnownProduct> all;
+    const double x = a.value, y = b.value;
+    if (a.unit == b.unit) {
+        all.push_back(combined(a.name + " + " + b.name, x + y, {1, 1}, covariance, a.unit));
+        all.push_back(combined(a.name + " - " + b.name, x - y, {1, -1}, covariance, a.unit));
+    }
+    if (x > 0 && y > 0) {
+        all.push_back(combined(a.name + "*" + b.name, x * y, {y, x}, covariance, unitOf(a.unit, b.unit, {1, 1})));
+        all.push_back(
+            combined(a.name + "/" + b.name, x / y, {1 / y, -x / (y * y)}, covariance, unitOf(a.unit, b.unit, {1, -1})));
+    }
+    return all;
+}
+
+}  // namespace
+
+std::vector<KnownProduct> knownOfPairs(const std::vector<FittedValue>& parameters, const Eigen::MatrixXd& covariance) {
+    constexpr double uncertain = 0.1, farBetter = 0.1;
+    std::vector<KnownProduct> known;
+    for (Eigen::Index i = 0; i < covariance.rows(); ++i)
+        for (Eigen::Index j = i + 1; j < covariance.rows(); ++j) {
+            const FittedValue &a = parameters[static_cast<std::size_t>(i)],
+                              &b = parameters[static_cast<std::size_t>(j)];
+            const Eigen::Matrix2d both{{covariance(i, i), covariance(i, j)}, {covariance(j, i), covariance(j, j)}};
+            if (!both.allFinite() || a.value == 0 || b.value == 0) continue;
+            const double least =
+                std::min(std::sqrt(both(0, 0)) / std::abs(a.value), std::sqrt(both(1, 1)) / std::abs(b.value));
+            if (!(least > uncertain)) continue;
+            const std::vector<KnownProduct> all = combinationsOf(a, b, both);
+            const auto best = std::min_element(
+                all.begin(), all.end(),
+                [](const KnownProduct& p, const KnownProduct& q) { return relativeError(p) < relativeError(q); });
+            if (best != all.end() && relativeError(*best) < farBetter * least) known.push_back(*best);
+        }
+    return known;
+}
+
 }  // namespace analogon

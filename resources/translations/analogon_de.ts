@@ -5321,6 +5321,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>davon ist nur {} bekannt: {}</translation>
     </message>
     <message>
+        <source>{} is known far better than either: {}</source>
+        <translation>{} ist weit besser bekannt als jedes für sich: {}</translation>
+    </message>
+    <message>
         <source>{} is not determined by these data: fix it</source>
         <translation>{} ist durch diese Daten nicht bestimmt: den Wert festhalten</translation>
     </message>

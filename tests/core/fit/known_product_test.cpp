@@ -58,5 +58,23 @@ TEST(KnownProducts, AreNoneOfASumOrWhereAValueMayBeAnything) {
     EXPECT_TRUE(knownOf(offsets, Eigen::MatrixXd{{1, -1}}, Eigen::VectorXd{{0.01}}).empty());
 }
 
+TEST(KnownOfPairs, IsTheSumOfTwoLagsThatStandInForEachOther) {
+    const std::vector<FittedValue> lags{{"first.T", 0.2, "s"}, {"second.T", 0.31, "s"}};
+    // the sum to 0.002 s, the difference to 0.2 s
+    const double sum = 4e-6, difference = 0.04, same = (sum + difference) / 4, other = (sum - difference) / 4;
+    const std::vector<KnownProduct> known = knownOfPairs(lags, Eigen::MatrixXd{{same, other}, {other, same}});
+    ASSERT_EQ(known.size(), 1u);
+    EXPECT_EQ(known[0].name, "first.T + second.T");
+    EXPECT_NEAR(known[0].value, 0.51, 1e-12);
+    EXPECT_NEAR(known[0].standardError, 0.002, 1e-9);
+    EXPECT_EQ(known[0].unit, "s");
+}
+
+TEST(KnownOfPairs, IsNothingOfWhatIsKnownByItself) {
+    const std::vector<FittedValue> two{{"R", 3, "Ohm"}, {"k", 0.05, "V.s"}};
+    EXPECT_TRUE(knownOfPairs(two, Eigen::MatrixXd{{1e-4, 0}, {0, 1e-8}}).empty());
+    EXPECT_TRUE(knownOfPairs(two, Eigen::MatrixXd{{1.0, 0}, {0, 1e-3}}).empty()) << "uncertain, but not together";
+}
+
 }  // namespace
 }  // namespace analogon
