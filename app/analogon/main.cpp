@@ -1,5 +1,6 @@
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QIcon>
 #include <QLocale>
 #include <QProcess>
 #include <QSettings>
@@ -33,6 +34,8 @@ int main(int argc, char** argv) {
     QCoreApplication::setOrganizationName("Analogon");
     QCoreApplication::setApplicationName("Analogon");
     QCoreApplication::setApplicationVersion(ANALOGON_VERSION);
+    QGuiApplication::setDesktopFileName("org.analogon.Analogon");
+    QGuiApplication::setWindowIcon(QIcon(":/icons/analogon.svg"));
 
     QCommandLineParser parser;
     parser.setApplicationDescription("Physical models of automotive components from test-bench measurements");

@@ -517,8 +517,9 @@ private:
             out_ += fmt::format(
                 "<tr>{}<td class=\"name\">{}</td><td class=\"name\">{}</td>{}{}{}<td>{} <span "
                 "class=\"soft\">{}</span></td></tr>\n",
-                number(fmt::format("{}", candidate->round)), unbroken(candidate->kind), unbroken(candidate->at),
-                number(html(numberText(candidate->score, 3))), number(html(numberText(candidate->strength, 3))),
+                number(fmt::format("{}", candidate->round)), unbroken(candidate->kind),
+                unbroken(placeWords(candidate->at, candidate->channel)), number(html(numberText(candidate->score, 3))),
+                number(html(numberText(candidate->strength, 3))),
                 number(candidate->deltaBic ? html(numberText(*candidate->deltaBic, 4)) : ""),
                 chip(name(candidate->verdict), tone), escapeHtml(verdictWords(*candidate).english()));
         }

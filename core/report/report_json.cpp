@@ -119,6 +119,7 @@ Json effectJson(const AddedEffect& effect) {
                 {"error_percent_after", number(evidence.errorPercentAfter)}}},
               {"alternatives", alternatives},
               {"values_instead", std::vector<std::string>(effect.valuesInstead.begin(), effect.valuesInstead.end())}};
+    if (!effect.channel.empty()) json["channel"] = effect.channel;
     if (effect.prediction)
         json["prediction"] = {{"error_percent_before", number(effect.prediction->errorPercentBefore)},
                               {"error_percent_after", number(effect.prediction->errorPercentAfter)},
@@ -138,6 +139,7 @@ Json candidateJson(const CandidateResult& candidate) {
     if (candidate.verdict != Verdict::Chosen) json["reason"] = verdictWords(candidate).english();
     if (candidate.verdict == Verdict::Failed) json["failure"] = candidate.failure;
     if (candidate.deltaBic) json["delta_bic"] = number(*candidate.deltaBic);
+    if (!candidate.channel.empty()) json["channel"] = candidate.channel;
     if (candidate.verdict == Verdict::Absorbed) json["absorbed_by"] = candidate.absorbedBy;
     return json;
 }

@@ -86,7 +86,12 @@ double errorPercent(const ModelState& state, Role role) {
 std::string effectWords(const AddedEffect& effect) {
     std::string what = lowerFirst(effect.description);
     if (effect.confidence == Confidence::Indicated) what += what.empty() ? "indicated" : ", indicated";
-    return fmt::format("{} at {}{}", effect.kind, effect.at, what.empty() ? "" : " (" + what + ")");
+    return fmt::format("{} at {}{}", effect.kind, placeWords(effect.at, effect.channel),
+                       what.empty() ? "" : " (" + what + ")");
+}
+
+std::string placeWords(const std::string& at, const std::string& channel) {
+    return channel.empty() ? at : fmt::format("{} by channel {}", at, channel);
 }
 
 Text confidenceWords(const AddedEffect& effect) {

@@ -20,6 +20,9 @@ std::string summaryWords(const Finding& finding, const std::string& command);
 /// "friction.coulomb at rotor.flange_a (dry friction)"
 std::string effectWords(const AddedEffect& effect);
 
+/// Where an effect is, and the recorded channel that drives it: "element by channel gas_flow".
+std::string placeWords(const std::string& at, const std::string& channel);
+
 /// How sure an effect is, and what that rests on.
 Text confidenceWords(const AddedEffect& effect);
 

@@ -262,6 +262,7 @@ void members(Of& of, CandidateResult& c) {
     of.member("round", c.round);
     of.member("failure", c.failure);
     of.member("reason", c.reason);
+    of.member("channel", c.channel);
 }
 
 template <class Of>

@@ -4266,6 +4266,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>Unerklärte Struktur</translation>
     </message>
     <message>
+        <source>%1 by channel %2</source>
+        <translation>%1 durch Kanal %2</translation>
+    </message>
+    <message>
         <source>output %1</source>
         <translation>Ausgang %1</translation>
     </message>

@@ -33,7 +33,8 @@ QString shortDescription(const QString& description) {
     return whole.section(description.contains(',') ? detail : clause, 0, 0).trimmed();
 }
 
-QString placeText(const QString& at) {
+QString placeText(const QString& at, const QString& channel) {
+    if (!channel.isEmpty()) return ResultPanel::tr("%1 by channel %2").arg(placeText(at), channel);
     if (at.startsWith("output ")) return ResultPanel::tr("output %1").arg(placeOf(at));
     if (at.startsWith("input ")) return ResultPanel::tr("input %1").arg(placeOf(at));
     return at;
@@ -66,7 +67,7 @@ QString effectName(const AddedEffect& effect) {
 }
 
 QString effectTitle(const AddedEffect& effect) {
-    return ResultPanel::tr("%1 at %2").arg(effectName(effect), placeText(text(effect.at)));
+    return ResultPanel::tr("%1 at %2").arg(effectName(effect), placeText(text(effect.at), text(effect.channel)));
 }
 
 FindingWords findingWords(const Finding& finding, RunKind kind) {

@@ -19,8 +19,8 @@ QString shortDescription(const QString& description);
 /// "Dry friction": the effect without its place.
 QString effectName(const AddedEffect& effect);
 
-/// "output T" in the language of the screen.
-QString placeText(const QString& at);
+/// "output T" in the language of the screen, with the recorded channel that drives an effect there.
+QString placeText(const QString& at, const QString& channel = {});
 QString verdictText(Verdict verdict);
 
 /// "T" of "output T": what the diagram knows a place by.

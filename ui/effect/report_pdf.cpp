@@ -108,15 +108,14 @@ QString reportBody(const QString& title, RunKind kind, const Finding& finding, s
         for (const QString& sentence : {words.where, words.movesWith, words.proposal, words.proposalFacts})
             if (!sentence.isEmpty()) html += "<p>" + sentence.toHtmlEscaped() + "</p>";
     }
-    if (finding.disturbance)
-        html += "<p>" + inWords(disturbanceWords(*finding.disturbance)).toHtmlEscaped() + ".</p>";
+    if (finding.disturbance) html += "<p>" + inWords(disturbanceWords(*finding.disturbance)).toHtmlEscaped() + ".</p>";
     if (!finding.nextExperiment.empty())
         html += "<h2>" + tr("Next experiment") + "</h2><p>" + inWords(finding.nextExperiment).toHtmlEscaped() + "</p>";
     if (!finding.candidates.empty()) {
         html += "<h2>" + tr("What was tried") + "</h2>";
         HtmlTable tried({tr("Effect"), tr("At"), tr("Screening"), tr("ΔBIC"), tr("Verdict")});
         for (const CandidateResult& c : finding.candidates)
-            tried.add({text(c.kind), placeText(text(c.at)), number(c.score, 3),
+            tried.add({text(c.kind), placeText(text(c.at), text(c.channel)), number(c.score, 3),
                        c.deltaBic ? number(*c.deltaBic, 3) : QString(), verdictCell(c)});
         html += tried.html();
     }

@@ -364,8 +364,9 @@ void ResultPanel::addCandidates(const Finding& finding) {
         const LibraryClass* cls = document_.library().find(c.className);
         const QString what = cls ? shortDescription(text(cls->definition->description)) : QString();
         auto* item = new QTreeWidgetItem(
-            candidates_, {what.isEmpty() ? text(c.kind) : what, placeText(text(c.at)), evidenceText(c.score),
-                          c.deltaBic ? evidenceText(*c.deltaBic) : QString(), verdictText(c.verdict)});
+            candidates_,
+            {what.isEmpty() ? text(c.kind) : what, placeText(text(c.at), text(c.channel)), evidenceText(c.score),
+             c.deltaBic ? evidenceText(*c.deltaBic) : QString(), verdictText(c.verdict)});
         item->setData(0, Qt::UserRole, text(c.kind));
         item->setData(1, Qt::UserRole, placeOf(text(c.at)));
         item->setData(2, Qt::UserRole, text(c.className));

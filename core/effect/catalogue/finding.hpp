@@ -120,8 +120,9 @@ struct CandidateResult {
     Verdict verdict{Verdict::NotSignificant};
     std::vector<std::string> absorbedBy;  // parameters
     int round{};
-    Text failure{};  // why it could not be tried
-    Text reason{};   // why it is not in the model; empty: it is, or the run is of before reasons were kept
+    Text failure{};         // why it could not be tried
+    Text reason{};          // why it is not in the model; empty: it is, or the run is of before reasons were kept
+    std::string channel{};  // recorded, not used by the model, that would drive it; empty: it needs none
 };
 
 struct Correlate {

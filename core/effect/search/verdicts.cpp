@@ -23,6 +23,7 @@ void note(const SearchContext& search, Node& node, const Screened& s, Verdict ve
     CandidateResult c;
     c.kind = s.candidate.effect.kind;
     c.at = s.candidate.place.at;
+    c.channel = s.candidate.place.spare;
     c.className = s.candidate.effect.className;
     c.score = s.score();
     c.strength = s.probes.empty() ? 0 : s.probes.front().strength();

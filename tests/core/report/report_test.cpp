@@ -387,3 +387,27 @@ TEST(Reports, SayOfEachCandidateThatWasNotTakenWhy) {
     EXPECT_NE(html.find("explains less than thermal.radiation at &lt;element.solid&gt;"), std::string::npos);
     EXPECT_EQ(html.find("explains part of it"), std::string::npos) << "the decision that was made, not what is usual";
 }
+
+TEST(Reports, NamesTheChannelThatDrivesACandidate) {
+    Finding finding = sampleFinding();
+    finding.candidates[0].channel = "gas_flow";
+    const nlohmann::json json = nlohmann::json::parse(reportJson(finding, discoverContext));
+    EXPECT_EQ(json["candidates"][0]["channel"], "gas_flow");
+    EXPECT_FALSE(json["candidates"][1].contains("channel"));
+    EXPECT_NE(reportHtml(finding, discoverContext).find("by channel gas_flow"), std::string::npos);
+}
+
+TEST(Reports, TellsTheFlowThatNobodyMeasured) {
+    Finding finding = sampleFinding();
+    EXPECT_FALSE(nlohmann::json::parse(reportJson(finding, discoverContext)).contains("disturbance"));
+    finding.remainders.resize(1);
+    finding.disturbance = UnmeasuredFlow{"block.port", 0.8, "W", 150};
+    const nlohmann::json json = nlohmann::json::parse(reportJson(finding, discoverContext))["disturbance"];
+    EXPECT_EQ(json["node"], "block.port");
+    EXPECT_EQ(json["size"], 0.8);
+    EXPECT_EQ(json["unit"], "W");
+    EXPECT_EQ(json["time_constant"], 150);
+    for (const std::string& text : {reportHtml(finding, discoverContext), summaryText(finding)})
+        EXPECT_NE(text.find("a flow of 0.8 W (root mean square) at block.port that nobody measured"),
+                  std::string::npos);
+}
