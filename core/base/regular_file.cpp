@@ -40,7 +40,8 @@ Outcome<std::string> readRegularFile(const fs::path& file, std::uint64_t largest
         return fileError(phrase("the file has more than {} MB", largest >> 20), file.string());
     };
     if (static_cast<std::uint64_t>(status.st_size) > largest) return tooLarge();
-    std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
+    // one more than there should be: its end is seen without making room for more
+    std::string bytes(static_cast<std::size_t>(status.st_size) + 1, '\0');
     std::size_t count = 0;
     for (;;) {
         if (count == bytes.size()) {  // at its end, unless it grows

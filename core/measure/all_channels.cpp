@@ -64,4 +64,27 @@ Table namesOfAll(const Table& file) {
     return names;
 }
 
+Table onlyChannels(const Table& file, const std::set<std::string>& names) {
+    std::vector<Table> kept;
+    for (const Table* const group : tablesOf(file)) {
+        Table table;
+        table.file = group->file;
+        table.lines = group->lines;
+        table.source = group->source;
+        bool isAny = false;
+        for (std::size_t i = 0; i < group->columns.size(); ++i) {
+            const bool isTime = group->time == i, isNamed = names.contains(group->columns[i].name);
+            if (isTime) table.time = table.columns.size();
+            if (isTime || isNamed) table.columns.push_back(group->columns[i]);
+            isAny = isAny || (isNamed && !isTime);
+        }
+        if (isAny) kept.push_back(std::move(table));
+    }
+    if (kept.empty()) return {};
+    Table first = std::move(kept.front());
+    for (std::size_t i = 1; i < kept.size(); ++i)
+        first.others.push_back(std::make_shared<const Table>(std::move(kept[i])));
+    return first;
+}
+
 }  // namespace analogon

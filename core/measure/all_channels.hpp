@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <set>
+#include <string>
 
 #include "core/base/outcome.hpp"
 #include "core/measure/table.hpp"
@@ -14,5 +16,8 @@ Outcome<std::shared_ptr<const Table>> allOnOneRaster(const std::shared_ptr<const
 
 /// The names and units of those channels alone, without values; not of the stamps.
 Table namesOfAll(const Table& file);
+
+/// The channels of these names with the stamps of their groups; groups of which none is named are left out.
+Table onlyChannels(const Table& file, const std::set<std::string>& names);
 
 }  // namespace analogon

@@ -76,6 +76,81 @@
     </message>
 </context>
 <context>
+    <name>ComparePage</name>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Bezug</translation>
+    </message>
+    <message>
+        <source>The recording whose stamps are taken for right</source>
+        <translation>Die Messung, deren Zeitstempel als richtig gelten</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>Shift in s</source>
+        <translation>Verschiebung in s</translation>
+    </message>
+    <message>
+        <source>How sure</source>
+        <translation>Wie sicher</translation>
+    </message>
+    <message>
+        <source>Clock now</source>
+        <translation>Uhr jetzt</translation>
+    </message>
+    <message>
+        <source>How much later than the reference it stamps; it can be typed</source>
+        <translation>Um wie viel später als der Bezug sie stempelt; es kann eingetippt werden</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Reading …</source>
+        <translation>Lesen …</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>%1 in several recordings</source>
+        <translation>%1 in mehreren Messungen</translation>
+    </message>
+    <message>
+        <source>Only one recording has %1: import another one and map it.</source>
+        <translation>Nur eine Messung hat %1: Importieren Sie eine weitere und ordnen Sie sie zu.</translation>
+    </message>
+    <message>
+        <source>Each is drawn earlier by its shift: where it is right they lie on each other.</source>
+        <translation>Jede ist um ihre Verschiebung früher gezeichnet: Wo sie stimmt, liegen sie aufeinander.</translation>
+    </message>
+    <message>
+        <source>the reference</source>
+        <translation>der Bezug</translation>
+    </message>
+    <message>
+        <source>± %1 s, correlation %2</source>
+        <translation>± %1 s, Korrelation %2</translation>
+    </message>
+    <message>
+        <source>Set as its clock</source>
+        <translation>Als ihre Uhr setzen</translation>
+    </message>
+    <message>
+        <source>Set the clock of %1</source>
+        <translation>Uhr von %1 stellen</translation>
+    </message>
+</context>
+<context>
     <name>ComposeActions</name>
     <message>
         <source>Group into a model …</source>
@@ -648,48 +723,20 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <translation>Kanäle wählen …</translation>
     </message>
     <message>
+        <source>choose it</source>
+        <translation>auswählen</translation>
+    </message>
+    <message>
+        <source>No column is a time by its name or unit: choose the one that is.</source>
+        <translation>Keine Spalte ist nach Namen oder Einheit eine Zeit: Wählen Sie die aus, die es ist.</translation>
+    </message>
+    <message>
         <source>The file holds %1 channels. Tick those that are to be read; the others stay in it.</source>
         <translation>Die Datei enthält %1 Kanäle. Haken Sie die an, die gelesen werden sollen; die anderen bleiben in ihr.</translation>
     </message>
     <message>
         <source>Add to the study</source>
         <translation>Zur Studie hinzufügen</translation>
-    </message>
-    <message>
-        <source>automatic</source>
-        <translation>automatisch</translation>
-    </message>
-    <message>
-        <source>comma</source>
-        <translation>Komma</translation>
-    </message>
-    <message>
-        <source>semicolon</source>
-        <translation>Semikolon</translation>
-    </message>
-    <message>
-        <source>tab</source>
-        <translation>Tabulator</translation>
-    </message>
-    <message>
-        <source>space</source>
-        <translation>Leerzeichen</translation>
-    </message>
-    <message>
-        <source>bar</source>
-        <translation>Senkrechter Strich</translation>
-    </message>
-    <message>
-        <source>point</source>
-        <translation>Punkt</translation>
-    </message>
-    <message>
-        <source>yes</source>
-        <translation>ja</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>nein</translation>
     </message>
     <message>
         <source>Preview</source>
@@ -706,18 +753,6 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
     <message>
         <source>Time column</source>
         <translation>Zeitspalte</translation>
-    </message>
-    <message>
-        <source>Separator</source>
-        <translation>Trennzeichen</translation>
-    </message>
-    <message>
-        <source>Decimal sign</source>
-        <translation>Dezimalzeichen</translation>
-    </message>
-    <message>
-        <source>Row of units</source>
-        <translation>Einheitenzeile</translation>
     </message>
     <message>
         <source>Import %1</source>
@@ -3411,6 +3446,10 @@ oder A drücken und den Namen eines Blocks eingeben.</translation>
         <source>Values</source>
         <translation>Werte</translation>
     </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
 </context>
 <context>
     <name>MainWindowFiles</name>
@@ -3658,6 +3697,10 @@ gehalten: Jeder Wert gilt bis zum nächsten Abtastwert</translation>
     <message>
         <source>Set the clock …</source>
         <translation>Uhr setzen …</translation>
+    </message>
+    <message>
+        <source>Compare with other recordings</source>
+        <translation>Mit anderen Messungen vergleichen</translation>
     </message>
     <message>
         <source>Show the values</source>
@@ -4001,6 +4044,148 @@ Relativer Standardfehler %1 %</translation>
     <message>
         <source>Show the traces of the study again, instead of two runs over each other</source>
         <translation>Wieder die Kurven der Studie zeigen, nicht zwei Läufe übereinander</translation>
+    </message>
+</context>
+<context>
+    <name>QuestionCard</name>
+    <message>
+        <source>The rows under each reading</source>
+        <translation>Die Zeilen bei jeder Lesart</translation>
+    </message>
+    <message>
+        <source>0.001 s, or 1 kHz</source>
+        <translation>0,001 s oder 1 kHz</translation>
+    </message>
+    <message>
+        <source>Time between two rows</source>
+        <translation>Zeit zwischen zwei Zeilen</translation>
+    </message>
+    <message>
+        <source>Take this time</source>
+        <translation>Diese Zeit nehmen</translation>
+    </message>
+    <message>
+        <source>Or choose the column that is the time above. The time is counted from the first row.</source>
+        <translation>Oder wählen Sie oben die Spalte, die die Zeit ist. Gezählt wird von der ersten Zeile an.</translation>
+    </message>
+    <message>
+        <source>The file does not tell. What you choose is kept with the study.</source>
+        <translation>Die Datei sagt es nicht. Was Sie wählen, bleibt bei der Studie.</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>In the file</source>
+        <translation>In der Datei</translation>
+    </message>
+</context>
+<context>
+    <name>ReadFields</name>
+    <message>
+        <source>Separator</source>
+        <translation>Trennzeichen</translation>
+    </message>
+    <message>
+        <source>comma</source>
+        <translation>Komma</translation>
+    </message>
+    <message>
+        <source>semicolon</source>
+        <translation>Semikolon</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>Tabulator</translation>
+    </message>
+    <message>
+        <source>space</source>
+        <translation>Leerzeichen</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>Senkrechter Strich</translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation>Dezimalzeichen</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Row of units</source>
+        <translation>Einheitenzeile</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>Sign between thousands</source>
+        <translation>Tausenderzeichen</translation>
+    </message>
+    <message>
+        <source>1.234.567,8 has points between thousands</source>
+        <translation>1.234.567,8 hat Punkte zwischen Tausendern</translation>
+    </message>
+    <message>
+        <source>apostrophe</source>
+        <translation>Apostroph</translation>
+    </message>
+    <message>
+        <source>Lines to skip</source>
+        <translation>Zeilen zu überspringen</translation>
+    </message>
+    <message>
+        <source>Lines in front of the header that are not looked at</source>
+        <translation>Zeilen vor dem Kopf, die nicht angesehen werden</translation>
+    </message>
+    <message>
+        <source>Rows of the header</source>
+        <translation>Zeilen des Kopfes</translation>
+    </message>
+    <message>
+        <source>The row of units included; 0: there is none</source>
+        <translation>Mit der Zeile der Einheiten; 0: es gibt keinen</translation>
+    </message>
+    <message>
+        <source>Form of the time</source>
+        <translation>Form der Zeit</translation>
+    </message>
+    <message>
+        <source>How dates and clocks are written: %d.%m.%Y %H:%M:%S. Of rows without a time the step from one to the next: 0.001 s or 1 kHz. Of a time without a unit the unit: ms</source>
+        <translation>Wie Datum und Uhrzeit geschrieben sind: %d.%m.%Y %H:%M:%S. Bei Zeilen ohne Zeit der Schritt von einer zur nächsten: 0.001 s oder 1 kHz. Bei einer Zeit ohne Einheit die Einheit: ms</translation>
+    </message>
+    <message>
+        <source>Time zone</source>
+        <translation>Zeitzone</translation>
+    </message>
+    <message>
+        <source>Of stamps that do not tell it</source>
+        <translation>Von Zeitstempeln, die sie nicht nennen</translation>
+    </message>
+    <message>
+        <source>Letters</source>
+        <translation>Zeichensatz</translation>
+    </message>
+    <message>
+        <source>How the bytes of the file are letters</source>
+        <translation>Wie die Bytes der Datei Buchstaben sind</translation>
+    </message>
+    <message>
+        <source>More about how it is written</source>
+        <translation>Mehr dazu, wie sie geschrieben ist</translation>
     </message>
 </context>
 <context>
@@ -5889,6 +6074,126 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>„{}“ in Spalte „{}“ können Stunden und Minuten oder Minuten und Sekunden sein</translation>
     </message>
     <message>
+        <source>What is '{}' in column '{}'?</source>
+        <translation>Was ist „{}“ in Spalte „{}“?</translation>
+    </message>
+    <message>
+        <source>hours and minutes</source>
+        <translation>Stunden und Minuten</translation>
+    </message>
+    <message>
+        <source>minutes and seconds</source>
+        <translation>Minuten und Sekunden</translation>
+    </message>
+    <message>
+        <source>Which day is '{}'?</source>
+        <translation>Welcher Tag ist „{}“?</translation>
+    </message>
+    <message>
+        <source>year, month, day</source>
+        <translation>Jahr, Monat, Tag</translation>
+    </message>
+    <message>
+        <source>day, month, year</source>
+        <translation>Tag, Monat, Jahr</translation>
+    </message>
+    <message>
+        <source>month, day, year</source>
+        <translation>Monat, Tag, Jahr</translation>
+    </message>
+    <message>
+        <source>The clock in column '{}' jumps by an hour. Why?</source>
+        <translation>Die Uhr in Spalte „{}“ springt um eine Stunde. Warum?</translation>
+    </message>
+    <message>
+        <source>summer time begins or ends here ({})</source>
+        <translation>Hier beginnt oder endet die Sommerzeit ({})</translation>
+    </message>
+    <message>
+        <source>the clock knows no summer time ({})</source>
+        <translation>Die Uhr kennt keine Sommerzeit ({})</translation>
+    </message>
+    <message>
+        <source>In which unit is the time in column '{}', which begins at {:.9g}?</source>
+        <translation>In welcher Einheit ist die Zeit in Spalte „{}“, die bei {:.9g} beginnt?</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>Sekunden</translation>
+    </message>
+    <message>
+        <source>days</source>
+        <translation>Tage</translation>
+    </message>
+    <message>
+        <source>milliseconds</source>
+        <translation>Millisekunden</translation>
+    </message>
+    <message>
+        <source>microseconds</source>
+        <translation>Mikrosekunden</translation>
+    </message>
+    <message>
+        <source>nanoseconds</source>
+        <translation>Nanosekunden</translation>
+    </message>
+    <message>
+        <source>Which time lies between two rows?</source>
+        <translation>Welche Zeit liegt zwischen zwei Zeilen?</translation>
+    </message>
+    <message>
+        <source>Does the mark in '{}' stand for decimals or between thousands?</source>
+        <translation>Steht das Zeichen in „{}“ vor den Nachkommastellen oder zwischen Tausendern?</translation>
+    </message>
+    <message>
+        <source>'{}' is {:.10g}</source>
+        <translation>„{}“ ist {:.10g}</translation>
+    </message>
+    <message>
+        <source>There are two recordings in this file. Which one is meant?</source>
+        <translation>In dieser Datei sind zwei Messungen. Welche ist gemeint?</translation>
+    </message>
+    <message>
+        <source>the one below line {}</source>
+        <translation>die unter Zeile {}</translation>
+    </message>
+    <message>
+        <source>{:.10g}</source>
+        <translation>{:.10g}</translation>
+    </message>
+    <message>
+        <source>{:.10g} {}</source>
+        <translation>{:.10g} {}</translation>
+    </message>
+    <message>
+        <source>the shift in time cannot be told: {}</source>
+        <translation>Die zeitliche Verschiebung lässt sich nicht angeben: {}</translation>
+    </message>
+    <message>
+        <source>the course changes so slowly that shifts over {:.3g} s do equally well</source>
+        <translation>Der Verlauf ändert sich so langsam, dass Verschiebungen über {:.3g} s gleich gut passen</translation>
+    </message>
+    <message>
+        <source>the course repeats: one that differs by {:.4g} s does as well</source>
+        <translation>Der Verlauf wiederholt sich: Eine um {:.4g} s andere passt ebenso gut</translation>
+    </message>
+    <message>
+        <source>the two overlap by less than half of the shorter one</source>
+        <translation>Die beiden überdecken sich um weniger als die Hälfte der kürzeren</translation>
+    </message>
+    <message>
+        <source>less than {} samples were measured</source>
+        <translation>Es wurden weniger als {} Werte gemessen</translation>
+    </message>
+    <message>
+        <source>one of the two does not change</source>
+        <translation>Eine der beiden ändert sich nicht</translation>
+    </message>
+    <message>
+        <source>the two are not alike (correlation {:.2f} at best)</source>
+        <translation>Die beiden gleichen sich nicht (Korrelation höchstens {:.2f})</translation>
+    </message>
+    <message>
         <source>Say it in the study: "read": {{"time_format": "%H:%M"}} or "%M:%S".</source>
         <translation>Sagen Sie es in der Studie: "read": {{"time_format": "%H:%M"}} oder "%M:%S".</translation>
     </message>
@@ -6191,6 +6496,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
     <message>
         <source>sheet &quot;{}&quot;, column &quot;{}&quot;: {} cells with words are gaps</source>
         <translation>Blatt „{}“, Spalte „{}“: {} Zellen mit Wörtern sind Lücken</translation>
+    </message>
+    <message>
+        <source>sheet "{}", column "{}": the clock passes midnight {} times: a day is added there</source>
+        <translation>Blatt „{}“, Spalte „{}“: Die Uhr geht {}-mal über Mitternacht: Dort kommt jeweils ein Tag hinzu</translation>
     </message>
     <message>
         <source>sheet &quot;{}&quot;, column &quot;{}&quot;: {} formulas have no result in the file and are gaps; open it in a spreadsheet program and save it</source>

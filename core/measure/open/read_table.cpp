@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "core/base/file_fault.hpp"
+#include "core/base/regular_file.hpp"
 #include "core/measure/csv_dialect.hpp"
 #include "core/measure/open/open_recording.hpp"
 #include "core/measure/text/text_recording.hpp"
@@ -111,18 +112,29 @@ Diagnostic needless(const std::filesystem::path& file, const std::string& format
                                file.string()));
 }
 
+bool isReadAsText(bool isText, const ReadOptions& options) { return isText || options.encoding.starts_with("utf-16"); }
+
+/// What the ending of a file's name says beside that.
+ReadOptions withEnding(const std::filesystem::path& file, ReadOptions options) {
+    const std::string ending = inLowerCase(file.extension().string());
+    if (!options.separator && (ending == ".tsv" || ending == ".tab")) options.separator = '\t';
+    return options;
+}
+
 }  // namespace
+
+Outcome<LookedAtText> lookAtTextFile(const std::filesystem::path& file, const ReadOptions& options,
+                                     const Progress& progress) {
+    const Outcome<std::string> bytes = readRegularFile(file);
+    if (!bytes) return bytes.diagnostics();
+    return lookAtText(*bytes, file.string(), withEnding(file, options), progress);
+}
 
 Outcome<Table> readTable(const std::filesystem::path& file, const ReadOptions& options,
                          const std::set<std::string>& wanted, const Progress& progress, std::size_t mostValues) {
     const Outcome<bool> isText = isTextRecording(file);
     if (!isText) return isText.diagnostics();
-    if (*isText || options.encoding.starts_with("utf-16")) {
-        const std::string ending = inLowerCase(file.extension().string());
-        ReadOptions told = options;
-        if (!told.separator && (ending == ".tsv" || ending == ".tab")) told.separator = '\t';
-        return readTextTables(file, told, progress);
-    }
+    if (isReadAsText(*isText, options)) return readTextTables(file, withEnding(file, options), progress);
     Outcome<MeasurementFile> recording = openRecording(file);
     if (!recording) return recording.diagnostics();
     Diagnostics told = recording.diagnostics();

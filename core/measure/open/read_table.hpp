@@ -8,6 +8,7 @@
 #include "core/base/progress.hpp"
 #include "core/measure/read_options.hpp"
 #include "core/measure/table.hpp"
+#include "core/measure/text/text_recording.hpp"
 
 namespace analogon {
 
@@ -20,5 +21,9 @@ inline constexpr std::size_t valuesKept = std::size_t{1} << 25;
 Outcome<Table> readTable(const std::filesystem::path& file, const ReadOptions& options = {},
                          const std::set<std::string>& wanted = {}, const Progress& progress = {},
                          std::size_t mostValues = valuesKept);
+
+/// A file that is read as text, with what it does not tell.
+Outcome<LookedAtText> lookAtTextFile(const std::filesystem::path& file, const ReadOptions& options = {},
+                                     const Progress& progress = {});
 
 }  // namespace analogon

@@ -166,6 +166,7 @@ void findBlock(SampledRows& sample) {
         const double score = (kinds.values() > 0 ? kinds.worth(end - begin) : 0) * (isKeyed ? 0.05 : 1);
         if (score > sample.score) {
             sample.score = score;
+            sample.isKeyed = isKeyed;
             sample.begin = begin;
             sample.end = end;
         }
@@ -196,6 +197,28 @@ SampledRows sampleBy(const TextHead& head, char separator) {
 
 }  // namespace
 
+namespace {
+
+/// The header of a table that is parted otherwise.
+bool isOneWordAbove(const SampledRows& sample) {
+    return sample.begin > 0 && sample.rows[sample.begin - 1].filled == 1 && widest(sample) > 1;
+}
+
+/// Numbers alone, and as many names above them.
+bool isWholeTable(const SampledRows& sample) {
+    if (sample.score <= 0 || sample.begin == 0 || sample.end < sample.begin + 2) return false;
+    const std::size_t width = sample.rows[sample.begin].cells.size();
+    const auto holds = [&](const SampleRow& row, CellKind kind) {
+        return row.cells.size() == width &&
+               std::all_of(row.kinds.begin(), row.kinds.end(), [&](CellKind found) { return found == kind; });
+    };
+    for (std::size_t r = sample.begin; r < sample.end; ++r)
+        if (!holds(sample.rows[r], CellKind::Number)) return false;
+    return width > 1 && holds(sample.rows[sample.begin - 1], CellKind::Words);
+}
+
+}  // namespace
+
 SampledRows sampledRows(const TextHead& head) {
     if (head.separator) return sampleBy(head, *head.separator);
     SampledRows best;
@@ -207,6 +230,10 @@ SampledRows sampledRows(const TextHead& head) {
         SampledRows sample = sampleBy(head, candidate);
         if (sample.score > best.score) best = std::move(sample);
     }
+    if (best.score > 0 && best.separator == ',' && isOneWordAbove(best)) {
+        SampledRows sample = sampleBy(head, ' ');
+        if (isWholeTable(sample)) return sample;
+    }
     const bool isParted = best.score > 0 && best.rows[best.begin].cells.size() > 1;
     if (!isParted) {
         SampledRows sample = sampleBy(head, ' ');
@@ -217,15 +244,25 @@ SampledRows sampledRows(const TextHead& head) {
     return best;
 }
 
-Diagnostic openMark(std::string_view cell, const std::string& file, int line, int position) {
-    const char mark = cell.find(',') != std::string_view::npos ? ',' : '.';
-    const std::string text = shortened(std::string(withoutBlanks(cell)), limits::quotedBytes);
+Diagnostic openMark(const CsvCell& cell, int line, const ReadOptions& options, const std::string& file,
+                    Questions& asked) {
+    const char mark = cell.text.find(',') != std::string::npos ? ',' : '.';
+    const std::string text = shortened(std::string(withoutBlanks(cell.text)), limits::quotedBytes);
     const double decimals = readCell(text, mark).value;
+    Reading ofDecimals{phrase("'{}' is {:.10g}", text, decimals), options}, ofThousands = ofDecimals;
+    ofDecimals.options.decimal = mark;
+    ofThousands.label = phrase("'{}' is {:.10g}", text, 1000 * decimals);
+    ofThousands.options.thousands = mark;
+    if (options.decimal == mark) ofThousands.options.decimal.reset();
+    asked.push_back({Question::Kind::Choice,
+                     phrase("Does the mark in '{}' stand for decimals or between thousands?", text),
+                     line,
+                     {std::move(ofDecimals), std::move(ofThousands)}});
     return fileError(
         phrase("'{}' may be {:.10g} or {:.10g}: nothing in the file tells whether its mark stands for decimals or "
                "between thousands",
                text, decimals, 1000 * decimals),
-        file, line, position,
+        file, line, cell.position,
         phrase("Say it in the study: \"read\": {{\"decimal\": \"{}\"}} for {:.10g}, \"read\": {{\"thousands\": "
                "\"{}\"}} for {:.10g}.",
                std::string(1, mark), decimals, std::string(1, mark), 1000 * decimals));
@@ -275,7 +312,8 @@ Evidence evidenceOf(const SampledRows& sample) {
 
 }  // namespace
 
-Outcome<NumberMarks> numberMarks(const SampledRows& sample, const ReadOptions& options, const std::string& file) {
+Outcome<NumberMarks> numberMarks(const SampledRows& sample, const ReadOptions& options, const std::string& file,
+                                 Questions& asked) {
     NumberMarks marks{options.decimal, options.thousands.value_or('\0')};
     if (marks.thousands != 0 && marks.decimal == marks.thousands)
         return fileError(phrase("\"decimal\" and \"thousands\" are the same mark"), file);
@@ -289,14 +327,13 @@ Outcome<NumberMarks> numberMarks(const SampledRows& sample, const ReadOptions& o
         } else if (found.isPoint) {
             return NumberMarks{std::nullopt, found.thousands};  // both: the reader names the lines
         } else if (found.openRow) {
-            const std::string_view cell = found.openRow->cells[found.openCell].text;
-            const char mark = cell.find(',') != std::string_view::npos ? ',' : '.';
+            const CsvCell& cell = found.openRow->cells[found.openCell];
+            const char mark = cell.text.find(',') != std::string::npos ? ',' : '.';
             // thousands are parted everywhere or nowhere
             bool isDecimal = sample.separator == ',' && mark == '.';
             for (std::size_t i = 0; i < found.openIn.size(); ++i)
                 isDecimal = isDecimal || (found.openIn[i] && found.longWithout[i]);
-            if (!isDecimal)
-                return openMark(cell, file, found.openRow->line.number, found.openRow->cells[found.openCell].position);
+            if (!isDecimal) return openMark(cell, found.openRow->line.number, options, file, asked);
             marks.decimal = mark;
         }
     }
@@ -306,7 +343,7 @@ Outcome<NumberMarks> numberMarks(const SampledRows& sample, const ReadOptions& o
         if (mark != *marks.decimal && !found.longWithout[found.openCell]) {
             // a column of thousands has smaller numbers, too, which have no mark
             if (!found.shortWithout[found.openCell])
-                return openMark(cell.text, file, found.openRow->line.number, cell.position);
+                return openMark(cell, found.openRow->line.number, options, file, asked);
             marks.thousands = mark;
         }
     }

@@ -6,6 +6,7 @@
 
 #include "core/base/outcome.hpp"
 #include "core/measure/csv_dialect.hpp"
+#include "core/measure/question.hpp"
 #include "core/measure/read_options.hpp"
 #include "core/measure/text/cell_kind.hpp"
 #include "core/measure/text/text_line.hpp"
@@ -41,6 +42,7 @@ struct SampledRows {
     std::vector<TextLine> comments;
     std::size_t begin{}, end{};
     double score{};
+    bool isKeyed{};                // words stand in front of each row, as in a preamble
     int otherBegin{}, otherEnd{};  // lines of another block of the same shape with a header behind it; 0: none
 };
 
@@ -56,10 +58,13 @@ struct NumberMarks {
     char thousands{};             // 0: none
 };
 
-/// Found out from the rows of data and from what was told. Two readings that both make sense are a fault.
-Outcome<NumberMarks> numberMarks(const SampledRows& rows, const ReadOptions& options, const std::string& file);
+/// Found out from the rows of data and from what was told. Two readings that both make sense are a fault, and asked.
+Outcome<NumberMarks> numberMarks(const SampledRows& rows, const ReadOptions& options, const std::string& file,
+                                 Questions& asked);
 
-/// The fault of a cell of which nobody can tell whether its mark stands for decimals or between thousands.
-Diagnostic openMark(std::string_view cell, const std::string& file, int line, int position);
+/// The fault of a cell of which nobody can tell whether its mark stands for decimals or between thousands; both are
+/// asked.
+Diagnostic openMark(const CsvCell& cell, int line, const ReadOptions& options, const std::string& file,
+                    Questions& asked);
 
 }  // namespace analogon

@@ -36,20 +36,23 @@ bool namesNoUnit(std::string_view word) {
 
 class LayoutFinder {
 public:
-    LayoutFinder(std::string_view text, const std::string& file, const ReadOptions& options)
-        : text_(text), file_(file), options_(options) {}
+    LayoutFinder(std::string_view text, const std::string& file, const ReadOptions& options, Questions& asked)
+        : text_(text), file_(file), options_(options), asked_(asked) {}
 
     Outcome<Layout> find() {
         if (Diagnostics faults = sample(); !faults.empty()) return faults;
         header_ = findHeader(rows_, options_);
         if (Diagnostics faults = checkHeader(); !faults.empty()) return faults;
         layout_.separator = rows_.separator;
-        const Outcome<NumberMarks> marks = numberMarks(rows_, options_, file_);
+        const Outcome<NumberMarks> marks = numberMarks(rows_, options_, file_, asked_);
         if (!marks) return marks.diagnostics();
         layout_.marks = *marks;
         nameColumns();
         readPreamble();
         tellKinds();
+        if (std::all_of(layout_.columns.begin(), layout_.columns.end(),
+                        [](const LayoutColumn& column) { return column.kind == CellKind::Words; }))
+            return noNumbers();
         addUnits();
         addDescriptions();
         findData();
@@ -64,9 +67,10 @@ private:
             return {fileError(phrase("the file is empty"), file_, 0, 0,
                               phrase("Check that the recording was exported with its values."))};
         rows_ = sampledRows(head);
-        const bool isShort = rows_.end - rows_.begin < enough && rows_.end < rows_.rows.size();
+        const bool isShort = rows_.isKeyed || (rows_.end - rows_.begin < enough && rows_.end < rows_.rows.size());
         if (!head.isWhole && (rows_.score <= 0 || isShort)) rows_ = sampledRows(headOf(text_, options_, many));
-        if (rows_.otherBegin > 0 && !options_.header)
+        if (rows_.otherBegin > 0 && !options_.header) {
+            askWhichTable();
             return {
                 fileError(phrase("the lines {} to {} are a table of the same shape as the one below: there are two "
                                  "recordings in this file",
@@ -74,6 +78,7 @@ private:
                           file_, rows_.otherBegin, 0,
                           phrase("Split the file; or leave the first one out in the study: \"read\": {{\"skip\": {}}}.",
                                  rows_.otherEnd))};
+        }
         if (options_.header) {
             rows_.begin = std::min(*options_.header, rows_.rows.size());
             rows_.end = rows_.rows.size();
@@ -83,6 +88,15 @@ private:
             rows_.end = rows_.rows.size();
         }
         return {};
+    }
+
+    void askWhichTable() {
+        Reading last{phrase("the one below line {}", rows_.otherEnd), options_};
+        last.options.skip = static_cast<std::size_t>(rows_.otherEnd);
+        asked_.push_back({Question::Kind::Choice,
+                          phrase("There are two recordings in this file. Which one is meant?"),
+                          rows_.otherEnd + 1,
+                          {std::move(last)}});
     }
 
     Diagnostic noNumbers() const {
@@ -135,7 +149,55 @@ private:
                                        cell.position,
                                        CellKind::Blank});
         }
+        keepPaths();
         makeNamesDiffer();
+    }
+
+    /// "T/degC" without brackets or blanks, which may be a place and a name as well ("Motor/T").
+    static bool isSplitAtSlash(const LayoutColumn& column) {
+        return !column.unit.empty() && column.header.size() == column.name.size() + 1 + column.unit.size() &&
+               column.header[column.name.size()] == '/' && column.header.starts_with(column.name) &&
+               column.header.ends_with(column.unit);
+    }
+
+    static void joinAtSlash(LayoutColumn& column) {
+        column.name = column.header;
+        column.unit.clear();
+    }
+
+    /// A head as DIN 1313 has it, "t/s | u/mV | i/A": a quantity by its unit in every column, the time among them.
+    /// "t/s" alone would be tonnes by seconds.
+    bool readQuotients() {
+        bool hasTime = false;
+        for (const LayoutColumn& column : layout_.columns) {
+            const std::size_t slash = column.header.find('/');
+            if (slash == std::string::npos || slash == 0 || column.header.find('/', slash + 1) != std::string::npos)
+                return false;
+            const std::string unit = column.header.substr(slash + 1);
+            if (!isKnownUnit(unit)) return false;
+            hasTime = hasTime || (namesTime(column.header.substr(0, slash)) && areConvertible(unit, "s"));
+        }
+        for (LayoutColumn& column : layout_.columns) {
+            if (!hasTime) return false;
+            column.name = column.header.substr(0, column.header.find('/'));
+            column.unit = column.header.substr(column.name.size() + 1);
+        }
+        return hasTime;
+    }
+
+    /// Where one place has several names, or a name behind a slash is no unit, none of them is one.
+    void keepPaths() {
+        if (readQuotients()) return;
+        std::unordered_map<std::string, int> places;
+        bool arePaths = false;
+        for (const LayoutColumn& column : layout_.columns) {
+            if (isSplitAtSlash(column))
+                arePaths = ++places[column.name] > 1 || arePaths;
+            else if (column.unit.empty() && column.name == column.header && !isKnownUnit(column.name))
+                arePaths = column.name.find('/') != std::string::npos || arePaths;
+        }
+        for (LayoutColumn& column : layout_.columns)
+            if (arePaths && isSplitAtSlash(column)) joinAtSlash(column);
     }
 
     void makeNamesDiffer() {
@@ -192,6 +254,10 @@ private:
         if (header_.units) layout_.unitsLine = header_.units->line.number;
         for (std::size_t i = 0; i < layout_.columns.size(); ++i) {
             LayoutColumn& column = layout_.columns[i];
+            const bool isTold = (header_.units && i < header_.units->cells.size() &&
+                                 !readUnitCell(header_.units->cells[i].text).empty()) ||
+                                (i < facts.units.size() && !readUnitCell(facts.units[i]).empty());
+            if (isTold && isSplitAtSlash(column)) joinAtSlash(column);
             if (header_.units && i < header_.units->cells.size()) addUnitCell(header_.units->cells[i].text, column, i);
             if (column.unit.empty() && i < facts.units.size()) column.unit = readUnitCell(facts.units[i]);
         }
@@ -297,6 +363,7 @@ private:
     std::string_view text_;
     const std::string& file_;
     const ReadOptions& options_;
+    Questions& asked_;
     SampledRows rows_;
     HeaderRows header_;
     Layout layout_;
@@ -310,8 +377,9 @@ Text nameOfMark(char mark) {
 
 }  // namespace
 
-Outcome<Layout> findLayout(std::string_view text, const std::string& file, const ReadOptions& options) {
-    return LayoutFinder(text, file, options).find();
+Outcome<Layout> findLayout(std::string_view text, const std::string& file, const ReadOptions& options,
+                           Questions& asked) {
+    return LayoutFinder(text, file, options, asked).find();
 }
 
 Text described(const Layout& layout) {

@@ -34,7 +34,8 @@ struct Layout {
     Diagnostics warnings;
 };
 
-Outcome<Layout> findLayout(std::string_view text, const std::string& file, const ReadOptions& options);
+Outcome<Layout> findLayout(std::string_view text, const std::string& file, const ReadOptions& options,
+                           Questions& asked);
 
 /// What was found out, in one line.
 Text described(const Layout& layout);

@@ -26,9 +26,22 @@ bool isSameRaster(const Column& a, const Column& b) {
     return true;
 }
 
-bool isTime(const RawTable& raw, std::size_t index) {
+/// "t1" and "t2", "X" and "X_2": one name and a number behind it.
+bool isNumberedAs(const std::string& a, const std::string& b) {
+    const auto withoutNumber = [](const std::string& name) {
+        return name.substr(0, name.find_last_not_of("0123456789_ .#") + 1);
+    };
+    return a != b && !withoutNumber(a).empty() && withoutNumber(a) == withoutNumber(b);
+}
+
+bool isTime(const RawTable& raw, std::size_t index, std::size_t first) {
     const Column& column = raw.table.columns[index];
-    if (raw.kinds[index] == CellKind::Words || !namesTime(column.name)) return false;
+    const Column& other = raw.table.columns[first];
+    const bool isNumbered =
+        isNumberedAs(column.name, other.name) &&
+        (column.header == other.header || (!column.unit.empty() && areConvertible(column.unit, "s")));
+    const bool isNamed = namesTime(column.name) || isNumbered;
+    if (raw.kinds[index] == CellKind::Words || !isNamed) return false;
     const bool mayBe = column.unit.empty() || areConvertible(column.unit, "s");
     return mayBe && rises(column.values);
 }
@@ -37,7 +50,7 @@ bool isTime(const RawTable& raw, std::size_t index) {
 std::vector<std::size_t> timesOf(const RawTable& raw, std::size_t first) {
     std::vector<std::size_t> times{first};
     for (std::size_t i = first + 1; i + 1 < raw.kinds.size(); ++i)
-        if (i > times.back() + 1 && isTime(raw, i) &&
+        if (i > times.back() + 1 && isTime(raw, i, first) &&
             !isSameRaster(raw.table.columns[times.back()], raw.table.columns[i]))
             times.push_back(i);
     return times;
@@ -107,7 +120,8 @@ void tellSwitches(const TextGroup& group, Diagnostics& told) {
 
 }  // namespace
 
-std::vector<TextGroup> groupsOf(RawTable raw, const std::map<std::string, std::string>& comments, Diagnostics& told) {
+std::vector<TextGroup> groupsOf(RawTable raw, const std::map<std::string, std::string>& comments,
+                                const ReadOptions& options, Diagnostics& told, Questions& asked) {
     std::vector<std::vector<StatusText>> statuses = readSwitches(raw);
     for (std::size_t i = 0; i < statuses.size(); ++i)
         if (!statuses[i].empty())
@@ -132,7 +146,8 @@ std::vector<TextGroup> groupsOf(RawTable raw, const std::map<std::string, std::s
             group.comments.push_back(comment == comments.end() ? std::string() : comment->second);
         }
         if (!group.time) continue;
-        for (Diagnostic& counted : nameCountedUnit(group.table, *group.time)) told.push_back(std::move(counted));
+        for (Diagnostic& counted : nameCountedUnit(group.table, *group.time, options, asked))
+            told.push_back(std::move(counted));
         for (Diagnostic& mended : mendRepeatedStamps(group.table, *group.time)) told.push_back(std::move(mended));
         tellSwitches(group, told);
     }

@@ -10,6 +10,7 @@ namespace analogon {
 
 /// The groups of a table: one, or one for each column of time that has stamps of its own; each channel belongs to the
 /// time on its left. What is made of the stamps, and what is odd about them, is added to `told`.
-std::vector<TextGroup> groupsOf(RawTable raw, const std::map<std::string, std::string>& comments, Diagnostics& told);
+std::vector<TextGroup> groupsOf(RawTable raw, const std::map<std::string, std::string>& comments,
+                                const ReadOptions& options, Diagnostics& told, Questions& asked);
 
 }  // namespace analogon

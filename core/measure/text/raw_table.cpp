@@ -7,6 +7,7 @@ void RawTable::erase(std::size_t column) {
     eraseIn(table.columns);
     eraseIn(kinds);
     eraseIn(stamps);
+    eraseIn(firstStamps);
     eraseIn(words);
     eraseIn(beyond);
 }
@@ -15,6 +16,7 @@ void RawTable::insertFront(Column column) {
     table.columns.insert(table.columns.begin(), std::move(column));
     kinds.insert(kinds.begin(), CellKind::Number);
     stamps.insert(stamps.begin(), std::vector<Stamp>{});
+    firstStamps.insert(firstStamps.begin(), std::string());
     words.insert(words.begin(), std::vector<std::optional<std::string>>{});
     beyond.insert(beyond.begin(), std::vector<int>{});
 }

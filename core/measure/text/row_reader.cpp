@@ -36,7 +36,7 @@ class RowReader {
 
 public:
     RowReader(std::string_view text, const std::string& name, const Layout& layout, const ReadOptions& options,
-              const Progress& progress)
+              const Progress& progress, Questions& asked)
         : text_(text.substr(layout.offset)),
           lines_(text_, layout.linesBefore),
           separator_(layout.separator),
@@ -44,13 +44,15 @@ public:
           thousands_(layout.marks.thousands),
           layout_(layout),
           options_(options),
-          progress_(progress) {
+          progress_(progress),
+          asked_(asked) {
         raw_.table.file = name;
         for (const LayoutColumn& column : layout.columns) {
             table().columns.push_back({column.name, column.unit, {}, {}, column.header, column.line, column.position});
             raw_.kinds.push_back(column.kind);
         }
         raw_.stamps.resize(table().columns.size());
+        raw_.firstStamps.resize(table().columns.size());
         raw_.words.resize(table().columns.size());
         raw_.beyond.resize(table().columns.size());
         decimalLine_ = layout.linesBefore + 1;
@@ -113,7 +115,12 @@ private:
         const auto left = static_cast<std::size_t>(text_.data() + text_.size() - line_.text.data());
         const std::size_t rows = std::min<std::size_t>(left / (line_.text.size() + 1) * 11 / 10 + 16, 1u << 24);
         if (rows * table().columns.size() > (1u << 28)) return;
-        for (Column& column : table().columns) column.values.reserve(rows);
+        for (std::size_t i = 0; i < table().columns.size(); ++i) {
+            if (raw_.kinds[i] == CellKind::Stamp)
+                raw_.stamps[i].reserve(rows);
+            else if (raw_.kinds[i] != CellKind::Words)
+                table().columns[i].values.reserve(rows);
+        }
         table().lines.reserve(rows);
     }
 
@@ -178,11 +185,16 @@ private:
     void keepPlainCell(std::size_t index) {
         const CellKind kind = raw_.kinds[index];
         if (kind == CellKind::Stamp)
-            raw_.stamps[index].push_back(cells_[index].stamp);
+            keepStamp(index, cells_[index].stamp, cells_[index].text);
         else if (kind == CellKind::Words)
             raw_.words[index].emplace_back(inUtf8(cells_[index].text));
         else
             table().columns[index].values.push_back(cells_[index].number);
+    }
+
+    void keepStamp(std::size_t index, const Stamp& stamp, std::string_view text) {
+        if (raw_.firstStamps[index].empty()) raw_.firstStamps[index] = text;
+        raw_.stamps[index].push_back(stamp);
     }
 
     bool readAnyRow() {
@@ -288,7 +300,7 @@ private:
                 phrase("Say how they are written in the study: \"read\": {{\"time_format\": \"%d.%m.%Y "
                        "%H:%M:%S\"}}."),
                 line_.text);
-        stamps.push_back(*stamp);
+        keepStamp(index, *stamp, cell.text);
         return true;
     }
 
@@ -338,7 +350,7 @@ private:
         if (!shape.isNumber) return true;
         const bool isOpen = shape.decimal == Mark::OpenPoint || shape.decimal == Mark::OpenComma;
         if (isOpen && separator_ != ',') {
-            faults_ = {openMark(cell.text, table().file, line_.number, cell.position)};
+            faults_ = {openMark(cell, line_.number, options_, table().file, asked_)};
             return false;
         }
         if (shape.decimal != Mark::None)
@@ -426,6 +438,7 @@ private:
     const Layout& layout_;
     const ReadOptions& options_;
     const Progress& progress_;
+    Questions& asked_;
     RawTable raw_;
     std::vector<PlainCell> cells_;
     Diagnostics faults_, warnings_;
@@ -434,8 +447,8 @@ private:
 }  // namespace
 
 Outcome<RawTable> readRows(std::string_view text, const std::string& name, const Layout& layout,
-                           const ReadOptions& options, const Progress& progress) {
-    return RowReader(text, name, layout, options, progress).read();
+                           const ReadOptions& options, const Progress& progress, Questions& asked) {
+    return RowReader(text, name, layout, options, progress, asked).read();
 }
 
 }  // namespace analogon

@@ -20,6 +20,7 @@ struct RawTable {
     std::vector<std::vector<Stamp>> stamps;                      // without date and clock: an empty cell
     std::vector<std::vector<std::optional<std::string>>> words;  // empty: an empty cell
     std::vector<std::vector<int>> beyond;                        // lines in which the instrument was out of its range
+    std::vector<std::string> firstStamps;                        // the first one of each column, as it stands
     char thousands{};                                            // a mark between thousands that came up among the rows
 
     void erase(std::size_t column);
@@ -30,6 +31,6 @@ struct RawTable {
 /// Faulty cells and rows of another length are faults with line and column. Empty cells and NaN are read as NaN (a
 /// channel that is mapped decides whether that is a fault).
 Outcome<RawTable> readRows(std::string_view text, const std::string& name, const Layout& layout,
-                           const ReadOptions& options, const Progress& progress = {});
+                           const ReadOptions& options, const Progress& progress, Questions& asked);
 
 }  // namespace analogon

@@ -33,6 +33,9 @@ std::optional<Stamp> readStamp(std::string_view text);
 /// By a format: %Y %y %m %d %H %I %M %S %f %p %b %z, or the letters yyyy MM dd HH mm ss SSS tt.
 std::optional<Stamp> readStamp(std::string_view text, std::string_view format);
 
+/// The format by which a stamp is read in one order of its date: "%d/%m/%Y %I:%M:%S %p"; empty: there is none.
+std::string stampFormatOf(std::string_view text, DateOrder order);
+
 /// Days since 1970-01-01; none: there is no such day.
 std::optional<std::int64_t> dayOf(const Stamp& stamp, DateOrder order);
 

@@ -87,6 +87,7 @@ void joinDateAndClock(RawTable& raw, Diagnostics& told) {
             stamp.date = raw.stamps[i][row].date;
             stamp.orders = raw.stamps[i][row].orders;
         }
+        raw.firstStamps[*clock] = raw.firstStamps[i] + ' ' + raw.firstStamps[*clock];
         told.push_back(remark(phrase("the time is that of columns '{}' and '{}' together",
                                      cited(raw.table.columns[i].name), cited(raw.table.columns[*clock].name)),
                               raw.table.file));
@@ -122,11 +123,13 @@ void addMilliseconds(RawTable& raw, Diagnostics& told) {
 /// One column of stamps on its way to seconds.
 class StampColumn {
 public:
-    StampColumn(const RawTable& raw, std::size_t index, const ReadOptions& options)
+    StampColumn(const RawTable& raw, std::size_t index, const ReadOptions& options, Questions& asked)
         : raw_(raw),
           column_(raw.table.columns[index]),
           stamps_(raw.stamps[index]),
+          firstText_(raw.firstStamps[index]),
           options_(options),
+          asked_(asked),
           traits_(traitsOf(stamps_)) {}
 
     Diagnostics read() {
@@ -210,23 +213,43 @@ private:
         const auto falls = [](const auto& reading) { return !neverFalls(reading.second); };
         if (!std::all_of(readings.begin(), readings.end(), falls)) std::erase_if(readings, falls);
         for (std::size_t i = 1; i < readings.size(); ++i)
-            if (!isSameCourse(readings[0].second, readings[i].second)) return {openOrder()};
+            if (!isSameCourse(readings[0].second, readings[i].second)) return {openOrder(readings)};
         isOrderOpen_ = readings.size() > 1;
         order_ = readings[0].first;
         moments_ = std::move(readings[0].second);
         return zone_ || traits_.haveZone ? Diagnostics{} : checkSummerTime();
     }
 
-    Diagnostic openOrder() const {
+    using CourseByOrder = std::pair<DateOrder, std::vector<std::int64_t>>;
+
+    Diagnostic openOrder(const std::vector<CourseByOrder>& readings) {
         const auto first = std::find_if(stamps_.begin(), stamps_.end(), isTold);
         const auto row = static_cast<std::size_t>(first - stamps_.begin());
         const auto& d = first->date;
+        Question question{Question::Kind::Choice, phrase("Which day is '{}'?", cited(firstText_)), lineOf(row)};
+        for (const auto& [order, moments] : readings)
+            if (const std::string format = stampFormatOf(firstText_, order); !format.empty())
+                question.readings.push_back(
+                    {phrase("{} ({})", isoText(*dayOf(*first, order) * day).substr(0, 10), nameOf(order)),
+                     withFormat(format)});
+        if (question.readings.size() > 1) asked_.push_back(std::move(question));
         return fileError(phrase("the date {:02}/{:02}/{:02} in column '{}' may have the day or the month in front, and "
                                 "the stamps differ",
                                 d[0], d[1], d[2], cited(column_.name)),
                          raw_.table.file, lineOf(row), 0,
                          phrase("Say it in the study: \"read\": {{\"time_format\": \"%d/%m/%Y %H:%M:%S\"}} or "
                                 "\"%m/%d/%Y %H:%M:%S\"."));
+    }
+
+    static Text nameOf(DateOrder order) {
+        if (order == DateOrder::YearMonthDay) return phrase("year, month, day");
+        return order == DateOrder::DayMonthYear ? phrase("day, month, year") : phrase("month, day, year");
+    }
+
+    ReadOptions withFormat(std::string format) const {
+        ReadOptions options = options_;
+        options.timeFormat = std::move(format);
+        return options;
     }
 
     double usualStep() const {
@@ -238,7 +261,7 @@ private:
     }
 
     /// A clock that goes back by an hour, or leaves one out at two in a Sunday night of March, may be summer time.
-    Diagnostics checkSummerTime() const {
+    Diagnostics checkSummerTime() {
         const double step = usualStep();
         if (!(step > 0) || step > 0.4 * static_cast<double>(hour)) return {};
         for (std::size_t i = 1; i < moments_.size(); ++i) {
@@ -260,7 +283,15 @@ private:
         return isSunday && isMarch && before < 2 * hour && after >= 3 * hour;
     }
 
-    Diagnostic summerTime(std::size_t row, bool isBack) const {
+    Diagnostic summerTime(std::size_t row, bool isBack) {
+        Reading summer{phrase("summer time begins or ends here ({})", "Europe/Berlin"), options_},
+            always{phrase("the clock knows no summer time ({})", "UTC"), options_};
+        summer.options.timeZone = "Europe/Berlin";
+        always.options.timeZone = "UTC";
+        asked_.push_back({Question::Kind::Choice,
+                          phrase("The clock in column '{}' jumps by an hour. Why?", cited(column_.name)),
+                          lineOf(row),
+                          {std::move(summer), std::move(always)}});
         return fileError(
             isBack ? phrase("the clock in column '{}' goes back by an hour here", cited(column_.name))
                    : phrase("the clock in column '{}' leaves out the hour from 2 to 3 here: a pause, or summer time",
@@ -310,10 +341,15 @@ private:
         return {};
     }
 
-    Diagnostic openFields() const {
+    Diagnostic openFields() {
         const auto first = std::find_if(stamps_.begin(), stamps_.end(), isTold);
         const auto minutes = first->nanoseconds / (60 * second);
         const std::string text = fmt::format("{}:{:02}", minutes / 60, minutes % 60);
+        asked_.push_back({Question::Kind::Choice,
+                          phrase("What is '{}' in column '{}'?", text, cited(column_.name)),
+                          lineOf(static_cast<std::size_t>(first - stamps_.begin())),
+                          {{phrase("hours and minutes"), withFormat("%H:%M")},
+                           {phrase("minutes and seconds"), withFormat("%M:%S")}}});
         return fileError(
             phrase("'{}' in column '{}' may be hours and minutes or minutes and seconds", text, cited(column_.name)),
             raw_.table.file, lineOf(static_cast<std::size_t>(first - stamps_.begin())), 0,
@@ -323,7 +359,9 @@ private:
     const RawTable& raw_;
     const Column& column_;
     const std::vector<Stamp>& stamps_;
+    const std::string& firstText_;
     const ReadOptions& options_;
+    Questions& asked_;
     Traits traits_;
     std::optional<ZoneClock> zone_;
     std::vector<std::int64_t> moments_;  // [ns]; of a clock alone since midnight
@@ -340,6 +378,7 @@ std::int64_t firstOf(const std::vector<std::int64_t>& moments) {
 void putSeconds(RawTable& raw, std::size_t index, const std::vector<std::int64_t>& moments, std::int64_t zero) {
     Column& column = raw.table.columns[index];
     column.values.clear();
+    column.values.reserve(raw.stamps[index].size());
     column.blanks.clear();
     for (std::size_t row = 0; row < raw.stamps[index].size(); ++row) {
         const bool isMissing = row >= moments.size() || moments[row] == none;
@@ -349,12 +388,12 @@ void putSeconds(RawTable& raw, std::size_t index, const std::vector<std::int64_t
     }
     column.unit = "s";
     raw.kinds[index] = CellKind::Number;
-    raw.stamps[index].clear();
+    raw.stamps[index] = {};
 }
 
 }  // namespace
 
-Outcome<std::string> makeSeconds(RawTable& raw, const ReadOptions& options) {
+Outcome<std::string> makeSeconds(RawTable& raw, const ReadOptions& options, Questions& asked) {
     Diagnostics told;
     joinDateAndClock(raw, told);
     addMilliseconds(raw, told);
@@ -363,7 +402,7 @@ Outcome<std::string> makeSeconds(RawTable& raw, const ReadOptions& options) {
     std::vector<std::pair<std::size_t, StampColumn>> columns;
     for (std::size_t i = 0; i < raw.kinds.size(); ++i) {
         if (raw.kinds[i] != CellKind::Stamp) continue;
-        StampColumn& column = columns.emplace_back(i, StampColumn(raw, i, options)).second;
+        StampColumn& column = columns.emplace_back(i, StampColumn(raw, i, options, asked)).second;
         if (Diagnostics faults = column.read(); !faults.empty()) return faults;
         told.insert(told.end(), column.remarks.begin(), column.remarks.end());
         if (start.empty()) start = column.start();

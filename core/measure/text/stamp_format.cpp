@@ -143,4 +143,55 @@ std::optional<Stamp> readStamp(std::string_view text, std::string_view format) {
     return reader.stamp();
 }
 
+namespace {
+
+/// The date in front of a stamp by the letters of its numbers; empty: none stands there.
+std::string dateFormat(StampParts& parts, DateOrder order) {
+    constexpr std::array<std::string_view, 3> letters{"Ymd", "dmY", "mdY"};
+    std::string format;
+    char mark = 0;
+    for (const char letter : letters[static_cast<std::size_t>(order)]) {
+        if (mark != 0) format += mark;
+        const std::size_t digits = parts.digits(4).size();
+        if (digits == 0) return {};
+        format += letter == 'Y' && digits < 3 ? std::string("%y") : std::string{'%', letter};
+        mark = parts.front();
+        if (letter != letters[static_cast<std::size_t>(order)].back() && !parts.take(mark)) return {};
+    }
+    return format;
+}
+
+std::string clockFormat(StampParts& parts) {
+    std::string format, rest(parts.rest());
+    const std::string lower = inLowerCase(rest);
+    const bool isTwelve = lower.find("am") != std::string::npos || lower.find("pm") != std::string::npos;
+    std::string_view letters = isTwelve ? "IMS" : "HMS";
+    for (; !letters.empty() && isDigit(parts.front()); letters.remove_prefix(1)) {
+        format += {'%', letters.front()};
+        parts.digits(6);
+        if (parts.front() == ':' && letters.size() > 1) format += parts.front(), parts.cut(1);
+    }
+    if (letters.empty() && !parts.isAtEnd() && std::string_view(".,:").find(parts.front()) != std::string_view::npos) {
+        format += {parts.front(), '%', 'f'};
+        parts.cut(1);
+        parts.digits(9);
+    }
+    if (parts.front() == ' ') format += ' ', parts.skip(" ");
+    if (isTwelve && isLetter(parts.front())) format += "%p", parts.letters();
+    if (parts.front() == ' ') format += ' ', parts.skip(" ");
+    if (!parts.isAtEnd()) format += "%z";
+    return format;
+}
+
+}  // namespace
+
+std::string stampFormatOf(std::string_view text, DateOrder order) {
+    StampParts parts(withoutBlanks(text));
+    std::string format = dateFormat(parts, order);
+    if (format.empty()) return {};
+    while (!parts.isAtEnd() && !isDigit(parts.front())) format += parts.front(), parts.cut(1);
+    if (!parts.isAtEnd()) format += clockFormat(parts);
+    return readStamp(text, format) ? format : std::string();
+}
+
 }  // namespace analogon

@@ -77,11 +77,11 @@ Outcome<TextFile> readModelica(std::string_view text, const std::string& name) {
 }
 
 Outcome<TextFile> readPlainTable(std::string_view text, const std::string& name, const ReadOptions& options,
-                                 const Progress& progress) {
-    Outcome<Layout> layout = findLayout(text, name, options);
+                                 const Progress& progress, Questions& asked) {
+    Outcome<Layout> layout = findLayout(text, name, options, asked);
     if (!layout) return layout.diagnostics();
     Diagnostics told = layout->warnings;
-    Outcome<RawTable> raw = readRows(text, name, *layout, options, progress);
+    Outcome<RawTable> raw = readRows(text, name, *layout, options, progress, asked);
     if (!raw) return raw.diagnostics();
     append(told, raw.diagnostics());
     std::map<std::string, std::string> comments;
@@ -90,10 +90,10 @@ Outcome<TextFile> readPlainTable(std::string_view text, const std::string& name,
     Diagnostics meaning = applyUnitColumns(*raw);
     if (hasError(meaning)) return meaning;
     append(told, std::move(meaning));
-    const Outcome<std::string> start = makeSeconds(*raw, options);
+    const Outcome<std::string> start = makeSeconds(*raw, options, asked);
     if (!start) return start.diagnostics();
     append(told, start.diagnostics());
-    append(told, addCountedTime(*raw, layout->facts, options));
+    append(told, addCountedTime(*raw, layout->facts, options, asked));
     applyToldUnit(*raw, options);
 
     TextFile file;
@@ -101,7 +101,7 @@ Outcome<TextFile> readPlainTable(std::string_view text, const std::string& name,
     file.start = start->empty() ? startOf(layout->facts) : *start;
     file.found = described(*layout);
     if (!isUtf8(text.substr(0, layout->offset))) file.found += phrase(", letters of Windows-1252");
-    file.groups = groupsOf(std::move(*raw), comments, told);
+    file.groups = groupsOf(std::move(*raw), comments, options, told, asked);
     if (hasError(told)) return told;
     return {std::move(file), std::move(told)};
 }
@@ -109,7 +109,7 @@ Outcome<TextFile> readPlainTable(std::string_view text, const std::string& name,
 }  // namespace
 
 Outcome<TextFile> readTextFile(std::string_view bytes, const std::string& name, const ReadOptions& options,
-                               const Progress& progress) {
+                               const Progress& progress, Questions& asked) {
     if (Diagnostics faults = checkOptions(options, name); !faults.empty()) return faults;
     std::string decoded;
     if (!options.encoding.empty() || isWideText(bytes)) {
@@ -121,7 +121,13 @@ Outcome<TextFile> readTextFile(std::string_view bytes, const std::string& name, 
         return fileError(phrase("this is not a text file"), name, 1, 0,
                          phrase("Export the measurement as comma-separated values."));
     if (isModelicaTable(bytes)) return readModelica(bytes, name);
-    return readPlainTable(bytes, name, options, progress);
+    return readPlainTable(bytes, name, options, progress, asked);
+}
+
+Outcome<TextFile> readTextFile(std::string_view bytes, const std::string& name, const ReadOptions& options,
+                               const Progress& progress) {
+    Questions asked;
+    return readTextFile(bytes, name, options, progress, asked);
 }
 
 }  // namespace analogon

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/outcome.hpp"
+#include "core/measure/question.hpp"
 #include "core/measure/read_options.hpp"
 #include "core/measure/recording.hpp"
 #include "core/measure/text/row_reader.hpp"
@@ -31,7 +32,10 @@ struct TextFile {
     std::vector<TextGroup> groups;
 };
 
-/// What is doubtful comes along as warnings, what was found out as notes.
+/// What is doubtful comes along as warnings, what was found out as notes. What can be answered by "read" is asked, too:
+/// where it is a fault, and where the file is read nevertheless.
+Outcome<TextFile> readTextFile(std::string_view bytes, const std::string& name, const ReadOptions& options,
+                               const Progress& progress, Questions& asked);
 Outcome<TextFile> readTextFile(std::string_view bytes, const std::string& name, const ReadOptions& options,
                                const Progress& progress = {});
 

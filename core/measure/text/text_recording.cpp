@@ -1,6 +1,7 @@
 #include "core/measure/text/text_recording.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "core/base/regular_file.hpp"
 #include "core/measure/table.hpp"
@@ -94,17 +95,79 @@ Diagnostics warningsOf(const Diagnostics& all) {
     return warnings;
 }
 
+/// The values of a text that has become a table: columns of words have none there.
+class TableValues final : public RecordingReader {
+public:
+    TableValues(std::shared_ptr<const Table> table, const std::vector<RecordedGroup>& groups)
+        : table_(std::move(table)) {
+        for (const RecordedGroup& group : groups) {
+            std::vector<std::size_t>& columns = columns_.emplace_back();
+            std::size_t next = 0;
+            for (const RecordedChannel& channel : group.channels)
+                columns.push_back(channel.kind == ChannelKind::Text ? none : next++);
+        }
+    }
+
+    Outcome<std::vector<ChannelValues>> read(std::size_t group, std::span<const std::size_t> channels,
+                                             const Progress&) const override {
+        const Table& table = group == 0 ? *table_ : *table_->others[group - 1];
+        std::vector<ChannelValues> values;
+        for (const std::size_t channel : channels) {
+            const std::size_t column = columns_[group][channel];
+            values.push_back({column == none ? std::vector<double>() : table.columns[column].values, {}});
+        }
+        return values;
+    }
+
+private:
+    static constexpr std::size_t none = SIZE_MAX;
+    std::shared_ptr<const Table> table_;
+    std::vector<std::vector<std::size_t>> columns_;  // by group and channel
+};
+
+Table tablesOf(std::vector<TextGroup> groups) {
+    const bool isAlone = groups.size() == 1;
+    Table first = tableOf(std::move(groups.front()), 1, isAlone);
+    for (std::size_t i = 1; i < groups.size(); ++i)
+        first.others.push_back(std::make_shared<const Table>(tableOf(std::move(groups[i]), i + 1, isAlone)));
+    return first;
+}
+
+MeasurementFile recordingOf(const TextFile& file, const std::string& name) {
+    MeasurementFile recording;
+    recording.file = name;
+    recording.format = file.format;
+    recording.start = file.start;
+    recording.notes.push_back(file.found);
+    for (const TextGroup& group : file.groups) {
+        recording.groups.push_back(recordedGroup(group));
+        tellMissingUnits(group, recording.notes);
+        if (group.time)
+            for (const Diagnostic& odd : oddStamps(group.table, *group.time)) recording.notes.push_back(odd.message);
+    }
+    return recording;
+}
+
 }  // namespace
+
+LookedAtText lookAtText(std::string_view bytes, const std::string& name, const ReadOptions& options,
+                        const Progress& progress) {
+    Questions asked;
+    Outcome<TextFile> read = readTextFile(bytes, name, options, progress, asked);
+    if (!read) return {read.diagnostics(), nullptr, std::move(asked)};
+    MeasurementFile recording = recordingOf(*read, name);
+    auto table = std::make_shared<const Table>(tablesOf(std::move(read->groups)));
+    recording.reader = std::make_shared<TableValues>(table, recording.groups);
+    return {{std::move(table), warningsOf(read.diagnostics())},
+            std::make_shared<const MeasurementFile>(std::move(recording)),
+            std::move(asked)};
+}
 
 Outcome<Table> textTables(std::string_view bytes, const std::string& name, const ReadOptions& options,
                           const Progress& progress) {
     Outcome<TextFile> read = readTextFile(bytes, name, options, progress);
     if (!read) return read.diagnostics();
-    const bool isAlone = read->groups.size() == 1;
-    Table first = tableOf(std::move(read->groups.front()), 1, isAlone);
-    for (std::size_t i = 1; i < read->groups.size(); ++i)
-        first.others.push_back(std::make_shared<const Table>(tableOf(std::move(read->groups[i]), i + 1, isAlone)));
-    return {std::move(first), warningsOf(read.diagnostics())};
+    return {tablesOf(std::move(read->groups)), warningsOf(read.diagnostics())};
 }
 
 Outcome<Table> readTextTables(const std::filesystem::path& file, const ReadOptions& options, const Progress& progress) {
@@ -116,17 +179,7 @@ Outcome<Table> readTextTables(const std::filesystem::path& file, const ReadOptio
 Outcome<MeasurementFile> openTextOf(std::string_view bytes, const std::string& name, const ReadOptions& options) {
     Outcome<TextFile> read = readTextFile(bytes, name, options);
     if (!read) return read.diagnostics();
-    MeasurementFile recording;
-    recording.file = name;
-    recording.format = read->format;
-    recording.start = read->start;
-    recording.notes.push_back(read->found);
-    for (const TextGroup& group : read->groups) {
-        recording.groups.push_back(recordedGroup(group));
-        tellMissingUnits(group, recording.notes);
-        if (group.time)
-            for (const Diagnostic& odd : oddStamps(group.table, *group.time)) recording.notes.push_back(odd.message);
-    }
+    MeasurementFile recording = recordingOf(*read, name);
     recording.reader = std::make_shared<TextValues>(std::move(read->groups));
     return {std::move(recording), read.diagnostics()};
 }

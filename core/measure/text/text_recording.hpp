@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "core/measure/question.hpp"
 #include "core/measure/read_options.hpp"
 #include "core/measure/recording.hpp"
 #include "core/measure/table.hpp"
@@ -21,5 +22,14 @@ Outcome<Table> textTables(std::string_view bytes, const std::string& name, const
                           const Progress& progress = {});
 Outcome<Table> readTextTables(const std::filesystem::path& file, const ReadOptions& options,
                               const Progress& progress = {});
+
+/// A text that is looked at before it is taken in.
+struct LookedAtText {
+    Outcome<std::shared_ptr<const Table>> table;
+    std::shared_ptr<const MeasurementFile> recording{};  // what it holds, with the table's values; null: it is faulty
+    Questions asked{};
+};
+LookedAtText lookAtText(std::string_view bytes, const std::string& name, const ReadOptions& options = {},
+                        const Progress& progress = {});
 
 }  // namespace analogon

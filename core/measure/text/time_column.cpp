@@ -89,7 +89,7 @@ std::optional<std::size_t> timeColumn(const Table& table, const std::vector<Cell
     return best;
 }
 
-Diagnostics addCountedTime(RawTable& raw, const PreambleFacts& facts, const ReadOptions& options) {
+Diagnostics addCountedTime(RawTable& raw, const PreambleFacts& facts, const ReadOptions& options, Questions& asked) {
     const std::string& file = raw.table.file;
     const std::optional<double> told = intervalOf(options.timeFormat);
     const std::optional<double> interval = told ? told : toldInterval(facts);
@@ -114,6 +114,7 @@ Diagnostics addCountedTime(RawTable& raw, const PreambleFacts& facts, const Read
                 what = phrase("no column is a time; '{}' counts the rows", cited(column.name));
                 break;
             }
+        asked.push_back({Question::Kind::Interval, phrase("Which time lies between two rows?")});
         if (facts.hasSeveralIntervals) what += phrase("; the channels have several sample intervals");
         return {remark(
             what, file, 0,
@@ -146,7 +147,29 @@ void applyToldUnit(RawTable& raw, const ReadOptions& options) {
     if (time && raw.table.columns[*time].unit.empty()) raw.table.columns[*time].unit = *unit;
 }
 
-Diagnostics nameCountedUnit(Table& table, std::size_t time) {
+namespace {
+
+/// Which unit a time without one has: by its names for people, and as "time_format" tells it.
+void askUnit(const Column& column, int line, std::vector<std::pair<Text, std::string>> units,
+             const ReadOptions& options, Questions& asked) {
+    Question question{Question::Kind::Choice,
+                      phrase("In which unit is the time in column '{}', which begins at {:.9g}?", cited(column.name),
+                             column.values.front()),
+                      line};
+    for (auto& [label, unit] : units) {
+        question.readings.push_back({std::move(label), options});
+        question.readings.back().options.timeFormat = unit;
+    }
+    asked.push_back(std::move(question));
+}
+
+Text nameOfUnit(std::string_view unit) {
+    return unit == "ms" ? phrase("milliseconds") : unit == "us" ? phrase("microseconds") : phrase("nanoseconds");
+}
+
+}  // namespace
+
+Diagnostics nameCountedUnit(Table& table, std::size_t time, const ReadOptions& options, Questions& asked) {
     Column& column = table.columns[time];
     if (!column.unit.empty() || column.values.size() < 2) return {};
     const double first = column.values.front(),
@@ -155,17 +178,20 @@ Diagnostics nameCountedUnit(Table& table, std::size_t time) {
     for (const auto& [unit, perSecond] : {std::pair{"ms", 1e3}, {"us", 1e6}, {"ns", 1e9}})
         if (first > from * perSecond && first < to * perSecond) {
             column.unit = unit;
+            askUnit(column, table.lines.front(), {{nameOfUnit(unit), unit}, {phrase("seconds"), "s"}}, options, asked);
             return {doubt(phrase("the numbers in column '{}' are taken for {} since 1970: no unit is given",
                                  cited(column.name), unit),
                           table.file, table.lines.front())};
         }
     const bool mayBeDays = (first > 30'000 && first < 70'000) || (first > 700'000 && first < 760'000);
-    if (mayBeDays && step < 0.2 && first != std::floor(first))
+    if (mayBeDays && step < 0.2 && first != std::floor(first)) {
+        askUnit(column, table.lines.front(), {{phrase("seconds"), "s"}, {phrase("days"), "d"}}, options, asked);
         return {fileError(
             phrase("the time in column '{}' begins at {:.9g} and has no unit: these may be seconds or days",
                    cited(column.name), first),
             table.file, table.lines.front(), 0,
             phrase("Say it in the study: \"read\": {{\"time_format\": \"s\"}} or {{\"time_format\": \"d\"}}."))};
+    }
     return {};
 }
 

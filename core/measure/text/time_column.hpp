@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/outcome.hpp"
+#include "core/measure/question.hpp"
 #include "core/measure/read_options.hpp"
 #include "core/measure/table.hpp"
 #include "core/measure/text/preamble.hpp"
@@ -19,8 +20,9 @@ bool rises(const std::vector<double>& values);
 std::optional<std::size_t> timeColumn(const Table& table, const std::vector<CellKind>& kinds);
 
 /// Rows that are only counted get a time where the preamble or "time_format" tells how they follow each other. The
-/// column is put in front and is called "time". Nothing where the table has a time already.
-Diagnostics addCountedTime(RawTable& raw, const PreambleFacts& facts, const ReadOptions& options);
+/// column is put in front and is called "time". Nothing where the table has a time already. Where neither tells, it is
+/// asked.
+Diagnostics addCountedTime(RawTable& raw, const PreambleFacts& facts, const ReadOptions& options, Questions& asked);
 
 /// Stamps that repeat because they have too few digits are laid on an even raster; single ones that repeat in a raster
 /// that goes on evenly are spread over their gap. What can be a jump or a fault stays as it is.
@@ -30,8 +32,8 @@ Diagnostics mendRepeatedStamps(Table& table, std::size_t time);
 void applyToldUnit(RawTable& raw, const ReadOptions& options);
 
 /// A time without a unit whose numbers are those of a known count of milliseconds, microseconds or nanoseconds since
-/// 1970 gets that unit; what may be seconds or days is a fault.
-Diagnostics nameCountedUnit(Table& table, std::size_t time);
+/// 1970 gets that unit; what may be seconds or days is a fault. Both are asked.
+Diagnostics nameCountedUnit(Table& table, std::size_t time, const ReadOptions& options, Questions& asked);
 
 /// What is odd about the course of the stamps: pauses.
 Diagnostics oddStamps(const Table& table, std::size_t time);

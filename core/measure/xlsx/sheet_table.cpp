@@ -39,6 +39,7 @@ public:
         nameColumns(columns);
         for (auto& [index, column] : columns) readColumn(index, column);
         joinDateAndClock(columns);
+        for (auto& [index, column] : columns) passMidnight(column);
         if (sheet_.isCut)
             notes_.push_back(phrase("sheet \"{}\" has too many cells: the last ones are left out", sheet_.name));
         return tablesOf(columns);
@@ -242,11 +243,34 @@ private:
         }
     }
 
-    static bool isTime(const SheetColumn& column) {
+    /// A clock without a date falls at midnight.
+    void passMidnight(SheetColumn& column) {
+        const auto isClock = [](double value) { return std::isnan(value) || (value >= 0 && value < 1); };
+        if (!column.isDate || !std::all_of(column.numbers.begin(), column.numbers.end(), isClock)) return;
+        std::size_t days = 0;
+        double last = gap;
+        for (double& value : column.numbers) {
+            if (std::isnan(value)) continue;
+            value += static_cast<double>(days);
+            if (value < last - 0.5) {
+                value += 1;
+                ++days;
+            }
+            last = value;
+        }
+        if (days > 0)
+            notes_.push_back(
+                phrase("sheet \"{}\", column \"{}\": the clock passes midnight {} times: a day is added "
+                       "there",
+                       sheet_.name, column.name, days));
+    }
+
+    /// The first one by its name or its unit; others are durations unless they are called a time.
+    static bool isTime(const SheetColumn& column, bool isFirst) {
         if (column.isText) return false;
-        const bool isNamed =
-            column.isDate || (column.unit.empty() ? namesTime(column.name) : areConvertible(column.unit, "s"));
-        if (!isNamed) return false;
+        const bool hasUnit = !column.unit.empty() && areConvertible(column.unit, "s");
+        const bool isNamed = namesTime(column.name) && (column.unit.empty() || hasUnit);
+        if (!column.isDate && !isNamed && !(isFirst && hasUnit)) return false;
         double last = -INFINITY, first = NAN;
         for (const double value : column.numbers) {
             if (std::isnan(value)) continue;
@@ -262,7 +286,7 @@ private:
         std::size_t times = 0;
         for (auto& [index, column] : columns) {
             // a second column of time is one only where the first has another length or other stamps
-            if (isTime(column) &&
+            if (isTime(column, times == 0) &&
                 (!tables.back().time || !isSameTime(tables.back().columns[*tables.back().time], column))) {
                 if (times++ > 0) tables.emplace_back();
                 tables.back().time = tables.back().columns.size();

@@ -45,6 +45,47 @@ std::vector<double> timeOf(const TextFile& file, std::size_t group = 0) {
     return from.time ? from.table.columns[*from.time].values : std::vector<double>{};
 }
 
+// ---- what a name says ----
+
+TEST(TextFile, APathIsNoUnitBehindASlash) {
+    const TextFile paths = read("time;Motor/T;Motor/n;Bench/u\n0;1;2;3\n1;2;3;4\n");
+    EXPECT_THAT(names(paths), ElementsAre("time", "Motor/T", "Motor/n", "Bench/u"));
+    EXPECT_EQ(column(paths, "Motor/T").unit, "") << "no tesla";
+    const TextFile told = read("t,Model/u,Plant/A\ns,V,rpm\n0,1,2\n1,2,3\n");
+    EXPECT_EQ(column(told, "Model/u").unit, "V") << "what the row of units says";
+    const TextFile units = read("t/s;u/mV;i/A\n0;1;2\n1;2;3\n");
+    EXPECT_THAT(names(units), ElementsAre("t", "u", "i"));
+    EXPECT_EQ(column(units, "u").unit, "mV");
+}
+
+TEST(TextFile, TimesThatAreNumberedHaveChannelsOfTheirOwn) {
+    for (const char* text :
+         {"t1 [s];a;t2 [ms];b\n0;1;0;5\n1;2;20;6\n2;3;;\n", "t [s];a;t [s];b\n0;1;0;5\n1;2;0,5;6\n2;3;;\n"}) {
+        const TextFile file = read(text);
+        ASSERT_EQ(file.groups.size(), 2u) << text;
+        EXPECT_EQ(file.groups[1].table.lines.size(), 2u) << text;
+        EXPECT_THAT(column(file, "b", 1).values, ElementsAre(5, 6)) << text;
+    }
+    EXPECT_EQ(read("t [s];t1;t2\n0;20;21\n1;22;23\n2;24;25\n").groups.size(), 1u) << "temperatures";
+}
+
+TEST(TextFile, BlanksPartColumnsOfDecimalCommas) {
+    const TextFile file = read("t u\n0,0 0,0\n0,5 1,25\n1,0 2,5\n");
+    EXPECT_THAT(names(file), ElementsAre("t", "u"));
+    EXPECT_THAT(column(file, "u").values, ElementsAre(0, 1.25, 2.5));
+}
+
+TEST(TextFile, WordsAloneAreNoMeasurement) {
+    EXPECT_THAT(faultOf("{\"t\":a,\"u\":b}\n{\"t\":c,\"u\":d}\n{\"t\":e,\"u\":f}\n"), HasSubstr("no rows of numbers"));
+}
+
+TEST(TextFile, APreambleMayBeLongerThanWhatIsLookedAtFirst) {
+    std::string text;
+    for (int i = 0; i < 400; ++i) text += fmt::format("Param{}: {}\n", i, 3 * i);
+    text += "t [s],u [V]\n0,1\n1,2.5\n2,4\n";
+    EXPECT_THAT(column(read(text), "u").values, ElementsAre(1, 2.5, 4));
+}
+
 // ---- preambles ----
 
 TEST(TextFile, TakesNamesAndUnitsFromBehindAPreamble) {

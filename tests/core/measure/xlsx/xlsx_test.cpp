@@ -94,6 +94,28 @@ TEST_F(Xlsx, DatesAreSecondsSinceTheFirstAndALineBelowTheDataIsNone) {
     EXPECT_THAT(notes, HasSubstr("1 rows without a time"));
 }
 
+TEST_F(Xlsx, AClockPassesMidnight) {
+    const Outcome<MeasurementFile> opened = open(row(1, word("A1", "Uhrzeit") + word("B1", "u [V]")) +
+                                                 row(2, number("A2", "0.99998842592592595", 1) + number("B2", "1")) +
+                                                 row(3, number("A3", "0", 1) + number("B3", "2")) +
+                                                 row(4, number("A4", "1.1574074074074073E-5", 1) + number("B4", "3")));
+    ASSERT_TRUE(opened) << format(opened.diagnostics());
+    const std::vector<double> time = numbers(*opened, 0, 0);
+    ASSERT_EQ(time.size(), 3u);
+    for (std::size_t i = 0; i < time.size(); ++i) EXPECT_NEAR(time[i], static_cast<double>(i), 1e-6);
+    EXPECT_EQ(opened->groups.at(0).masterChannel, 0u);
+}
+
+TEST_F(Xlsx, ADurationThatGrowsIsNoTimeOfOtherChannels) {
+    const Outcome<MeasurementFile> opened =
+        open(row(1, word("A1", "t [s]") + word("B1", "delay [ms]") + word("C1", "i [A]")) +
+             row(2, number("A2", "0") + number("B2", "1") + number("C2", "5")) +
+             row(3, number("A3", "1") + number("B3", "3") + number("C3", "6")));
+    ASSERT_TRUE(opened) << format(opened.diagnostics());
+    ASSERT_EQ(opened->groups.size(), 1u);
+    EXPECT_EQ(opened->groups[0].channels.size(), 3u);
+}
+
 TEST_F(Xlsx, EachColumnBelongsToTheTimeOnItsLeft) {
     const Outcome<MeasurementFile> opened =
         open(row(1, word("A1", "t") + word("B1", "u") + word("C1", "t") + word("D1", "i")) +
