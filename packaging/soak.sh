@@ -86,7 +86,7 @@ kind; interrupts: 4 times $interrupts; mutants: $mutants of each kind"
 for each in "${nearly[@]}"; do
     read -r name program filter <<<"$each"
     start "$name" "build/asan/tests/$program" "$filter" ANALOGON_MUTANTS="$mutants" \
-        ASAN_OPTIONS="$ASAN_OPTIONS:abort_on_error=1:hard_rss_limit_mb=1024"
+        ASAN_OPTIONS="$ASAN_OPTIONS:abort_on_error=1:hard_rss_limit_mb=1024:allocator_may_return_null=1"
 done
 for each in "${writes[@]}"; do
     read -r name program filter <<<"$each"

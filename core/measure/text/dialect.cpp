@@ -219,6 +219,15 @@ bool isWholeTable(const SampledRows& sample) {
 
 }  // namespace
 
+namespace {
+
+/// Whether the first of the sampled rows has more than one cell; a text may have no row at all.
+bool isParted(const SampledRows& sample) {
+    return sample.begin < sample.rows.size() && sample.rows[sample.begin].cells.size() > 1;
+}
+
+}  // namespace
+
 SampledRows sampledRows(const TextHead& head) {
     if (head.separator) return sampleBy(head, *head.separator);
     SampledRows best;
@@ -234,10 +243,9 @@ SampledRows sampledRows(const TextHead& head) {
         SampledRows sample = sampleBy(head, ' ');
         if (isWholeTable(sample)) return sample;
     }
-    const bool isParted = best.score > 0 && best.rows[best.begin].cells.size() > 1;
-    if (!isParted) {
+    if (!(best.score > 0 && isParted(best))) {
         SampledRows sample = sampleBy(head, ' ');
-        const bool isBetter = sample.score > best.score && sample.rows[sample.begin].cells.size() > 1;
+        const bool isBetter = sample.score > best.score && isParted(sample);
         if (isBetter || (best.score < 0 && sample.score > 0)) best = std::move(sample);
     }
     if (best.score < 0) best = sampleBy(head, ',');
