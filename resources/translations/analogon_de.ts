@@ -9658,6 +9658,10 @@ Rechts: das Residuum über einer anderen Größe; Rauschen zeigt keine Form.</tr
         <translation>ein langsam veränderlicher Fluss, den niemand gemessen hat, erklärt ebenso viel</translation>
     </message>
     <message>
+        <source>its form may follow what other effects do, and with it structure remains</source>
+        <translation>seine Form kann dem folgen, was andere Effekte tun, und mit ihm bleibt Struktur</translation>
+    </message>
+    <message>
         <source>taken out again: {}</source>
         <translation>wieder herausgenommen: {}</translation>
     </message>

@@ -124,6 +124,7 @@ EffectClass readWords(const LibraryClass& of, const Modification& annotation, An
     e.strength = read.text(annotation, "strength", true);
     e.oneSided = read.flag(annotation, "oneSided");
     e.behindSource = read.flag(annotation, "behindSource");
+    e.flexible = read.flag(annotation, "flexible");
     e.linear = read.list(annotation, "linear");
     e.secant = read.list(annotation, "secant");
     e.whole = read.list(annotation, "whole");

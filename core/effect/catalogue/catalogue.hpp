@@ -15,8 +15,9 @@
 ///     way = "attach",                   // attach | insert | specialise | bridge
 ///     ports = {"flange"},               // attach: its connector; insert: the two sides {"flange_a","flange_b"},
 ///                                       // for signals {"u","y"}; bridge: one for each node; specialise: absent
-///     behindSource = true,              // insert: only where the first side is what a block turns something else into
-///     at = "output",                    // signals only: insert at a top-level "output" or "input"
+///     flexible = true,                  // its form may follow what other effects do: chosen only where it leaves
+///     noise behindSource = true,              // insert: only where the first side is what a block turns something
+///     else into at = "output",                    // signals only: insert at a top-level "output" or "input"
 ///     inSignalUnit = {"b"},             // signals only: parameters in the unit of the signal
 ///     inSignalRate = {"a"},             // and those in that unit per second
 ///     strength = "tau_c",               // 0 = off
@@ -54,6 +55,7 @@ struct EffectClass {
     std::string kind;
     Way way{Way::Attach};
     std::vector<std::string> ports;
+    bool flexible{};                                      // its form may follow what other effects do
     bool behindSource{};                                  // inserted where something is turned into what flows, alone
     std::string signalSide;                               // "input", "output" or empty
     std::vector<std::string> inSignalUnit, inSignalRate;  // its parameters in the unit of the signal; that per second

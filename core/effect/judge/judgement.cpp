@@ -39,6 +39,10 @@ int plausibility(const EffectClass& effect) {
     return effect.signalSide == "input" ? 2 : effect.behindSource ? 1 : 0;
 }
 
+bool mayFollowOthers(const NullModel& null, const Trial& trial) {
+    return trial.screened.candidate.effect.flexible && !isNoise(null.channels, trial.fit);
+}
+
 bool isMissed(const Acceptance& a) { return a.isSignificant && a.isWorthwhile && a.heldOut > 0; }
 
 bool isClearlyMissed(const Acceptance& a) { return std::min(a.evidence, a.effective) > clearlyMissed; }

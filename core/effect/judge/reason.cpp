@@ -61,6 +61,8 @@ Text predictsNoBetter(const Prediction& prediction) {
         prediction.errorPercentBefore, prediction.errorPercentAfter, prediction.betterIn, prediction.blocks);
 }
 
+Text followsOthers() { return phrase("its form may follow what other effects do, and with it structure remains"); }
+
 Text takenOut(const Text& why) { return phrase("taken out again: {}", why); }
 
 }  // namespace analogon

@@ -16,6 +16,7 @@ Text whyRefused(const Acceptance& acceptance, double heldOutAsked);
 Text withinChance(double evidence, double asked);
 
 Text atBound();                // see isAtBound
+Text followsOthers();          // see mayFollowOthers
 Text indistinct();             // see isTold
 Text fights();                 // see fightsAnother
 Text explainsLittle();         // see outweighsRest

@@ -40,7 +40,8 @@ std::vector<std::size_t> otherBeginnings(const NullModel& null, const Round& rou
     std::vector<std::size_t> others;
     for (std::size_t i = 0; i < round.trials.size() && others.size() < otherPaths; ++i) {
         const Trial& t = round.trials[i];
-        if (!t.ok || isProposal(t) || isAtBound(t) || t.evidence < rivalShare * round.trials[*round.chosen].evidence)
+        if (!t.ok || isProposal(t) || isAtBound(t) || mayFollowOthers(null, t) ||
+            t.evidence < rivalShare * round.trials[*round.chosen].evidence)
             continue;
         if (i == *round.chosen || std::find(round.members.begin(), round.members.end(), i) != round.members.end())
             continue;

@@ -137,6 +137,8 @@ std::vector<Trial> tryRivals(SearchContext& search, const Contested& old, const 
         if (isWorthATrial(s)) chosen.push_back(&s);
     std::vector<Trial> trials = tryThese(search, old.rest, chosen, 2 * trialIterations, startsPerTrial);
     continueBest(search, old.rest, trials);
+    for (Trial& t : trials)
+        if (t.ok && mayFollowOthers(old.rest, t)) t.ok = false, t.failure = followsOthers();
     rank(old.rest, trials);
     retryNear(search, old.rest, old.node.null.variant.values, old.node.null.sumOfSquares(), trials);
     search.journal.trials("rival of " + keyOf(old.placed().effect, old.placed().place), old.rest, trials);

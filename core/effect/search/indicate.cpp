@@ -134,6 +134,9 @@ std::vector<Contender> contendersOf(const SearchContext& search, const NullModel
              isClear ? "predicts" : "refused");
         if (isClear) contenders.push_back({i, prediction});
     }
+    // a form that may follow others is indicated only where none of them predicts better
+    const auto isFlexible = [&](const Contender& c) { return trials[c.trial].screened.candidate.effect.flexible; };
+    if (!std::all_of(contenders.begin(), contenders.end(), isFlexible)) std::erase_if(contenders, isFlexible);
     return contenders;
 }
 

@@ -194,7 +194,9 @@ std::vector<std::size_t> pairBeginnings(const NullModel& null, const Round& roun
     for (std::size_t i = 0; i < round.trials.size(); ++i) {
         const Trial& t = round.trials[i];
         const auto isIt = [&](const Candidate& c) { return isSame(c, t.screened.candidate); };
-        if (!t.ok || !(t.evidence > 0) || isProposal(t) || std::any_of(taken.begin(), taken.end(), isIt)) continue;
+        if (!t.ok || !(t.evidence > 0) || isProposal(t) || mayFollowOthers(null, t) ||
+            std::any_of(taken.begin(), taken.end(), isIt))
+            continue;
         named.push_back(i);
         screened.push_back(&t.screened);
     }

@@ -152,14 +152,17 @@ struct JudgedEquations {
     std::optional<Judged> unconfirmed;  // the best that fails only those that every part of the record must pass
 };
 
-/// Puts the trials to their tests, best first, until a named effect passes them.
-JudgedEquations judgeTrials(const NullModel& null, Round& round) {
+/// Puts the trials to their tests, best first, until a named effect passes them. `areAskedFor`: the study's user has
+/// chosen among the kinds.
+JudgedEquations judgeTrials(const NullModel& null, Round& round, bool areAskedFor) {
     const std::vector<Trial>& trials = round.trials;
     JudgedEquations equations;
     for (std::size_t i = 0; i < trials.size() && !round.chosen; ++i) {
         if (!trials[i].ok || trials[i].evidence < equivalenceMargin) break;
         if (isAtBound(trials[i]))
             round.refused[i] = atBound();
+        else if (!areAskedFor && mayFollowOthers(null, trials[i]))
+            round.refused[i] = followsOthers();
         else if (isProposal(trials[i]) && equations.accepted)
             round.refused[i] = phrase("explains less than {}", nameOf(round.candidate(equations.accepted->trial)));
         else if (!isProposal(trials[i]) && fightsAnother(null, trials[i].fit))
@@ -220,7 +223,8 @@ void chooseEquation(const SearchContext& search, const NullModel& null, Round& r
 }  // namespace
 
 void decide(const SearchContext& search, const NullModel& null, Round& round) {
-    const auto [accepted, unconfirmed] = judgeTrials(null, round);
+    const auto [accepted, unconfirmed] =
+        judgeTrials(null, round, !search.options.kinds.empty() || !search.options.choices.empty());
     if (round.chosen) {
         round.behind = phrase("explains less than {}", nameOf(round.candidate(*round.chosen)));
         preferSimple(null, round);

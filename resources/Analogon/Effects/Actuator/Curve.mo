@@ -16,6 +16,7 @@ equation
       ports = {"u", "y"},
       at = "input",
       strength = "p",
+      flexible = true,
       inSignalUnit = {"u_ref", "u_eps"},
       fixed(u_ref = "maxabs(u)", u_eps = "0.003*maxabs(u)"))),
     Icon(coordinateSystem(extent={{-100,-100},{100,100}}), graphics={
